@@ -1,0 +1,15 @@
+# SuiteSparse has no CMake config on Debian 12. Defines jointid_suitesparse (SPQR and CHOLMOD).
+find_path(JointidSuiteSparse_INCLUDE_DIR SuiteSparseQR.hpp PATH_SUFFIXES suitesparse)
+set(_libs)
+foreach(lib spqr cholmod suitesparseconfig)
+  find_library(JointidSuiteSparse_${lib} ${lib})
+  list(APPEND _libs "${JointidSuiteSparse_${lib}}")
+endforeach()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(JointidSuiteSparse REQUIRED_VARS
+  JointidSuiteSparse_INCLUDE_DIR JointidSuiteSparse_spqr JointidSuiteSparse_cholmod JointidSuiteSparse_suitesparseconfig)
+if(JointidSuiteSparse_FOUND AND NOT TARGET jointid::suitesparse)
+  add_library(jointid::suitesparse INTERFACE IMPORTED)
+  target_include_directories(jointid::suitesparse SYSTEM INTERFACE "${JointidSuiteSparse_INCLUDE_DIR}")
+  target_link_libraries(jointid::suitesparse INTERFACE ${_libs})
+endif()

@@ -1,0 +1,12 @@
+# Imported targets for the Debian packages; cmake/jointid-config.cmake.in repeats the calls for outside projects.
+find_package(PkgConfig REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET tomlplusplus)
+find_package(JointidSuiteSparse REQUIRED)
+if(JOINTID_WITH_MATIO)
+  pkg_check_modules(matio IMPORTED_TARGET matio)
+endif()

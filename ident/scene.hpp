@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frf/frf_source.hpp"
+#include "restrictions/joint_spec.hpp"
+#include "weighting/weighting.hpp"
+
+namespace jointid::ident {
+
+using Path = std::filesystem::path;
+using Matrix = std::vector<std::vector<double>>;
+using Range = std::array<double, 2>;  ///< Hz, both ends included
+
+/// A file and what the scene says about it that the file does not say itself ([data.files."name"]).
+struct DataFile {
+  Path path;  ///< resolved against the folder of the scene
+  frf::OpenOptions options;
+};
+
+struct DataSection {
+  std::vector<DataFile> substructures;  ///< uncoupled: FRFs across two files are zero by construction
+  std::vector<DataFile> assembly;
+  bool reciprocity = false;  ///< on request: an FRF that is not there is taken from its transpose
+};
+
+/// Leaves out lines within half_width·f of every resonance f found in the data.
+struct ResonanceExclusion {
+  bool of_substructures = false;
+  bool of_assembly = false;
+  double half_width = 0.01;  ///< relative, 0 < half_width < 1
+};
+
+struct FrequencySection {
+  std::optional<Range> range_hz;
+  std::optional<double> step_hz;  ///< > 0: the lines nearest to lo, lo+step, …
+  std::vector<Range> exclude_hz;
+  std::optional<ResonanceExclusion> exclude_resonances;
+};
+
+enum class Method { one, two, direct, newton, likelihood };
+/// The block of the assembly that an equation explains (formulas §2 and §3).
+enum class Equation { nn, nj, jj, jn };
+
+std::string name(Method method);
+std::string name(Equation equation);
+
+struct IdentifySection {
+  Method method = Method::one;
+  std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
+  weighting::Weighting weighting = weighting::Weighting::wb;
+  double delta = 0.0;  ///< 0 ≤ Δ < 2
+  std::string solver = "auto";
+  std::map<restrictions::Kind, Matrix> start;
+};
+
+struct NoiseSection {
+  std::string model;  ///< uniform | gaussian | circular | modal
+  double level = 0.0;
+};
+
+/// A scene file, checked for everything that can be checked without opening the data.
+struct Scene {
+  Path file;
+  std::string title;
+  DataSection data;
+  FrequencySection frequency;
+  std::vector<restrictions::JointSpec> joints;  ///< [joint] or [[joints]]
+  IdentifySection identify;
+  std::optional<NoiseSection> noise;
+  std::map<restrictions::Kind, Matrix> truth;  ///< over all joint DOFs in order; absent matrices are not compared
+};
+
+/// Reads a scene. Unknown keys, wrong types, impossible values and combinations throw InputError (usage) that names file,
+/// line, key and the nearest valid word.
+Scene read_scene(const Path& file);
+
+/// The same from text; `file` is used in messages and to resolve the paths of the data.
+Scene parse_scene(const std::string& text, const Path& file);
+
+}  // namespace jointid::ident

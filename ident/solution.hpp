@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ident/scene.hpp"
+
+namespace jointid::ident {
+
+/// Whether the numbers are usable.
+enum class Status {
+  ok,
+  rank_deficient,  ///< the data do not fix every unknown; the rest of the numbers hold
+  no_equations,    ///< nothing was left to solve
+  not_converged
+};
+
+std::string name(Status status);
+
+struct Estimate {
+  std::string name;
+  std::string unit;
+  double value = 0.0;
+  bool determined = true;           ///< false: the data do not fix it, see Solution::message
+  std::optional<double> std_error;  ///< empty where the method has no honest one
+  std::optional<std::array<double, 2>> ci95;
+};
+
+using Matrices = std::map<restrictions::Kind, Matrix>;
+
+/// Joint matrices of one frequency band (one band without limits when the scene names none).
+struct BandMatrices {
+  std::optional<Range> band_hz;
+  Matrices matrices;
+};
+
+struct Fit {
+  std::size_t equations_used = 0;     ///< complex equations
+  std::size_t equations_dropped = 0;  ///< by Δ, by missing data, or with zero coefficients only
+  std::size_t lines = 0;
+  std::size_t rank = 0;
+  double condition = 0.0;                ///< of the column-scaled weighted system, 2-norm
+  std::optional<double> asm_frf_error;   ///< dB; empty when the scene's equations do not read what it needs
+};
+
+/// Figures of merit of formulas §6 for one matrix against the truth.
+struct Quality {
+  double rjcf = 0.0;
+  double arvf = 0.0;
+  double rms_relative_error = 0.0;  ///< sqrt(mean((u_i − 1)²)) over the same elements
+};
+
+struct RunTime {
+  double read = 0.0, assemble = 0.0, solve = 0.0, total = 0.0;  ///< s
+};
+
+/// What was really done; a silent fall-back would show here.
+struct Used {
+  Method method = Method::one;
+  std::vector<Equation> equations;
+  weighting::Weighting weighting = weighting::Weighting::none;
+  double delta = 0.0;
+  std::string solver;
+};
+
+struct Solution {
+  Status status = Status::ok;
+  std::string message;  ///< one or more sentences; empty when all is well
+  std::vector<Estimate> unknowns;
+  std::vector<frf::Dof> dofs;
+  std::vector<BandMatrices> bands;  ///< at least one
+  Fit fit;
+  std::map<restrictions::Kind, Quality> quality;  ///< where the scene tells the truth
+  RunTime runtime_s;
+  Used used;
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "restrictions/joint_spec.hpp"
+
+namespace jointid::restrictions {
+
+/// One identified quantity.
+struct Unknown {
+  std::string name;  ///< "K(1,2)", "M.a", "K[4:+Y,5:+Y]"; prefixed "joint." when there are several joints
+  std::string unit;  ///< "N/m", "N*m/rad", "kg", "N*s/m", …; "mixed" when one unknown stands at several units
+  Kind kind = Kind::stiffness;
+  std::size_t joint = 0;  ///< index into the joints that build() got
+};
+
+/// Coefficient of an unknown in one matrix element: X(row, column) += coefficient · y(unknown).
+struct Term {
+  std::size_t row = 0;
+  std::size_t column = 0;
+  std::size_t unknown = 0;  ///< index into Restriction::unknowns
+  double coefficient = 0.0;
+};
+
+/// Known part of one matrix element: X(row, column) += value.
+struct Known {
+  std::size_t row = 0;
+  std::size_t column = 0;
+  double value = 0.0;
+};
+
+/// One of K, M, C, D: X = Σ_terms coefficient·y(unknown) + known, N×N in the order of Restriction::dofs.
+struct MatrixTerms {
+  Kind kind = Kind::stiffness;
+  std::vector<Term> terms;   ///< sorted by (unknown, row, column), no element twice per unknown
+  std::vector<Known> known;  ///< sorted by (row, column), non-zero only
+};
+
+/// The restriction matrix T of thesis eq. (6.38), kept sparse and per matrix: x = T y₁ + T₂y₂, where the unknowns y₁ are
+/// `unknowns` and the known part T₂y₂ is already multiplied out. Only matrices that the scene names are here.
+struct Restriction {
+  std::vector<frf::Dof> dofs;      ///< N joint DOFs, those of the joints one after the other
+  std::vector<Unknown> unknowns;   ///< K first, then M, C, D; within a matrix in order of first appearance, row by row
+  std::vector<MatrixTerms> matrices;
+
+  bool has(Kind kind) const;
+  /// True when every matrix of every y is symmetric.
+  bool symmetric() const;
+  /// The N×N matrix (row-major) for the values `y` of all unknowns; zeros when the scene has no such matrix.
+  std::vector<double> matrix(Kind kind, const std::vector<double>& y) const;
+};
+
+/// Builds T from the joints. Throws InputError (usage) that names joint, matrix, entry and remedy: entries that are not
+/// linear, wrong sizes, DOFs that are not the joint's, a DOF in two places, springs on one DOF, missing node positions, …
+Restriction build(const std::vector<JointSpec>& joints);
+
+}  // namespace jointid::restrictions

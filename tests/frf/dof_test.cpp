@@ -1,0 +1,40 @@
+#include "frf/dof.hpp"
+
+#include <gtest/gtest.h>
+
+#include "frf/error.hpp"
+
+namespace jointid::frf {
+namespace {
+
+TEST(Dof, NameIsTheInverseOfParse) {
+  for (const char* text : {"4:+Y", "4:-RZ", "9999999999:+X", "0:-RX"}) {
+    EXPECT_EQ(Dof::parse(text).name(), text);
+  }
+}
+
+TEST(Dof, AMissingSignIsPlus) { EXPECT_EQ(Dof::parse("4:Y"), Dof::parse("4:+Y")); }
+
+TEST(Dof, TheSignDoesNotMakeAnotherCoordinate) {
+  const Dof plus = Dof::parse("4:+Y");
+  const Dof minus = Dof::parse("4:-Y");
+  EXPECT_NE(plus, minus);
+  EXPECT_TRUE(plus.same_coordinate(minus));
+  EXPECT_EQ(coordinate_key(plus), coordinate_key(minus));
+  EXPECT_FALSE(plus.same_coordinate(Dof::parse("4:+RY")));
+}
+
+TEST(Dof, WhatIsNotADofIsAnErrorThatNamesIt) {
+  for (const char* text : {"", "4", "4:", ":+Y", "4:+Q", "x:+Y", "-4:+Y", "4:++Y", "4.5:+Y", "10000000000:+Y"}) {
+    try {
+      Dof::parse(text);
+      FAIL() << text;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("'" + std::string(text) + "'"), std::string::npos) << error.what();
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jointid::frf
