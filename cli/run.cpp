@@ -22,7 +22,6 @@ int finish(ExitCode code) {
 }
 
 int perform(const Arguments& arguments) {
-  catch_interrupts();
   return finish(std::visit([](const auto& command) { return execute(command, std::cout); }, arguments));
 }
 
