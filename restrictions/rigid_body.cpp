@@ -1,0 +1,87 @@
+#include "restrictions/rigid_body.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+#include <limits>
+#include <set>
+
+namespace jointid::restrictions {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+using Arms = std::map<std::int64_t, Vector3d>;
+
+/// Positions of the joint's nodes from their centroid.
+Arms arms_from_centroid(const std::vector<frf::Dof>& dofs,
+                        const std::map<std::int64_t, std::array<double, 3>>& positions) {
+  Arms arms;
+  for (const frf::Dof& dof : dofs) arms[dof.node] = Vector3d(positions.at(dof.node).data());
+  Vector3d centroid = Vector3d::Zero();
+  for (const auto& [node, position] : arms) centroid += position / static_cast<double>(arms.size());
+  const double rounding = 4 * static_cast<double>(arms.size()) * eps * centroid.stableNorm();
+  for (auto& [node, arm] : arms) {
+    arm -= centroid;
+    if (arm.stableNorm() <= rounding) arm.setZero();  // a distance that only rounding makes is none
+  }
+  return arms;
+}
+
+double characteristic_length(const Arms& arms) {
+  Eigen::VectorXd distances(static_cast<Index>(arms.size()));
+  Index i = 0;
+  for (const auto& [node, arm] : arms) distances(i++) = arm.stableNorm();
+  const double length = distances.stableNorm() / std::sqrt(static_cast<double>(arms.size()));
+  return length > 0.0 ? length : 1.0;
+}
+
+Vector3d axis(frf::Direction direction) {
+  const Index code = static_cast<Index>(direction) - 1;
+  return Vector3d::Unit(code % 3);
+}
+
+/// V R, [DOFs, 6]: translations t, then ℓθ.
+MatrixXd scaled_rigid_motions(const std::vector<frf::Dof>& dofs, const Arms& arms, double length) {
+  MatrixXd motions = MatrixXd::Zero(static_cast<Index>(dofs.size()), 6);
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    const Vector3d along = dofs[i].sign * axis(dofs[i].direction);
+    const Index row = static_cast<Index>(i);
+    if (dofs[i].is_rotation()) {
+      motions.row(row).tail<3>() = along.transpose();
+    } else {
+      motions.row(row).head<3>() = along.transpose();
+      // along·(θ × arm) = (arm × along)·θ
+      motions.row(row).tail<3>() = (arms.at(dofs[i].node) / length).cross(along).transpose();
+    }
+  }
+  return motions;
+}
+
+/// Orthonormal basis of the complement of the columns' span.
+MatrixXd complement(const MatrixXd& columns) {
+  const Eigen::JacobiSVD<MatrixXd> svd(columns, Eigen::ComputeFullU);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  const double tolerance = eps * static_cast<double>(std::max<Index>(columns.rows(), 6)) * sigma(0);
+  const Index rank = (sigma.array() > tolerance).count();
+  return svd.matrixU().rightCols(columns.rows() - rank);
+}
+
+}  // namespace
+
+Deformation deformation(const std::vector<frf::Dof>& dofs,
+                        const std::map<std::int64_t, std::array<double, 3>>& positions) {
+  const Arms arms = arms_from_centroid(dofs, positions);
+  const double length = characteristic_length(arms);
+  Deformation result;
+  result.scale = Eigen::VectorXd::Ones(static_cast<Index>(dofs.size()));
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
+    if (dofs[i].is_rotation()) result.scale(static_cast<Index>(i)) = length;
+  }
+  result.basis = complement(scaled_rigid_motions(dofs, arms, length));
+  return result;
+}
+
+}  // namespace jointid::restrictions
