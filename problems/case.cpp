@@ -1,6 +1,6 @@
 #include "problems/case.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace jointid::problems {
 namespace {
@@ -56,7 +56,7 @@ std::vector<double> frequencies(const Axis& axis) {
 
 JointMatrix symmetric(Kind kind, Matrix truth) {
   JointMatrix result{
-      .kind = kind, .truth = std::move(truth), .declaration = "pattern = \"symmetric\"", .unknowns = {}};
+      .kind = kind, .truth = std::move(truth), .spec = restrictions::Pattern::symmetric, .unknowns = {}};
   for (std::size_t i = 0; i < result.truth.size(); ++i) {
     for (std::size_t j = i; j < result.truth.size(); ++j) {
       const std::string place = "(" + std::to_string(i + 1) + "," + std::to_string(j + 1) + ")";
@@ -66,20 +66,9 @@ JointMatrix symmetric(Kind kind, Matrix truth) {
   return result;
 }
 
-JointMatrix expressed(Kind kind, const Matrix& truth, const std::vector<std::vector<std::string>>& entries,
+JointMatrix expressed(Kind kind, const Matrix& truth, restrictions::EntryMatrix entries,
                       const std::vector<ExactUnknown>& letters) {
-  const auto is_number = [](const std::string& text) {
-    return text.find_first_not_of("+-.0123456789") == std::string::npos;
-  };
-  std::string rows;
-  for (const std::vector<std::string>& row : entries) {
-    std::string cells;
-    for (const std::string& entry : row) {
-      cells += (cells.empty() ? "" : ", ") + (is_number(entry) ? entry : "\"" + entry + "\"");
-    }
-    rows += (rows.empty() ? "[" : ", [") + cells + "]";
-  }
-  JointMatrix result{.kind = kind, .truth = truth, .declaration = "matrix = [" + rows + "]", .unknowns = {}};
+  JointMatrix result{.kind = kind, .truth = truth, .spec = std::move(entries), .unknowns = {}};
   for (const ExactUnknown& letter : letters) {
     result.unknowns.push_back({restrictions::symbol(kind) + "." + letter.name, letter.value});
   }

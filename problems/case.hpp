@@ -13,16 +13,16 @@ namespace jointid::problems {
 /// One matrix of a joint: its exact value and how the scene declares it.
 struct JointMatrix {
   Kind kind = Kind::stiffness;
-  Matrix truth;             ///< N×N over the case's joint DOFs
-  std::string declaration;  ///< body of the scene's [joint.<kind>], one TOML line
+  Matrix truth;                   ///< N×N over the case's joint DOFs
+  restrictions::MatrixSpec spec;  ///< symmetric pattern or entries
   std::vector<ExactUnknown> unknowns;
 };
 
 /// Declared as symmetric; unknowns are the upper triangle row by row.
 JointMatrix symmetric(Kind kind, Matrix truth);
 
-/// Declared entry by entry: numbers or linear expressions of the letters whose exact values are given.
-JointMatrix expressed(Kind kind, const Matrix& truth, const std::vector<std::vector<std::string>>& entries,
+/// Declared entry by entry; `letters` are the exact values of the entries' names.
+JointMatrix expressed(Kind kind, const Matrix& truth, restrictions::EntryMatrix entries,
                       const std::vector<ExactUnknown>& letters);
 
 /// Lines start, start + step, …

@@ -43,16 +43,16 @@ JointMatrix springs_with_six_unknowns() {
   const double k = rotary_spring;
   return expressed(
       Kind::stiffness, two_rotary_springs(),
-      {{"x1", "x2", "x3", "0"}, {"x2", "x5", "0", "x7"}, {"x3", "0", "x1", "0"}, {"0", "x7", "0", "x10"}},
+      {{"x1", "x2", "x3", 0.0}, {"x2", "x5", 0.0, "x7"}, {"x3", 0.0, "x1", 0.0}, {0.0, "x7", 0.0, "x10"}},
       {{"x1", k}, {"x2", 0.0}, {"x3", -k}, {"x5", k}, {"x7", -k}, {"x10", k}});
 }
 
 JointMatrix springs_with_three_unknowns() {
   return expressed(Kind::stiffness, two_rotary_springs(),
-                   {{"1987.2", "0", "-1987.2", "0"},
-                    {"0", "1987.2", "0", "-1987.2"},
-                    {"-1987.2", "0", "x8", "x9"},
-                    {"0", "-1987.2", "x9", "x10"}},
+                   {{rotary_spring, 0.0, -rotary_spring, 0.0},
+                    {0.0, rotary_spring, 0.0, -rotary_spring},
+                    {-rotary_spring, 0.0, "x8", "x9"},
+                    {0.0, -rotary_spring, "x9", "x10"}},
                    {{"x8", rotary_spring}, {"x9", 0.0}, {"x10", rotary_spring}});
 }
 

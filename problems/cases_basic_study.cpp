@@ -27,13 +27,10 @@ JointMatrix four_letters(const JointMatrix& matrix) {
 }
 
 /// Table 6.2, T10-2: as T10-4 with b and d known; `b` and `d` as printed there.
-JointMatrix two_letters(const JointMatrix& matrix, const std::string& b, const std::string& d) {
+JointMatrix two_letters(const JointMatrix& matrix, double b, double d) {
   const Matrix& x = matrix.truth;
-  const std::string minus_b = "-" + b;
-  return expressed(
-      matrix.kind, x,
-      {{"a", b, "-a", b}, {b, "c", minus_b, d}, {"-a", minus_b, "a", minus_b}, {b, d, minus_b, "c"}},
-      {{"a", x[0][0]}, {"c", x[1][1]}});
+  return expressed(matrix.kind, x, {{"a", b, "-a", b}, {b, "c", -b, d}, {"-a", -b, "a", -b}, {b, d, -b, "c"}},
+                   {{"a", x[0][0]}, {"c", x[1][1]}});
 }
 
 Case unweighted() {
@@ -50,8 +47,8 @@ Case four_unknowns_each() {
 
 Case two_unknowns_each() {
   Case definition = basic_case("A10", "A1 with restriction T10-2: two unknowns in K and in D (§6.6.2)");
-  set_joint(definition, {two_letters(definition.joint[0], "99360.0", "9936.0"),
-                         two_letters(definition.joint[1], "99.36", "9.936")});
+  set_joint(definition, {two_letters(definition.joint[0], 99360.0, 9936.0),
+                         two_letters(definition.joint[1], 99.36, 9.936)});
   return definition;
 }
 

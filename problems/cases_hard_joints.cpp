@@ -32,14 +32,14 @@ JointMatrix six_unknowns() {
   const double r = rotational;
   return expressed(
       Kind::stiffness, both_springs(),
-      {{"x1", "x2", "0", "0"}, {"x2", "x3", "0", "0"}, {"0", "0", "x4", "x5"}, {"0", "0", "x5", "x6"}},
+      {{"x1", "x2", 0.0, 0.0}, {"x2", "x3", 0.0, 0.0}, {0.0, 0.0, "x4", "x5"}, {0.0, 0.0, "x5", "x6"}},
       {{"x1", t}, {"x2", -t}, {"x3", t}, {"x4", r}, {"x5", -r}, {"x6", r}});
 }
 
 JointMatrix two_unknowns() {
   return expressed(
       Kind::stiffness, both_springs(),
-      {{"x1", "-x1", "0", "0"}, {"-x1", "x1", "0", "0"}, {"0", "0", "x4", "-x4"}, {"0", "0", "-x4", "x4"}},
+      {{"x1", "-x1", 0.0, 0.0}, {"-x1", "x1", 0.0, 0.0}, {0.0, 0.0, "x4", "-x4"}, {0.0, 0.0, "-x4", "x4"}},
       {{"x1", translational}, {"x4", rotational}});
 }
 

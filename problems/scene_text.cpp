@@ -29,6 +29,18 @@ std::string array(const Matrix& matrix) {
   return array(matrix, [](const std::vector<double>& row) { return array(row, number); });
 }
 
+std::string entry_text(const restrictions::Entry& entry) {
+  const auto* value = std::get_if<double>(&entry);
+  return value ? number(*value) : quoted(std::get<std::string>(entry));
+}
+
+/// Cases declare symmetric patterns and entries only.
+std::string declaration(const restrictions::MatrixSpec& spec) {
+  const auto* entries = std::get_if<restrictions::EntryMatrix>(&spec);
+  if (entries == nullptr) return "pattern = \"symmetric\"";
+  return "matrix = " + array(*entries, [](const auto& row) { return array(row, entry_text); });
+}
+
 using Interval = std::array<double, 2>;
 
 /// Intervals within ±1 % of the natural frequencies of parts and assembly that reach into the axis, united
@@ -80,7 +92,7 @@ std::string joint_text(const Case& definition) {
                      array(definition.joint_dofs, [](const frf::Dof& dof) { return quoted(dof.name()); }) +
                      "\n";
   for (const JointMatrix& matrix : definition.joint) {
-    text += "\n[joint." + restrictions::key(matrix.kind) + "]\n" + matrix.declaration + "\n";
+    text += "\n[joint." + restrictions::key(matrix.kind) + "]\n" + declaration(matrix.spec) + "\n";
   }
   return text;
 }
