@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -29,21 +30,23 @@ class Output : public testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(Output, AFileIsReplacedWhole) {
+TEST_F(Output, AnythingElseIsAFileThatIsReplacedWhole) {
+  std::ostringstream out;
   const auto path = folder_ / "a.json";
-  write_file(path, "a long first version\n");
-  write_file(path, "second\n");
+  write_target(path, "a long first version\n", out);
+  write_target(path, "second\n", out);
   std::ifstream file(path);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "second\n");
   EXPECT_EQ(files(), 1U);
+  EXPECT_EQ(out.str(), "");
 }
 
 TEST_F(Output, AFailureLeavesNothingBehind) {
-  std::filesystem::create_directory(folder_ / "taken");
-  std::ofstream(folder_ / "taken/file") << "x";
-  EXPECT_THROW(write_file(folder_ / "taken", "text"), InputError);
+  std::ostringstream out;
+  std::filesystem::create_directories(folder_ / "taken/by a folder");
+  EXPECT_THROW(write_target(folder_ / "taken", "text", out), InputError);
   EXPECT_EQ(files(), 1U);
-  EXPECT_THROW(write_file(folder_ / "absent/a.json", "text"), InputError);
+  EXPECT_THROW(write_target(folder_ / "absent/a.json", "text", out), InputError);
 }
 
 TEST_F(Output, AMinusIsTheStream) {
