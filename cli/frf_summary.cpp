@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "cli/dof_list.hpp"
 #include "cli/table.hpp"
 
 namespace jointid::cli {
@@ -20,17 +21,6 @@ std::vector<std::size_t> range(std::size_t first, std::size_t count) {
 /// Lines per read: about 4 MB of values.
 std::size_t lines_per_read(const frf::FrfHeader& header) {
   return std::max<std::size_t>(1, (std::size_t{1} << 18) / std::max<std::size_t>(1, header.entries()));
-}
-
-/// "4:+Y 4:+RZ … 17:+X": all of a few, both ends of many.
-std::string listed(const std::vector<frf::Dof>& dofs) {
-  constexpr std::size_t shown = 12;
-  std::string text = fmt::format("{}:", dofs.size());
-  for (std::size_t i = 0; i < dofs.size(); ++i) {
-    if (dofs.size() <= shown || i < shown - 1 || i + 1 == dofs.size()) text += " " + dofs[i].name();
-    if (dofs.size() > shown && i == shown - 1) text += " …";
-  }
-  return text;
 }
 
 std::string lines_text(const std::vector<double>& hz) {
@@ -91,8 +81,8 @@ std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census) 
   Table table({{"", Align::left}, {"", Align::left}});
   table.add({"quantity", frf::name(header.quantity)});
   table.add({"lines", lines_text(header.frequency_hz)});
-  table.add({"responses", listed(header.response)});
-  table.add({"references", listed(header.reference)});
+  table.add({"responses", dof_list(header.response)});
+  table.add({"references", dof_list(header.reference)});
   table.add({"node positions", fmt::format("{}", header.nodes.size())});
   table.add({"noise record", noise_text(header)});
   table.add({"not measured", missing_text(census)});

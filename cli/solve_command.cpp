@@ -20,8 +20,8 @@ void check_targets(const SolveArguments& arguments) {
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   check_targets(arguments);
   const ident::Scene scene = ident::read_scene(arguments.scene);
-  ident::Plan plan = ident::make_plan(scene);
-  const ident::Solution solution = ident::solve(plan);
+  const auto plan = ident::make_plan(scene);
+  const ident::Solution solution = ident::solve(*plan);
   if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
   if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
   if (arguments.json != "-" && arguments.csv != "-") out << solution_text(solution, scene.title);
