@@ -1,10 +1,10 @@
 #include <array>
-#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "frf/error.hpp"
 #include "frf/hdf5_writer.hpp"
 #include "frf/temporary_file.hpp"
+#include "frf/uff_file.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::problems {
@@ -18,8 +18,13 @@ struct Format {
   void (*write)(const frf::FrfSet& set, const std::filesystem::path& path);
 };
 
-constexpr std::array<Format, 1> formats = {
-    {{"h5", [](const frf::FrfSet& set, const std::filesystem::path& path) { frf::write_hdf5(set, path); }}}};
+void write_as_hdf5(const frf::FrfSet& set, const std::filesystem::path& path) { frf::write_hdf5(set, path); }
+
+void write_as_uff(const frf::FrfSet& set, const std::filesystem::path& path) {
+  frf::write_uff(set, path, {.binary = true, .quantity = set.header.quantity});
+}
+
+constexpr std::array<Format, 2> formats = {{{"h5", write_as_hdf5}, {"uff", write_as_uff}}};
 
 const Format& find_format(const std::string& name) {
   std::vector<std::string> names;

@@ -9,6 +9,7 @@
 
 #include "frf/error.hpp"
 #include "frf/hdf5_file.hpp"
+#include "frf/uff_file.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::problems {
@@ -73,6 +74,22 @@ TEST_F(Write, ARigCarriesTheCoherenceOfItsHammerTest) {
   EXPECT_EQ(part.header.noise, frf::NoiseRecord::coherence);
   EXPECT_EQ(part.header.averages, 5.0);
   EXPECT_THAT(part.coherence, testing::Each(testing::AllOf(testing::Gt(0.0), testing::Le(1.0))));
+}
+
+TEST_F(Write, UniversalFilesHoldTheSameAndTheSceneNamesThem) {
+  for (const char* name : {"B", "rig1"}) {
+    const Problem problem = make(name);
+    write(problem, folder_, {.format = "uff", .seed = 2});
+    const std::string stem = std::string(name) + "_substructure_1";
+    EXPECT_THAT(text(std::string(name) + ".toml"),
+                testing::AllOf(testing::HasSubstr(stem + ".uff"), testing::Not(testing::HasSubstr(".h5"))));
+    const frf::FrfSet found = frf::load(*frf::open_uff(folder_ / (stem + ".uff")));
+    const frf::FrfSet expected = polluted(problem, 2, 0).substructures[0];
+    EXPECT_EQ(found.header.quantity, expected.header.quantity);
+    EXPECT_EQ(found.header.response, expected.header.response);
+    expect_same_values(found, expected);
+    EXPECT_EQ(found.coherence, expected.coherence);
+  }
 }
 
 TEST_F(Write, TheTruthHasNamesValuesMatricesAndNaturalFrequencies) {
