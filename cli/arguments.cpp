@@ -1,0 +1,156 @@
+#include "cli/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+#include <sstream>
+#include <string_view>
+
+#include "cli/version.hpp"
+#include "frf/error.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using Chosen = std::optional<Arguments>;
+
+/// Declares a command whose options fill a T; choosing the command stores that T.
+template <class T>
+std::pair<CLI::App*, T*> add_command(CLI::App& parent, Chosen& chosen, const char* name, const char* what) {
+  auto arguments = std::make_shared<T>();
+  CLI::App* command = parent.add_subcommand(name, what);
+  command->callback([arguments, &chosen] { chosen = *arguments; });
+  return {command, arguments.get()};
+}
+
+std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
+  std::vector<frf::Dof> dofs;
+  for (const std::string& text : texts) dofs.push_back(frf::Dof::parse(text));
+  return dofs;
+}
+
+/// What the user knows of an FRF file that does not say it itself.
+void add_open_options(CLI::App* command, frf::OpenOptions& open) {
+  command->add_option_function<std::string>(
+      "--quantity", [&open](const std::string& text) { open.quantity = frf::parse_quantity(text); },
+      "receptance, mobility or accelerance, for files that do not name it");
+  const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
+    command
+        ->add_option_function<std::vector<std::string>>(
+            name, [&to](const std::vector<std::string>& texts) { to = parse_dofs(texts); }, what)
+        ->delimiter(',');
+  };
+  dofs("--response", open.response, "Response DOFs, e.g. 4:+Y,4:+RZ, for matrices without DOFs (MAT, CSV)");
+  dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
+  command->add_option("--variable", open.variable, "MAT: name of the FRF variable");
+}
+
+void add_info(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<InfoArguments>(app, chosen, "info", "Say what an FRF file holds");
+  command->add_option("FILE", arguments->file, "UFF, HDF5, MAT or CSV")->required();
+  add_open_options(command, arguments->open);
+  command->footer("Example:\n  jointid info beam_long.uff");
+}
+
+void add_convert(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] =
+      add_command<ConvertArguments>(app, chosen, "convert", "Convert an FRF file; the name of OUT gives the format");
+  command->add_option("IN", arguments->in, "UFF, HDF5, MAT or CSV")->required();
+  command->add_option("OUT", arguments->out, "File to write")->required();
+  add_open_options(command, arguments->open);
+  command->footer(
+      "Examples:\n  jointid convert beam_long.uff beam_long.h5\n"
+      "  jointid convert rig.mat rig.h5 --quantity accelerance --response 4:+Y,5:+Y");
+}
+
+void add_problem(CLI::App& app, Chosen& chosen) {
+  CLI::App* problem = app.add_subcommand("problem", "Built-in problems with known answers");
+  problem->require_subcommand(1);
+  problem->footer("Examples:\n  jointid problem list\n  jointid problem write A1 a1 --format uff");
+
+  auto [list, none] = add_command<ProblemListArguments>(*problem, chosen, "list", "List them");
+  list->footer("Example:\n  jointid problem list");
+
+  auto [write, arguments] = add_command<ProblemWriteArguments>(*problem, chosen, "write",
+                                                               "Write FRF files, scene and truth of a problem");
+  write->add_option("NAME", arguments->name, "As in `jointid problem list`")->required();
+  write->add_option("DIR", arguments->directory, "Made if absent")->required();
+  write->add_option("--format", arguments->options.format, "Format of the FRF files")
+      ->check(CLI::IsMember({"h5", "uff"}))
+      ->capture_default_str();
+  write->add_option("--seed", arguments->options.seed, "Of the noise")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  write->add_flag("--clean", arguments->options.clean, "Leave the noise out");
+  write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
+}
+
+void add_solve(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<SolveArguments>(app, chosen, "solve", "Identify the joint of a scene");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
+  command->add_option("--json", arguments->json, "Write the solution as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments->csv, "Write the unknowns as CSV to a file, or - for stdout");
+  command->footer("Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --json - | jq .unknowns");
+}
+
+void add_plan(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<PlanArguments>(
+      app, chosen, "plan", "Say what solving a scene reads, computes and leaves out, without doing it");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
+  command->add_option("--json", arguments->json, "Write the plan as JSON to a file, or - for stdout");
+  command->footer("Example:\n  jointid plan joint.toml");
+}
+
+/// "jointid problem write": the innermost command that was named.
+std::string path_of_command(const CLI::App& app) {
+  std::string path = "jointid";
+  const CLI::App* current = &app;
+  while (!current->get_subcommands().empty()) {
+    current = current->get_subcommands().front();
+    path += " " + current->get_name();
+  }
+  return path;
+}
+
+/// The nearest command when the first argument is none.
+std::string suggestion(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || !app.get_subcommands().empty() || argv[1][0] == '-') return "";
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::string nearest = nearest_word(argv[1], names);
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+Notice usage_error(const CLI::App& app, const std::string& what, int argc, const char* const* argv) {
+  return {ExitCode::usage, what + suggestion(app, argc, argv) + "; see `" + path_of_command(app) + " --help`"};
+}
+
+}  // namespace
+
+std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
+  CLI::App app("Finds the stiffness, mass and damping of joints from measured frequency response functions.", "jointid");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", version_text());
+  app.footer(
+      "Examples:\n  jointid problem write A1 a1   write a built-in problem\n"
+      "  jointid solve a1/A1.toml      identify its joint\n"
+      "  jointid solve --help          help on one command");
+  Chosen chosen;
+  add_solve(app, chosen);
+  add_plan(app, chosen);
+  add_info(app, chosen);
+  add_convert(app, chosen);
+  add_problem(app, chosen);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    std::ostringstream out, err;
+    app.exit(success, out, err);
+    return Notice{ExitCode::done, out.str()};
+  } catch (const CLI::ParseError& error) {
+    return usage_error(app, error.what(), argc, argv);
+  }
+  return *chosen;
+}
+
+}  // namespace jointid::cli

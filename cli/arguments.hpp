@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "cli/exit_code.hpp"
+#include "frf/frf_source.hpp"
+#include "problems/problem.hpp"
+
+namespace jointid::cli {
+
+/// Where a result goes: a file name, or "-" for standard output.
+using Target = std::optional<std::string>;
+
+struct InfoArguments {
+  std::filesystem::path file;
+  frf::OpenOptions open;
+};
+
+struct ConvertArguments {
+  std::filesystem::path in, out;
+  frf::OpenOptions open;
+};
+
+struct ProblemListArguments {};
+
+struct ProblemWriteArguments {
+  std::string name;
+  std::filesystem::path directory;
+  problems::WriteOptions options;
+};
+
+struct SolveArguments {
+  std::filesystem::path scene;
+  Target json, csv;
+};
+
+struct PlanArguments {
+  std::filesystem::path scene;
+  Target json;
+};
+
+using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
+                               SolveArguments, PlanArguments>;
+
+/// What to print instead of doing anything: help, version or what is wrong with the command line.
+struct Notice {
+  ExitCode code = ExitCode::done;
+  std::string text;  ///< for stdout when the code is `done`, else one line for stderr
+};
+
+/// Reads the command line.
+std::variant<Arguments, Notice> parse(int argc, const char* const* argv);
+
+}  // namespace jointid::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <ostream>
+
+#include "cli/arguments.hpp"
+
+/// One function per command; the report goes to `out`. Bad input throws InputError.
+namespace jointid::cli {
+
+ExitCode execute(const InfoArguments& arguments, std::ostream& out);
+ExitCode execute(const ConvertArguments& arguments, std::ostream& out);
+ExitCode execute(const ProblemListArguments& arguments, std::ostream& out);
+ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out);
+ExitCode execute(const SolveArguments& arguments, std::ostream& out);
+ExitCode execute(const PlanArguments& arguments, std::ostream& out);
+
+}  // namespace jointid::cli

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <exception>
+#include <string>
+
+#include "cli/exit_code.hpp"
+
+namespace jointid::cli {
+
+/// What an exception means to the one who ran the command.
+struct Failure {
+  ExitCode code = ExitCode::bug;
+  std::string line;  ///< one line, without "jointid: error:"
+};
+
+Failure explain(const std::exception_ptr& exception);
+
+}  // namespace jointid::cli

@@ -1,0 +1,112 @@
+#include "cli/plan_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/dof_list.hpp"
+#include "cli/table.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> equation_names(const ident::Plan& plan) {
+  std::vector<std::string> names;
+  for (const auto equation : plan.equations) names.push_back(ident::name(equation));
+  return names;
+}
+
+std::string method_text(const ident::Plan& plan) {
+  const auto& identify = plan.scene.identify;
+  return fmt::format("{}, equations {}, weighting {}, delta {:g}, solver {}", ident::name(identify.method),
+                     fmt::join(equation_names(plan), " "), weighting::name(identify.weighting), identify.delta,
+                     plan.solver);
+}
+
+std::string lines_text(const std::vector<ident::Line>& lines) {
+  return fmt::format("{}, {:g} to {:g} Hz", lines.size(), lines.front().frequency_hz, lines.back().frequency_hz);
+}
+
+std::string unknowns_text(const ident::Plan& plan) {
+  std::vector<std::string> names;
+  for (const auto& unknown : plan.restriction.unknowns) names.push_back(unknown.name);
+  const std::string columns =
+      plan.cost.columns == names.size() ? "" : fmt::format(" in {} columns, one per band", plan.cost.columns);
+  return fmt::format("{}{}: {}", names.size(), columns, fmt::join(names, " "));
+}
+
+std::string cost_text(const ident::Cost& cost) {
+  Table table({{"", Align::left}, {""}});
+  table.add({"FRFs to read, MB", number(static_cast<double>(cost.bytes_read) / 1e6)});
+  table.add({"equations per line", fmt::format("{}", cost.equations_per_line)});
+  table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
+  table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
+  table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
+  return "\ncost\n" + table.text();
+}
+
+std::string phrases(const char* title, const std::vector<std::string>& list) {
+  if (list.empty()) return "";
+  std::string text = fmt::format("\n{}\n", title);
+  for (const std::string& phrase : list) text += "  " + phrase + "\n";
+  return text;
+}
+
+Json names(const std::vector<frf::Dof>& dofs) {
+  Json all = Json::array();
+  for (const auto& dof : dofs) all.push_back(dof.name());
+  return all;
+}
+
+Json cost_json(const ident::Cost& cost) {
+  return {{"equations_per_line", cost.equations_per_line},
+          {"compressed_rows_per_line", cost.compressed_rows_per_line},
+          {"columns", cost.columns},
+          {"bytes_read", cost.bytes_read},
+          {"assemble_flops", cost.assemble_flops},
+          {"stacked_flops", cost.stacked_flops}};
+}
+
+}  // namespace
+
+std::string plan_text(const ident::Plan& plan) {
+  Table table({{"", Align::left}, {"", Align::left}});
+  table.add({"method", method_text(plan)});
+  table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
+  table.add({"other responses", dof_list(plan.coordinates.responses)});
+  table.add({"other references", dof_list(plan.coordinates.references)});
+  table.add({"lines", lines_text(plan.lines)});
+  table.add({"unknowns", unknowns_text(plan)});
+  table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
+  return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() + cost_text(plan.cost) +
+         phrases("left out", plan.left_out) + phrases("notes", plan.notes);
+}
+
+std::string plan_json(const ident::Plan& plan) {
+  const auto& identify = plan.scene.identify;
+  Json json = {{"title", plan.scene.title},
+               {"method", ident::name(identify.method)},
+               {"equations", equation_names(plan)},
+               {"weighting", weighting::name(identify.weighting)},
+               {"delta", identify.delta},
+               {"solver", plan.solver},
+               {"dofs", names(plan.coordinates.joint)},
+               {"responses", names(plan.coordinates.responses)},
+               {"references", names(plan.coordinates.references)}};
+  json["frequency_hz"] = Json::array();
+  for (const auto& line : plan.lines) json["frequency_hz"].push_back(line.frequency_hz);
+  json["unknowns"] = Json::array();
+  for (const auto& unknown : plan.restriction.unknowns) {
+    json["unknowns"].push_back({{"name", unknown.name}, {"unit", unknown.unit}});
+  }
+  json["predicts_assembly"] = !plan.predicted_responses.empty();
+  json["cost"] = cost_json(plan.cost);
+  json["left_out"] = plan.left_out;
+  json["notes"] = plan.notes;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,47 @@
+#include "cli/run.hpp"
+
+#include <iostream>
+
+#include "cli/commands.hpp"
+#include "cli/failure.hpp"
+#include "cli/interrupt.hpp"
+
+namespace jointid::cli {
+namespace {
+
+int report(ExitCode code, const std::string& line) {
+  std::cerr << "jointid: error: " << line << '\n';
+  return static_cast<int>(code);
+}
+
+/// The exit code, unless what was printed did not get through (a full disk, a closed file).
+int finish(ExitCode code) {
+  std::cout.flush();
+  if (!std::cout) return report(ExitCode::data, "cannot write to standard output");
+  return static_cast<int>(interrupted() ? ExitCode::interrupted : code);
+}
+
+int perform(const Arguments& arguments) {
+  return finish(std::visit([](const auto& command) { return execute(command, std::cout); }, arguments));
+}
+
+int print(const Notice& notice) {
+  if (notice.code != ExitCode::done) return report(notice.code, notice.text);
+  std::cout << notice.text;
+  return finish(notice.code);
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  try {
+    const auto parsed = parse(argc, argv);
+    const auto* notice = std::get_if<Notice>(&parsed);
+    return notice ? print(*notice) : perform(std::get<Arguments>(parsed));
+  } catch (...) {
+    const Failure failure = explain(std::current_exception());
+    return report(failure.code, failure.line);
+  }
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,100 @@
+#include "cli/solution_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace jointid::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+Json value(const std::optional<double>& number) { return number ? value(*number) : Json(nullptr); }
+
+Json value(const std::optional<std::array<double, 2>>& pair) {
+  return pair ? Json::array({value((*pair)[0]), value((*pair)[1])}) : Json(nullptr);
+}
+
+Json unknown(const ident::Estimate& estimate) {
+  return {{"name", estimate.name},
+          {"value", value(estimate.value)},
+          {"unit", estimate.unit},
+          {"std_error", value(estimate.std_error)},
+          {"ci95", value(estimate.ci95)},
+          {"determined", estimate.determined}};
+}
+
+Json matrix(const ident::Matrix& rows) {
+  Json all = Json::array();
+  for (const auto& row : rows) {
+    Json& line = all.emplace_back(Json::array());
+    for (const double element : row) line.push_back(value(element));
+  }
+  return all;
+}
+
+Json matrices(const ident::Matrices& by_kind) {
+  Json all = Json::object();
+  for (const auto& [kind, rows] : by_kind) all[restrictions::key(kind)] = matrix(rows);
+  return all;
+}
+
+Json bands(const std::vector<ident::BandMatrices>& list) {
+  Json all = Json::array();
+  for (const auto& band : list) {
+    all.push_back({{"band_hz", value(band.band_hz)}, {"matrices", matrices(band.matrices)}});
+  }
+  return all;
+}
+
+Json fit(const ident::Fit& fit) {
+  return {{"equations_used", fit.equations_used},
+          {"equations_dropped", fit.equations_dropped},
+          {"lines", fit.lines},
+          {"rank", fit.rank},
+          {"condition", value(fit.condition)},
+          {"asm_frf_error", value(fit.asm_frf_error)}};
+}
+
+Json quality(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
+  Json all = Json::object();
+  for (const auto& [kind, figures] : by_kind) {
+    all[restrictions::key(kind)] = {{"rjcf", value(figures.rjcf)},
+                                    {"arvf", value(figures.arvf)},
+                                    {"rms_relative_error", value(figures.rms_relative_error)}};
+  }
+  return all;
+}
+
+Json used(const ident::Used& used) {
+  Json equations = Json::array();
+  for (const auto equation : used.equations) equations.push_back(ident::name(equation));
+  return {{"method", ident::name(used.method)},
+          {"equations", equations},
+          {"weighting", weighting::name(used.weighting)},
+          {"delta", value(used.delta)},
+          {"solver", used.solver}};
+}
+
+}  // namespace
+
+std::string solution_json(const ident::Solution& solution) {
+  const bool several = solution.bands.size() > 1;
+  Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}};
+  json["unknowns"] = Json::array();
+  for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate));
+  json["matrices"] = solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
+  if (several) json["bands"] = bands(solution.bands);
+  json["dofs"] = Json::array();
+  for (const auto& dof : solution.dofs) json["dofs"].push_back(dof.name());
+  json["fit"] = fit(solution.fit);
+  json["quality"] = quality(solution.quality);
+  const auto& time = solution.runtime_s;
+  json["runtime_s"] = {
+      {"read", time.read}, {"assemble", time.assemble}, {"solve", time.solve}, {"total", time.total}};
+  json["used"] = used(solution.used);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace jointid::cli

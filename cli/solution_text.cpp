@@ -1,0 +1,116 @@
+#include "cli/solution_text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "cli/table.hpp"
+
+namespace jointid::cli {
+namespace {
+
+std::string number_or_dash(const std::optional<double>& value) { return value ? number(*value) : "–"; }
+
+std::string words(std::string key) {
+  for (char& c : key) c = c == '_' ? ' ' : c;
+  return key;
+}
+
+std::string head(const ident::Solution& solution, const std::string& title) {
+  const ident::Used& used = solution.used;
+  std::vector<std::string> equations;
+  for (const auto equation : used.equations) equations.push_back(ident::name(equation));
+  Table table({{"", Align::left}, {"", Align::left}});
+  table.add({"status", words(ident::name(solution.status))});
+  if (!solution.message.empty()) table.add({"message", solution.message});
+  table.add({"method", fmt::format("{}, equations {}, weighting {}, delta {:g}, solver {}", ident::name(used.method),
+                                   fmt::join(equations, " "), weighting::name(used.weighting), used.delta,
+                                   used.solver)});
+  return (title.empty() ? "" : title + "\n") + table.text();
+}
+
+std::string matrix_text(const std::vector<frf::Dof>& dofs, const ident::Matrix& rows) {
+  std::vector<Column> columns = {{"", Align::left}};
+  for (const auto& dof : dofs) columns.push_back({dof.name(), Align::right});
+  Table table(std::move(columns));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::vector<std::string> cells = {dofs.at(i).name()};
+    for (const double element : rows[i]) cells.push_back(number(element));
+    table.add(std::move(cells));
+  }
+  return table.text();
+}
+
+std::string matrices_text(const ident::Solution& solution) {
+  std::string text;
+  for (const auto& band : solution.bands) {
+    const std::string where = band.band_hz ? fmt::format(", {:g} to {:g} Hz", (*band.band_hz)[0], (*band.band_hz)[1]) : "";
+    for (const auto& [kind, rows] : band.matrices) {
+      text += fmt::format("\n{} {} (SI units){}\n", words(restrictions::key(kind)), restrictions::symbol(kind), where);
+      text += matrix_text(solution.dofs, rows);
+    }
+  }
+  return text;
+}
+
+std::string interval(const ident::Estimate& estimate) {
+  return estimate.ci95 ? number((*estimate.ci95)[0]) + " … " + number((*estimate.ci95)[1]) : "–";
+}
+
+std::string unknowns_text(const ident::Solution& solution) {
+  Table table({{"name", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval"}, {"", Align::left}});
+  for (const auto& estimate : solution.unknowns) {
+    table.add({estimate.name, number(estimate.value), estimate.unit, number_or_dash(estimate.std_error), interval(estimate),
+               estimate.determined ? "" : "not determined by the data"});
+  }
+  return "\nunknowns\n" + table.text();
+}
+
+std::string fit_text(const ident::Fit& fit) {
+  Table table({{"", Align::left}, {""}});
+  table.add({"frequency lines", fmt::format("{}", fit.lines)});
+  table.add({"equations used", fmt::format("{}", fit.equations_used)});
+  table.add({"equations dropped", fmt::format("{}", fit.equations_dropped)});
+  table.add({"rank", fmt::format("{}", fit.rank)});
+  table.add({"condition", number(fit.condition)});
+  table.add({"assembly FRF error, dB", number_or_dash(fit.asm_frf_error)});
+  return "\nfit\n" + table.text();
+}
+
+std::string quality_text(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
+  if (by_kind.empty()) return "";
+  Table table({{"matrix", Align::left}, {"RJCF"}, {"ARVF"}, {"rms relative error"}});
+  for (const auto& [kind, figures] : by_kind) {
+    table.add({words(restrictions::key(kind)), number(figures.rjcf), number(figures.arvf),
+               number(figures.rms_relative_error)});
+  }
+  return "\nagainst the truth\n" + table.text();
+}
+
+std::string time_text(const ident::RunTime& time) {
+  return fmt::format("\nrun time {:.3g} s (read {:.3g}, assemble {:.3g}, solve {:.3g})\n", time.total, time.read,
+                     time.assemble, time.solve);
+}
+
+}  // namespace
+
+std::string solution_text(const ident::Solution& solution, const std::string& title) {
+  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + fit_text(solution.fit) +
+         quality_text(solution.quality) + time_text(solution.runtime_s);
+}
+
+std::string unknowns_csv(const ident::Solution& solution) {
+  const auto exact = [](const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
+  };
+  std::string csv = csv_line({"name", "value", "unit", "std_error", "ci95_low", "ci95_high", "determined"});
+  for (const auto& estimate : solution.unknowns) {
+    const auto bound = [&](std::size_t i) { return estimate.ci95 ? exact((*estimate.ci95)[i]) : std::string(); };
+    csv += csv_line({estimate.name, exact(estimate.value), estimate.unit, exact(estimate.std_error), bound(0), bound(1),
+                     estimate.determined ? "true" : "false"});
+  }
+  return csv;
+}
+
+}  // namespace jointid::cli

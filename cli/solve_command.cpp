@@ -1,0 +1,31 @@
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "cli/solution_json.hpp"
+#include "cli/solution_text.hpp"
+#include "frf/error.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::cli {
+namespace {
+
+/// Throws InputError (usage) when two results are to share standard output.
+void check_targets(const SolveArguments& arguments) {
+  if (arguments.json == "-" && arguments.csv == "-") {
+    throw InputError({ErrorKind::usage, "", "--json - --csv -", "both want standard output", "give one of them a file"});
+  }
+}
+
+}  // namespace
+
+ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
+  check_targets(arguments);
+  const ident::Scene scene = ident::read_scene(arguments.scene);
+  const auto plan = ident::make_plan(scene);
+  const ident::Solution solution = ident::solve(*plan);
+  if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
+  if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
+  if (arguments.json != "-" && arguments.csv != "-") out << solution_text(solution, scene.title);
+  return solution.status == ident::Status::ok ? ExitCode::done : ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

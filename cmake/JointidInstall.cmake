@@ -1,0 +1,18 @@
+# `cmake --install` and what an outside project needs for find_package(jointid).
+include(CMakePackageConfigHelpers)
+set(_destination "${CMAKE_INSTALL_LIBDIR}/cmake/jointid")
+
+set(JOINTID_HAS_MATIO OFF)
+if(TARGET PkgConfig::matio)
+  set(JOINTID_HAS_MATIO ON)
+endif()
+
+install(EXPORT jointid-targets NAMESPACE jointid:: DESTINATION "${_destination}")
+configure_package_config_file(cmake/jointid-config.cmake.in jointid-config.cmake INSTALL_DESTINATION "${_destination}")
+write_basic_package_version_file(jointid-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${PROJECT_BINARY_DIR}/jointid-config.cmake"
+  "${PROJECT_BINARY_DIR}/jointid-config-version.cmake"
+  cmake/FindJointidSuiteSparse.cmake
+  DESTINATION "${_destination}")
+install(FILES LICENSE docs/licences.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")

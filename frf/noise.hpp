@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "frf/frf_set.hpp"
+
+namespace jointid::frf {
+
+/// How the measurement errors of FRFs are simulated. H is the exact value, Ĥ the polluted one.
+enum class NoiseKind : std::uint8_t {
+  uniform,  ///< real and imaginary part each times an independent factor, uniform in [1−p, 1+p] (formulas of
+            ///< thesis §6.6.2)
+  gaussian,  ///< as uniform, the factors normal with the same mean 1 and variance p²/3
+  circular,  ///< Ĥ = H + e, e complex normal, E|e|² = (p|H|)², independent real and imaginary part
+  hammer     ///< Ĥ = H + e by the H1 estimate of a hammer test, see NoiseModel::coherence
+};
+
+std::string name(NoiseKind kind);
+
+/// Parses "uniform", "gaussian", "circular" or "hammer"; throws InputError (usage) with the nearest valid
+/// word.
+NoiseKind parse_noise_kind(std::string_view text);
+
+/// A noise model. In uniform, gaussian and circular noise an FRF and its reciprocal (r,c) and (c,r), when the
+/// set has both, share their random numbers, so that a symmetric set stays symmetric. In a hammer test each
+/// FRF is measured on its own.
+struct NoiseModel {
+  NoiseKind kind = NoiseKind::uniform;
+  double level = 0.05;  ///< p, 0 ≤ p < 1; not used by hammer
+
+  /// Hammer: coherence γ² of every entry, 0 < γ² ≤ 1; a set that carries `coherence` has its own per entry.
+  /// e is complex normal with E|e|² = |H|²(1−γ²)/(γ²(n_d−1)) (formulas §11). The result carries the coherence
+  /// that such a test of n_d hits would have estimated, γ̂² = |Ĥ|²/(|Ĥ|² + E|e|²·g), g ~ Gamma(n_d−1, 1): put
+  /// into the same formula it gives the variance of e without bias.
+  double coherence = 0.998;
+  int averages = 5;  ///< n_d ≥ 2, hits per FRF; only used by hammer
+
+  /// uniform, gaussian, circular: fill `variance` by the model's law at the polluted value, as a user would
+  /// who knows the law but not H. Hammer records coherence instead.
+  bool record_variance = false;
+};
+
+/// Throws InputError (usage) naming the field that is outside its range.
+void validate(const NoiseModel& model);
+
+/// `clean` with noise; NaN entries stay NaN. Entry i draws from the counter i of stream (seed, trial, set),
+/// so the noise of an entry depends neither on the other entries nor on threads. Sets of one trial need
+/// different `set` numbers.
+FrfSet polluted(const FrfSet& clean, const NoiseModel& model, std::uint64_t seed, std::uint64_t trial,
+                std::uint64_t set = 0);
+
+}  // namespace jointid::frf

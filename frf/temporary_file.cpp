@@ -1,0 +1,63 @@
+#include "frf/temporary_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include "frf/error.hpp"
+
+namespace jointid::frf {
+namespace {
+
+/// A name that no other writer, here or in another process, uses at the same time.
+std::filesystem::path temporary_name(const std::filesystem::path& target) {
+  static std::atomic<unsigned> count = 0;
+  return target.parent_path() / ("." + target.filename().string() + "." + std::to_string(::getpid()) + "." +
+                                 std::to_string(count++));
+}
+
+}  // namespace
+
+TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+  std::filesystem::path name = temporary_name(target_);
+  const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail(std::strerror(errno));
+  ::close(descriptor);
+  path_ = std::move(name);
+}
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove(path_, ignored);
+}
+
+void TemporaryFile::commit() {
+  std::error_code error;
+  std::filesystem::rename(path_, target_, error);
+  if (error) fail(error.message());
+  path_.clear();
+}
+
+void TemporaryFile::fail(const std::string& why) const {
+  throw InputError({.kind = ErrorKind::data,
+                    .file = target_.string(),
+                    .place = {},
+                    .problem = "cannot be written: " + why,
+                    .remedy = "check the folder, its permissions and the space left on the disk"});
+}
+
+void write_text(const std::filesystem::path& target, std::string_view text) {
+  TemporaryFile temporary(target);
+  std::ofstream out(temporary.path(), std::ios::binary);
+  out.write(text.data(), static_cast<std::streamsize>(text.size()));
+  out.close();
+  if (!out) temporary.fail(std::strerror(errno));
+  temporary.commit();
+}
+
+}  // namespace jointid::frf

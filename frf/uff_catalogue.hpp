@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "frf/frf_source.hpp"
+#include "frf/uff58_data.hpp"
+#include "frf/uff_units.hpp"
+
+namespace jointid::frf::uff {
+
+/// The record behind one element of the response × reference grid.
+struct GridRecord {
+  std::size_t dataset = npos;  ///< index into Catalogue::datasets, npos if not measured
+  Quantity quantity = Quantity::receptance;
+  double factor = 1.0;           ///< to SI and to the signs of the header's DOFs
+  std::size_t coherence = npos;  ///< index of the coherence record of the same DOFs
+
+  bool measured() const { return dataset != npos; }
+};
+
+/// The FRF records of a file as a grid.
+struct Catalogue {
+  FrfHeader header;
+  std::vector<Dataset> datasets;
+  std::vector<GridRecord> grid;     ///< [R,C]
+  std::size_t first_record = npos;  ///< index of the first FRF record, whose axis is the header's
+};
+
+/// Builds the grid from the headers of all records of function type 4.
+///
+/// Axis: that of the first FRF record, in Hz; every other FRF record must have as many points, each at less
+/// than 0.1 of a line spacing from it (even records here, uneven ones when they are read). DOFs come in the
+/// order of first appearance with the sign they then have; factors of records with the opposite sign are
+/// negative. Noise: coherence when every FRF record has exactly one coherence record (function type 6) on the
+/// same axis. Averages: the number beside the word "averages" in an ID line of the first coherence record,
+/// else 0; the format has no field for it.
+Catalogue build_catalogue(ByteFile& file, const OpenOptions& options);
+
+/// Throws InputError naming both records unless `abscissa` (in the record's units) is the header's axis.
+void require_axis(const Catalogue& catalogue, const Dataset& dataset, std::vector<double> abscissa);
+
+/// Whether both axes have the same length and all lines differ by less than 0.1 of the smaller distance to a
+/// neighbour.
+bool same_axis(const std::vector<double>& a, const std::vector<double>& b);
+
+}  // namespace jointid::frf::uff

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Text as UFF files hold it: Fortran columns, Fortran numbers, Latin-1 or UTF-8 headers.
+namespace jointid::frf::uff {
+
+/// Without blanks, tabs and line ends on either side.
+std::string_view trim(std::string_view text);
+
+/// The line with one byte per column: valid UTF-8 becomes Latin-1 (characters beyond it '?'), anything else
+/// is taken for Latin-1 already. Fields after a name with an umlaut then stand where the format says.
+std::string one_byte_per_column(std::string_view line);
+
+/// Latin-1 to UTF-8.
+std::string to_utf8(std::string_view latin1);
+
+/// Columns [begin, begin + width) of the line, trimmed; beyond the end of the line all is blank.
+std::string_view column(std::string_view line, std::size_t begin, std::size_t width);
+
+/// The blank-separated words of a line.
+std::vector<std::string_view> words(std::string_view line);
+
+/// A whole decimal integer; blank is 0 as in Fortran.
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// A whole Fortran real: exponents with E, D, either case, or with their sign only (1.0+100). Too small is 0;
+/// too large, blank or anything else is empty.
+std::optional<double> parse_real(std::string_view text);
+
+/// The line that opens and closes every dataset: -1 in the first six columns and nothing else.
+bool is_delimiter(std::string_view line);
+
+}  // namespace jointid::frf::uff

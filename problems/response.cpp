@@ -1,0 +1,106 @@
+#include "problems/response.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <numbers>
+
+#include "frf/error.hpp"
+
+namespace jointid::problems {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+struct Place {
+  Eigen::Index index;
+  double sign;
+};
+
+std::vector<Place> places(const Structure& structure, const std::vector<frf::Dof>& dofs) {
+  std::vector<Place> result;
+  for (const frf::Dof& dof : dofs) {
+    const std::size_t index = structure.index(dof);
+    result.push_back(
+        {static_cast<Eigen::Index>(index), static_cast<double>(dof.sign * structure.dofs()[index].sign)});
+  }
+  return result;
+}
+
+frf::Complex laplace(double window_rate, double frequency_hz) {
+  return {window_rate, 2.0 * std::numbers::pi * frequency_hz};
+}
+
+Eigen::MatrixXcd dynamic_stiffness(const Structure& structure, frf::Complex s) {
+  const auto n = static_cast<Eigen::Index>(structure.size());
+  const auto real = [&](Kind kind) {
+    return Eigen::Map<const RowMajor>(structure.matrix(kind).data(), n, n);
+  };
+  Eigen::MatrixXcd z(n, n);
+  z = real(Kind::stiffness) + s * s * real(Kind::mass) + s * real(Kind::viscous_damping) +
+      frf::Complex(0.0, 1.0) * real(Kind::hysteretic_damping);
+  return z;
+}
+
+}  // namespace
+
+frf::FrfHeader response_header(const std::vector<frf::Node>& nodes, const ResponseRequest& request) {
+  frf::FrfHeader header;
+  header.frequency_hz = request.frequency_hz;
+  header.response = request.response;
+  header.reference = request.reference;
+  for (const frf::Node& node : nodes) {
+    const auto at_node = [&](const frf::Dof& dof) { return dof.node == node.id; };
+    if (std::any_of(request.response.begin(), request.response.end(), at_node) ||
+        std::any_of(request.reference.begin(), request.reference.end(), at_node)) {
+      header.nodes.push_back(node);
+    }
+  }
+  frf::validate(header);
+  return header;
+}
+
+frf::FrfSet frequency_response(const Structure& structure, const ResponseRequest& request) {
+  frf::FrfSet set;
+  set.header = response_header(structure.nodes(), request);
+  set.values.reserve(set.header.lines() * set.header.entries());
+  const std::vector<Place> rows = places(structure, request.response);
+  const std::vector<Place> columns = places(structure, request.reference);
+  const auto n = static_cast<Eigen::Index>(structure.size());
+  Eigen::MatrixXcd forces = Eigen::MatrixXcd::Zero(n, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    forces(columns[c].index, static_cast<Eigen::Index>(c)) = columns[c].sign;
+  }
+  for (const double frequency : request.frequency_hz) {
+    const Eigen::MatrixXcd z = dynamic_stiffness(structure, laplace(request.window_rate, frequency));
+    const Eigen::MatrixXcd motion = z.partialPivLu().solve(forces);
+    for (const Place& row : rows) {
+      for (Eigen::Index c = 0; c < forces.cols(); ++c) set.values.push_back(row.sign * motion(row.index, c));
+    }
+  }
+  return set;
+}
+
+frf::FrfSet with_accelerometer(const frf::FrfSet& set, double mass, double window_rate) {
+  frf::FrfSet result = set;
+  for (std::size_t r = 0; r < set.header.response.size(); ++r) {
+    const frf::Dof& dof = set.header.response[r];
+    const std::size_t point = frf::find_coordinate(set.header.reference, dof);
+    if (point == frf::npos) {
+      throw InputError({.kind = ErrorKind::usage,
+                        .file = set.header.file,
+                        .place = "accelerometer mass",
+                        .problem = "there is no point FRF at " + dof.name(),
+                        .remedy = "compute the set with that reference"});
+    }
+    const double sign = dof.sign * set.header.reference[point].sign;
+    for (std::size_t line = 0; line < set.header.lines(); ++line) {
+      const frf::Complex s = laplace(window_rate, set.header.frequency_hz[line]);
+      const frf::Complex loaded = 1.0 + s * s * mass * sign * set.values[set.index(line, r, point)];
+      for (std::size_t c = 0; c < set.header.reference.size(); ++c)
+        result.values[set.index(line, r, c)] /= loaded;
+    }
+  }
+  return result;
+}
+
+}  // namespace jointid::problems

@@ -1,0 +1,33 @@
+# cmake -DCODE=… [-DOUT=regex] [-DERR=regex] [-DHERE=folder] -P check_command.cmake -- program arguments…
+# Runs the program and fails unless exit code, stdout and stderr are as said; stderr of a failure is one line.
+cmake_minimum_required(VERSION 3.25)
+
+set(_command "")
+set(_seen OFF)
+math(EXPR _last "${CMAKE_ARGC} - 1")
+foreach(_i RANGE ${_last})
+  if(_seen)
+    list(APPEND _command "${CMAKE_ARGV${_i}}")
+  elseif(CMAKE_ARGV${_i} STREQUAL "--")
+    set(_seen ON)
+  endif()
+endforeach()
+
+if(HERE)
+  file(MAKE_DIRECTORY "${HERE}")
+endif()
+execute_process(COMMAND ${_command} WORKING_DIRECTORY "${HERE}"
+                RESULT_VARIABLE _code OUTPUT_VARIABLE _out ERROR_VARIABLE _err)
+message("exit code ${_code}\n${_out}${_err}")
+if(NOT _code EQUAL CODE)
+  message(FATAL_ERROR "exit code ${_code} instead of ${CODE}")
+endif()
+if(DEFINED OUT AND NOT _out MATCHES "${OUT}")
+  message(FATAL_ERROR "stdout does not match ${OUT}")
+endif()
+if(DEFINED ERR AND NOT _err MATCHES "${ERR}")
+  message(FATAL_ERROR "stderr does not match ${ERR}")
+endif()
+if(NOT CODE EQUAL 0 AND NOT CODE EQUAL 4 AND NOT _err MATCHES "^jointid: error: [^\n]+\n$")
+  message(FATAL_ERROR "stderr is not one line 'jointid: error: …'")
+endif()

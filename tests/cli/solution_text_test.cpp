@@ -1,0 +1,57 @@
+#include "cli/solution_text.hpp"
+
+#include <gmock/gmock.h>
+
+#include "solution_sample.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(SolutionText, MatricesCarryTheirDofs) {
+  EXPECT_THAT(solution_text(sample_solution(), "two beams"),
+              HasSubstr("stiffness K (SI units)\n"
+                        "          4:+Y  4:+RZ\n"
+                        "  4:+Y   1e+06      5\n"
+                        "  4:+RZ      5     20\n"));
+}
+
+TEST(SolutionText, StatusMessageAndWhatWasUsedComeFirst) {
+  EXPECT_THAT(solution_text(sample_solution(), "two beams"),
+              StartsWith("two beams\n"
+                         "  status   rank deficient\n"
+                         "  message  k2 is not fixed by the data\n"
+                         "  method   one, equations nn nj, weighting WBS, delta 0.05, solver qr\n"));
+}
+
+TEST(SolutionText, AnUnknownThatTheDataDoNotFixIsMarked) {
+  const std::string text = solution_text(sample_solution(), "");
+  EXPECT_THAT(text, HasSubstr("K(1,1)  1e+06  N/m        2000  990000 … 1.01e+06\n"));
+  EXPECT_THAT(text, HasSubstr("not determined by the data\n"));
+}
+
+TEST(SolutionText, WithoutATruthThereIsNoQuality) {
+  auto solution = sample_solution();
+  EXPECT_THAT(solution_text(solution, ""), HasSubstr("against the truth"));
+  solution.quality.clear();
+  EXPECT_THAT(solution_text(solution, ""), Not(HasSubstr("against the truth")));
+}
+
+TEST(SolutionText, BandsSayWhereTheyHold) {
+  auto solution = sample_solution();
+  solution.bands[0].band_hz = {{100.0, 200.5}};
+  EXPECT_THAT(solution_text(solution, ""), HasSubstr("stiffness K (SI units), 100 to 200.5 Hz\n"));
+}
+
+TEST(UnknownsCsv, EmptyWhereNotComputed) {
+  EXPECT_EQ(unknowns_csv(sample_solution()),
+            "name,value,unit,std_error,ci95_low,ci95_high,determined\n"
+            "\"K(1,1)\",1000000,N/m,2000,990000,1010000,true\n"
+            "k2,,N,,,,false\n");
+}
+
+}  // namespace
+}  // namespace jointid::cli

@@ -1,0 +1,97 @@
+#include "include_rules.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace jointid::structure {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+const std::filesystem::path root = JOINTID_SOURCE_DIR;
+
+/// Headers private to their folder that wrap a library and so have to name it: "frf/hdf5_file.hpp: hdf5.h".
+const std::set<std::string> allowed_heavy = {};
+
+IncludeTable table_of_the_docs() {
+  std::ifstream markdown(root / "docs/architecture.md");
+  return read_table(markdown);
+}
+
+std::vector<std::string> violations_in(const std::string& folder, const std::string& text) {
+  std::istringstream markdown(
+      "| folder | what | may include |\n|---|---|---|\n"
+      "| `frf/` | files | – |\n| `weighting/` | rows | frf |\n| `ident/` | all | all above |\n");
+  std::istringstream source(text);
+  return violations(read_table(markdown), folder, source);
+}
+
+TEST(IncludeRules, TheTableIsRead) {
+  const IncludeTable table = table_of_the_docs();
+  EXPECT_THAT(table.at("frf"), IsEmpty());
+  EXPECT_THAT(table.at("restrictions"), ElementsAre("frf"));
+  EXPECT_TRUE(table.at("cli").contains("ident"));
+}
+
+TEST(IncludeRules, AnIncludeAgainstTheTableIsFound) {
+  EXPECT_THAT(violations_in("frf", "#include \"ident/scene.hpp\"\n"),
+              ElementsAre("frf may not include ident/scene.hpp"));
+  EXPECT_THAT(violations_in("weighting", "  #  include <ident/scene.hpp>  // why\n"),
+              ElementsAre("weighting may not include ident/scene.hpp"));
+  EXPECT_THAT(violations_in("frf", "#include \"dof.hpp\"\n"), ElementsAre("dof.hpp is included without its folder"));
+}
+
+TEST(IncludeRules, AnIncludeAlongTheTableIsNot) {
+  EXPECT_THAT(violations_in("ident", "#include \"frf/dof.hpp\"\n#include \"ident/scene.hpp\"\n#include <vector>\n"),
+              IsEmpty());
+  EXPECT_THAT(violations_in("frf", "// see ident/scene.hpp\n#include <Eigen/Core>\n#include <hdf5.h>\n"), IsEmpty());
+}
+
+TEST(IncludeRules, AHeavyIncludeIsFound) {
+  std::istringstream header("#include <Eigen/Core>\n#include <Eigen/Dense>\n#include <CLI/CLI.hpp>\n");
+  EXPECT_THAT(heavy_includes(header), UnorderedElementsAre("Eigen/Dense", "CLI/CLI.hpp"));
+}
+
+TEST(IncludeRules, EveryFolderWithHeadersStandsInTheTable) {
+  const IncludeTable table = table_of_the_docs();
+  for (const auto& entry : std::filesystem::directory_iterator(root)) {
+    const std::string folder = entry.path().filename();
+    if (!entry.is_directory() || folder.starts_with('.')) continue;
+    if (std::set<std::string>{"build", "tests", "bench", "examples"}.contains(folder)) continue;
+    EXPECT_TRUE(sources(entry).empty() || table.contains(folder)) << folder;
+  }
+  for (const auto& row : table) EXPECT_TRUE(std::filesystem::is_directory(root / row.first)) << row.first;
+}
+
+TEST(IncludeRules, TheSourcesKeepThem) {
+  const IncludeTable table = table_of_the_docs();
+  std::size_t files = 0;
+  for (const auto& row : table) {
+    for (const auto& path : sources(root / row.first)) {
+      std::ifstream source(path);
+      EXPECT_THAT(violations(table, row.first, source), IsEmpty()) << path;
+      ++files;
+    }
+  }
+  EXPECT_GT(files, 0U);
+}
+
+TEST(IncludeRules, NoHeaderIsHeavy) {
+  for (const auto& row : table_of_the_docs()) {
+    for (const auto& path : sources(root / row.first)) {
+      if (path.extension() != ".hpp") continue;
+      std::ifstream header(path);
+      for (const auto& include : heavy_includes(header)) {
+        const std::string name = std::filesystem::relative(path, root).string() + ": " + include;
+        EXPECT_TRUE(allowed_heavy.contains(name)) << name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace jointid::structure
