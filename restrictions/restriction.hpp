@@ -42,7 +42,8 @@ struct MatrixTerms {
 /// `unknowns` and the known part T₂y₂ is already multiplied out. Only matrices that the scene names are here.
 struct Restriction {
   std::vector<frf::Dof> dofs;      ///< N joint DOFs, those of the joints one after the other
-  std::vector<Unknown> unknowns;   ///< K first, then M, C, D; within a matrix in order of first appearance, row by row; springs as listed
+  /// K of all joints first, then M, C, D; within a matrix in order of first appearance, row by row; springs as listed.
+  std::vector<Unknown> unknowns;
   std::vector<MatrixTerms> matrices;
 
   bool has(Kind kind) const;

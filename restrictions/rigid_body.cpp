@@ -2,8 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
 #include <limits>
-#include <set>
 
 namespace jointid::restrictions {
 namespace {
@@ -13,28 +14,32 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-using Arms = std::map<std::int64_t, Vector3d>;
-
 /// Positions of the joint's nodes from their centroid.
+struct Arms {
+  std::map<std::int64_t, Vector3d> of_node;
+  double rounding = 0.0;  ///< m; an arm is known no better
+};
+
 Arms arms_from_centroid(const std::vector<frf::Dof>& dofs,
                         const std::map<std::int64_t, std::array<double, 3>>& positions) {
   Arms arms;
-  for (const frf::Dof& dof : dofs) arms[dof.node] = Vector3d(positions.at(dof.node).data());
+  for (const frf::Dof& dof : dofs) arms.of_node[dof.node] = Vector3d(positions.at(dof.node).data());
+  const auto count = static_cast<double>(arms.of_node.size());
   Vector3d centroid = Vector3d::Zero();
-  for (const auto& [node, position] : arms) centroid += position / static_cast<double>(arms.size());
-  const double rounding = 4 * static_cast<double>(arms.size()) * eps * centroid.stableNorm();
-  for (auto& [node, arm] : arms) {
+  for (const auto& [node, position] : arms.of_node) centroid += position / count;
+  arms.rounding = 4 * count * eps * centroid.stableNorm();
+  for (auto& [node, arm] : arms.of_node) {
     arm -= centroid;
-    if (arm.stableNorm() <= rounding) arm.setZero();  // a distance that only rounding makes is none
+    if (arm.stableNorm() <= arms.rounding) arm.setZero();  // a distance that only rounding makes is none
   }
   return arms;
 }
 
 double characteristic_length(const Arms& arms) {
-  Eigen::VectorXd distances(static_cast<Index>(arms.size()));
+  Eigen::VectorXd distances(static_cast<Index>(arms.of_node.size()));
   Index i = 0;
-  for (const auto& [node, arm] : arms) distances(i++) = arm.stableNorm();
-  const double length = distances.stableNorm() / std::sqrt(static_cast<double>(arms.size()));
+  for (const auto& [node, arm] : arms.of_node) distances(i++) = arm.stableNorm();
+  const double length = distances.stableNorm() / std::sqrt(static_cast<double>(distances.size()));
   return length > 0.0 ? length : 1.0;
 }
 
@@ -54,17 +59,18 @@ MatrixXd scaled_rigid_motions(const std::vector<frf::Dof>& dofs, const Arms& arm
     } else {
       motions.row(row).head<3>() = along.transpose();
       // along·(θ × arm) = (arm × along)·θ
-      motions.row(row).tail<3>() = (arms.at(dofs[i].node) / length).cross(along).transpose();
+      motions.row(row).tail<3>() = (arms.of_node.at(dofs[i].node) / length).cross(along).transpose();
     }
   }
   return motions;
 }
 
-/// Orthonormal basis of the complement of the columns' span.
-MatrixXd complement(const MatrixXd& columns) {
+/// Orthonormal basis of the complement of the columns' span; elements are in error by up to `rounding`.
+MatrixXd complement(const MatrixXd& columns, double rounding) {
   const Eigen::JacobiSVD<MatrixXd> svd(columns, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
-  const double tolerance = eps * static_cast<double>(std::max<Index>(columns.rows(), 6)) * sigma(0);
+  const auto rows = static_cast<double>(columns.rows());
+  const double tolerance = eps * std::max(rows, 6.0) * sigma(0) + std::sqrt(rows) * rounding;
   const Index rank = (sigma.array() > tolerance).count();
   return svd.matrixU().rightCols(columns.rows() - rank);
 }
@@ -80,7 +86,7 @@ Deformation deformation(const std::vector<frf::Dof>& dofs,
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     if (dofs[i].is_rotation()) result.scale(static_cast<Index>(i)) = length;
   }
-  result.basis = complement(scaled_rigid_motions(dofs, arms, length));
+  result.basis = complement(scaled_rigid_motions(dofs, arms, length), arms.rounding / length);
   return result;
 }
 

@@ -1,6 +1,8 @@
 #include "weighting/weighting.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "frf/error.hpp"
 
@@ -8,6 +10,16 @@ namespace jointid::weighting {
 namespace {
 
 constexpr std::array<const char*, 5> names = {"none", "WA", "WB", "WBG", "WBS"};
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::string suggestion(const std::string& text) {
+  const std::string near = nearest_word(text, names);
+  return near.empty() ? nearest_word(upper(text), names) : near;
+}
 
 }  // namespace
 
@@ -17,7 +29,7 @@ Weighting parse_weighting(std::string_view text) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (text == names[i]) return static_cast<Weighting>(i);
   }
-  const std::string near = nearest_word(std::string(text), names);
+  const std::string near = suggestion(std::string(text));
   throw InputError({.kind = ErrorKind::usage,
                     .file = {},
                     .place = {},

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ident/scene_reader.hpp"
+
+namespace jointid::ident {
+
+/// [data]; paths are resolved against `folder`.
+DataSection read_data(const SceneItem& item, const Path& folder);
+
+/// [frequency]
+FrequencySection read_frequency(const SceneItem& item);
+
+/// [joint] or [[joints]] with the positions of [nodes] handed to every joint that uses them; checked by building each
+/// matrix's restriction. Pattern free without positions passes: the data files may have them.
+std::vector<restrictions::JointSpec> read_joints(const SceneTable& scene);
+
+/// [identify]; `joints` are needed to check the start values.
+IdentifySection read_identify(const SceneItem& item, const std::vector<restrictions::JointSpec>& joints);
+
+/// [noise]
+NoiseSection read_noise(const SceneItem& item);
+
+/// A table of matrices by kind over all joint DOFs, each square ([truth], start).
+std::map<restrictions::Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size);
+
+/// Number of DOFs of all joints.
+std::size_t joint_size(const std::vector<restrictions::JointSpec>& joints);
+
+/// The keys "stiffness", "mass", "viscous_damping" and "hysteretic_damping".
+std::vector<std::string> kind_keys();
+
+}  // namespace jointid::ident

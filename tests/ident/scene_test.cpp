@@ -1,0 +1,164 @@
+#include "ident/scene.hpp"
+
+#include <gmock/gmock.h>
+
+namespace jointid::ident {
+namespace {
+
+using restrictions::Kind;
+using restrictions::Pattern;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr const char* full_scene = R"(
+title = "two beams and a soft joint"
+[data]
+substructures = ["beam_long.uff", "beam_short.h5"]
+assembly      = ["assembly.h5"]
+reciprocity   = true
+[data.files."beam_long.uff"]
+quantity = "accelerance"
+dofs = ["1:+Y", "4:+Y"]
+reference_dofs = ["4:+Y"]
+[data.files."assembly.h5"]
+variable = "H"
+[frequency]
+range   = [400.0, 1000.0]
+step    = 20
+exclude = [[560.0, 566.0]]
+exclude_resonances = { of = ["substructures"], half_width = 0.02 }
+[joint]
+dofs = ["4:+Y", "4:+RZ", "5:+Y", "5:-RZ"]
+bands = [[400, 600], [600, 1000]]
+[joint.stiffness]
+pattern = "symmetric"
+[joint.hysteretic_damping]
+matrix = [["a","b","-a","b"], ["b","c","-b","d"], ["-a","-b","a",-1.5], ["b","d",-2,"c"]]
+[joint.mass]
+springs = [["4:+Y","5:+Y"], ["ground", "4:+RZ"]]
+[nodes]
+4 = [0, 0, 0.0]
+"5" = [0.3, 0, 0]
+"9" = [1, 2, 3]
+[identify]
+method    = "likelihood"
+equations = ["nn", "jn"]
+weighting = "WBS"
+delta     = 0.05
+solver    = "ceres"
+start     = { stiffness = [[1,0,0,0],[0,2,0,0],[0,0,3,0],[0,0,0,4]] }
+[noise]
+model = "modal"
+level = 0.05
+[truth]
+viscous_damping = [[1,2,3,4],[0,0,0,0],[0,0,0,0],[0,0,0,5]]
+)";
+
+TEST(Scene, EveryKeyArrives) {
+  const Scene scene = parse_scene(full_scene, "some/where/scene.toml");
+  EXPECT_EQ(scene.file, Path("some/where/scene.toml"));
+  EXPECT_EQ(scene.title, "two beams and a soft joint");
+
+  ASSERT_THAT(scene.data.substructures, SizeIs(2));
+  EXPECT_EQ(scene.data.substructures[0].path, Path("some/where/beam_long.uff"));
+  EXPECT_EQ(scene.data.substructures[0].options.quantity, frf::Quantity::accelerance);
+  EXPECT_THAT(scene.data.substructures[0].options.response, SizeIs(2));
+  EXPECT_THAT(scene.data.substructures[0].options.reference, ElementsAre(frf::Dof::parse("4:+Y")));
+  EXPECT_FALSE(scene.data.substructures[1].options.quantity.has_value());
+  ASSERT_THAT(scene.data.assembly, SizeIs(1));
+  EXPECT_EQ(scene.data.assembly[0].options.variable, "H");
+  EXPECT_TRUE(scene.data.reciprocity);
+
+  EXPECT_EQ(scene.frequency.range_hz, (Range{400, 1000}));
+  EXPECT_EQ(scene.frequency.step_hz, 20);
+  EXPECT_THAT(scene.frequency.exclude_hz, ElementsAre(Range{560, 566}));
+  ASSERT_TRUE(scene.frequency.exclude_resonances.has_value());
+  EXPECT_TRUE(scene.frequency.exclude_resonances->of_substructures);
+  EXPECT_FALSE(scene.frequency.exclude_resonances->of_assembly);
+  EXPECT_EQ(scene.frequency.exclude_resonances->half_width, 0.02);
+
+  EXPECT_EQ(scene.identify.method, Method::likelihood);
+  EXPECT_THAT(scene.identify.equations, ElementsAre(Equation::nn, Equation::jn));
+  EXPECT_EQ(scene.identify.weighting, weighting::Weighting::wbs);
+  EXPECT_EQ(scene.identify.delta, 0.05);
+  EXPECT_EQ(scene.identify.solver, "ceres");
+  EXPECT_EQ(scene.identify.start.at(Kind::stiffness)[3], (std::vector<double>{0, 0, 0, 4}));
+  ASSERT_TRUE(scene.noise.has_value());
+  EXPECT_EQ(scene.noise->model, "modal");
+  EXPECT_EQ(scene.noise->level, 0.05);
+  ASSERT_THAT(scene.truth, SizeIs(1));
+  EXPECT_EQ(scene.truth.at(Kind::viscous_damping)[3][3], 5);
+}
+
+TEST(Scene, TheJointArrives) {
+  const Scene scene = parse_scene(full_scene, "scene.toml");
+  ASSERT_THAT(scene.joints, SizeIs(1));
+  const restrictions::JointSpec& joint = scene.joints[0];
+  EXPECT_EQ(joint.name, "");
+  ASSERT_THAT(joint.dofs, SizeIs(4));
+  EXPECT_EQ(joint.dofs[3].name(), "5:-RZ");
+  EXPECT_THAT(joint.bands_hz, ElementsAre(Range{400, 600}, Range{600, 1000}));
+  EXPECT_THAT(joint.node_positions, SizeIs(2));
+  EXPECT_EQ(joint.node_positions.at(5)[0], 0.3);
+  ASSERT_THAT(joint.matrices, SizeIs(3));
+  EXPECT_EQ(std::get<Pattern>(joint.matrices.at(Kind::stiffness)), Pattern::symmetric);
+  const auto& entries = std::get<restrictions::EntryMatrix>(joint.matrices.at(Kind::hysteretic_damping));
+  EXPECT_EQ(entries[0][2], restrictions::Entry("-a"));
+  EXPECT_EQ(entries[2][3], restrictions::Entry(-1.5));
+  EXPECT_EQ(entries[3][2], restrictions::Entry(-2.0));
+  const auto& springs = std::get<std::vector<restrictions::Spring>>(joint.matrices.at(Kind::mass));
+  ASSERT_THAT(springs, SizeIs(2));
+  EXPECT_EQ(springs[1].first.name(), "4:+RZ");
+  EXPECT_FALSE(springs[1].second.has_value());
+}
+
+TEST(Scene, WhatIsLeftOutHasItsDefault) {
+  const Scene scene = parse_scene(R"(
+data = { substructures = ["/abs/a.h5"], assembly = ["../b.h5"] }
+joint = { dofs = ["1:+X"], stiffness.pattern = "free" }
+)", "here/scene.toml");
+  EXPECT_EQ(scene.title, "");
+  EXPECT_EQ(scene.data.substructures[0].path, Path("/abs/a.h5"));
+  EXPECT_EQ(scene.data.assembly[0].path, Path("here/../b.h5"));
+  EXPECT_FALSE(scene.data.reciprocity);
+  EXPECT_FALSE(scene.frequency.range_hz.has_value());
+  EXPECT_EQ(scene.identify.method, Method::one);
+  EXPECT_THAT(scene.identify.equations, IsEmpty());
+  EXPECT_EQ(scene.identify.weighting, weighting::Weighting::wb);
+  EXPECT_EQ(scene.identify.solver, "auto");
+  EXPECT_FALSE(scene.noise.has_value());
+  EXPECT_THAT(scene.truth, IsEmpty());
+}
+
+TEST(Scene, SeveralJointsKeepTheirOrderAndNames) {
+  const Scene scene = parse_scene(R"(
+[data]
+substructures = ["a.h5"]
+assembly = ["b.h5"]
+[[joints]]
+name = "left"
+dofs = ["1:+X"]
+stiffness.pattern = "full"
+[[joints]]
+name = "right"
+dofs = ["2:+X"]
+mass.pattern = "full"
+[identify]
+start.mass = [[1, 2], [3, 4]]
+)", "scene.toml");
+  ASSERT_THAT(scene.joints, SizeIs(2));
+  EXPECT_EQ(scene.joints[0].name, "left");
+  EXPECT_EQ(scene.joints[1].name, "right");
+  EXPECT_EQ(scene.identify.start.at(Kind::mass)[1][0], 3);
+}
+
+TEST(Scene, NamesOfMethodsAndEquations) {
+  EXPECT_EQ(name(Method::one), "one");
+  EXPECT_EQ(name(Method::likelihood), "likelihood");
+  EXPECT_EQ(name(Equation::nn), "nn");
+  EXPECT_EQ(name(Equation::jn), "jn");
+}
+
+}  // namespace
+}  // namespace jointid::ident
