@@ -1,12 +1,39 @@
 #pragma once
 
+#include <functional>
+#include <stdexcept>
+
+#include "ident/linear_solution.hpp"
 #include "ident/plan.hpp"
 #include "ident/solution.hpp"
 
 namespace jointid::ident {
 
-/// Carries out a plan: reads what it names line by line, assembles, solves, and judges the result. Throws InputError when
-/// the data break their promises; a numerical outcome is Solution::status.
-Solution solve(Plan& plan);
+/// Thrown when Control::interrupted said so.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// How the caller watches and stops a run; both are optional and called between chunks of lines.
+struct Control {
+  std::function<void(const char* stage, std::size_t done, std::size_t total)> progress;
+  std::function<bool()> interrupted;
+};
+
+/// Carries out a plan: reads what it names line by line, assembles, solves, predicts and judges. Throws InputError when the
+/// data break their promises; a numerical outcome is Solution::status.
+Solution solve(Plan& plan, const Control& control = {});
+
+/// The inner part of solve() for callers that repeat it: the accumulated system of all lines of a plan…
+struct Assembled {
+  Accumulator accumulator;
+  EquationCount equations;
+  std::size_t lines = 0;
+};
+Assembled assemble(Plan& plan, RunTime& runtime, const Control& control = {});
+
+/// … and its solution by the plan's solver.
+LinearSolution solve(const Plan& plan, Accumulator& accumulator);
 
 }  // namespace jointid::ident

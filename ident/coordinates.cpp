@@ -1,0 +1,152 @@
+#include "ident/coordinates.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "frf/error.hpp"
+
+namespace jointid::ident {
+namespace {
+
+bool has(const Dofs& dofs, const frf::Dof& dof) { return frf::find_coordinate(dofs, dof) != frf::npos; }
+
+[[noreturn]] void fail(const Scene& scene, std::string place, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = scene.file.string(),
+                    .place = std::move(place),
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+/// The nearest DOF among those of a system, by spelling.
+std::string nearest_dof(const frf::Dof& dof, const frf::FrfSystem& system) {
+  std::vector<std::string> names;
+  for (const frf::Dof& other : system.responses()) names.push_back(other.name());
+  return nearest_word(dof.name(), names);
+}
+
+/// First joint DOF that is missing from `dofs`, as "4:+RZ", or empty.
+std::string first_missing(const Dofs& joint, const Dofs& dofs) {
+  for (const frf::Dof& dof : joint) {
+    if (!has(dofs, dof)) return dof.name();
+  }
+  return {};
+}
+
+/// What an equation lacks, in words, or empty.
+class Availability {
+ public:
+  Availability(const Scene& scene, const Coordinates& coordinates, const frf::FrfSystem& substructures,
+               const frf::FrfSystem& assembly)
+      : method_(scene.identify.method), at_(coordinates), sub_(substructures), asm_(assembly) {}
+
+  std::string lacks(Equation equation) const {
+    if (method_ == Method::two) return two_lacks(equation);
+    if (method_ == Method::direct) return direct_lacks(equation);
+    switch (equation) {
+      case Equation::nn:
+        return first_of({responses(), references(), joint(asm_, false), joint(sub_, true)});
+      case Equation::nj:
+        return first_of({responses(), joint(asm_, false), joint(sub_, true), joint(sub_, false)});
+      case Equation::jj:
+        return first_of({joint(asm_, true), joint(asm_, false), joint(sub_, true), joint(sub_, false)});
+      case Equation::jn:
+        break;
+    }
+    return first_of({references(), joint(asm_, true), joint(asm_, false), joint(sub_, true)});
+  }
+
+ private:
+  static std::string first_of(const std::array<std::string, 4>& reasons) {
+    for (const std::string& reason : reasons) {
+      if (!reason.empty()) return reason;
+    }
+    return {};
+  }
+
+  std::string responses() const {
+    return at_.responses.empty() ? "no non-joint response is in both the substructures and the assembly" : "";
+  }
+  std::string references() const {
+    return at_.references.empty() ? "no non-joint reference is in both the substructures and the assembly" : "";
+  }
+  std::string joint(const frf::FrfSystem& system, bool as_response) const {
+    const std::string missing = first_missing(at_.joint, as_response ? system.responses() : system.references());
+    if (missing.empty()) return {};
+    return "the " + system.name() + " has no " + (as_response ? "response " : "reference ") + missing;
+  }
+  std::string two_lacks(Equation equation) const {
+    if (equation == Equation::nn || equation == Equation::nj) {
+      return "Method Two has the equations jn and jj only";
+    }
+    return first_of({joint(sub_, true), joint(sub_, false), joint(asm_, true),
+                     equation == Equation::jn ? references() : joint(asm_, false)});
+  }
+  std::string direct_lacks(Equation equation) const {
+    if (equation != Equation::nn) return "the direct solution uses the equation nn only";
+    if (at_.references.size() < at_.joint.size()) {
+      return "the direct solution needs at least as many non-joint references (" +
+             std::to_string(at_.references.size()) + ") as joint DOFs (" + std::to_string(at_.joint.size()) + ")";
+    }
+    return first_of({responses(), joint(sub_, true), joint(sub_, false), {}});
+  }
+
+  Method method_;
+  const Coordinates& at_;
+  const frf::FrfSystem& sub_;
+  const frf::FrfSystem& asm_;
+};
+
+}  // namespace
+
+Coordinates find_coordinates(const Scene& scene, const restrictions::Restriction& restriction,
+                             const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
+  Coordinates at;
+  at.joint = restriction.dofs;
+  for (const frf::Dof& dof : at.joint) {
+    if (has(substructures.responses(), dof) || has(substructures.references(), dof)) continue;
+    const std::string near = nearest_dof(dof, substructures);
+    fail(scene, "[joint] dofs", "no substructure file has the DOF " + dof.name(),
+         near.empty() ? "see `jointid info` for the DOFs of a file" : "did you mean " + near + "?");
+  }
+  const bool two = scene.identify.method == Method::two;
+  for (const frf::Dof& dof : assembly.responses()) {
+    // Method Two inverts the substructures' matrix, so its coordinates need both roles there.
+    const bool usable = has(substructures.responses(), dof) && (!two || has(substructures.references(), dof));
+    if (usable && !has(at.joint, dof)) at.responses.push_back(dof);
+  }
+  for (const frf::Dof& dof : assembly.references()) {
+    // A force outside the inverted coordinates would not vanish in Z_sub H_asm = I − Z_j H_j.
+    const bool usable = two ? has(at.responses, dof) : has(substructures.references(), dof);
+    if (usable && !has(at.joint, dof)) at.references.push_back(dof);
+  }
+  return at;
+}
+
+std::vector<Equation> choose_equations(const Scene& scene, const Coordinates& coordinates,
+                                       const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
+  const Availability availability(scene, coordinates, substructures, assembly);
+  constexpr std::array<Equation, 4> all = {Equation::nn, Equation::nj, Equation::jj, Equation::jn};
+  const std::vector<Equation>& named = scene.identify.equations;
+  std::vector<Equation> chosen;
+  for (const Equation equation : all) {
+    const bool is_named = std::find(named.begin(), named.end(), equation) != named.end();
+    if (!named.empty() && !is_named) continue;
+    const std::string lack = availability.lacks(equation);
+    if (lack.empty()) {
+      chosen.push_back(equation);
+    } else if (is_named) {
+      fail(scene, "[identify] equations", "equation " + name(equation) + " cannot be used: " + lack,
+           "leave it out, or measure what it lacks");
+    }
+  }
+  if (chosen.empty()) {
+    const bool direct = scene.identify.method == Method::direct;
+    fail(scene, "[data]", "the data allow no equation: " + availability.lacks(Equation::nn),
+         direct ? "measure what it lacks"
+                : "with joint coordinates that cannot be reached on the assembly, use method = \"direct\"");
+  }
+  return chosen;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "ident/line_product.hpp"
+
+namespace jointid::ident {
+
+/// Sum of squares of 20 log10(|predicted|/|measured|) over the entries where both are finite and not zero.
+struct DecibelError {
+  double sum_of_squares = 0.0;
+  std::size_t entries = 0;
+};
+
+/// Adds one line: predicted = base − left·right with left [R×N] and right [N×C], split into real and imaginary parts and
+/// row-major; base and measured [R×C].
+void add_decibel_error(const View& base, const double* left_re, const double* left_im, const double* right_re,
+                       const double* right_im, std::size_t n, const View& measured, DecibelError& error);
+
+}  // namespace jointid::ident

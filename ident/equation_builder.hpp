@@ -1,0 +1,66 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "frf/frf_system.hpp"
+#include "ident/line_product.hpp"
+#include "ident/scene.hpp"
+
+namespace jointid::ident {
+
+using Dofs = std::vector<frf::Dof>;
+
+/// The DOFs of `first`, then those of `second`.
+Dofs joined(Dofs first, const Dofs& second);
+
+/// The coordinates of a problem: joint DOFs, and the non-joint coordinates that both systems have.
+struct Coordinates {
+  Dofs joint;       ///< N, in the order of the scene
+  Dofs responses;   ///< non-joint responses
+  Dofs references;  ///< non-joint references
+};
+
+/// Which of the four named equations are used.
+struct EquationSet {
+  bool nn = false, nj = false, jj = false, jn = false;
+
+  explicit EquationSet(const std::vector<Equation>& equations);
+};
+
+/// Brings the FRFs of a line into the common form A Z_j B = C₁ − C₂. One implementation per method; each reads just the
+/// blocks that its equations name.
+class EquationBuilder {
+ public:
+  virtual ~EquationBuilder() = default;
+
+  /// Reads lines by their indices in the two systems.
+  virtual void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) = 0;
+
+  /// The equations of the i-th line read; the views stay valid until the next call of line() or read(). False when the line
+  /// cannot be used (a matrix to invert is singular or not fully measured).
+  virtual bool line(std::size_t i, LineProduct& out) = 0;
+
+  /// The coordinate behind each column of B.
+  virtual Dofs columns() const = 0;
+
+  /// FRFs read per line.
+  virtual std::size_t entries_per_line() const = 0;
+};
+
+/// Method One (formulas §2): H_nj Z_j H_ba = H_aa − H_nn and so on.
+std::unique_ptr<EquationBuilder> make_method_one(const Coordinates& coordinates, const EquationSet& equations,
+                                                 frf::FrfSystem& substructures, frf::FrfSystem& assembly);
+
+/// Method Two (formulas §3): Z_j H_jn = −Z_ba H_nn − Z_bb H_jn (`jn`), Z_j H_jj = I − Z_ba H_nj − Z_bb H_jj (`jj`), with
+/// Z = H_sub⁻¹ over all coordinates. It inverts measured data and is the noisier of the two.
+std::unique_ptr<EquationBuilder> make_method_two(const Coordinates& coordinates, const EquationSet& equations,
+                                                 frf::FrfSystem& substructures, frf::FrfSystem& assembly);
+
+/// Direct solution without joint coordinates of the assembly (thesis eq. 6.77, 6.78): equation `nn` with
+/// H_nj = H_ab − (H_aa − H_nn) H_ba⁺ H_bb. Exact without noise, useless with it.
+std::unique_ptr<EquationBuilder> make_direct(const Coordinates& coordinates, frf::FrfSystem& substructures,
+                                             frf::FrfSystem& assembly);
+
+}  // namespace jointid::ident

@@ -1,0 +1,271 @@
+#include "ident/kronecker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ident/kernel.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// A complex column as two real arrays.
+struct Column {
+  double* re;
+  double* im;
+};
+
+/// uᴴv over `count` elements.
+JOINTID_INLINE void dot(const Column& u, const Column& v, std::size_t count, double& re, double& im) {
+  double sum_re = 0.0, sum_im = 0.0;
+#pragma omp simd reduction(+ : sum_re, sum_im)
+  for (std::size_t i = 0; i < count; ++i) {
+    sum_re += u.re[i] * v.re[i] + u.im[i] * v.im[i];
+    sum_im += u.re[i] * v.im[i] - u.im[i] * v.re[i];
+  }
+  re = sum_re;
+  im = sum_im;
+}
+
+/// v −= (re + i·im) u.
+JOINTID_INLINE void subtract(const Column& u, double re, double im, std::size_t count, const Column& v) {
+#pragma omp simd
+  for (std::size_t i = 0; i < count; ++i) {
+    v.re[i] -= u.re[i] * re - u.im[i] * im;
+    v.im[i] -= u.re[i] * im + u.im[i] * re;
+  }
+}
+
+/// Thin QR of the m×n matrix x (columns contiguous, `m` apart) by Householder reflections I − τvvᴴ with real τ: afterwards
+/// q holds the first min(m,n) columns of Q and the upper part of x holds R.
+JOINTID_KERNEL void thin_qr(double* x_re, double* x_im, std::size_t m, std::size_t n, double* q_re, double* q_im,
+                            double* tau) {
+  const std::size_t steps = std::min(m, n);
+  const auto column = [&](std::size_t k, std::size_t from) { return Column{x_re + k * m + from, x_im + k * m + from}; };
+  const auto q_column = [&](std::size_t k, std::size_t from) { return Column{q_re + k * m + from, q_im + k * m + from}; };
+  for (std::size_t k = 0; k < steps; ++k) {
+    const Column x = column(k, k);
+    double norm2, unused;
+    dot(x, x, m - k, norm2, unused);
+    if (norm2 == 0.0) {
+      tau[k] = 0.0;
+      continue;
+    }
+    // β = −e^{i·arg x₀}‖x‖; v = x − βe₁, whose first element has modulus |x₀| + ‖x‖: no cancellation.
+    const double norm = std::sqrt(norm2);
+    const double head = std::hypot(x.re[0], x.im[0]);
+    const double phase_re = head > 0.0 ? x.re[0] / head : 1.0;
+    const double phase_im = head > 0.0 ? x.im[0] / head : 0.0;
+    x.re[0] += phase_re * norm;
+    x.im[0] += phase_im * norm;
+    tau[k] = 1.0 / (norm * (norm + head));
+    for (std::size_t j = k + 1; j < n; ++j) {
+      double re, im;
+      dot(x, column(j, k), m - k, re, im);
+      subtract(x, tau[k] * re, tau[k] * im, m - k, column(j, k));
+    }
+    // Keep v in Q's column until Q is formed, and R's diagonal in x.
+    const Column v = q_column(k, k);
+    std::copy(x.re, x.re + (m - k), v.re);
+    std::copy(x.im, x.im + (m - k), v.im);
+    std::fill(x.re, x.re + (m - k), 0.0);
+    std::fill(x.im, x.im + (m - k), 0.0);
+    x.re[0] = -phase_re * norm;
+    x.im[0] = -phase_im * norm;
+  }
+  // Q = H₁…H_s applied to the unit columns, last reflection first.
+  for (std::size_t k = steps; k-- > 0;) {
+    const Column v = q_column(k, k);
+    if (tau[k] != 0.0) {
+      for (std::size_t j = k + 1; j < steps; ++j) {
+        const Column q = q_column(j, k);
+        double re, im;
+        dot(v, q, m - k, re, im);
+        subtract(v, tau[k] * re, tau[k] * im, m - k, q);
+      }
+    }
+    const double head_re = tau[k] * v.re[0], head_im = -tau[k] * v.im[0];
+    for (std::size_t i = 0; i < m - k; ++i) {
+      const double re = v.re[i], im = v.im[i];
+      v.re[i] = -(re * head_re - im * head_im);
+      v.im[i] = -(re * head_im + im * head_re);
+    }
+    v.re[0] += 1.0;
+    const Column full = q_column(k, 0);
+    std::fill(full.re, full.re + k, 0.0);
+    std::fill(full.im, full.im + k, 0.0);
+  }
+}
+
+constexpr std::size_t width = 8;  ///< columns of C handled at a time
+constexpr std::size_t depth = 4;  ///< columns of Q_A handled at a time
+
+/// d(n, 0…width) = Σ_m conj(q(m,n)) c(m, 0…width) for n in [first, first + count), count ≤ depth.
+template <std::size_t count>
+JOINTID_INLINE void project(const double* q_re, const double* q_im, std::size_t m, const double* c_re,
+                            const double* c_im, double* d_re, double* d_im, std::size_t stride) {
+  double re[count][width] = {}, im[count][width] = {};
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t n = 0; n < count; ++n) {
+      const double a = q_re[n * m + i], b = q_im[n * m + i];
+#pragma omp simd
+      for (std::size_t l = 0; l < width; ++l) {
+        re[n][l] += a * c_re[i * width + l] + b * c_im[i * width + l];
+        im[n][l] += a * c_im[i * width + l] - b * c_re[i * width + l];
+      }
+    }
+  }
+  for (std::size_t n = 0; n < count; ++n) {
+    std::copy(re[n], re[n] + width, d_re + n * stride);
+    std::copy(im[n], im[n] + width, d_im + n * stride);
+  }
+}
+
+/// Q_Aᴴ W_r (C₁ − C₂) for the chosen rows and columns: d [steps × stride], stride a multiple of `width`.
+JOINTID_KERNEL void project_right_side(const double* c1, std::size_t stride1, const double* c2, std::size_t stride2,
+                                       const std::size_t* rows, std::size_t m, const std::size_t* columns,
+                                       std::size_t l_count, const double* q_re, const double* q_im, std::size_t steps,
+                                       double* d_re, double* d_im, std::size_t stride, double* panel_re,
+                                       double* panel_im) {
+  for (std::size_t l0 = 0; l0 < l_count; l0 += width) {
+    const std::size_t used = std::min(width, l_count - l0);
+    for (std::size_t i = 0; i < m; ++i) {
+      const double* row1 = c1 + 2 * rows[i] * stride1;
+      const double* row2 = c2 + 2 * rows[i] * stride2;
+      for (std::size_t l = 0; l < used; ++l) {
+        const std::size_t at = 2 * columns[l0 + l];
+        panel_re[i * width + l] = row1[at] - row2[at];
+        panel_im[i * width + l] = row1[at + 1] - row2[at + 1];
+      }
+    }
+    std::size_t n = 0;
+    for (; n + depth <= steps; n += depth) {
+      project<depth>(q_re + n * m, q_im + n * m, m, panel_re, panel_im, d_re + n * stride + l0, d_im + n * stride + l0,
+                     stride);
+    }
+    for (; n < steps; ++n) {
+      project<1>(q_re + n * m, q_im + n * m, m, panel_re, panel_im, d_re + n * stride + l0, d_im + n * stride + l0,
+                 stride);
+    }
+  }
+}
+
+/// c(p,q) = Σ_l d(p,l) conj(q_b(l,q)).
+JOINTID_KERNEL void project_left(const double* d_re, const double* d_im, std::size_t p_count, std::size_t stride,
+                                 const double* q_re, const double* q_im, std::size_t l_count, std::size_t q_count,
+                                 double* c_re, double* c_im) {
+  for (std::size_t p = 0; p < p_count; ++p) {
+    const Column d{const_cast<double*>(d_re) + p * stride, const_cast<double*>(d_im) + p * stride};
+    for (std::size_t q = 0; q < q_count; ++q) {
+      const Column b{const_cast<double*>(q_re) + q * l_count, const_cast<double*>(q_im) + q * l_count};
+      dot(b, d, l_count, c_re[p * q_count + q], c_im[p * q_count + q]);
+    }
+  }
+}
+
+void scale_columns(std::vector<double>& re, std::vector<double>& im, std::size_t rows, std::size_t columns,
+                   std::span<const double> weight) {
+  for (std::size_t k = 0; k < columns; ++k) {
+    for (std::size_t i = 0; i < rows; ++i) {
+      re[k * rows + i] *= weight[i];
+      im[k * rows + i] *= weight[i];
+    }
+  }
+}
+
+Complex weighted_a(const LineProduct& line, const SubProduct& part, std::size_t i, std::size_t k) {
+  if (line.a_is_unit) return part.rows[i] == part.a_dofs[k] ? part.row_weight[i] : 0.0;
+  return line.a(part.rows[i], part.a_dofs[k]) * part.row_weight[i];
+}
+
+Complex weighted_b(const LineProduct& line, const SubProduct& part, std::size_t i, std::size_t k) {
+  return line.b(part.b_dofs[k], part.columns[i]) * part.column_weight[i];
+}
+
+/// The upper triangle of x (columns contiguous) as the row-major P×N matrix R.
+void copy_triangle(const std::vector<double>& re, const std::vector<double>& im, std::size_t m, std::size_t n,
+                   SplitMatrix& r) {
+  r.resize(std::min(m, n), n);
+  for (std::size_t p = 0; p < r.rows; ++p) {
+    for (std::size_t i = 0; i < n; ++i) {
+      r.re[p * n + i] = i < p ? 0.0 : re[i * m + p];
+      r.im[p * n + i] = i < p ? 0.0 : im[i * m + p];
+    }
+  }
+}
+
+}  // namespace
+
+void SplitMatrix::resize(std::size_t r, std::size_t c) {
+  rows = r;
+  columns = c;
+  re.resize(r * c);
+  im.resize(r * c);
+}
+
+void KroneckerCompressor::compress(const LineProduct& line, const SubProduct& part, Compressed& out) {
+  const std::size_t m = part.rows.size(), l_count = part.columns.size();
+  const std::size_t na = part.a_dofs.size(), nb = part.b_dofs.size();
+  const std::size_t p_count = std::min(m, na), q_count = std::min(l_count, nb);
+  const auto load = [](std::vector<double>& re, std::vector<double>& im, std::size_t rows, std::size_t columns,
+                       const auto& element) {
+    re.resize(rows * columns);
+    im.resize(rows * columns);
+    for (std::size_t k = 0; k < columns; ++k) {
+      for (std::size_t i = 0; i < rows; ++i) {
+        const Complex value = element(i, k);
+        re[k * rows + i] = value.real();
+        im[k * rows + i] = value.imag();
+      }
+    }
+  };
+  load(a_re_, a_im_, m, na, [&](std::size_t i, std::size_t k) { return weighted_a(line, part, i, k); });
+  load(b_re_, b_im_, l_count, nb, [&](std::size_t i, std::size_t k) { return weighted_b(line, part, i, k); });
+  qa_re_.resize(m * p_count);
+  qa_im_.resize(m * p_count);
+  qb_re_.resize(l_count * q_count);
+  qb_im_.resize(l_count * q_count);
+  tau_.resize(std::max(p_count, q_count));
+  thin_qr(a_re_.data(), a_im_.data(), m, na, qa_re_.data(), qa_im_.data(), tau_.data());
+  thin_qr(b_re_.data(), b_im_.data(), l_count, nb, qb_re_.data(), qb_im_.data(), tau_.data());
+  copy_triangle(a_re_, a_im_, m, na, out.ra);
+  copy_triangle(b_re_, b_im_, l_count, nb, out.rb);
+
+  // The weights of C go into Q_A and Q_B, so that C itself is read once and never copied.
+  scale_columns(qa_re_, qa_im_, m, p_count, part.row_weight);
+  scale_columns(qb_re_, qb_im_, l_count, q_count, part.column_weight);
+  const std::size_t stride = (l_count + width - 1) / width * width;
+  d_re_.resize(p_count * stride);
+  d_im_.resize(p_count * stride);
+  a_re_.assign(m * width, 0.0);  // the factors are copied out: their room serves as the panel of C
+  a_im_.assign(m * width, 0.0);
+  project_right_side(reinterpret_cast<const double*>(line.c1.data), line.c1.stride,
+                     reinterpret_cast<const double*>(line.c2.data), line.c2.stride, part.rows.data(), m,
+                     part.columns.data(), l_count, qa_re_.data(), qa_im_.data(), p_count, d_re_.data(), d_im_.data(),
+                     stride, a_re_.data(), a_im_.data());
+  out.c.resize(p_count, q_count);
+  project_left(d_re_.data(), d_im_.data(), p_count, stride, qb_re_.data(), qb_im_.data(), l_count, q_count,
+               out.c.re.data(), out.c.im.data());
+}
+
+void KroneckerCompressor::copy(const LineProduct& line, const SubProduct& part, Compressed& out) {
+  const auto fill = [](SplitMatrix& to, std::size_t rows, std::size_t columns, const auto& element) {
+    to.resize(rows, columns);
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t k = 0; k < columns; ++k) {
+        const Complex value = element(i, k);
+        to.re[i * columns + k] = value.real();
+        to.im[i * columns + k] = value.imag();
+      }
+    }
+  };
+  fill(out.ra, part.rows.size(), part.a_dofs.size(),
+       [&](std::size_t i, std::size_t k) { return weighted_a(line, part, i, k); });
+  fill(out.rb, part.columns.size(), part.b_dofs.size(),
+       [&](std::size_t i, std::size_t k) { return weighted_b(line, part, i, k); });
+  fill(out.c, part.rows.size(), part.columns.size(), [&](std::size_t i, std::size_t k) {
+    return (line.c1(part.rows[i], part.columns[k]) - line.c2(part.rows[i], part.columns[k])) *
+           (part.row_weight[i] * part.column_weight[k]);
+  });
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ident/line_product.hpp"
+
+namespace jointid::ident {
+
+/// A complex matrix as two real ones, row-major [rows × columns].
+struct SplitMatrix {
+  std::size_t rows = 0, columns = 0;
+  std::vector<double> re, im;
+
+  void resize(std::size_t r, std::size_t c);
+};
+
+/// R_A Z_j R_Bᵀ = C'': the P·Q equations that stand for the M·L of a weighted product over N_A × N_B elements of Z_j,
+/// P = min(M,N_A), Q = min(L,N_B).
+struct Compressed {
+  SplitMatrix ra;  ///< [P×N_A]
+  SplitMatrix rb;  ///< [Q×N_B]
+  SplitMatrix c;   ///< [P×Q]
+};
+
+/// Some rows and columns of a LineProduct, all of whose equations are in use, with their weights. Only the elements of Z_j
+/// in `a_dofs` × `b_dofs` have coefficients in them.
+struct SubProduct {
+  std::span<const std::size_t> a_dofs;     ///< columns of A
+  std::span<const std::size_t> b_dofs;     ///< rows of B
+  std::span<const std::size_t> rows;       ///< of A and C
+  std::span<const std::size_t> columns;    ///< of B and C
+  std::span<const double> row_weight;      ///< one per entry of `rows`
+  std::span<const double> column_weight;   ///< one per entry of `columns`
+};
+
+/// Replaces W_r A Z_j B W_c = W_r (C₁ − C₂) W_c by its compressed form (formulas §5): with the thin QR factors
+/// W_r A = Q_A R_A and (B W_c)ᵀ = Q_B R_B, C'' = Q_Aᴴ W_r (C₁ − C₂) W_c Q_B*. The least-squares problem is unchanged, and
+/// nothing is squared. Costs about 8(MN(N+L) + LN²) flops instead of the 8·M·L·N² of writing the equations out.
+class KroneckerCompressor {
+ public:
+  void compress(const LineProduct& line, const SubProduct& part, Compressed& out);
+
+  /// The same equations without compression (P = M, Q = L): cheaper when there are few of them.
+  static void copy(const LineProduct& line, const SubProduct& part, Compressed& out);
+
+ private:
+  std::vector<double> tau_;
+  std::vector<double> a_re_, a_im_, b_re_, b_im_;      ///< factors, columns contiguous
+  std::vector<double> qa_re_, qa_im_, qb_re_, qb_im_;  ///< Q_A, Q_B, columns contiguous
+  std::vector<double> d_re_, d_im_;                    ///< Q_Aᴴ W_r C
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,199 @@
+#include "ident/line_assembler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+#include "weighting/delta_filter.hpp"
+
+namespace jointid::ident {
+namespace {
+
+bool finite(const Complex& value) { return std::isfinite(value.real()) && std::isfinite(value.imag()); }
+
+/// Largest modulus of `count` elements, 0 when one of them is not measured: such an equation cannot be used.
+double largest(const Complex* first, std::size_t count, std::size_t step) {
+  double square = 0.0;
+  bool measured = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double norm = std::norm(first[i * step]);
+    measured = measured && std::isfinite(norm);
+    square = std::max(square, norm);
+  }
+  return measured ? std::sqrt(square) : 0.0;
+}
+
+/// Whether compressing a product is cheaper than writing out its equations, by counted flops.
+bool worth_compressing(std::size_t m, std::size_t l, std::size_t na, std::size_t nb, std::size_t unknowns) {
+  const auto flops = [](std::size_t count) { return static_cast<double>(count); };
+  const double per_equation = 8.0 * flops(na * nb) + 4.0 * flops(unknowns * unknowns);
+  const std::size_t p = std::min(m, na), q = std::min(l, nb);
+  const double factor = 16.0 * flops(m * na * na + l * nb * nb) + 8.0 * flops(m * l * p + l * p * q);
+  return factor + per_equation * flops(p * q) < per_equation * flops(m * l);
+}
+
+}  // namespace
+
+LineAssembler::LineAssembler(const AssemblySpec& spec) : spec_(spec) {
+  for (const Support& support : spec.supports) {
+    expanders_.emplace_back(*spec.restriction, support.a_dofs, support.b_dofs, support.unknowns, spec.omega0);
+  }
+}
+
+void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
+  line_columns_ = spec_.columns->at(line.frequency_hz);
+  if (line_columns_.empty()) return;
+  measure(line);
+  const std::size_t used_before = count_.used;
+  const bool regular = mask(line);
+  if (count_.used == used_before) return;
+  ++lines_used_;
+  weigh(line, regular);
+  group(line, regular);
+  for (RowExpander& expander : expanders_) expander.set_line(2.0 * M_PI * line.frequency_hz);
+  const double factor = spec_.weighting == weighting::Weighting::wa ? wa_factor(line) : 1.0;
+  for (std::size_t g = 0; g < group_count_; ++g) {
+    compress(line, groups_[g]);
+    push(accumulator, groups_[g], factor);
+  }
+}
+
+void LineAssembler::measure(const LineProduct& line) {
+  const std::size_t rows = line.row_class.size(), columns = line.column_class.size();
+  row_max_.resize(rows);
+  for (std::size_t m = 0; m < rows; ++m) {
+    row_max_[m] = line.a_is_unit ? 1.0 : largest(line.a.data + m * line.a.stride, line.a.columns, 1);
+  }
+  column_max_.resize(columns);
+  for (std::size_t l = 0; l < columns; ++l) column_max_[l] = largest(line.b.data + l, line.b.rows, line.b.stride);
+}
+
+/// Decides which equations are in use; true when all are, so that no mask is needed.
+bool LineAssembler::mask(const LineProduct& line) {
+  const std::size_t rows = row_max_.size(), columns = column_max_.size();
+  keep_.assign(rows * columns, 1);
+  std::size_t used = 0, wanted = 0;
+  for (std::size_t m = 0; m < rows; ++m) {
+    for (std::size_t l = 0; l < columns; ++l) {
+      if (!line.wanted[line.row_class[m]][line.column_class[l]]) {
+        keep_[m * columns + l] = 0;
+        continue;
+      }
+      ++wanted;
+      const Complex& c1 = line.c1(m, l);
+      const Complex& c2 = line.c2(m, l);
+      const bool usable = row_max_[m] > 0.0 && column_max_[l] > 0.0 && finite(c1) && finite(c2) &&
+                          !weighting::drops(spec_.delta, c1, c2);
+      keep_[m * columns + l] = usable;
+      used += usable;
+    }
+  }
+  count_.used += used;
+  count_.dropped += wanted - used;
+  return used == rows * columns;
+}
+
+void LineAssembler::weigh(const LineProduct& line, bool regular) {
+  const weighting::LineShape shape{.row_max = row_max_,
+                                   .column_max = column_max_,
+                                   .column_class = line.column_class,
+                                   .keep = regular ? std::span<const std::uint8_t>() : keep_};
+  weighting::line_weights(spec_.weighting, shape, weights_);
+}
+
+/// Covers the equations in use by products: columns with the same mask (and support) share one.
+void LineAssembler::group(const LineProduct& line, bool regular) {
+  const std::size_t rows = row_max_.size(), columns = column_max_.size();
+  group_count_ = 0;
+  // With a mask, the factor of a WBG group depends on row and named equation together and is no product of the two.
+  const bool split_by_class = !regular && spec_.weighting == weighting::Weighting::wbg;
+  std::unordered_map<std::string, std::size_t> known;
+  std::string key;
+  std::vector<std::size_t> group_of_support(spec_.supports.size(), static_cast<std::size_t>(-1));
+  for (std::size_t l = 0; l < columns; ++l) {
+    const std::size_t support = spec_.column_support[l];
+    std::size_t* found = &group_of_support[support];
+    if (!regular) {
+      key.clear();
+      for (std::size_t m = 0; m < rows; ++m) key.push_back(keep_[m * columns + l] ? '1' : '0');
+      if (key.find('1') == std::string::npos) continue;
+      key += split_by_class && line.column_class[l] ? 'j' : 'n';
+      key += std::to_string(support);
+      found = &known.try_emplace(key, static_cast<std::size_t>(-1)).first->second;
+    }
+    if (*found == static_cast<std::size_t>(-1)) {
+      *found = group_count_++;
+      if (groups_.size() < group_count_) groups_.emplace_back();
+      Group& fresh = groups_[*found];
+      fresh.support = support;
+      fresh.rows.clear();
+      fresh.columns.clear();
+      fresh.row_weight.clear();
+      fresh.column_weight.clear();
+      for (std::size_t m = 0; m < rows; ++m) {
+        if (!regular && !keep_[m * columns + l]) continue;
+        fresh.rows.push_back(m);
+        fresh.row_weight.push_back(weights_.row[line.column_class[l] * rows + m]);
+      }
+    }
+    groups_[*found].columns.push_back(l);
+    groups_[*found].column_weight.push_back(weights_.column[l]);
+  }
+}
+
+void LineAssembler::compress(const LineProduct& line, const Group& group) {
+  const Support& support = spec_.supports[group.support];
+  const SubProduct part{.a_dofs = support.a_dofs,
+                        .b_dofs = support.b_dofs,
+                        .rows = group.rows,
+                        .columns = group.columns,
+                        .row_weight = group.row_weight,
+                        .column_weight = group.column_weight};
+  if (worth_compressing(group.rows.size(), group.columns.size(), support.a_dofs.size(), support.b_dofs.size(),
+                        support.unknowns.size())) {
+    compressor_.compress(line, part, compressed_);
+  } else {
+    KroneckerCompressor::copy(line, part, compressed_);
+  }
+}
+
+/// WA: 1/√(largest element of E₀ᵀE₀). That matrix is positive semidefinite, so its largest element is a squared column norm.
+double LineAssembler::wa_factor(const LineProduct& line) {
+  std::vector<double> norm2(spec_.columns->size(), 0.0);
+  for (std::size_t g = 0; g < group_count_; ++g) {
+    compress(line, groups_[g]);
+    const Support& support = spec_.supports[groups_[g].support];
+    const std::size_t width = support.unknowns.size() + 1, rows = 2 * compressed_.rb.rows;
+    for (std::size_t p = 0; p < compressed_.ra.rows; ++p) {
+      scratch_.assign(rows * width, 0.0);
+      expanders_[groups_[g].support].expand(compressed_, p, scratch_.data(), width);
+      for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t u = 0; u + 1 < width; ++u) {
+          const double value = scratch_[i * width + u];
+          norm2[line_columns_[support.unknowns[u]]] += value * value;
+        }
+      }
+    }
+  }
+  const double largest_square = *std::max_element(norm2.begin(), norm2.end());
+  return largest_square > 0.0 ? 1.0 / std::sqrt(largest_square) : 0.0;
+}
+
+void LineAssembler::push(Accumulator& accumulator, const Group& group, double factor) {
+  const Support& support = spec_.supports[group.support];
+  group_columns_.clear();
+  for (const std::size_t unknown : support.unknowns) group_columns_.push_back(line_columns_[unknown]);
+  Triangle& triangle = accumulator.triangle(group_columns_);
+  const std::size_t rows = 2 * compressed_.rb.rows, stride = triangle.stride();
+  for (std::size_t p = 0; p < compressed_.ra.rows; ++p) {
+    double* to = triangle.append(rows);
+    expanders_[group.support].expand(compressed_, p, to, stride);
+    if (factor == 1.0) continue;
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t u = 0; u <= support.unknowns.size(); ++u) to[i * stride + u] *= factor;
+    }
+  }
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ident/accumulator.hpp"
+#include "ident/kronecker.hpp"
+#include "ident/row_expander.hpp"
+#include "ident/unknown_columns.hpp"
+#include "weighting/line_weights.hpp"
+
+namespace jointid::ident {
+
+/// Equations whose coefficients touch the same unknowns: those of the columns of B that belong to one group.
+struct Support {
+  std::vector<std::size_t> a_dofs, b_dofs;  ///< elements a_dofs × b_dofs of Z_j have coefficients
+  std::vector<std::size_t> unknowns;        ///< ascending
+};
+
+/// How lines become rows; fixed by the plan.
+struct AssemblySpec {
+  const restrictions::Restriction* restriction = nullptr;
+  const UnknownColumns* columns = nullptr;
+  weighting::Weighting weighting = weighting::Weighting::none;
+  double delta = 0.0;
+  double omega0 = 0.0;                     ///< rad/s, reference of T_f: the highest used frequency
+  std::vector<Support> supports;           ///< at least one
+  std::vector<std::size_t> column_support; ///< [L] which support a column of B belongs to
+};
+
+struct EquationCount {
+  std::size_t used = 0;
+  std::size_t dropped = 0;
+};
+
+/// Turns the equations of one line after the other into weighted, compressed real rows of an accumulator:
+/// missing and zero equations and the Δ filter, weights, Kronecker compression per set of columns with the same mask (or
+/// none where that is cheaper by counted flops), T_f and T.
+class LineAssembler {
+ public:
+  explicit LineAssembler(const AssemblySpec& spec);
+
+  void add(const LineProduct& line, Accumulator& accumulator);
+
+  const EquationCount& count() const { return count_; }
+  std::size_t lines_used() const { return lines_used_; }
+
+ private:
+  struct Group {
+    std::size_t support = 0;
+    std::vector<std::size_t> rows, columns;
+    std::vector<double> row_weight, column_weight;
+  };
+
+  void measure(const LineProduct& line);
+  bool mask(const LineProduct& line);
+  void weigh(const LineProduct& line, bool regular);
+  void group(const LineProduct& line, bool regular);
+  void compress(const LineProduct& line, const Group& group);
+  double wa_factor(const LineProduct& line);
+  void push(Accumulator& accumulator, const Group& group, double factor);
+
+  const AssemblySpec& spec_;
+  std::vector<RowExpander> expanders_;  ///< one per support
+  KroneckerCompressor compressor_;
+  Compressed compressed_;
+  weighting::LineWeights weights_;
+  std::vector<double> row_max_, column_max_;
+  std::vector<std::uint8_t> keep_;
+  std::vector<Group> groups_;
+  std::size_t group_count_ = 0;
+  std::vector<double> scratch_;
+  std::vector<std::size_t> line_columns_;  ///< of all unknowns at this line
+  Accumulator::Columns group_columns_;
+  EquationCount count_;
+  std::size_t lines_used_ = 0;
+};
+
+}  // namespace jointid::ident

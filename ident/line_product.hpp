@@ -1,0 +1,39 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace jointid::ident {
+
+using Complex = std::complex<double>;
+
+/// A rectangle inside a row-major matrix that somebody else owns.
+struct View {
+  const Complex* data = nullptr;
+  std::size_t rows = 0;
+  std::size_t columns = 0;
+  std::size_t stride = 0;  ///< elements from row to row
+
+  const Complex& operator()(std::size_t r, std::size_t c) const { return data[r * stride + c]; }
+  View block(std::size_t r, std::size_t c, std::size_t block_rows, std::size_t block_columns) const {
+    return {data + r * stride + c, block_rows, block_columns, stride};
+  }
+};
+
+/// All equations of one line in the common form A Z_j B = C₁ − C₂ (thesis eq. 6.24): A [M×N], B [N×L], C [M×L].
+/// Rows and columns come in two classes, 0 = non-joint and 1 = joint coordinates; the pair (row class, column class) is the
+/// named equation (0,0) nn, (0,1) nj, (1,1) jj, (1,0) jn.
+struct LineProduct {
+  double frequency_hz = 0.0;
+  View a;           ///< empty for Method Two, whose A is the unit matrix
+  View b;
+  View c1, c2;
+  std::vector<std::uint8_t> row_class;     ///< [M]
+  std::vector<std::uint8_t> column_class;  ///< [L]
+  bool wanted[2][2] = {};                  ///< [row class][column class] named by the scene
+  bool a_is_unit = false;
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,85 @@
+#include <Eigen/LU>
+
+#include "ident/eigen_view.hpp"
+#include "ident/equation_builder.hpp"
+#include "ident/rectangle.hpp"
+
+namespace jointid::ident {
+namespace {
+
+Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+class MethodTwo final : public EquationBuilder {
+ public:
+  MethodTwo(const Coordinates& at, const EquationSet& use, frf::FrfSystem& substructures, frf::FrfSystem& assembly)
+      : all_(joined(at.responses, at.joint)),
+        columns_(joined(use.jn ? at.references : Dofs(), use.jj ? at.joint : Dofs())),
+        joint_(at.joint.size()),
+        substructures_(substructures, {{all_, all_}}, all_),
+        assembly_(assembly, {{all_, columns_}}, columns_) {
+    product_.a_is_unit = true;
+    product_.wanted[1][0] = use.jn;
+    product_.wanted[1][1] = use.jj;
+    product_.row_class.assign(joint_, 1);
+    product_.column_class.assign(use.jn ? at.references.size() : 0, 0);
+    product_.column_class.resize(columns_.size(), 1);
+  }
+
+  void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) override {
+    substructures_.read(substructure_lines);
+    assembly_.read(assembly_lines);
+  }
+
+  bool line(std::size_t i, LineProduct& out) override {
+    const auto h = map(substructures_.line(i));
+    if (!h.allFinite()) return false;
+    // Rows b of H_sub⁻¹, from a system with unit diagonal so that translations and rotations weigh alike.
+    const Eigen::VectorXd scale = h.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+    if (!scale.allFinite()) return false;
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu((scale.asDiagonal() * h * scale.asDiagonal()).transpose());
+    Eigen::MatrixXcd unit = Eigen::MatrixXcd::Zero(h.rows(), index(joint_));
+    for (std::size_t k = 0; k < joint_; ++k) unit(h.rows() - index(joint_ - k), index(k)) = 1.0;
+    const Eigen::MatrixXcd solution = lu.solve(unit);
+    const RowMatrixXc z_b = scale.tail(index(joint_)).asDiagonal() * solution.transpose() * scale.asDiagonal();
+    if (!z_b.allFinite()) return false;
+
+    const View asm_view = assembly_.line(i);
+    const auto h_asm = map(asm_view);
+    const Eigen::Index n = h.rows() - index(joint_);
+    c1_ = -z_b.leftCols(n) * h_asm.topRows(n);
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      if (product_.column_class[k] != 1) continue;
+      const std::size_t joint = k - (columns_.size() - joint_);
+      c1_(index(joint), index(k)) += 1.0;
+    }
+    c2_ = z_b.rightCols(index(joint_)) * h_asm.bottomRows(index(joint_));
+    product_.frequency_hz = out.frequency_hz;
+    product_.b = asm_view.block(static_cast<std::size_t>(n), 0, joint_, columns_.size());
+    product_.c1 = {c1_.data(), joint_, columns_.size(), columns_.size()};
+    product_.c2 = {c2_.data(), joint_, columns_.size(), columns_.size()};
+    out = product_;
+    return true;
+  }
+
+  Dofs columns() const override { return columns_; }
+
+  std::size_t entries_per_line() const override {
+    return substructures_.entries_per_line() + assembly_.entries_per_line();
+  }
+
+ private:
+  Dofs all_, columns_;
+  std::size_t joint_;
+  Rectangle substructures_, assembly_;
+  RowMatrixXc c1_, c2_;
+  LineProduct product_;
+};
+
+}  // namespace
+
+std::unique_ptr<EquationBuilder> make_method_two(const Coordinates& coordinates, const EquationSet& equations,
+                                                 frf::FrfSystem& substructures, frf::FrfSystem& assembly) {
+  return std::make_unique<MethodTwo>(coordinates, equations, substructures, assembly);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,205 @@
+#include "ident/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "frf/error.hpp"
+#include "ident/coordinates.hpp"
+#include "ident/line_choice.hpp"
+#include "ident/supports.hpp"
+
+namespace jointid::ident {
+namespace {
+
+[[noreturn]] void fail(const Scene& scene, std::string place, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = scene.file.string(),
+                    .place = std::move(place),
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+std::unique_ptr<frf::FrfSystem> open_system(const std::string& name, const std::vector<DataFile>& files,
+                                            frf::Composition composition, bool reciprocity) {
+  std::vector<std::unique_ptr<frf::FrfSource>> sources;
+  for (const DataFile& file : files) sources.push_back(frf::open(file.path, file.options));
+  return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, reciprocity);
+}
+
+void require_method(const Scene& scene) {
+  const IdentifySection& identify = scene.identify;
+  if (identify.method == Method::newton || identify.method == Method::likelihood) {
+    fail(scene, "[identify] method", "this build has no method \"" + name(identify.method) + "\"",
+         "use one, two or direct");
+  }
+  const std::set<std::string> linear = {"auto", "qr", "normal", "spqr"};
+  if (!linear.contains(identify.solver)) {
+    fail(scene, "[identify] solver", "method \"" + name(identify.method) + "\" has no solver \"" + identify.solver + "\"",
+         "use auto, qr, normal or spqr");
+  }
+  if (!identify.start.empty()) {
+    fail(scene, "[identify] start", "method \"" + name(identify.method) + "\" needs no start", "remove the key");
+  }
+}
+
+/// Joints with the node positions of the files where the scene gives none.
+std::vector<restrictions::JointSpec> with_node_positions(std::vector<restrictions::JointSpec> joints,
+                                                         const frf::FrfSystem& system) {
+  for (restrictions::JointSpec& joint : joints) {
+    for (std::size_t s = 0; s < system.source_count(); ++s) {
+      for (const frf::Node& node : system.source(s).header().nodes) {
+        joint.node_positions.try_emplace(node.id, node.position);
+      }
+    }
+  }
+  return joints;
+}
+
+std::unique_ptr<EquationBuilder> make_builder(Plan& plan) {
+  switch (plan.scene.identify.method) {
+    case Method::two:
+      return make_method_two(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+    case Method::direct:
+      return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
+    default:
+      return make_method_one(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+  }
+}
+
+void plan_assembly(Plan& plan) {
+  AssemblySpec& spec = plan.assembly_spec;
+  spec.restriction = &plan.restriction;
+  spec.columns = plan.columns.get();
+  spec.weighting = plan.scene.identify.weighting;
+  spec.delta = plan.scene.identify.delta;
+  spec.omega0 = 2.0 * std::numbers::pi * plan.lines.back().frequency_hz;
+  if (spec.omega0 == 0.0) spec.omega0 = 1.0;
+  const Dofs columns = plan.builder->columns();
+  std::vector<std::size_t> joint_source, column_source;
+  if (plan.substructures->source_count() > 1 && plan.scene.identify.method != Method::two) {
+    for (const frf::Dof& dof : plan.coordinates.joint) joint_source.push_back(plan.substructures->source_of(dof));
+    for (const frf::Dof& dof : columns) column_source.push_back(plan.substructures->source_of(dof));
+  }
+  choose_supports(plan.restriction, joint_source, column_source, columns.size(), spec);
+}
+
+std::size_t a_rows(const Plan& plan) {
+  const EquationSet use(plan.equations);
+  if (plan.scene.identify.method == Method::two) return plan.coordinates.joint.size();
+  return (use.nn || use.nj ? plan.coordinates.responses.size() : 0) +
+         (use.jj || use.jn ? plan.coordinates.joint.size() : 0);
+}
+
+std::size_t count_equations(const Plan& plan) {
+  const EquationSet use(plan.equations);
+  const std::size_t joint = plan.coordinates.joint.size();
+  const std::size_t n_rows = plan.coordinates.responses.size(), n_columns = plan.coordinates.references.size();
+  return (use.nn ? n_rows * n_columns : 0) + (use.nj ? n_rows * joint : 0) + (use.jj ? joint * joint : 0) +
+         (use.jn ? joint * n_columns : 0);
+}
+
+void count_cost(Plan& plan) {
+  const AssemblySpec& spec = plan.assembly_spec;
+  Cost& cost = plan.cost;
+  cost.lines = plan.lines.size();
+  cost.columns = plan.columns->size();
+  cost.equations_per_line = count_equations(plan);
+  cost.compressed_rows_per_line = compressed_rows(spec, a_rows(plan));
+  cost.bytes_read = plan.builder->entries_per_line() * sizeof(Complex) * cost.lines;
+  const auto lines = static_cast<double>(cost.lines), unknowns = static_cast<double>(plan.restriction.unknowns.size());
+  const auto n = static_cast<double>(plan.coordinates.joint.size());
+  const auto m = static_cast<double>(a_rows(plan)), l = static_cast<double>(plan.builder->columns().size());
+  cost.assemble_flops =
+      lines * (16.0 * n * n * (m + l) + 8.0 * m * l * n + reduction_flops(spec, a_rows(plan)));
+  cost.stacked_flops =
+      lines * static_cast<double>(cost.equations_per_line) * (8.0 * n * n + 4.0 * unknowns * unknowns);
+}
+
+/// SPQR pays when the stacked triangles are mostly empty and large.
+void choose_solver(Plan& plan) {
+  plan.solver = plan.scene.identify.solver;
+  if (plan.solver != "auto") return;
+  std::size_t touched = 0;
+  for (const Support& support : plan.assembly_spec.supports) touched = std::max(touched, support.unknowns.size());
+  const std::size_t columns = plan.columns->size();
+  plan.solver = columns >= 200 && 4 * touched <= columns ? "spqr" : "qr";
+}
+
+/// The assembly FRFs that the equations use are predicted; that takes H_bb and all substructure FRFs to and from the joint.
+void plan_prediction(Plan& plan) {
+  const EquationSet use(plan.equations);
+  const Coordinates& at = plan.coordinates;
+  const Method method = plan.scene.identify.method;
+  if (method == Method::one && !use.nj && !use.jj) {
+    plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
+    return;
+  }
+  if (method == Method::direct) {
+    plan.predicted_responses = at.responses;
+    plan.predicted_references = at.references;
+    return;
+  }
+  const bool two = method == Method::two;
+  const bool joint_rows = two || use.jj || use.jn, joint_columns = !two || use.jj;
+  plan.predicted_responses = joined(two || use.nn || use.nj ? at.responses : Dofs(), joint_rows ? at.joint : Dofs());
+  plan.predicted_references = joined(use.nn || use.jn ? at.references : Dofs(), joint_columns ? at.joint : Dofs());
+}
+
+void tell_left_out(Plan& plan) {
+  for (const restrictions::Kind kind : restrictions::all_kinds) {
+    if (!plan.restriction.has(kind)) plan.left_out.push_back(restrictions::key(kind) + ": no columns");
+  }
+  if (plan.scene.identify.method == Method::one) {
+    const EquationSet use(plan.equations);
+    const std::pair<bool, const char*> blocks[] = {{use.nn, "H_aa and H_nn"},      {use.nn || use.nj, "H_nj"},
+                                                   {use.nn || use.jn, "H_ba"},     {use.nj, "H_ab"},
+                                                   {use.nj || use.jj, "H_bb"},     {use.jj || use.jn, "H_jj"},
+                                                   {use.jn, "H_jn"}};
+    for (const auto& [used, block] : blocks) {
+      if (!used) plan.left_out.push_back(std::string(block) + ": not read");
+    }
+  }
+  const std::size_t lines = plan.assembly->frequency_hz().size();
+  if (plan.lines.size() < lines) {
+    plan.left_out.push_back(std::to_string(lines - plan.lines.size()) + " of " + std::to_string(lines) +
+                            " lines: not read");
+  }
+  if (plan.scene.identify.delta == 0.0) plan.left_out.push_back("the delta filter");
+}
+
+}  // namespace
+
+std::unique_ptr<Plan> make_plan(const Scene& scene) {
+  auto substructures =
+      open_system("substructures", scene.data.substructures, frf::Composition::uncoupled, scene.data.reciprocity);
+  auto assembly = open_system("assembly", scene.data.assembly, frf::Composition::merged, scene.data.reciprocity);
+  return make_plan(scene, std::move(substructures), std::move(assembly));
+}
+
+std::unique_ptr<Plan> make_plan(const Scene& scene, std::unique_ptr<frf::FrfSystem> substructures,
+                                std::unique_ptr<frf::FrfSystem> assembly) {
+  require_method(scene);
+  auto plan = std::make_unique<Plan>();
+  plan->scene = scene;
+  plan->substructures = std::move(substructures);
+  plan->assembly = std::move(assembly);
+  plan->restriction = restrictions::build(with_node_positions(scene.joints, *plan->substructures));
+  if (plan->restriction.unknowns.empty()) {
+    fail(scene, "[joint]", "every element of the joint is known: nothing to identify", "name an unknown");
+  }
+  plan->coordinates = find_coordinates(scene, plan->restriction, *plan->substructures, *plan->assembly);
+  plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
+  plan->lines = choose_lines(scene, *plan->substructures, *plan->assembly, plan->notes);
+  plan->columns = std::make_unique<UnknownColumns>(plan->restriction, scene.joints);
+  plan->builder = make_builder(*plan);
+  plan_assembly(*plan);
+  choose_solver(*plan);
+  plan_prediction(*plan);
+  tell_left_out(*plan);
+  count_cost(*plan);
+  return plan;
+}
+
+}  // namespace jointid::ident

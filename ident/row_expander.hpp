@@ -1,0 +1,67 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "ident/kronecker.hpp"
+#include "restrictions/restriction.hpp"
+
+namespace jointid::ident {
+
+/// Writes compressed equations R_A Z_j R_Bᵀ = C'' as real rows over the unknowns: row = [E T_f T | p] with
+/// E = R_A ⊗ R_B, T_f = [I, −(ω/ω₀)²I, i(ω/ω₀)I, iI] (thesis eq. 6.35), T the restriction matrix, p = C'' − R_A Z_known R_Bᵀ,
+/// real and imaginary part one below the other (6.46–6.49). The unknowns are those of x = {k, ω₀²m, ω₀c, d} (6.36).
+///
+/// Made for one set of unknowns (a `Support`); matrices with the same terms share the work.
+class RowExpander {
+ public:
+  /// `a_dofs` × `b_dofs` are the elements of Z_j with coefficients, `unknowns` those that occur in them.
+  RowExpander(const restrictions::Restriction& restriction, std::span<const std::size_t> a_dofs,
+              std::span<const std::size_t> b_dofs, std::span<const std::size_t> unknowns, double omega0);
+
+  /// Prepares for a line at ω in rad/s.
+  void set_line(double omega);
+
+  /// The 2·Q real rows of the p-th row of R_A; `rows` zero-filled, `stride` apart, right-hand side at unknowns().
+  void expand(const Compressed& compressed, std::size_t p, double* rows, std::size_t stride);
+
+  std::size_t unknowns() const { return unknowns_; }
+
+ private:
+  struct Term {
+    std::size_t element;  ///< i·N_B + j
+    std::size_t unknown;  ///< within the pattern
+    double coefficient;
+  };
+  struct Pattern {
+    std::vector<Term> terms;
+    std::size_t unknowns = 0;
+  };
+  struct Part {
+    restrictions::Kind kind;
+    std::size_t pattern;
+    std::vector<std::size_t> columns;  ///< pattern unknown → column of the support
+    double re = 0.0, im = 0.0;         ///< factor of T_f at the current line
+  };
+  struct Known {
+    restrictions::Kind kind;
+    std::size_t element;
+    double value;
+  };
+
+  std::size_t unknowns_;
+  double omega0_;
+  std::vector<Pattern> patterns_;
+  std::vector<Part> parts_;
+  std::vector<Known> known_;
+  std::vector<Complex> known_impedance_;  ///< Z_known at the current line, per element of known_
+  std::vector<double> product_re_, product_im_, sum_re_, sum_im_;
+};
+
+/// Factor of matrix `kind` in Z_j(ω): 1, −ω², iω, i.
+Complex impedance_factor(restrictions::Kind kind, double omega);
+
+/// Unknown in SI units = scaled unknown of x · this: 1, 1/ω₀², 1/ω₀, 1.
+double unscale(restrictions::Kind kind, double omega0);
+
+}  // namespace jointid::ident

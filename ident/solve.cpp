@@ -1,0 +1,234 @@
+#include "ident/solve.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "ident/prediction.hpp"
+#include "ident/quality.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Adds the time of its life to `total`.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
+  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& total_;
+  Clock::time_point start_;
+};
+
+/// Lines read at a time, so that a chunk's FRFs take at most about 8 MB.
+std::size_t chunk_lines(std::size_t entries_per_line) {
+  constexpr std::size_t chunk_bytes = 8u << 20;
+  return std::max<std::size_t>(1, chunk_bytes / std::max<std::size_t>(1, entries_per_line * sizeof(Complex)));
+}
+
+/// Calls `work(first, last)` for chunks of the plan's lines, reporting and stopping in between.
+template <class Work>
+void for_chunks(const Plan& plan, std::size_t chunk, const char* stage, const Control& control, const Work& work) {
+  for (std::size_t first = 0; first < plan.lines.size(); first += chunk) {
+    if (control.interrupted && control.interrupted()) throw Interrupted();
+    if (control.progress) control.progress(stage, first, plan.lines.size());
+    work(first, std::min(first + chunk, plan.lines.size()));
+  }
+}
+
+std::string joined_names(const Plan& plan, const std::vector<std::size_t>& columns) {
+  std::string text;
+  for (const std::size_t column : columns) {
+    if (!text.empty()) text += ", ";
+    text += plan.restriction.unknowns[plan.columns->unknown_of(column)].name;
+  }
+  return text;
+}
+
+std::string column_name(const Plan& plan, std::size_t column) {
+  std::string text = plan.restriction.unknowns[plan.columns->unknown_of(column)].name;
+  if (const auto band = plan.columns->band_of(column)) {
+    const auto number = [](double value) {
+      std::string digits = std::to_string(value);
+      digits.erase(digits.find_last_not_of('0') + 1);
+      if (digits.back() == '.') digits.pop_back();
+      return digits;
+    };
+    text += "@" + number((*band)[0]) + "-" + number((*band)[1]) + "Hz";
+  }
+  return text;
+}
+
+void judge_status(const Plan& plan, const LinearSolution& linear, Solution& out) {
+  if (linear.rank == plan.columns->size()) return;
+  out.status = Status::rank_deficient;
+  if (plan.solver == "normal") {
+    out.message = "The normal equations are not positive definite: use solver \"qr\".";
+    for (Estimate& estimate : out.unknowns) estimate.determined = false;
+    return;
+  }
+  out.message = "The data do not fix " + std::to_string(linear.free_directions.size()) + " of " +
+                std::to_string(plan.columns->size()) + " combinations of unknowns:";
+  for (const FreeDirection& direction : linear.free_directions) {
+    const bool alone = direction.columns.size() == 1;
+    out.message += " " + joined_names(plan, direction.columns) + (alone ? " is free;" : " move together;");
+    for (const std::size_t column : direction.columns) out.unknowns[column].determined = false;
+  }
+  out.message.back() = '.';
+  out.message += " Measure more coordinates or lines, or tie unknowns in the joint's matrices.";
+}
+
+/// The joint matrices between two neighbouring band limits.
+Matrices matrices_for(const Plan& plan, const std::vector<std::size_t>& columns, const Solution& solution) {
+  std::vector<double> y;
+  for (const std::size_t column : columns) y.push_back(solution.unknowns[column].value);
+  const std::size_t n = plan.restriction.dofs.size();
+  Matrices matrices;
+  for (const restrictions::MatrixTerms& terms : plan.restriction.matrices) {
+    const std::vector<double> flat = plan.restriction.matrix(terms.kind, y);
+    Matrix& matrix = matrices[terms.kind];
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto row = flat.begin() + static_cast<std::ptrdiff_t>(i * n);
+      matrix.emplace_back(row, row + static_cast<std::ptrdiff_t>(n));
+    }
+  }
+  return matrices;
+}
+
+void fill_bands(const Plan& plan, Solution& out) {
+  const std::vector<double>& limits = plan.columns->limits_hz();
+  if (limits.empty()) {
+    out.bands.push_back({std::nullopt, matrices_for(plan, plan.columns->at(0.0), out)});
+    return;
+  }
+  for (std::size_t k = 0; k + 1 < limits.size(); ++k) {
+    const std::vector<std::size_t> columns = plan.columns->at(0.5 * (limits[k] + limits[k + 1]));
+    if (!columns.empty()) out.bands.push_back({Range{limits[k], limits[k + 1]}, matrices_for(plan, columns, out)});
+  }
+}
+
+void fill_quality(const Plan& plan, Solution& out) {
+  for (const auto& [kind, truth] : plan.scene.truth) {
+    Matrix identified, exact;
+    for (const BandMatrices& band : out.bands) {
+      const auto found = band.matrices.find(kind);
+      if (found == band.matrices.end()) continue;
+      identified.insert(identified.end(), found->second.begin(), found->second.end());
+      exact.insert(exact.end(), truth.begin(), truth.end());
+    }
+    if (identified.empty()) continue;
+    if (const auto quality = judge(identified, exact)) out.quality[kind] = *quality;
+  }
+}
+
+}  // namespace
+
+Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
+  const Reduction reduction = plan.solver == "normal" ? Reduction::normal : Reduction::orthogonal;
+  Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0};
+  LineAssembler assembler(plan.assembly_spec);
+  LineProduct product;
+  std::vector<std::size_t> substructure_lines, assembly_lines;
+  std::size_t unusable = 0;
+  for_chunks(plan, chunk_lines(plan.builder->entries_per_line()), "assembling", control,
+             [&](std::size_t first, std::size_t last) {
+               substructure_lines.clear();
+               assembly_lines.clear();
+               for (std::size_t i = first; i < last; ++i) {
+                 substructure_lines.push_back(plan.lines[i].substructures);
+                 assembly_lines.push_back(plan.lines[i].assembly);
+               }
+               {
+                 const Stopwatch watch(runtime.read);
+                 plan.builder->read(substructure_lines, assembly_lines);
+               }
+               const Stopwatch watch(runtime.assemble);
+               for (std::size_t i = first; i < last; ++i) {
+                 product.frequency_hz = plan.lines[i].frequency_hz;
+                 if (plan.builder->line(i - first, product)) {
+                   assembler.add(product, out.accumulator);
+                 } else {
+                   ++unusable;
+                 }
+               }
+               out.accumulator.flush();
+             });
+  out.equations = assembler.count();
+  out.equations.dropped += unusable * plan.cost.equations_per_line;
+  out.lines = assembler.lines_used();
+  return out;
+}
+
+LinearSolution solve(const Plan& plan, Accumulator& accumulator) {
+  if (plan.solver == "normal") return solve_normal(accumulator);
+  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator);
+}
+
+namespace {
+
+void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out) {
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const restrictions::Unknown& unknown = plan.restriction.unknowns[plan.columns->unknown_of(column)];
+    Estimate estimate;
+    estimate.name = column_name(plan, column);
+    estimate.unit = unknown.unit;
+    estimate.value = linear.y[column] * unscale(unknown.kind, plan.assembly_spec.omega0);
+    out.unknowns.push_back(std::move(estimate));
+  }
+}
+
+std::optional<double> predict(Plan& plan, const Solution& solution, const Control& control) {
+  if (plan.predicted_responses.empty()) return std::nullopt;
+  Predictor predictor(plan);
+  DecibelError error;
+  for_chunks(plan, chunk_lines(plan.builder->entries_per_line()), "predicting", control,
+             [&](std::size_t first, std::size_t last) { predictor.add(first, last, solution.bands, error); });
+  if (error.entries == 0) return std::nullopt;
+  return std::sqrt(error.sum_of_squares / static_cast<double>(error.entries));
+}
+
+void identify(Plan& plan, Accumulator& accumulator, const Control& control, Solution& out) {
+  LinearSolution linear;
+  {
+    const Stopwatch watch(out.runtime_s.solve);
+    linear = solve(plan, accumulator);
+  }
+  out.fit.rank = linear.rank;
+  out.fit.condition = linear.condition;
+  fill_unknowns(plan, linear, out);
+  judge_status(plan, linear, out);
+  fill_bands(plan, out);
+  fill_quality(plan, out);
+  out.fit.asm_frf_error = predict(plan, out, control);
+}
+
+}  // namespace
+
+Solution solve(Plan& plan, const Control& control) {
+  Solution out;
+  const Clock::time_point start = Clock::now();
+  out.dofs = plan.coordinates.joint;
+  out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
+              plan.solver};
+  Assembled system = assemble(plan, out.runtime_s, control);
+  out.fit.equations_used = system.equations.used;
+  out.fit.equations_dropped = system.equations.dropped;
+  out.fit.lines = system.lines;
+  if (system.equations.used > 0) {
+    identify(plan, system.accumulator, control, out);
+  } else {
+    out.status = Status::no_equations;
+    out.message =
+        "No equation is left: all are missing, zero or dropped by delta. Lower delta, widen the frequency range, or "
+        "check the FRFs.";
+  }
+  out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
+  return out;
+}
+
+}  // namespace jointid::ident

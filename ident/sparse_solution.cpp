@@ -1,0 +1,174 @@
+#include <SuiteSparseQR.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ident/column_scaling.hpp"
+#include "ident/linear_solution.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// CHOLMOD's workspace for one solve.
+class Common {
+ public:
+  Common() { cholmod_l_start(&common_); }
+  ~Common() { cholmod_l_finish(&common_); }
+  Common(const Common&) = delete;
+  Common& operator=(const Common&) = delete;
+  cholmod_common* get() { return &common_; }
+
+ private:
+  cholmod_common common_;
+};
+
+/// The stacked triangles as scaled triplets, and their right-hand side.
+struct StackedTriangles {
+  std::size_t rows = 0, entries = 0;
+  std::vector<double> scale;
+
+  explicit StackedTriangles(const Accumulator& accumulator) {
+    std::vector<double> norm2(accumulator.columns(), 0.0);
+    for (const auto& [columns, triangle] : accumulator.triangles()) {
+      rows += columns.size() + 1;
+      entries += columns.size() * (columns.size() + 1) / 2;
+      for (std::size_t j = 0; j < columns.size(); ++j) {
+        for (std::size_t i = 0; i <= j; ++i) norm2[columns[j]] += triangle(i, j) * triangle(i, j);
+      }
+    }
+    for (const double square : norm2) scale.push_back(power_of_two_scale(std::sqrt(square)));
+  }
+};
+
+void fill(const Accumulator& accumulator, const std::vector<double>& scale, cholmod_triplet* triplet,
+          double* right_side) {
+  auto* row_index = static_cast<SuiteSparse_long*>(triplet->i);
+  auto* column_index = static_cast<SuiteSparse_long*>(triplet->j);
+  auto* value = static_cast<double*>(triplet->x);
+  std::size_t row = 0, entry = 0;
+  for (const auto& [columns, triangle] : accumulator.triangles()) {
+    const std::size_t n = columns.size();
+    for (std::size_t i = 0; i <= n; ++i, ++row) {
+      for (std::size_t j = i; j < n; ++j, ++entry) {
+        row_index[entry] = static_cast<SuiteSparse_long>(row);
+        column_index[entry] = static_cast<SuiteSparse_long>(columns[j]);
+        value[entry] = triangle(i, j) * scale[columns[j]];
+      }
+      right_side[row] = triangle(i, n);
+    }
+  }
+  triplet->nnz = entry;
+}
+
+/// The factor R of A(:,permutation) = QR as SPQR leaves it: upper trapezoidal, where a column that depends on those before
+/// it has no pivot of its own.
+class Staircase {
+ public:
+  Staircase(const cholmod_sparse& r, const SuiteSparse_long* permutation, std::size_t rank)
+      : start_(static_cast<const SuiteSparse_long*>(r.p)),
+        row_(static_cast<const SuiteSparse_long*>(r.i)),
+        value_(static_cast<const double*>(r.x)) {
+    for (std::size_t k = 0; k < r.ncol; ++k) {
+      column_.push_back(permutation == nullptr ? k : static_cast<std::size_t>(permutation[k]));
+      double pivot = 0.0;
+      for_each(k, [&](std::size_t row, double value) { pivot = row == owner_.size() ? value : pivot; });
+      if (pivot != 0.0 && owner_.size() < rank) {
+        owner_.push_back(k);
+        pivot_.push_back(pivot);
+      } else {
+        dependent_.push_back(k);
+      }
+    }
+  }
+
+  const std::vector<double>& pivots() const { return pivot_; }
+
+  /// Basic solution of R x = c: columns without a pivot are zero.
+  std::vector<double> solve(std::vector<double> c) const {
+    std::vector<double> x(column_.size(), 0.0);
+    for (std::size_t row = owner_.size(); row-- > 0;) {
+      const double unknown = c[row] / pivot_[row];
+      x[column_[owner_[row]]] = unknown;
+      for_each(owner_[row], [&](std::size_t above, double value) { c[above] -= value * unknown; });
+    }
+    return x;
+  }
+
+  /// Each column without a pivot, with the columns that it depends on.
+  std::vector<FreeDirection> free_directions() const {
+    std::vector<FreeDirection> directions;
+    for (const std::size_t k : dependent_) {
+      FreeDirection direction{{column_[k]}};
+      for_each(k, [&](std::size_t row, double value) {
+        if (value != 0.0 && row < owner_.size()) direction.columns.push_back(column_[owner_[row]]);
+      });
+      directions.push_back(std::move(direction));
+    }
+    return directions;
+  }
+
+ private:
+  template <class Visit>
+  void for_each(std::size_t k, const Visit& visit) const {
+    for (SuiteSparse_long e = start_[k]; e < start_[k + 1]; ++e) visit(static_cast<std::size_t>(row_[e]), value_[e]);
+  }
+
+  const SuiteSparse_long* start_;
+  const SuiteSparse_long* row_;
+  const double* value_;
+  std::vector<std::size_t> column_;     ///< permuted → original
+  std::vector<std::size_t> owner_;      ///< row → permuted column with its pivot
+  std::vector<std::size_t> dependent_;  ///< permuted columns without one
+  std::vector<double> pivot_;
+};
+
+}  // namespace
+
+LinearSolution solve_sparse(Accumulator& accumulator) {
+  accumulator.flush();
+  const std::size_t n = accumulator.columns();
+  const StackedTriangles stacked(accumulator);
+  Common common;
+  cholmod_common* cc = common.get();
+  cholmod_triplet* triplet = cholmod_l_allocate_triplet(stacked.rows, n, stacked.entries, 0, CHOLMOD_REAL, cc);
+  cholmod_dense* right = cholmod_l_zeros(stacked.rows, 1, CHOLMOD_REAL, cc);
+  fill(accumulator, stacked.scale, triplet, static_cast<double*>(right->x));
+  cholmod_sparse* matrix = cholmod_l_triplet_to_sparse(triplet, triplet->nnz, cc);
+  cholmod_l_free_triplet(&triplet, cc);
+
+  // Columns have about unit length after scaling, so an absolute pivot threshold is a relative one.
+  const double tolerance = 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  cholmod_sparse* r = nullptr;
+  cholmod_dense* q_right = nullptr;
+  SuiteSparse_long* permutation = nullptr;
+  const SuiteSparse_long rank =
+      SuiteSparseQR<double>(SPQR_ORDERING_DEFAULT, tolerance, static_cast<SuiteSparse_long>(n), matrix, right, &q_right,
+                            &r, &permutation, cc);
+  LinearSolution out;
+  const Staircase staircase(*r, permutation, static_cast<std::size_t>(std::max<SuiteSparse_long>(rank, 0)));
+  out.rank = staircase.pivots().size();
+  const double* c = static_cast<const double*>(q_right->x);
+  out.y = staircase.solve({c, c + q_right->nrow});
+  out.free_directions = staircase.free_directions();
+
+  // Pivots bound the condition number from below; an SVD of a large sparse matrix costs more than the solution.
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto [least, most] = std::minmax_element(staircase.pivots().begin(), staircase.pivots().end(), smaller);
+  out.condition = out.rank < n ? std::numeric_limits<double>::infinity() : std::abs(*most / *least);
+  cholmod_dense* solution = cholmod_l_zeros(n, 1, CHOLMOD_REAL, cc);
+  std::copy(out.y.begin(), out.y.end(), static_cast<double*>(solution->x));
+  double one[2] = {1.0, 0.0}, minus_one[2] = {-1.0, 0.0};
+  cholmod_l_sdmult(matrix, 0, one, minus_one, solution, right, cc);
+  out.residual_norm = cholmod_l_norm_dense(right, 2, cc);
+  for (std::size_t j = 0; j < n; ++j) out.y[j] *= stacked.scale[j];
+
+  cholmod_l_free_dense(&solution, cc);
+  cholmod_l_free_dense(&q_right, cc);
+  cholmod_l_free_dense(&right, cc);
+  cholmod_l_free_sparse(&r, cc);
+  cholmod_l_free_sparse(&matrix, cc);
+  if (permutation != nullptr) cholmod_l_free(n, sizeof(SuiteSparse_long), permutation, cc);
+  return out;
+}
+
+}  // namespace jointid::ident
