@@ -97,8 +97,8 @@ DofRecord parse_dof(const RecordLine& record, std::size_t begin) {
 
 constexpr std::size_t wide = 24;
 
-/// Record 7 with its last three columns widened. Six blank-separated words are taken as the fields, whatever their
-/// columns: some programs write wider numbers than the format allows.
+/// Record 7 with its last three columns widened. Six blank-separated words are taken as the fields, whatever
+/// their columns: some programs write wider numbers than the format allows.
 std::string widened_data_form(const std::string& line) {
   constexpr std::array<std::size_t, 6> begins = {0, 10, 20, 30, 43, 56};
   constexpr std::array<std::size_t, 6> widths = {10, 10, 10, 13, 13, 13};

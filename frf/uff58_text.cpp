@@ -63,8 +63,16 @@ bool append_line(std::vector<double>& numbers, std::string_view line, std::span<
   return trim(line.substr(std::min(begin, line.size()))).empty();
 }
 
-std::string data_line(std::uint64_t number, std::uint64_t byte) {
-  return "data line " + std::to_string(number) + " at byte " + std::to_string(byte);
+[[noreturn]] void fail_line(const Dataset& dataset, std::uint64_t number, std::uint64_t byte,
+                            const std::string& problem, const std::string& remedy) {
+  Place place = dataset.place;
+  place.byte = byte;
+  place.fail("data line " + std::to_string(number), problem, remedy);
+}
+
+[[noreturn]] void fail_count(const Dataset& dataset, std::size_t found, std::uint64_t needed) {
+  dataset.place.fail("data", std::to_string(found) + " of " + std::to_string(needed) + " values were found",
+                     "the file is cut off; export it again");
 }
 
 }  // namespace
@@ -88,22 +96,19 @@ std::vector<double> read_text_numbers(ByteFile& file, const Dataset& dataset) {
     if (!file.next_line(line)) break;
     if (trim(line).empty()) continue;
     if (numbers.size() >= needed) {
-      dataset.place.fail(data_line(number, byte),
-                         "more data than the " + std::to_string(needed) + " values that record 7 declares",
-                         "correct the number of points in record 7");
+      fail_line(dataset, number, byte,
+                "more data than the " + std::to_string(needed) + " values that record 7 declares",
+                "correct the number of points in record 7");
     }
-    if (!append_line(numbers, line, widths)) {
-      dataset.place.fail(data_line(number, byte),
-                         "'" + to_utf8(one_byte_per_column(trim(line))) + "' is not a line of numbers",
-                         "every field of a data line must hold a number");
-    }
+    if (append_line(numbers, line, widths)) continue;
+    if (dataset.cut_off && file.position() >= dataset.payload_end)
+      fail_count(dataset, numbers.size(), needed);
+    fail_line(dataset, number, byte,
+              "'" + to_utf8(one_byte_per_column(trim(line))) + "' is not a line of numbers",
+              "every field of a data line must hold a number");
   }
   if (dataset.cut_off && !numbers.empty()) numbers.pop_back();  // its last digits may be missing
-  if (numbers.size() < needed) {
-    dataset.place.fail(
-        "data", std::to_string(numbers.size()) + " of " + std::to_string(needed) + " values were found",
-        "the file is cut off; export it again");
-  }
+  if (numbers.size() < needed) fail_count(dataset, numbers.size(), needed);
   numbers.resize(needed);
   return numbers;
 }
