@@ -57,7 +57,7 @@ struct Case {
 
   std::string method = "one";
   std::vector<std::string> equations;  ///< empty: all that the data allow
-  std::string weighting = "WB";
+  std::string weighting = "WB";        ///< empty: the method has its own
   double delta = 0.0;
   std::optional<Matrix> start_stiffness;  ///< iterative methods
 

@@ -100,7 +100,8 @@ std::string joint_text(const Case& definition) {
 std::string identify_text(const Case& definition) {
   std::string text = "[identify]\nmethod = " + quoted(definition.method) + "\n";
   if (!definition.equations.empty()) text += "equations = " + array(definition.equations, quoted) + "\n";
-  text += "weighting = " + quoted(definition.weighting) + "\ndelta = " + number(definition.delta) + "\n";
+  if (!definition.weighting.empty()) text += "weighting = " + quoted(definition.weighting) + "\n";
+  if (definition.delta > 0.0) text += "delta = " + number(definition.delta) + "\n";
   if (definition.start_stiffness)
     text += "start = { stiffness = " + array(*definition.start_stiffness) + " }\n";
   return text;
