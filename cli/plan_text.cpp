@@ -80,7 +80,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"other references", dof_list(plan.coordinates.references)});
   table.add({"lines", lines_text(plan.lines)});
   table.add({"unknowns", unknowns_text(plan)});
-  table.add({"assembly FRFs", plan.predicts_assembly ? "regenerated and compared" : "not regenerated"});
+  table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() + cost_text(plan.cost) +
          phrases("left out", plan.left_out) + phrases("notes", plan.notes);
 }
@@ -102,7 +102,7 @@ std::string plan_json(const ident::Plan& plan) {
   for (const auto& unknown : plan.restriction.unknowns) {
     json["unknowns"].push_back({{"name", unknown.name}, {"unit", unknown.unit}});
   }
-  json["predicts_assembly"] = plan.predicts_assembly;
+  json["predicts_assembly"] = !plan.predicted_responses.empty();
   json["cost"] = cost_json(plan.cost);
   json["left_out"] = plan.left_out;
   json["notes"] = plan.notes;
