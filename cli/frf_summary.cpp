@@ -4,24 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "cli/dof_list.hpp"
+#include "cli/line_pieces.hpp"
 #include "cli/table.hpp"
 
 namespace jointid::cli {
 namespace {
-
-std::vector<std::size_t> range(std::size_t first, std::size_t count) {
-  std::vector<std::size_t> all(count);
-  std::iota(all.begin(), all.end(), first);
-  return all;
-}
-
-/// Lines per read: about 4 MB of values.
-std::size_t lines_per_read(const frf::FrfHeader& header) {
-  return std::max<std::size_t>(1, (std::size_t{1} << 18) / std::max<std::size_t>(1, header.entries()));
-}
 
 std::string lines_text(const std::vector<double>& hz) {
   std::string text = fmt::format("{}, {:g} to {:g} Hz", hz.size(), hz.front(), hz.back());
@@ -46,23 +35,20 @@ std::string noise_text(const frf::FrfHeader& header) {
 }
 
 std::string missing_text(const FrfCensus& census) {
+  if (census.missing == 0) return "none";
   const double percent = 100.0 * static_cast<double>(census.missing) / static_cast<double>(census.values);
-  return census.missing == 0 ? "none" : fmt::format("{} of {} values ({:.3g} %)", census.missing, census.values, percent);
+  return fmt::format("{} of {} values ({:.3g} %)", census.missing, census.values, percent);
 }
 
 }  // namespace
 
 FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted) {
   const frf::FrfHeader& header = source.header();
-  const auto responses = range(0, header.response.size());
-  const auto references = range(0, header.reference.size());
   std::vector<char> nonzero(header.entries(), 0);
   std::vector<frf::Complex> values;
   FrfCensus census;
-  const std::size_t step = lines_per_read(header);
-  for (std::size_t first = 0; first < header.lines() && census.complete; first += step) {
-    const auto lines = range(first, std::min(step, header.lines() - first));
-    const frf::Block block{lines, responses, references};
+  census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
+    if (interrupted()) return false;
     values.resize(block.size());
     source.read(block, values);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -71,8 +57,8 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
       if (!missing && values[i] != frf::Complex(0.0)) nonzero[i % header.entries()] = 1;
     }
     census.values += values.size();
-    census.complete = !interrupted();
-  }
+    return true;
+  });
   census.zero_frfs = static_cast<std::size_t>(std::ranges::count(nonzero, char{0}));
   return census;
 }

@@ -1,5 +1,7 @@
 #include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/solution_json.hpp"
 #include "cli/solution_text.hpp"
 #include "frf/error.hpp"
@@ -15,13 +17,19 @@ void check_targets(const SolveArguments& arguments) {
   }
 }
 
+ident::Solution solve_watched(ident::Plan& plan) {
+  catch_interrupts();
+  Progress progress;
+  return ident::solve(plan, progress.control());
+}
+
 }  // namespace
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   check_targets(arguments);
   const ident::Scene scene = ident::read_scene(arguments.scene);
   const auto plan = ident::make_plan(scene);
-  const ident::Solution solution = ident::solve(*plan);
+  const ident::Solution solution = solve_watched(*plan);
   if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
   if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
   if (arguments.json != "-" && arguments.csv != "-") out << solution_text(solution, scene.title);

@@ -137,16 +137,21 @@ bool has(const Object& file, const std::string& name) {
 }
 
 Dataset open_dataset(const Object& file, const std::string& name) {
-  Dataset dataset;
-  dataset.file = file.file;
-  dataset.place = "dataset " + name;
+  const Object dataset{.id = {}, .file = file.file, .place = "dataset " + name};
   H5L_info_t link;
   if (!has(file, name) || H5Lget_info(file.id.get(), name.c_str(), &link, H5P_DEFAULT) < 0) {
     fail(dataset, "is missing");
   }
   if (link.type != H5L_TYPE_HARD)
     fail(dataset, "is a link to somewhere else", "copy the data into this file");
-  dataset.id = Handle(H5Oopen(file.id.get(), name.c_str(), H5P_DEFAULT));
+  return to_dataset(file, Handle(H5Oopen(file.id.get(), name.c_str(), H5P_DEFAULT)), dataset.place);
+}
+
+Dataset to_dataset(const Object& file, Handle id, std::string place) {
+  Dataset dataset;
+  dataset.file = file.file;
+  dataset.place = std::move(place);
+  dataset.id = std::move(id);
   if (!dataset.id.is_open()) fail(dataset, "cannot be opened: " + last_failure());
   if (H5Iget_type(dataset.id.get()) != H5I_DATASET) fail(dataset, "is not a dataset");
   dataset.dims = extents(dataset);

@@ -35,6 +35,9 @@ bool has(const Object& file, const std::string& name);
 /// else.
 Dataset open_dataset(const Object& file, const std::string& name);
 
+/// The same for an object that is open already (by a reference); `place` is what messages call it.
+Dataset to_dataset(const Object& file, Handle id, std::string place);
+
 /// Whether the dataset goes through filters (compression).
 bool is_filtered(const Dataset& dataset);
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "frf/error.hpp"
+#include "ident/solve.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -37,6 +38,8 @@ TEST(Failure, FileSystemErrorsNameTheFile) {
   EXPECT_EQ(of(error).code, ExitCode::data);
   EXPECT_THAT(of(error).line, HasSubstr("/no/dir: "));
 }
+
+TEST(Failure, AnInterruptionHasItsOwnCode) { EXPECT_EQ(of(ident::Interrupted()).code, ExitCode::interrupted); }
 
 TEST(Failure, AnythingElseIsABug) {
   EXPECT_EQ(of(std::logic_error("index")).code, ExitCode::bug);

@@ -1,0 +1,34 @@
+#include "cli/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "cli/interrupt.hpp"
+
+namespace jointid::cli {
+namespace {
+
+constexpr const char* clear_line = "\r\x1b[K";
+
+}  // namespace
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (shown_) std::fputs(clear_line, stderr);
+}
+
+void Progress::show(const char* stage, std::size_t done, std::size_t total) {
+  if (!terminal_) return;
+  std::fputs((clear_line + fmt::format("{}: line {} of {}", stage, done, total)).c_str(), stderr);
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+ident::Control Progress::control() {
+  return {[this](const char* stage, std::size_t done, std::size_t total) { show(stage, done, total); }, interrupted};
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,127 @@
+#include "frf/csv_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "file_fixture.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using ::testing::HasSubstr;
+
+class CsvFile : public FileTest {
+ protected:
+  FrfSet read(const std::string& content, const OpenOptions& options = {}) const {
+    return load(*open_csv(write_file("a.csv", content), options));
+  }
+  std::string error(const std::string& content, const OpenOptions& options = {}) const {
+    return message_of([&] { read(content, options); });
+  }
+};
+
+TEST_F(CsvFile, RoundTripsEveryQuantityAndNoiseRecord) {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 5; ++trial) {
+    for (const Quantity quantity : all_quantities) {
+      for (const NoiseRecord noise : all_noise_records) {
+        const FrfSet set = random_set(random, quantity, noise, trial % 2 == 0);
+        write_csv(set, path("a.csv"));
+        expect_same(load(*open_csv(path("a.csv"))), set, quantity == Quantity::receptance ? 0.0 : 1e-15);
+        EXPECT_EQ(files_in_folder(), 1u);
+      }
+    }
+  }
+}
+
+TEST_F(CsvFile, ReadsTheDocumentedLayoutWithEverySeparator) {
+  const std::string text =
+      "# a comment\n# quantity = receptance\n# unit = mm/N\n\n"
+      "frequency_hz, 4:+Y/1:+Y re, 4:+Y/1:+Y im, 5:-Y/1:+Y mag, 5:-Y/1:+Y phase_deg\n"
+      "10.0, 1.5, -2e-3, 2, 90\n20, , 1, +3, NaN\n";
+  const auto with = [&](char separator, bool decimal_comma) {
+    std::string other = text;
+    for (char& c : other) c = c == ',' ? separator : c;
+    for (char& c : other) c = decimal_comma && c == '.' ? ',' : c;
+    return other;
+  };
+  for (const std::string& spelling : {with(',', false), with(';', false), with('\t', false), with(';', true),
+                                      "\xEF\xBB\xBF" + with(';', true)}) {
+    const FrfSet set = read(spelling);
+    EXPECT_EQ(set.header.frequency_hz, (std::vector<double>{10.0, 20.0}));
+    EXPECT_EQ(set.header.response, dofs({"4:+Y", "5:-Y"}));
+    EXPECT_EQ(set.header.reference, dofs({"1:+Y"}));
+    EXPECT_TRUE(near(set.values[0], {1.5e-3, -2e-6}, 1e-15));
+    EXPECT_TRUE(near(set.values[1], {0.0, 2e-3}, 1e-15));
+    EXPECT_TRUE(std::isnan(set.values[2].real()) && std::isnan(set.values[2].imag()));
+    EXPECT_TRUE(std::isnan(set.values[3].real()));
+  }
+}
+
+TEST_F(CsvFile, APairWithoutColumnsIsNotMeasured) {
+  const FrfSet set = read(
+      "# quantity = receptance\r\nfrequency_hz,1:X/1:X re,1:X/1:X im,2:X/2:X re,2:X/2:X im\r\n1,1,0,2,0\r\n");
+  ASSERT_EQ(set.values.size(), 4u);
+  EXPECT_EQ(set.values[0], Complex(1.0, 0.0));
+  EXPECT_TRUE(std::isnan(set.values[1].real()));
+  EXPECT_TRUE(std::isnan(set.values[2].real()));
+  EXPECT_EQ(set.values[3], Complex(2.0, 0.0));
+}
+
+TEST_F(CsvFile, QuantityAndDofsMayComeFromOptions) {
+  OpenOptions options;
+  options.quantity = Quantity::accelerance;
+  options.response = dofs({"1:+X", "2:+X"});
+  options.reference = dofs({"3:+Y"});
+  const FrfSet set = read("frequency_hz,re,im,re,im\n1,1,0,2,0\n", options);
+  EXPECT_EQ(set.header.response, options.response);
+  EXPECT_EQ(set.header.reference, options.reference);
+  const double omega = 2.0 * std::numbers::pi;
+  EXPECT_TRUE(near(set.values[1], {-2.0 / (omega * omega), 0.0}, 1e-15));
+}
+
+TEST_F(CsvFile, WhatIsWrongIsNamedByLineAndColumn) {
+  const std::string q = "# quantity = receptance\n";
+  const std::string h = q + "frequency_hz,1:X/1:X re,1:X/1:X im\n";
+  EXPECT_THAT(error(h + "1,2,3\n2,x,4\n"), HasSubstr("a.csv: line 4, column 2: 'x' is not a number"));
+  EXPECT_THAT(error(h + "1,2,1e999\n"), HasSubstr("line 3, column 3: '1e999' is not a number"));
+  EXPECT_THAT(error(h + "1,2,inf\n"), HasSubstr("line 3, column 3: 'inf' is not a number"));
+  EXPECT_THAT(error(h + "1,2\n"), HasSubstr("line 3, column 2: the line has 2 cells and the header 3"));
+  EXPECT_THAT(error(h + ",2,3\n"), HasSubstr("line 3, column 1: no frequency"));
+  EXPECT_THAT(error(h + "2,2,3\n1,2,3\n"), HasSubstr("frequencies must increase"));
+  EXPECT_THAT(error(h), HasSubstr("frequency: no lines"));
+  EXPECT_THAT(error(q), HasSubstr("no header row"));
+  EXPECT_THAT(error(q + "f,1:X/1:X re\n"), HasSubstr("line 2, column 1: the first column is 'f'"));
+  EXPECT_THAT(error(q + "frequency_hz\n"), HasSubstr("no column but the frequency"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X/1:X real\n"),
+              HasSubstr("column 2: '1:X/1:X real' is not a column of an FRF"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X re\n"), HasSubstr("column 2: '1:X' is not response/reference"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X/1:Q re\n"), HasSubstr("line 2, column 2: '1:Q' is not a DOF"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re,1:X/1:X re\n"),
+              HasSubstr("column 3: '1:X/1:X re' stands there twice"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re,im\n"),
+              HasSubstr("column 3: columns with and without DOFs"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re\n"),
+              HasSubstr("the columns of 1:+X/1:+X are no complete FRF"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re,1:X/1:X phase_deg\n"), HasSubstr("are no complete FRF"));
+  EXPECT_THAT(error(q + "frequency_hz,re,im\n"),
+              HasSubstr("'re' has no DOFs, and 0 responses and 0 references"));
+}
+
+TEST_F(CsvFile, WhatTheCommentsSayIsChecked) {
+  const std::string h = "frequency_hz,1:X/1:X re,1:X/1:X im";
+  EXPECT_THAT(error(h + "\n1,2,3\n"), HasSubstr("does not say which quantity it holds"));
+  EXPECT_THAT(error("# quantity = compliance\n" + h + "\n1,2,3\n"),
+              HasSubstr("# quantity: unknown FRF quantity 'compliance'"));
+  EXPECT_THAT(error("# quantity = receptance\n# unit = m/s\n" + h + "\n1,2,3\n"),
+              HasSubstr("# unit: unit 'm/s' is not a unit of receptance"));
+  EXPECT_THAT(error("# quantity = receptance\n" + h + ",1:X/1:X coherence\n1,2,3,0.9\n"),
+              HasSubstr("# averages: '' is not a number of averages"));
+  EXPECT_THAT(error("# quantity = receptance\n" + h +
+                    ",1:X/1:X coherence,1:X/1:X var_re,1:X/1:X var_im\n1,2,3,1,1,1\n"),
+              HasSubstr("has both variances and coherences"));
+}
+
+}  // namespace
+}  // namespace jointid::frf
