@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cstring>
 #include <string>
 #include <vector>
 
 #include "frf/error.hpp"
+#include "frf/hdf5_disk.hpp"
 #include "frf/hdf5_object.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/temporary_file.hpp"
@@ -115,7 +117,7 @@ class Hdf5Writer::File {
         quantity_(options.quantity.value_or(header.quantity)),
         lines_per_chunk_(choose_lines_per_chunk(header, options.lines_per_chunk)),
         written_(header.lines(), false) {
-    file_ = Handle(H5Fcreate(temporary_.path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+    file_ = hdf5::create_file(temporary_.path(), disk_error_);
     require(file_.is_open() && write_header() && create_datasets(options.compression));
   }
 
@@ -142,13 +144,14 @@ class Hdf5Writer::File {
     if (missing != written_.end()) {
       temporary_.fail("line " + std::to_string(missing - written_.begin() + 1) + " was never written");
     }
-    const bool closed = frf_.close() && noise_.close() && H5Fflush(file_.get(), H5F_SCOPE_LOCAL) >= 0;
-    require(closed && file_.close());
+    const bool closed = frf_.close() && noise_.close() && file_.close();
+    require(closed);
     temporary_.commit();
   }
 
  private:
   void require(bool ok) const {
+    if (disk_error_ != 0) temporary_.fail(std::strerror(disk_error_));
     if (!ok) temporary_.fail(hdf5::last_failure());
   }
 
@@ -216,6 +219,7 @@ class Hdf5Writer::File {
   Quantity quantity_;
   std::size_t lines_per_chunk_;
   std::vector<bool> written_;
+  int disk_error_ = 0;  ///< before the file, which reports to it until closed
   Handle file_;
   Handle frf_;
   Handle noise_;
