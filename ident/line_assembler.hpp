@@ -50,6 +50,7 @@ class LineAssembler {
     std::size_t support = 0;
     std::vector<std::size_t> rows, columns;
     std::vector<double> row_weight, column_weight;
+    std::size_t rows_written = 0;  ///< real rows, while WA waits for its factor
   };
 
   void measure(const LineProduct& line);
@@ -57,8 +58,9 @@ class LineAssembler {
   void weigh(const LineProduct& line, bool regular);
   void group(const LineProduct& line, bool regular);
   void compress(const LineProduct& line, const Group& group);
-  double wa_factor(const LineProduct& line);
-  void push(Accumulator& accumulator, const Group& group, double factor);
+  void push(const LineProduct& line, const Group& group, Accumulator& accumulator);
+  void push_weighted_after(const LineProduct& line, Accumulator& accumulator);
+  Triangle& triangle(const Group& group, Accumulator& accumulator);
 
   const AssemblySpec& spec_;
   std::vector<RowExpander> expanders_;  ///< one per support
@@ -69,7 +71,8 @@ class LineAssembler {
   std::vector<std::uint8_t> keep_;
   std::vector<Group> groups_;
   std::size_t group_count_ = 0;
-  std::vector<double> scratch_;
+  const Group* factored_ = nullptr;  ///< whose A the compressor last factored at this line
+  std::vector<double> line_rows_, norm2_;
   std::vector<std::size_t> line_columns_;  ///< of all unknowns at this line
   Accumulator::Columns group_columns_;
   EquationCount count_;

@@ -164,9 +164,9 @@ Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
   return out;
 }
 
-LinearSolution solve(const Plan& plan, Accumulator& accumulator) {
+LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition) {
   if (plan.solver == "normal") return solve_normal(accumulator);
-  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator);
+  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator, condition);
 }
 
 namespace {

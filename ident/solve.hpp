@@ -34,6 +34,6 @@ struct Assembled {
 Assembled assemble(Plan& plan, RunTime& runtime, const Control& control = {});
 
 /// … and its solution by the plan's solver.
-LinearSolution solve(const Plan& plan, Accumulator& accumulator);
+LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition = Condition::compute);
 
 }  // namespace jointid::ident

@@ -37,10 +37,9 @@ JOINTID_INLINE void reflect_panel(double* top, double* block, std::size_t rows, 
 JOINTID_KERNEL void reduce(double* r, double* x, std::size_t rows, std::size_t width, std::size_t stride, double* v) {
   for (std::size_t k = 0; k < width; ++k) {
     double below = 0.0;
-    for (std::size_t i = 0; i < rows; ++i) {
-      v[i] = x[i * stride + k];
-      below += v[i] * v[i];
-    }
+    for (std::size_t i = 0; i < rows; ++i) v[i] = x[i * stride + k];
+#pragma omp simd reduction(+ : below)
+    for (std::size_t i = 0; i < rows; ++i) below += v[i] * v[i];
     if (below == 0.0) continue;
     const double alpha = r[k * stride + k];
     const double norm = std::sqrt(alpha * alpha + below);
