@@ -1,5 +1,6 @@
 #include "frf/noise.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

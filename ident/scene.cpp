@@ -8,8 +8,9 @@ namespace jointid::ident {
 Scene parse_scene(const std::string& text, const Path& file) {
   const Value document = parse_toml(text, file);
   const std::string file_name = file.string();
-  const SceneTable table = SceneItem(document, file_name, {}, {})
-                               .table({"title", "data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth"});
+  const SceneItem root(document, file_name, {}, {});
+  const SceneTable table = root.table(
+      {"title", "data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth"});
   Scene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();

@@ -83,7 +83,7 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   IdentifySection identify;
   if (const auto method = table.find("method")) identify.method = read_enum<Method>(*method, methods);
   if (const auto list = table.find("equations")) identify.equations = read_equations(*list);
-  if (const auto word = table.find("weighting")) identify.weighting = weighting::parse_weighting(word->word(weightings));
+  if (const auto word = table.find("weighting")) identify.weighting = read_enum<weighting::Weighting>(*word, weightings);
   if (const auto delta = table.find("delta")) identify.delta = read_delta(*delta);
   if (const auto solver = table.find("solver")) identify.solver = solver->word(solvers);
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);

@@ -26,7 +26,8 @@ Positions read_nodes(const SceneItem& item) {
   for (const auto& [key, value] : table.members()) {
     const std::vector<SceneItem> coordinates = value.list();
     if (coordinates.size() != 3) {
-      value.fail("a position has three coordinates, found " + std::to_string(coordinates.size()), "write [x, y, z] (m)");
+      value.fail("a position has three coordinates, found " + std::to_string(coordinates.size()),
+                 "write [x, y, z] (m)");
     }
     const auto [place, is_new] = positions.try_emplace(read_node(key, value));
     if (!is_new) value.fail("the node is here twice");

@@ -39,7 +39,8 @@ EntryMatrix read_entries(const SceneItem& item) {
 Spring read_spring(const SceneItem& item) {
   std::vector<SceneItem> ends = item.list();
   if (ends.size() != 2) {
-    item.fail("a spring has two ends, found " + std::to_string(ends.size()), "write [\"4:+Y\", \"ground\"] for one end");
+    item.fail("a spring has two ends, found " + std::to_string(ends.size()),
+              "write [\"4:+Y\", \"ground\"] for one end");
   }
   if (ends[0].text() == "ground") std::swap(ends[0], ends[1]);
   Spring spring{ends[0].dof(), std::nullopt};

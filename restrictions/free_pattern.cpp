@@ -7,6 +7,7 @@
 namespace jointid::restrictions {
 namespace {
 
+constexpr Eigen::Index most_terms = 20'000'000;  // about 600 MB; a joint of some 80 DOFs
 constexpr double farthest = 1e100;  // m; squares and differences stay finite
 
 void check_positions(const JointSpec& joint, Kind kind) {
@@ -47,6 +48,12 @@ LocalMatrix from_free_pattern(const JointSpec& joint, Kind kind) {
   if (basis.cols() == 0) {
     fail(joint, kind, "every motion of the joint's DOFs is a rigid-body motion, so pattern \"free\" leaves no unknown",
          "add DOFs, or use another pattern");
+  }
+  const Eigen::Index unknowns = basis.cols() * (basis.cols() + 1) / 2;
+  if (unknowns * basis.rows() * basis.rows() > most_terms) {
+    fail(joint, kind, "pattern \"free\" of " + std::to_string(basis.rows()) + " DOFs is too large: each of its " +
+                          std::to_string(unknowns) + " unknowns stands at every element",
+         "split the joint, or use springs");
   }
   LocalMatrix matrix;
   const frf::Dof translation{};

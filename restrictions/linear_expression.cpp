@@ -155,10 +155,11 @@ class Parser {
   }
 
   [[noreturn]] void fail(std::size_t place, const std::string& what, const std::string& remedy) const {
+    const std::string at = " (character " + std::to_string(place + 1) + ")";
     throw InputError({.kind = ErrorKind::usage,
                       .file = {},
                       .place = {},
-                      .problem = "'" + std::string(text_) + "' " + what + " (character " + std::to_string(place + 1) + ")",
+                      .problem = "'" + std::string(text_) + "' " + what + at,
                       .remedy = remedy});
   }
 

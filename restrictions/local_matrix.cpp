@@ -23,7 +23,8 @@ void check_size(const JointSpec& joint, Kind kind, const EntryMatrix& entries) {
   for (std::size_t row = 0; row < size; ++row) {
     if (entries[row].size() == size) continue;
     fail(joint, kind,
-         "row " + std::to_string(row + 1) + " has " + std::to_string(entries[row].size()) + " elements, but " + expected,
+         "row " + std::to_string(row + 1) + " has " + std::to_string(entries[row].size()) + " elements, but " +
+             expected,
          "");
   }
 }
@@ -74,16 +75,11 @@ class EntryCollector {
 
 }  // namespace
 
-std::string place(const JointSpec& joint, Kind kind) {
-  return joint.name.empty() ? "[joint." + key(kind) + "]" : "joint '" + joint.name + "', " + key(kind);
-}
-
 void fail(const JointSpec& joint, Kind kind, const std::string& problem, const std::string& remedy) {
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = place(joint, kind),
-                    .problem = problem,
-                    .remedy = remedy});
+  const std::string place =
+      joint.name.empty() ? "[joint." + key(kind) + "]" : "joint '" + joint.name + "', " + key(kind);
+  throw InputError(
+      {.kind = ErrorKind::usage, .file = {}, .place = place, .problem = problem, .remedy = remedy});
 }
 
 LocalMatrix from_pattern(const JointSpec& joint, Kind kind, Pattern pattern) {

@@ -34,10 +34,7 @@ LocalMatrix from_springs(const JointSpec& joint, Kind kind, const std::vector<Sp
 /// Pattern free: X = V N S Nᵀ V with S symmetric, unknowns "K.s(i,j)", i ≤ j. See rigid_body.hpp for V and N.
 LocalMatrix from_free_pattern(const JointSpec& joint, Kind kind);
 
-/// Where an error is: "[joint.stiffness]", or "joint 'left', stiffness" for a joint with a name.
-std::string place(const JointSpec& joint, Kind kind);
-
-/// An InputError (usage) at place(joint, kind).
+/// An InputError (usage) at "[joint.stiffness]", or at "joint 'left', stiffness" for a joint with a name.
 [[noreturn]] void fail(const JointSpec& joint, Kind kind, const std::string& problem, const std::string& remedy);
 
 }  // namespace jointid::restrictions

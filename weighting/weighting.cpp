@@ -1,6 +1,5 @@
 #include "weighting/weighting.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 
@@ -12,7 +11,7 @@ namespace {
 constexpr std::array<const char*, 5> names = {"none", "WA", "WB", "WBG", "WBS"};
 
 std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return text;
 }
 

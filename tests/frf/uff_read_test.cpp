@@ -397,6 +397,17 @@ TEST(UffRead, MobilityAndAccelerance) {
   EXPECT_NEAR(std::abs(set.values[2] + Complex(3.0, 1.5) / (omega * omega)), 0.0, 1e-17);
 }
 
+TEST(UffRead, RecordsOfDifferentQuantities) {
+  Record other = simple_record();
+  other.response_node = 2;
+  other.numerator_type = 12;
+  const FrfSet set = load_text(simple_record().str() + other.str());
+  const double omega = 2.0 * std::numbers::pi * 10.0;
+  EXPECT_EQ(set.header.quantity, Quantity::receptance);
+  EXPECT_EQ(set.values[0], Complex(1.0, 0.5));
+  EXPECT_NEAR(std::abs(set.values[1] + Complex(1.0, 0.5) / (omega * omega)), 0.0, 1e-17);
+}
+
 TEST(UffRead, QuantityIsAskedFor) {
   Record record = simple_record();
   for (const auto& [above, below] : {std::pair{0, 0}, {1, 0}, {12, 0}, {1, 13}}) {

@@ -5,6 +5,7 @@
 
 #include "frf/error.hpp"
 #include "ident/scene.hpp"
+#include "tests/ident/full_scene.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -81,6 +82,35 @@ TEST_F(SceneFile, DotsInTextNumbersAndCommentsAreNoKeys) {
   const Path file = write("# " + std::string(100, '.') + "\ntitle = \"a\\\"" + std::string(100, '.') + "\"\n" +
                           "frequency.exclude = [[1.0, 2.0]]\n[truth]\nmass = [[" + numbers + "]]\n");
   expect_error(file, "the key 'data' is missing");
+}
+
+/// True when the text is a scene or an InputError (usage); anything else escapes.
+bool is_scene(const std::string& text) {
+  try {
+    parse_scene(text, "scene.toml");
+    return true;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::usage) << text;
+    return false;
+  }
+}
+
+TEST(SceneText, ADamagedSceneIsAnInputErrorOrAnotherScene) {
+  const std::string whole = full_scene;
+  ASSERT_TRUE(is_scene(whole));
+  std::size_t scenes = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    scenes += is_scene(whole.substr(0, i)) ? 1 : 0;
+    std::string damaged = whole;
+    for (const char c : {'"', '[', '.', '-', '9', '\n', '\0', '\xff'}) {
+      damaged[i] = c;
+      scenes += is_scene(damaged) ? 1 : 0;
+    }
+    damaged.erase(i, 1);
+    scenes += is_scene(damaged) ? 1 : 0;
+  }
+  EXPECT_GT(scenes, 0u);
+  EXPECT_LT(scenes, 10 * whole.size());
 }
 
 }  // namespace

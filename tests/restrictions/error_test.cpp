@@ -76,6 +76,12 @@ TEST(RestrictionErrors, PatternFree) {
   JointSpec single = joint(dofs({"4:+Y"}), Kind::stiffness, Pattern::free);
   single.node_positions[4] = {0, 0, 0};
   expect_error({single}, {"rigid-body motion", "no unknown"});
+  JointSpec large = joint({}, Kind::stiffness, Pattern::free);
+  for (std::int64_t node = 0; node < 100; ++node) {
+    large.dofs.push_back({.node = node});
+    large.node_positions[node] = {0, 1.0 * static_cast<double>(node), 0};
+  }
+  expect_error({large}, {"of 100 DOFs is too large", "use springs"});
 }
 
 }  // namespace

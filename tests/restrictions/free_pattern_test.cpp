@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "tests/restrictions/joints.hpp"

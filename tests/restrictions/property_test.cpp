@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "tests/restrictions/joints.hpp"
 
 namespace jointid::restrictions {
