@@ -1,0 +1,122 @@
+#include <gmock/gmock.h>
+#include <hdf5.h>
+
+#include <functional>
+
+#include "file_fixture.hpp"
+#include "frf/mat_file.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Makes files as MATLAB's save -v7.3 does: a user block, dimensions reversed, classes in attributes.
+class MatV73File : public FileTest {
+ protected:
+  void make(const std::function<void(hid_t)>& fill) const {
+    const hid_t create = H5Pcreate(H5P_FILE_CREATE);
+    H5Pset_userblock(create, 512);
+    const hid_t file = H5Fcreate(path("a.mat").c_str(), H5F_ACC_TRUNC, create, H5P_DEFAULT);
+    fill(file);
+    H5Fclose(file);
+    std::fstream head(path("a.mat"), std::ios::in | std::ios::out | std::ios::binary);
+    head << "MATLAB 7.3 MAT-file, Platform: GLNXA64";
+  }
+
+  static void set_class(hid_t dataset, const std::string& name) {
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, name.size());
+    const hid_t attribute =
+        H5Acreate2(dataset, "MATLAB_class", type, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(attribute, type, name.data());
+    H5Aclose(attribute);
+  }
+
+  static void add(hid_t file, const std::string& name, const std::string& kind, hid_t type,
+                  std::vector<hsize_t> dims, const void* data) {
+    std::reverse(dims.begin(), dims.end());
+    const hid_t space = H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr);
+    const hid_t dataset = H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data);
+    set_class(dataset, kind);
+    H5Dclose(dataset);
+  }
+
+  static void add_text(hid_t file, const std::string& name, const std::string& text) {
+    const std::vector<std::uint16_t> codes(text.begin(), text.end());
+    add(file, name, "char", H5T_NATIVE_UINT16, {1, text.size()}, codes.data());
+  }
+
+  static void add_cells(hid_t file, const std::string& name, const std::vector<std::string>& texts) {
+    const hid_t group = H5Gcreate2(file, ("#" + name).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    std::vector<hobj_ref_t> references(texts.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      const std::string cell(1, static_cast<char>('a' + i));
+      add_text(group, cell, texts[i]);
+      H5Rcreate(&references[i], group, cell.c_str(), H5R_OBJECT, -1);
+    }
+    H5Gclose(group);
+    add(file, name, "cell", H5T_STD_REF_OBJ, {texts.size(), 1}, references.data());
+  }
+
+  static hid_t complex_type() {
+    const hid_t type = H5Tcreate(H5T_COMPOUND, 16);
+    H5Tinsert(type, "real", 0, H5T_NATIVE_DOUBLE);
+    H5Tinsert(type, "imag", 8, H5T_NATIVE_DOUBLE);
+    return type;
+  }
+
+  /// 3 lines, 2 responses, 1 reference; values count up in MATLAB's order.
+  static void add_set(hid_t file) {
+    const std::vector<double> axis = {10.0, 20.0, 30.0};
+    std::vector<Complex> values;
+    for (int i = 0; i < 6; ++i) values.emplace_back(i, -i);
+    add(file, "frequency", "double", H5T_NATIVE_DOUBLE, {3, 1}, axis.data());
+    add(file, "FRF", "double", complex_type(), {2, 1, 3}, values.data());
+    add_cells(file, "response_dof", {"1:+Y", "2:-Y"});
+    add_text(file, "reference_dof", "1:+Y");
+    add_text(file, "quantity", "receptance");
+  }
+};
+
+TEST_F(MatV73File, ReadsWhatMatlabSaves) {
+  make(add_set);
+  const FrfSet set = load(*open(path("a.mat")));
+  EXPECT_EQ(set.header.frequency_hz, (std::vector<double>{10.0, 20.0, 30.0}));
+  EXPECT_EQ(set.header.response, dofs({"1:+Y", "2:-Y"}));
+  EXPECT_EQ(set.header.reference, dofs({"1:+Y"}));
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(set.values[static_cast<std::size_t>(i)], Complex(i, -i));
+}
+
+TEST_F(MatV73File, CellsMustHoldText) {
+  make([](hid_t file) {
+    add_set(file);
+    H5Ldelete(file, "reference_dof", H5P_DEFAULT);
+    const hobj_ref_t nowhere = 0;
+    add(file, "reference_dof", "cell", H5T_STD_REF_OBJ, {1, 1}, &nowhere);
+  });
+  EXPECT_THAT(message_of([&] { open(path("a.mat")); }),
+              HasSubstr("dataset reference_dof, cell 1: cannot be opened"));
+  make([](hid_t file) {
+    add_set(file);
+    H5Ldelete(file, "reference_dof", H5P_DEFAULT);
+    hobj_ref_t number = 0;
+    H5Rcreate(&number, file, "frequency", H5R_OBJECT, -1);
+    add(file, "reference_dof", "cell", H5T_STD_REF_OBJ, {1, 1}, &number);
+  });
+  EXPECT_THAT(message_of([&] { open(path("a.mat")); }),
+              HasSubstr("dataset reference_dof, cell 1: is not text"));
+}
+
+TEST_F(MatV73File, AnyOtherHdf5FileSaysWhatItHolds) {
+  make([](hid_t file) {
+    const std::vector<double> numbers(4);
+    add(file, "numbers", "double", H5T_NATIVE_DOUBLE, {2, 2}, numbers.data());
+  });
+  EXPECT_THAT(message_of([&] { open(path("a.mat")); }),
+              HasSubstr("has no vector of frequencies; its variables are numbers [2x2]"));
+}
+
+}  // namespace
+}  // namespace jointid::frf

@@ -1,0 +1,72 @@
+#include <gmock/gmock.h>
+
+#include "file_fixture.hpp"
+#include "frf/frf_source.hpp"
+#include "frf/write.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Open : public FileTest {
+ protected:
+  std::string error(const std::string& name) const {
+    return message_of([&] { open(path(name)); });
+  }
+};
+
+TEST_F(Open, KnowsEveryFormatByItsContent) {
+  std::mt19937 random(31);
+  const FrfSet set = random_set(random, Quantity::accelerance, NoiseRecord::none);
+  std::vector<std::string> formats = {"h5", "HDF5", ".csv"};
+  if (JOINTID_HAVE_MATIO) formats.push_back("mat");
+  for (const std::string& format : formats) {
+    write(set, path("a.data"), format);
+    expect_same(load(*open(path("a.data"))), set, 1e-15);
+  }
+}
+
+TEST_F(Open, TheExtensionChoosesWhatIsWritten) {
+  std::mt19937 random(32);
+  const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::none);
+  write(set, path("a.CSV"));
+  std::ifstream in(path("a.CSV"));
+  EXPECT_EQ(in.get(), '#');
+  EXPECT_THAT(message_of([&] { write(set, path("a.xls")); }, ErrorKind::usage),
+              HasSubstr("a.xls: 'xls' is no format of FRF files; name the file .h5, .uff, .mat or .csv"));
+}
+
+TEST_F(Open, WhatCannotBeOpenedSaysWhy) {
+  EXPECT_THAT(error("none.h5"), HasSubstr("none.h5: there is no such file"));
+  write_file("empty.h5", "");
+  EXPECT_THAT(error("empty.h5"), HasSubstr("empty.h5: is empty"));
+  EXPECT_THAT(message_of([&] { open(folder_); }), HasSubstr("is a folder"));
+  EXPECT_THAT(message_of([&] { open("/dev/null"); }), HasSubstr("is not a regular file"));
+  EXPECT_THAT(error("empty.h5/a.h5"), HasSubstr("a.h5: "));
+}
+
+TEST_F(Open, AFileThatMayNotBeReadSaysSo) {
+  std::filesystem::permissions(write_file("a.h5", "x"), std::filesystem::perms::none);
+  const uid_t user = ::geteuid();
+  const bool is_root = user == 0;  // root may read everything, so be nobody for a moment
+  ASSERT_EQ(::seteuid(is_root ? 65534 : user), 0);
+  const std::string message = error("a.h5");
+  ASSERT_EQ(::seteuid(user), 0);
+  EXPECT_THAT(message, HasSubstr("a.h5: cannot be opened: Permission denied; check its permissions"));
+}
+
+TEST_F(Open, AnotherFormatSaysWhatWasFound) {
+  write_file("a.zip", std::string("PK\x03\x04\0\0", 6));
+  EXPECT_THAT(error("a.zip"),
+              HasSubstr("a.zip: begins with bytes 50 4b 03 04 00 00 and is no FRF file that this"));
+  write_file("a.txt", "Dear reader\nhow do you do\n");
+  EXPECT_THAT(error("a.txt"), HasSubstr("begins with 'Dear reader' and is no FRF file"));
+  EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v5 to v7.3 or CSV"));
+  write_file("old.mat", "MATLAB 5.0 MAT-file, and no more");
+  EXPECT_THAT(error("old.mat"),
+              HasSubstr(JOINTID_HAVE_MATIO ? "cannot be opened as a MATLAB file" : "need matio"));
+}
+
+}  // namespace
+}  // namespace jointid::frf
