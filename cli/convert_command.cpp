@@ -1,22 +1,20 @@
-#include <array>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/line_pieces.hpp"
-#include "frf/csv_file.hpp"
-#include "frf/error.hpp"
 #include "frf/hdf5_writer.hpp"
-#include "frf/mat_file.hpp"
-#include "frf/uff_file.hpp"
+#include "frf/write.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using Path = std::filesystem::path;
 
+bool is_hdf5(const Path& path) { return path.extension() == ".h5" || path.extension() == ".hdf5"; }
+
 /// Line by line, so that a file larger than the memory passes. False, and no file, when interrupted.
-bool to_hdf5(frf::FrfSource& source, const Path& path) {
+bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
   const frf::FrfHeader& header = source.header();
   frf::Hdf5Writer writer(path, header);
   std::vector<frf::Complex> values, variance;
@@ -39,45 +37,16 @@ bool to_hdf5(frf::FrfSource& source, const Path& path) {
   return complete;
 }
 
-/// By way of a set in memory.
-template <auto write>
-bool whole(frf::FrfSource& source, const Path& path) {
-  write(frf::load(source), path);
-  return true;
-}
-
-void to_uff(const frf::FrfSet& set, const Path& path) {
-  frf::write_uff(set, path, {.quantity = set.header.quantity});
-}
-
-struct Format {
-  const char* extension;
-  bool (*write)(frf::FrfSource& source, const Path& path);
-};
-
-constexpr std::array<Format, 6> formats = {{{".h5", to_hdf5},
-                                            {".hdf5", to_hdf5},
-                                            {".uff", whole<to_uff>},
-                                            {".unv", whole<to_uff>},
-                                            {".mat", whole<frf::write_mat>},
-                                            {".csv", whole<frf::write_csv>}}};
-
-const Format& format_of(const Path& path) {
-  for (const Format& format : formats) {
-    if (path.extension() == format.extension) return format;
-  }
-  throw InputError({ErrorKind::usage, path.string(), "",
-                    "'" + path.extension().string() + "' names no format to write",
-                    "end the name in .h5, .hdf5, .uff, .unv, .mat or .csv"});
-}
-
 }  // namespace
 
 ExitCode execute(const ConvertArguments& arguments, std::ostream& out) {
   catch_interrupts();
-  const Format& format = format_of(arguments.out);
   const auto source = frf::open(arguments.in, arguments.open);
-  if (!format.write(*source, arguments.out)) return ExitCode::interrupted;
+  if (is_hdf5(arguments.out)) {
+    if (!stream_to_hdf5(*source, arguments.out)) return ExitCode::interrupted;
+  } else {
+    frf::write(frf::load(*source), arguments.out);
+  }
   const frf::FrfHeader& header = source->header();
   out << "wrote " << arguments.out.string() << ": " << header.lines() << " lines, " << header.response.size() << " × "
       << header.reference.size() << " FRFs\n";

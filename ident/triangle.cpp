@@ -11,22 +11,33 @@ namespace {
 /// Columns are handled `wide` or `narrow` at a time, so that their sums stay in registers.
 constexpr std::size_t wide = 24, narrow = 8;
 
-/// Applies I − τvvᵀ, v = (1, x), to `panel` columns of the row `top` and the block below it.
-template <std::size_t panel>
+/// Applies I − τvvᵀ, v = (1, x), to `panel` columns of the row `top` and the block below it. `chains` rows are summed side
+/// by side, so that one addition need not wait for the last.
+template <std::size_t panel, std::size_t chains>
 JOINTID_INLINE void reflect_panel(double* top, double* block, std::size_t rows, std::size_t stride, const double* x,
                                   double tau) {
-  double sum[panel];
-  for (std::size_t j = 0; j < panel; ++j) sum[j] = top[j];
-  for (std::size_t i = 0; i < rows; ++i) {
+  double sums[chains][panel] = {};
+  std::size_t i = 0;
+  for (; i + chains <= rows; i += chains) {
+    for (std::size_t c = 0; c < chains; ++c) {
+      const double* row = block + (i + c) * stride;
+#pragma omp simd
+      for (std::size_t j = 0; j < panel; ++j) sums[c][j] += x[i + c] * row[j];
+    }
+  }
+  for (; i < rows; ++i) {
     const double* row = block + i * stride;
 #pragma omp simd
-    for (std::size_t j = 0; j < panel; ++j) sum[j] += x[i] * row[j];
+    for (std::size_t j = 0; j < panel; ++j) sums[0][j] += x[i] * row[j];
   }
+  double sum[panel];
   for (std::size_t j = 0; j < panel; ++j) {
+    sum[j] = top[j];
+    for (std::size_t c = 0; c < chains; ++c) sum[j] += sums[c][j];
     sum[j] *= tau;
     top[j] -= sum[j];
   }
-  for (std::size_t i = 0; i < rows; ++i) {
+  for (i = 0; i < rows; ++i) {
     double* row = block + i * stride;
 #pragma omp simd
     for (std::size_t j = 0; j < panel; ++j) row[j] -= x[i] * sum[j];
@@ -49,8 +60,8 @@ JOINTID_KERNEL void reduce(double* r, double* x, std::size_t rows, std::size_t w
     const double scale = 1.0 / pivot;
     for (std::size_t i = 0; i < rows; ++i) v[i] *= scale;
     std::size_t j = k / narrow * narrow;
-    for (; j + wide <= stride; j += wide) reflect_panel<wide>(r + k * stride + j, x + j, rows, stride, v, tau);
-    for (; j < stride; j += narrow) reflect_panel<narrow>(r + k * stride + j, x + j, rows, stride, v, tau);
+    for (; j + wide <= stride; j += wide) reflect_panel<wide, 2>(r + k * stride + j, x + j, rows, stride, v, tau);
+    for (; j < stride; j += narrow) reflect_panel<narrow, 4>(r + k * stride + j, x + j, rows, stride, v, tau);
     // The first panel also holds columns left of it: zero in R and below it, so only the pivot needs its exact value.
     r[k * stride + k] = beta;
     for (std::size_t i = 0; i < rows; ++i) x[i * stride + k] = 0.0;
@@ -77,7 +88,7 @@ Triangle::Triangle(std::size_t unknowns, Reduction reduction)
       unknowns_(unknowns),
       width_(unknowns + 1),
       stride_((width_ + narrow - 1) / narrow * narrow),
-      capacity_(std::max<std::size_t>(64, 2 * width_)),
+      capacity_(std::max<std::size_t>(128, 2 * width_)),
       triangle_(width_ * stride_, 0.0),
       buffer_(capacity_ * stride_, 0.0),
       scratch_(capacity_) {}
