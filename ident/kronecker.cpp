@@ -52,7 +52,7 @@ JOINTID_KERNEL void thin_qr(double* x_re, double* x_im, std::size_t m, std::size
     }
     // β = −e^{i·arg x₀}‖x‖; v = x − βe₁, whose first element has modulus |x₀| + ‖x‖: no cancellation.
     const double norm = std::sqrt(norm2);
-    const double head = std::hypot(x.re[0], x.im[0]);
+    const double head = std::sqrt(x.re[0] * x.re[0] + x.im[0] * x.im[0]);
     const double phase_re = head > 0.0 ? x.re[0] / head : 1.0;
     const double phase_im = head > 0.0 ? x.im[0] / head : 0.0;
     x.re[0] += phase_re * norm;

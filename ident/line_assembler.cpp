@@ -185,8 +185,10 @@ Triangle& LineAssembler::triangle(const Group& group, Accumulator& accumulator) 
 void LineAssembler::push(const LineProduct& line, const Group& group, Accumulator& accumulator) {
   compress(line, group);
   Triangle& to = triangle(group, accumulator);
-  for (std::size_t p = 0; p < compressed_.ra.rows; ++p) {
-    expanders_[group.support].expand(compressed_, p, to.append(2 * compressed_.rb.rows), to.stride());
+  const std::size_t equations = compressed_.ra.rows * compressed_.rb.rows;
+  for (std::size_t first = 0; first < equations; first += RowExpander::most) {
+    const std::size_t count = std::min(RowExpander::most, equations - first);
+    expanders_[group.support].expand(compressed_, first, count, to.append(2 * count), to.stride());
   }
 }
 
@@ -198,19 +200,21 @@ void LineAssembler::push_weighted_after(const LineProduct& line, Accumulator& ac
   for (std::size_t g = 0; g < group_count_; ++g) {
     compress(line, groups_[g]);
     const Support& support = spec_.supports[groups_[g].support];
-    const std::size_t width = support.unknowns.size() + 1, rows = 2 * compressed_.rb.rows;
-    for (std::size_t p = 0; p < compressed_.ra.rows; ++p) {
-      const std::size_t first = line_rows_.size();
-      line_rows_.resize(first + rows * width, 0.0);
-      double* written = line_rows_.data() + first;
-      expanders_[groups_[g].support].expand(compressed_, p, written, width);
-      for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t u = 0; u + 1 < width; ++u) {
-          norm2_[support.unknowns[u]] += written[i * width + u] * written[i * width + u];
-        }
-      }
+    const std::size_t width = support.unknowns.size() + 1, equations = compressed_.ra.rows * compressed_.rb.rows;
+    const std::size_t written = line_rows_.size();
+    line_rows_.resize(written + 2 * equations * width, 0.0);
+    for (std::size_t first = 0; first < equations; first += RowExpander::most) {
+      const std::size_t count = std::min(RowExpander::most, equations - first);
+      expanders_[groups_[g].support].expand(compressed_, first, count, line_rows_.data() + written + 2 * first * width,
+                                            width);
     }
-    groups_[g].rows_written = rows * compressed_.ra.rows;
+    group_norm2_.assign(width, 0.0);
+    for (std::size_t i = 0; i < 2 * equations; ++i) {
+      const double* row = line_rows_.data() + written + i * width;
+      for (std::size_t u = 0; u < width; ++u) group_norm2_[u] += row[u] * row[u];
+    }
+    for (std::size_t u = 0; u + 1 < width; ++u) norm2_[support.unknowns[u]] += group_norm2_[u];
+    groups_[g].rows_written = 2 * equations;
   }
   const double largest_square = *std::max_element(norm2_.begin(), norm2_.end());
   const double factor = largest_square > 0.0 ? 1.0 / std::sqrt(largest_square) : 0.0;

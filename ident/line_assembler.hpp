@@ -72,7 +72,7 @@ class LineAssembler {
   std::vector<Group> groups_;
   std::size_t group_count_ = 0;
   const Group* factored_ = nullptr;  ///< whose A the compressor last factored at this line
-  std::vector<double> line_rows_, norm2_;
+  std::vector<double> line_rows_, norm2_, group_norm2_;
   std::vector<std::size_t> line_columns_;  ///< of all unknowns at this line
   Accumulator::Columns group_columns_;
   EquationCount count_;

@@ -62,10 +62,11 @@ JOINTID_KERNEL void reduce(double* r, double* x, std::size_t rows, std::size_t w
     std::size_t j = k / narrow * narrow;
     for (; j + wide <= stride; j += wide) reflect_panel<wide, 2>(r + k * stride + j, x + j, rows, stride, v, tau);
     for (; j < stride; j += narrow) reflect_panel<narrow, 4>(r + k * stride + j, x + j, rows, stride, v, tau);
-    // The first panel also holds columns left of it: zero in R and below it, so only the pivot needs its exact value.
     r[k * stride + k] = beta;
-    for (std::size_t i = 0; i < rows; ++i) x[i * stride + k] = 0.0;
   }
+  // The first panel of a step also holds columns that are done: what it leaves there, below the diagonal of R and in X, is
+  // rounding noise that nobody reads.
+  std::fill(x, x + rows * stride, 0.0);
 }
 
 /// Adds XᵀX to the upper triangle g; X is cleared.
@@ -124,7 +125,10 @@ void Triangle::merge(Triangle& other) {
     return;
   }
   double* rows = append(width_);
-  std::copy(other.triangle_.begin(), other.triangle_.end(), rows);
+  for (std::size_t i = 0; i < width_; ++i) {
+    const std::size_t at = i * stride_ + i;
+    std::copy_n(other.triangle_.data() + at, width_ - i, rows + at);
+  }
   rows_pushed_ = pushed;
 }
 
