@@ -45,7 +45,7 @@ MatrixXcd matrix_at(const frf::FrfSet& set, std::size_t line, const std::vector<
 
 }  // namespace
 
-std::vector<double> solve_plainly(const problems::Measurement& measurement) {
+std::vector<double> solve_plainly(const problems::Measurement& measurement, DenseQr qr) {
   static const MatrixXd t = restriction();
   const frf::FrfSet& assembly = measurement.assembly;
   std::vector<frf::Dof> joint_dofs = {frf::Dof::parse("4:+Y"), frf::Dof::parse("4:+RZ"), frf::Dof::parse("5:+Y"),
@@ -86,7 +86,8 @@ std::vector<double> solve_plainly(const problems::Measurement& measurement) {
     right.segment(2 * equations * line, equations) = alpha * g.real();
     right.segment(2 * equations * line + equations, equations) = alpha * g.imag();
   }
-  const VectorXd y = stacked.householderQr().solve(right);
+  const VectorXd y = qr == DenseQr::pivoted ? VectorXd(stacked.colPivHouseholderQr().solve(right))
+                                            : VectorXd(stacked.householderQr().solve(right));
   return {y.begin(), y.end()};
 }
 

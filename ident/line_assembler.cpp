@@ -35,11 +35,14 @@ bool worth_compressing(std::size_t m, std::size_t l, std::size_t na, std::size_t
 
 }  // namespace
 
-LineAssembler::LineAssembler(const AssemblySpec& spec) : spec_(spec) {
+void make_expanders(AssemblySpec& spec) {
+  spec.expanders.clear();
   for (const Support& support : spec.supports) {
-    expanders_.emplace_back(*spec.restriction, support.a_dofs, support.b_dofs, support.unknowns, spec.omega0);
+    spec.expanders.emplace_back(*spec.restriction, support.a_dofs, support.b_dofs, support.unknowns, spec.omega0);
   }
 }
+
+LineAssembler::LineAssembler(const AssemblySpec& spec) : spec_(spec), expanders_(spec.expanders) {}
 
 void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
   line_columns_ = spec_.columns->at(line.frequency_hz);

@@ -26,7 +26,11 @@ struct AssemblySpec {
   double omega0 = 0.0;                     ///< rad/s, reference of T_f: the highest used frequency
   std::vector<Support> supports;           ///< at least one
   std::vector<std::size_t> column_support; ///< [L] which support a column of B belongs to
+  std::vector<RowExpander> expanders;      ///< one per support, made by make_expanders()
 };
+
+/// Expanders of all supports; the plan makes them once, each assembler works on copies.
+void make_expanders(AssemblySpec& spec);
 
 struct EquationCount {
   std::size_t used = 0;

@@ -83,6 +83,7 @@ void plan_assembly(Plan& plan) {
     for (const frf::Dof& dof : columns) column_source.push_back(plan.substructures->source_of(dof));
   }
   choose_supports(plan.restriction, joint_source, column_source, columns.size(), spec);
+  make_expanders(spec);
 }
 
 std::size_t a_rows(const Plan& plan) {

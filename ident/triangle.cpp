@@ -37,6 +37,7 @@ JOINTID_INLINE void reflect_panel(double* top, double* block, std::size_t rows, 
     sum[j] *= tau;
     top[j] -= sum[j];
   }
+#pragma GCC unroll 4
   for (i = 0; i < rows; ++i) {
     double* row = block + i * stride;
 #pragma omp simd
@@ -48,6 +49,7 @@ JOINTID_INLINE void reflect_panel(double* top, double* block, std::size_t rows, 
 JOINTID_KERNEL void reduce(double* r, double* x, std::size_t rows, std::size_t width, std::size_t stride, double* v) {
   for (std::size_t k = 0; k < width; ++k) {
     double below = 0.0;
+#pragma GCC unroll 8
     for (std::size_t i = 0; i < rows; ++i) v[i] = x[i * stride + k];
 #pragma omp simd reduction(+ : below)
     for (std::size_t i = 0; i < rows; ++i) below += v[i] * v[i];
