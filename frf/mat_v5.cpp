@@ -116,35 +116,13 @@ std::vector<std::string> characters(const matvar_t& variable) {
   return texts;
 }
 
-/// matio fills what a truncated file lacks with zeros, so the lengths of the elements are checked before:
-/// after a header of 128 bytes follow elements of a type, a length in bytes and as many bytes.
-bool is_whole(const std::filesystem::path& path) {
-  constexpr std::uintmax_t header_bytes = 128;
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  std::ifstream in(path, std::ios::binary);
-  std::array<unsigned char, 8> tag{};
-  const auto read_tag = [&](std::uintmax_t at) {
-    in.seekg(static_cast<std::streamoff>(at));
-    return static_cast<bool>(in.read(reinterpret_cast<char*>(tag.data()), tag.size()));
-  };
-  if (size < header_bytes || !read_tag(header_bytes - tag.size())) return false;
-  const bool little_endian = tag[6] == 'I' && tag[7] == 'M';
-  std::uintmax_t at = header_bytes;
-  while (at < size && read_tag(at)) {
-    std::uintmax_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = 256 * length + tag[little_endian ? 7 - i : 4 + i];
-    at += tag.size() + length;
-  }
-  return at == size;
-}
-
 class MatV5 final : public MatFile {
  public:
   explicit MatV5(const std::filesystem::path& path)
       : MatFile(path.string()),
         bytes_(std::filesystem::file_size(path)),
         mat_(Mat_Open(file_.c_str(), MAT_ACC_RDONLY)) {
-    if (!mat_ || !is_whole(path)) fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
+    if (!mat_ || !is_whole_v5(path)) fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
     while (const Variable next{Mat_VarReadNextInfo(mat_.get())}) {
       if (next->name != nullptr) variables_.push_back({next->name, kind_of(*next), dims_of(*next)});
     }
@@ -202,6 +180,26 @@ class MatV5 final : public MatFile {
 };
 
 }  // namespace
+
+bool is_whole_v5(const std::filesystem::path& path) {
+  constexpr std::uintmax_t header_bytes = 128;
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  std::ifstream in(path, std::ios::binary);
+  std::array<unsigned char, 8> tag{};
+  const auto read_tag = [&](std::uintmax_t at) {
+    in.seekg(static_cast<std::streamoff>(at));
+    return static_cast<bool>(in.read(reinterpret_cast<char*>(tag.data()), tag.size()));
+  };
+  if (size < header_bytes || !read_tag(header_bytes - tag.size())) return false;
+  const bool little_endian = tag[6] == 'I' && tag[7] == 'M';
+  std::uintmax_t at = header_bytes;
+  while (at < size && read_tag(at)) {
+    std::uintmax_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = 256 * length + tag[little_endian ? 7 - i : 4 + i];
+    at += tag.size() + length;
+  }
+  return at == size;
+}
 
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) {
   return std::make_unique<MatV5>(path);

@@ -8,6 +8,7 @@
 #include "frf/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/mat_file.hpp"
+#include "frf/mat_variable.hpp"
 #include "frf/temporary_file.hpp"
 
 namespace jointid::frf {
@@ -129,7 +130,8 @@ void write_mat(const FrfSet& set, const std::filesystem::path& path) {
   }
   MatWriter writer(temporary.path());
   write_all(writer, set);
-  if (!writer.close() || std::filesystem::file_size(temporary.path()) < writer.bytes()) {
+  if (!writer.close() || std::filesystem::file_size(temporary.path()) < writer.bytes() ||
+      !is_whole_v5(temporary.path())) {
     temporary.fail("matio did not write all of it");
   }
   temporary.commit();

@@ -255,6 +255,18 @@ TEST_F(MatV5File, AFolderThatIsNotThereIsAnError) {
   EXPECT_THAT(message_of([&] { write_mat(set, path("none/a.mat")); }), HasSubstr("cannot be written"));
 }
 
+TEST_F(MatV5File, ADiskThatFillsAtTheEndIsNoticed) {
+  std::mt19937 random(24);
+  const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::coherence);
+  write_mat(set, path("a.mat"));
+  const rlim_t size = std::filesystem::file_size(path("a.mat"));
+  for (rlim_t lacking = 1; lacking < std::min<rlim_t>(size, 400); ++lacking) {
+    const SmallDisk disk(size - lacking);
+    EXPECT_THAT(message_of([&] { write_mat(set, path("a.mat")); }), HasSubstr("cannot be written"));
+  }
+  expect_same(read(), set, 0.0);
+}
+
 class MeasuredMat : public MatV5File {
  protected:
   void SetUp() override {
