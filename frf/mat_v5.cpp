@@ -122,7 +122,8 @@ class MatV5 final : public MatFile {
       : MatFile(path.string()),
         bytes_(std::filesystem::file_size(path)),
         mat_(Mat_Open(file_.c_str(), MAT_ACC_RDONLY)) {
-    if (!mat_ || !is_whole_v5(path)) fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
+    if (!mat_ || !is_whole_v5(path))
+      fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
     while (const Variable next{Mat_VarReadNextInfo(mat_.get())}) {
       if (next->name != nullptr) variables_.push_back({next->name, kind_of(*next), dims_of(*next)});
     }
