@@ -103,12 +103,14 @@ std::vector<Complex> numbers(const matvar_t& variable) {
 /// Rows of a character array; codes beyond ASCII become '?'.
 std::vector<std::string> characters(const matvar_t& variable) {
   const std::vector<std::size_t> dims = dims_of(variable);
-  const std::size_t rows = dims.empty() ? 0 : dims[0];
   const auto width = static_cast<std::size_t>(variable.data_size);
-  if (rows == 0 || variable.data == nullptr || width == 0) return {""};
+  if (variable.data == nullptr || width == 0) return {""};
+  const std::size_t count = std::min(size(variable), variable.nbytes / width);
+  const std::size_t rows = dims.empty() ? 0 : dims[0];
+  if (rows == 0 || rows > count) return {""};
   const auto* bytes = static_cast<const unsigned char*>(variable.data);
   std::vector<std::string> texts(rows);
-  for (std::size_t i = 0; i < std::min(size(variable), variable.nbytes / width); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     unsigned code = bytes[i * width];
     if (width > 1) code += 256u * bytes[i * width + 1];
     texts[i % rows] += code > 0 && code < 128 ? static_cast<char>(code) : '?';
