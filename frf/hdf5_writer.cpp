@@ -108,7 +108,8 @@ class Hdf5Writer::File {
       ok = noise_.is_open();
     } else if (ok && header_.noise == NoiseRecord::coherence) {
       noise_ = hdf5::create_lines(file_, "coherence", real, dims, lines_per_chunk_, compression);
-      ok = noise_.is_open() && hdf5::write_number_attribute(noise_, "averages", header_.averages);
+      ok = noise_.is_open() &&
+           (header_.averages == 0.0 || hdf5::write_number_attribute(noise_, "averages", header_.averages));
     }
     return ok;
   }

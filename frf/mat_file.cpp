@@ -125,15 +125,21 @@ class Reader {
   }
 
   void read_coherence(const MatInfo& info) {
-    const MatInfo* averages = lookup_.find("averages");
-    const bool given = averages != nullptr && averages->kind == MatKind::real && size(*averages) == 1;
-    set_.header.averages = given ? file_.read(*averages).values.front().real() : 0.0;
-    if (info.kind != MatKind::real || !(set_.header.averages >= 1.0)) {
-      lookup_.fail(place_of(info.name), "is not real, or has no number of averages",
-                   "add averages = their number");
-    }
+    if (info.kind != MatKind::real)
+      lookup_.fail(place_of(info.name), "is not real", "give coherences between 0 and 1");
+    if (const MatInfo* averages = lookup_.find("averages")) set_.header.averages = read_averages(*averages);
     set_.header.noise = NoiseRecord::coherence;
     for (const Complex& value : ordered(info)) set_.coherence.push_back(value.real());
+  }
+
+  double read_averages(const MatInfo& info) {
+    const bool scalar = info.kind == MatKind::real && size(info) == 1;
+    const double value = scalar ? file_.read(info).values.front().real() : 0.0;
+    if (!(value >= 1.0)) {
+      lookup_.fail(place_of(info.name), "is not a number of averages",
+                   "give how many the coherences come from");
+    }
+    return value;
   }
 
   void to_receptance() {

@@ -37,6 +37,11 @@ bool same_name(std::string_view a, std::string_view b) {
       [](unsigned char c) { return std::tolower(c); });
 }
 
+bool is_vector(const MatInfo& info) {
+  return info.kind == MatKind::real &&
+         std::ranges::count_if(info.dims, [](std::size_t n) { return n != 1; }) <= 1;
+}
+
 std::string listed(const MatFile& file, const std::function<bool(const MatInfo&)>& keep) {
   std::string text;
   for (const MatInfo& info : file.variables()) {
@@ -69,8 +74,7 @@ const MatInfo* MatLookup::find(std::string_view name) const {
 std::vector<double> MatLookup::axis() const {
   for (const AxisName& axis : axis_names) {
     const MatInfo* info = find(axis.name);
-    if (info == nullptr || info->kind != MatKind::real || std::ranges::max(info->dims) != size(*info))
-      continue;
+    if (info == nullptr || !is_vector(*info)) continue;
     std::vector<double> values;
     for (const Complex& value : file_.read(*info).values) values.push_back(axis.to_hz * value.real());
     return values;
@@ -84,7 +88,7 @@ const MatInfo& MatLookup::frf(const std::string& variable, std::size_t lines) co
   if (find("frf") != nullptr) return named_frf("frf");
   const auto candidate = [&](const MatInfo& info) {
     return info.kind == MatKind::complex && !same_name(info.name, "variance") &&
-           std::ranges::find(info.dims, lines) != info.dims.end();
+           !same_name(info.name, "coherence") && std::ranges::find(info.dims, lines) != info.dims.end();
   };
   const auto& variables = file_.variables();
   const auto count = std::ranges::count_if(variables, candidate);

@@ -113,7 +113,7 @@ void write_all(MatWriter& writer, const FrfSet& set) {
                  [&](const LineScale& s, std::size_t i) { return s.variance(set.variance[i]); });
   }
   if (!set.coherence.empty()) {
-    writer.write_reals("averages", {1, 1}, {header.averages});
+    if (header.averages > 0.0) writer.write_reals("averages", {1, 1}, {header.averages});
     writer.write_reals(
         "coherence", {header.lines(), header.response.size(), header.reference.size()},
         first_index_fastest<double>(set, [&](std::size_t, std::size_t i) { return set.coherence[i]; }));

@@ -215,10 +215,16 @@ TEST_F(MatV5File, WhatIsMissingOrDoubtfulIsNamed) {
                     options),
               HasSubstr("variable response_dof: is not text"));
   EXPECT_THAT(error(with([](Maker& m) {
-                      m.reals("coherence", {3, 1}, {1, 1, 1});
+                      m.counting("coherence", {3, 1});
                     }),
                     options),
-              HasSubstr("variable coherence: is not real, or has no number of averages"));
+              HasSubstr("variable coherence: is not real"));
+  EXPECT_THAT(error(with([](Maker& m) {
+                      m.reals("coherence", {3, 1}, {1, 1, 1});
+                      m.reals("averages", {1, 1}, {0});
+                    }),
+                    options),
+              HasSubstr("variable averages: is not a number of averages"));
   EXPECT_THAT(error(with([](Maker& m) {
                       m.reals("coherence", {1, 1}, {1});
                     }),

@@ -27,6 +27,18 @@ TEST_F(Open, KnowsEveryFormatByItsContent) {
   }
 }
 
+TEST_F(Open, ACoherenceOfUnknownAveragesIsKept) {
+  std::mt19937 random(34);
+  FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::coherence);
+  set.header.averages = 0.0;
+  std::vector<std::string> formats = {"h5", "csv"};
+  if (JOINTID_HAVE_MATIO) formats.push_back("mat");
+  for (const std::string& format : formats) {
+    write(set, path("a.data"), format);
+    expect_same(load(*open(path("a.data"))), set, 0.0);
+  }
+}
+
 TEST_F(Open, TheExtensionChoosesWhatIsWritten) {
   std::mt19937 random(32);
   const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::none);
