@@ -1,9 +1,7 @@
 #include "frf/hdf5_file.hpp"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <numeric>
 
 #include "file_fixture.hpp"
@@ -166,21 +164,6 @@ TEST_F(Hdf5File, WhereNothingCanBeWrittenIsAnError) {
   EXPECT_THAT(message_of([&] { write_hdf5(set, path("a.h5"), {.compression = 10}); }, ErrorKind::usage),
               HasSubstr("10 is not a deflate level"));
 }
-
-/// Lets files grow to `bytes` only, as a full disk does, while it lives.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    ::getrlimit(RLIMIT_FSIZE, &old_);
-    const rlimit small{bytes, old_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &small);
-  }
-  ~SmallDisk() { ::setrlimit(RLIMIT_FSIZE, &old_); }
-
- private:
-  rlimit old_{};
-};
 
 TEST_F(Hdf5File, AFullDiskIsAnErrorThatLeavesNothing) {
   std::mt19937 random(9);
