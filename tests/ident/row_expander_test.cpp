@@ -97,7 +97,7 @@ void check(const restrictions::Restriction& restriction, const std::vector<std::
   expander.set_line(3.0 * omega);  // a line before must leave nothing
   expander.set_line(omega);
   const std::size_t stride = unknowns.size() + 4;
-  const double size = expected.norm() + compressed.c.rows;
+  const double size = expected.norm() + product.c1.norm();
   for (std::size_t p = 0; p < p_count; ++p) {
     std::vector<double> rows(2 * q_count * stride, 0.0);
     expander.expand(compressed, p, rows.data(), stride);
