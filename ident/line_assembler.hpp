@@ -46,6 +46,11 @@ class LineAssembler {
 
   void add(const LineProduct& line, Accumulator& accumulator);
 
+  /// Since construction or the last reset.
+  void reset_counts() {
+    count_ = {};
+    lines_used_ = 0;
+  }
   const EquationCount& count() const { return count_; }
   std::size_t lines_used() const { return lines_used_; }
 

@@ -57,17 +57,6 @@ std::vector<restrictions::JointSpec> with_node_positions(std::vector<restriction
   return joints;
 }
 
-std::unique_ptr<EquationBuilder> make_builder(Plan& plan) {
-  switch (plan.scene.identify.method) {
-    case Method::two:
-      return make_method_two(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
-    case Method::direct:
-      return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
-    default:
-      return make_method_one(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
-  }
-}
-
 void plan_assembly(Plan& plan) {
   AssemblySpec& spec = plan.assembly_spec;
   spec.restriction = &plan.restriction;
@@ -171,6 +160,17 @@ void tell_left_out(Plan& plan) {
 }
 
 }  // namespace
+
+std::unique_ptr<EquationBuilder> make_builder(Plan& plan) {
+  switch (plan.scene.identify.method) {
+    case Method::two:
+      return make_method_two(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+    case Method::direct:
+      return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
+    default:
+      return make_method_one(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+  }
+}
 
 std::unique_ptr<Plan> make_plan(const Scene& scene) {
   auto substructures =
