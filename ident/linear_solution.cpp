@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "ident/column_scaling.hpp"
+#include "ident/null_space.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -38,30 +38,17 @@ MatrixXd stack(const Accumulator& accumulator) {
   return system;
 }
 
-FreeDirection direction(const VectorXd& v) {
-  FreeDirection free;
-  std::vector<std::size_t> order(static_cast<std::size_t>(v.size()));
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return std::abs(v[index(a)]) > std::abs(v[index(b)]); });
-  for (const std::size_t column : order) {
-    if (std::abs(v[index(column)]) >= 0.1 * std::abs(v[index(order[0])])) free.columns.push_back(column);
-  }
-  return free;
-}
-
 void judge(const MatrixXd& triangle, const VectorXd& pivots, LinearSolution& out) {
-  const Index n = triangle.cols();
-  const Index rank = index(out.rank);
-  if (n > svd_limit) {
-    const double last = pivots.size() > 0 ? std::abs(pivots[n - 1]) : 0.0;
-    out.condition = last > 0.0 ? std::abs(pivots[0]) / last : std::numeric_limits<double>::infinity();
-    if (rank == n) return;
-  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Index n = triangle.cols(), rank = index(out.rank);
+  const auto ratio = [&](const VectorXd& falling) {  // fewer rows than columns have no last value
+    return falling.size() == n && falling[n - 1] != 0.0 ? std::abs(falling[0] / falling[n - 1]) : infinity;
+  };
+  out.condition = ratio(pivots);
+  if (n > svd_limit && rank == n) return;
   const Eigen::BDCSVD<MatrixXd> svd(triangle, rank < n ? Eigen::ComputeFullV : 0);
-  const VectorXd& sigma = svd.singularValues();
-  out.condition = sigma[n - 1] > 0.0 ? sigma[0] / sigma[n - 1] : std::numeric_limits<double>::infinity();
-  for (Index k = rank; k < n; ++k) out.free_directions.push_back(direction(svd.matrixV().col(k)));
+  out.condition = ratio(svd.singularValues());
+  if (rank < n) tell_null_space(svd.matrixV().rightCols(n - rank), out);
 }
 
 }  // namespace
