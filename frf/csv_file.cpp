@@ -45,12 +45,13 @@ double read_si_factor(const CsvTable& table, const FrfHeader& header) {
 
 double read_averages(const CsvTable& table) {
   const auto key = table.keys.find("averages");
-  const std::string text = key == table.keys.end() ? "" : key->second;
+  if (key == table.keys.end()) return 0.0;
+  const std::string& text = key->second;
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size() && value >= 1.0) return value;
-  fail(table, "# averages", "'" + text + "' is not a number of averages, which coherences need",
-       "begin the file with e.g. # averages = 10");
+  fail(table, "# averages", "'" + text + "' is not a number of averages",
+       "write e.g. # averages = 10, or leave it out");
 }
 
 void read_noise_kind(const CsvTable& table, const CsvColumns& columns, FrfHeader& header) {

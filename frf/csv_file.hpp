@@ -16,7 +16,7 @@ bool looks_like_csv(std::span<const char> head);
 ///
 ///     # quantity = accelerance        optional; else OpenOptions::quantity
 ///     # unit = m/(s^2*N)              optional; default the SI unit of the quantity
-///     # averages = 10                 with coherence columns
+///     # averages = 10                 with coherence columns, if known
 ///     frequency_hz, 4:+Y/1:+Y re, 4:+Y/1:+Y im, 5:+Y/1:+Y mag, 5:+Y/1:+Y phase_deg, …
 ///     10.0, 1.2e-6, -3.4e-8, …
 ///

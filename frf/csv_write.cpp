@@ -44,8 +44,10 @@ std::string header_text(const FrfHeader& header) {
   if (header.noise == NoiseRecord::variance) parts.insert(parts.end(), {var_re, var_im});
   if (header.noise == NoiseRecord::coherence) {
     parts.push_back(coherence);
-    append_number(text += "# averages = ", header.averages);
-    text += '\n';
+    if (header.averages > 0.0) {
+      append_number(text += "# averages = ", header.averages);
+      text += '\n';
+    }
   }
   text += csv_frequency_column;
   for (const Dof& response : header.response) {

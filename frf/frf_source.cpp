@@ -21,7 +21,8 @@ class MemorySource final : public FrfSource {
     std::size_t next = 0;
     for (const std::size_t line : block.lines) {
       for (const std::size_t r : block.responses) {
-        for (const std::size_t c : block.references) out[next++] = from[set_.index(line, r, c)];
+        const T* row = from.data() + set_.index(line, r, 0);
+        for (const std::size_t c : block.references) out[next++] = row[c];
       }
     }
   }

@@ -213,9 +213,10 @@ void BlockReader::scatter(const Piece& piece, std::size_t lines, std::span<Compl
   for (std::size_t line = 0; line < lines; ++line) {
     Complex* to = out.data() + line * rows_ * columns_;
     for (std::size_t r = 0; r < piece.rows.size(); ++r) {
+      Complex* row = to + (piece.transposed ? piece.rows[r] : piece.rows[r] * columns_);
+      const std::size_t step = piece.transposed ? columns_ : 1;
       for (std::size_t c = 0; c < piece.columns.size(); ++c, ++from) {
-        Complex& target = piece.transposed ? to[piece.columns[c] * columns_ + piece.rows[r]]
-                                           : to[piece.rows[r] * columns_ + piece.columns[c]];
+        Complex& target = row[piece.columns[c] * step];
         if (piece.transposed && !std::isnan(target.real())) continue;
         target = *from * (piece.response_sign[r] * piece.reference_sign[c]);
       }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "frf/error.hpp"
 #include "frf/hdf5_line_reader.hpp"
@@ -118,11 +119,12 @@ class Hdf5Source final : public FrfSource {
     } else if (has_coherence) {
       coherence_.emplace(file_, "coherence", header_);
       const Dataset dataset = open_dataset(file_, "coherence");
-      header_.averages = hdf5::number_attribute(dataset, "averages").value_or(0.0);
-      if (!(header_.averages >= 1.0)) {
-        fail(dataset, "has no attribute averages of at least 1",
-             "write the number of averages behind the coherence");
+      const std::optional<double> averages = hdf5::number_attribute(dataset, "averages");
+      if (averages && !(*averages >= 1.0)) {
+        fail(dataset, fmt::format("attribute averages is {}", *averages),
+             "write the number of averages behind the coherence, or leave it out");
       }
+      header_.averages = averages.value_or(0.0);
       header_.noise = NoiseRecord::coherence;
     }
   }

@@ -14,7 +14,7 @@ bool has_format_attribute(const std::filesystem::path& path);
 /// which are read line by line when asked for. Root attributes format = "jointid-frf", version = 1; datasets
 /// frequency [F] (Hz), response_dof [R], reference_dof [C] (text), frf [F,R,C] ({r,i}, attributes quantity
 /// and unit), optional variance [F,R,C] ({r,i}: variances of the real and the imaginary part of frf, its unit
-/// squared) or coherence [F,R,C] (attribute averages), optional node_id [P] and node_position [P,3] (m).
+/// squared) or coherence [F,R,C] (attribute averages, if known), optional node_id [P] and node_position [P,3] (m).
 /// Throws InputError naming the dataset or attribute that breaks the layout.
 std::unique_ptr<FrfSource> open_hdf5(const std::filesystem::path& path);
 

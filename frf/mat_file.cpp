@@ -2,72 +2,33 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <functional>
-#include <numbers>
-#include <numeric>
 
 #include "frf/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/located.hpp"
-#include "frf/mat_variable.hpp"
+#include "frf/mat_lookup.hpp"
 #include "frf/units.hpp"
 
 namespace jointid::frf {
 namespace {
 
-struct AxisName {
-  std::string_view name;
-  double to_hz;
-};
-constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
-constexpr std::array<AxisName, 9> axis_names = {{{"frequency_hz", 1.0},
-                                                 {"frequency", 1.0},
-                                                 {"freq", 1.0},
-                                                 {"f", 1.0},
-                                                 {"freq_hz", 1.0},
-                                                 {"frequencies", 1.0},
-                                                 {"freq_domain", 1.0},
-                                                 {"w", from_rad_per_s},
-                                                 {"omega", from_rad_per_s}}};
-
-/// One letter must match in case too: f is a frequency and F may be a force.
-bool same_name(std::string_view a, std::string_view b) {
-  if (a.size() == 1) return a == b;
-  return std::ranges::equal(
-      a, b, {}, [](unsigned char c) { return std::tolower(c); },
-      [](unsigned char c) { return std::tolower(c); });
-}
-
-std::string place_of(std::string_view name) { return "variable " + std::string(name); }
-
-std::string shape(const MatInfo& info) {
-  std::string text;
-  for (const std::size_t extent : info.dims) text += (text.empty() ? "" : "x") + std::to_string(extent);
-  return text;
-}
-
-std::size_t size(const MatInfo& info) {
-  return std::accumulate(info.dims.begin(), info.dims.end(), std::size_t{1}, std::multiplies<>());
-}
-
 /// Finds and reads what the conventions name.
 class Reader {
  public:
-  Reader(MatFile& file, const OpenOptions& options) : file_(file), options_(options) {}
+  Reader(MatFile& file, const OpenOptions& options) : file_(file), lookup_(file), options_(options) {}
 
   FrfSet read() {
     FrfHeader& header = set_.header;
     header.file = file_.file();
-    header.frequency_hz = read_axis();
-    const MatInfo& frf = choose_frf();
-    header.response = read_dofs("response_dof", options_.response);
-    header.reference = read_dofs("reference_dof", options_.reference);
+    header.frequency_hz = lookup_.axis();
+    const MatInfo& frf = lookup_.frf(options_.variable, header.lines());
+    header.response = lookup_.dofs("response_dof", options_.response);
+    header.reference = lookup_.dofs("reference_dof", options_.reference);
     if (header.reference.empty()) header.reference = header.response;
     header.quantity = read_quantity();
     if (header.response.empty()) {
-      fail({}, "does not say at which DOFs " + frf.name + " was measured",
-           "give the response and reference DOFs, or add cell arrays response_dof and reference_dof");
+      lookup_.fail({}, "does not say at which DOFs " + frf.name + " was measured",
+                   "give the response and reference DOFs, or add cell arrays response_dof and reference_dof");
     }
     validate(header);
     set_.values = ordered(frf);
@@ -77,102 +38,13 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void fail(std::string place, std::string problem, std::string remedy) const {
-    throw InputError({.kind = ErrorKind::data,
-                      .file = file_.file(),
-                      .place = std::move(place),
-                      .problem = std::move(problem),
-                      .remedy = std::move(remedy)});
-  }
-
-  const MatInfo* find(std::string_view name) const {
-    const auto& all = file_.variables();
-    const auto found =
-        std::ranges::find_if(all, [&](const MatInfo& info) { return same_name(info.name, name); });
-    return found == all.end() ? nullptr : &*found;
-  }
-
-  std::string listed(const std::function<bool(const MatInfo&)>& keep) const {
-    std::string text;
-    for (const MatInfo& info : file_.variables()) {
-      if (keep(info)) text += (text.empty() ? "" : ", ") + info.name + " [" + shape(info) + "]";
-    }
-    return text.empty() ? "none" : text;
-  }
-
-  std::vector<double> read_axis() {
-    for (const AxisName& axis : axis_names) {
-      const MatInfo* info = find(axis.name);
-      if (info == nullptr || info->kind != MatKind::real || std::ranges::max(info->dims) != size(*info))
-        continue;
-      std::vector<double> values;
-      for (const Complex& value : file_.read(*info).values) values.push_back(axis.to_hz * value.real());
-      return values;
-    }
-    fail({}, "has no vector of frequencies; its variables are " + listed([](const MatInfo&) { return true; }),
-         "add one named frequency (Hz) or omega (rad/s)");
-  }
-
-  bool is_candidate(const MatInfo& info) const {
-    return info.kind == MatKind::complex && !same_name(info.name, "variance") &&
-           std::ranges::find(info.dims, set_.header.lines()) != info.dims.end();
-  }
-
-  const MatInfo& choose_frf() const {
-    if (!options_.variable.empty()) return named_frf(options_.variable);
-    if (find("frf") != nullptr) return named_frf("frf");
-    const auto candidate = [this](const MatInfo& info) { return is_candidate(info); };
-    const auto& all = file_.variables();
-    const auto count = std::ranges::count_if(all, candidate);
-    if (count == 1) return *std::ranges::find_if(all, candidate);
-    const std::string axis = std::to_string(set_.header.lines());
-    if (count > 1) fail({}, "several variables may be the FRFs: " + listed(candidate), "name one of them");
-    fail({},
-         "has no complex array with an axis of " + axis + " lines; its variables are " +
-             listed([](const MatInfo&) { return true; }),
-         "add one named frf");
-  }
-
-  const MatInfo& named_frf(const std::string& name) const {
-    const MatInfo* info = find(name);
-    if (info == nullptr) {
-      fail({}, "has no variable " + name + "; there are " + listed([](const MatInfo&) { return true; }),
-           "name one of them");
-    }
-    if (info->kind != MatKind::complex && info->kind != MatKind::real) {
-      fail(place_of(name), "is no array of numbers",
-           "name one of " + listed([this](const MatInfo& other) { return is_candidate(other); }));
-    }
-    return *info;
-  }
-
-  std::vector<Dof> read_dofs(const char* name, const std::vector<Dof>& otherwise) {
-    const MatInfo* info = find(name);
-    if (info == nullptr) return otherwise;
-    if (info->kind != MatKind::text)
-      fail(place_of(name), "is not text", "write a cell array such as {'4:+Y'; '5:+Y'}");
-    std::vector<Dof> dofs;
-    for (std::string text : file_.read(*info).texts) {
-      text.resize(text.find_last_not_of(' ') + 1);  // rows of characters are padded with blanks
-      dofs.push_back(located(file_.file(), place_of(name), [&] { return Dof::parse(text); }));
-    }
-    return dofs;
-  }
-
-  std::string read_text(const char* name) {
-    const MatInfo* info = find(name);
-    if (info == nullptr || info->kind != MatKind::text) return {};
-    const MatVariable variable = file_.read(*info);
-    return variable.texts.empty() ? std::string() : variable.texts.front();
-  }
-
   Quantity read_quantity() {
-    const std::string text = read_text("quantity");
+    const std::string text = lookup_.text("quantity");
     if (!text.empty())
       return located(file_.file(), place_of("quantity"), [&] { return parse_quantity(text); });
     if (options_.quantity) return *options_.quantity;
-    fail({}, "does not say which quantity it holds",
-         "give the quantity, or add a text quantity = 'accelerance'");
+    lookup_.fail({}, "does not say which quantity it holds",
+                 "give the quantity, or add a text quantity = 'accelerance'");
   }
 
   /// Whether an array may be [F,R,C] or [F,N], and whether it may be [R,C,F] or [N,F].
@@ -193,18 +65,18 @@ class Reader {
     const auto [first, last] = orders(info);
     if (!first && !last) {
       const FrfHeader& header = set_.header;
-      fail(place_of(info.name),
-           "is [" + shape(info) + "] where " + std::to_string(header.lines()) + " lines, " +
-               std::to_string(header.response.size()) + " responses and " +
-               std::to_string(header.reference.size()) + " references are expected",
-           "shape it [F,R,C], [R,C,F] or [F,R*C], or give other DOFs");
+      lookup_.fail(place_of(info.name),
+                   "is [" + shape(info) + "] where " + std::to_string(header.lines()) + " lines, " +
+                       std::to_string(header.response.size()) + " responses and " +
+                       std::to_string(header.reference.size()) + " references are expected",
+                   "shape it [F,R,C], [R,C,F] or [F,R*C], or give other DOFs");
     }
-    const std::string axes = read_text("axes");
+    const std::string axes = lookup_.text("axes");
     if (axes == "FRC" && first) return false;
     if (axes == "RCF" && last) return true;
     if (first && last && set_.header.lines() > 1 && set_.header.entries() > 1) {
-      fail(place_of(info.name), "[" + shape(info) + "] may be [F,R,C] or [R,C,F]",
-           "add a text axes = 'FRC' or 'RCF'");
+      lookup_.fail(place_of(info.name), "[" + shape(info) + "] may be [F,R,C] or [R,C,F]",
+                   "add a text axes = 'FRC' or 'RCF'");
     }
     return last;
   }
@@ -227,16 +99,17 @@ class Reader {
   }
 
   void read_noise(const MatInfo& frf) {
-    const MatInfo* variance = find("variance");
-    const MatInfo* coherence = find("coherence");
+    const MatInfo* variance = lookup_.find("variance");
+    const MatInfo* coherence = lookup_.find("coherence");
     for (const MatInfo* noise : {variance, coherence}) {
       if (noise != nullptr && noise->dims != frf.dims) {
-        fail(place_of(noise->name), "is [" + shape(*noise) + "] and " + frf.name + " [" + shape(frf) + "]",
-             "shape them alike");
+        lookup_.fail(place_of(noise->name),
+                     "is [" + shape(*noise) + "] and " + frf.name + " [" + shape(frf) + "]",
+                     "shape them alike");
       }
     }
     if (variance != nullptr && coherence != nullptr) {
-      fail({}, "has both variance and coherence", "keep the one that was measured");
+      lookup_.fail({}, "has both variance and coherence", "keep the one that was measured");
     }
     if (variance != nullptr) read_variance(*variance);
     if (coherence != nullptr) read_coherence(*coherence);
@@ -244,27 +117,34 @@ class Reader {
 
   void read_variance(const MatInfo& info) {
     if (info.kind != MatKind::complex) {
-      fail(place_of(info.name), "is not complex",
-           "give the variances of real and imaginary part as a complex array");
+      lookup_.fail(place_of(info.name), "is not complex",
+                   "give the variances of real and imaginary part as a complex array");
     }
     set_.header.noise = NoiseRecord::variance;
     set_.variance = ordered(info);
   }
 
   void read_coherence(const MatInfo& info) {
-    const MatInfo* averages = find("averages");
-    const bool given = averages != nullptr && averages->kind == MatKind::real && size(*averages) == 1;
-    set_.header.averages = given ? file_.read(*averages).values.front().real() : 0.0;
-    if (info.kind != MatKind::real || !(set_.header.averages >= 1.0)) {
-      fail(place_of(info.name), "is not real, or has no number of averages", "add averages = their number");
-    }
+    if (info.kind != MatKind::real)
+      lookup_.fail(place_of(info.name), "is not real", "give coherences between 0 and 1");
+    if (const MatInfo* averages = lookup_.find("averages")) set_.header.averages = read_averages(*averages);
     set_.header.noise = NoiseRecord::coherence;
     for (const Complex& value : ordered(info)) set_.coherence.push_back(value.real());
   }
 
+  double read_averages(const MatInfo& info) {
+    const bool scalar = info.kind == MatKind::real && size(info) == 1;
+    const double value = scalar ? file_.read(info).values.front().real() : 0.0;
+    if (!(value >= 1.0)) {
+      lookup_.fail(place_of(info.name), "is not a number of averages",
+                   "give how many the coherences come from");
+    }
+    return value;
+  }
+
   void to_receptance() {
     const FrfHeader& header = set_.header;
-    const std::string label = read_text("unit");
+    const std::string label = lookup_.text("unit");
     const double si = label.empty()
                           ? 1.0
                           : located(header.file, place_of("unit"), [&] { return si_factor(label, header); });
@@ -277,6 +157,7 @@ class Reader {
   }
 
   MatFile& file_;
+  MatLookup lookup_;
   const OpenOptions& options_;
   FrfSet set_;
 };

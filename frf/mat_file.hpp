@@ -19,7 +19,7 @@ namespace jointid::frf {
 ///     reference (default: the responses when the matrix is square);
 ///   - quantity, else OpenOptions::quantity; unit, else SI;
 ///   - axes: 'FRC' or 'RCF', for matrices whose sizes leave that open;
-///   - variance, or coherence and averages, shaped as the FRFs.
+///   - variance, or coherence (with the number averages, if known), shaped as the FRFs.
 /// Throws InputError naming the variable, and all candidates where there are several.
 std::unique_ptr<FrfSource> open_mat_v73(const std::filesystem::path& path, const OpenOptions& options = {});
 

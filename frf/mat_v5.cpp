@@ -103,39 +103,19 @@ std::vector<Complex> numbers(const matvar_t& variable) {
 /// Rows of a character array; codes beyond ASCII become '?'.
 std::vector<std::string> characters(const matvar_t& variable) {
   const std::vector<std::size_t> dims = dims_of(variable);
-  const std::size_t rows = dims.empty() ? 0 : dims[0];
   const auto width = static_cast<std::size_t>(variable.data_size);
-  if (rows == 0 || variable.data == nullptr || width == 0) return {""};
+  if (variable.data == nullptr || width == 0) return {""};
+  const std::size_t count = std::min(size(variable), variable.nbytes / width);
+  const std::size_t rows = dims.empty() ? 0 : dims[0];
+  if (rows == 0 || rows > count) return {""};
   const auto* bytes = static_cast<const unsigned char*>(variable.data);
   std::vector<std::string> texts(rows);
-  for (std::size_t i = 0; i < std::min(size(variable), variable.nbytes / width); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     unsigned code = bytes[i * width];
     if (width > 1) code += 256u * bytes[i * width + 1];
     texts[i % rows] += code > 0 && code < 128 ? static_cast<char>(code) : '?';
   }
   return texts;
-}
-
-/// matio fills what a truncated file lacks with zeros, so the lengths of the elements are checked before:
-/// after a header of 128 bytes follow elements of a type, a length in bytes and as many bytes.
-bool is_whole(const std::filesystem::path& path) {
-  constexpr std::uintmax_t header_bytes = 128;
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  std::ifstream in(path, std::ios::binary);
-  std::array<unsigned char, 8> tag{};
-  const auto read_tag = [&](std::uintmax_t at) {
-    in.seekg(static_cast<std::streamoff>(at));
-    return static_cast<bool>(in.read(reinterpret_cast<char*>(tag.data()), tag.size()));
-  };
-  if (size < header_bytes || !read_tag(header_bytes - tag.size())) return false;
-  const bool little_endian = tag[6] == 'I' && tag[7] == 'M';
-  std::uintmax_t at = header_bytes;
-  while (at < size && read_tag(at)) {
-    std::uintmax_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = 256 * length + tag[little_endian ? 7 - i : 4 + i];
-    at += tag.size() + length;
-  }
-  return at == size;
 }
 
 class MatV5 final : public MatFile {
@@ -144,7 +124,8 @@ class MatV5 final : public MatFile {
       : MatFile(path.string()),
         bytes_(std::filesystem::file_size(path)),
         mat_(Mat_Open(file_.c_str(), MAT_ACC_RDONLY)) {
-    if (!mat_ || !is_whole(path)) fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
+    if (!mat_ || !is_whole_v5(path))
+      fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
     while (const Variable next{Mat_VarReadNextInfo(mat_.get())}) {
       if (next->name != nullptr) variables_.push_back({next->name, kind_of(*next), dims_of(*next)});
     }
@@ -202,6 +183,26 @@ class MatV5 final : public MatFile {
 };
 
 }  // namespace
+
+bool is_whole_v5(const std::filesystem::path& path) {
+  constexpr std::uintmax_t header_bytes = 128;
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  std::ifstream in(path, std::ios::binary);
+  std::array<unsigned char, 8> tag{};
+  const auto read_tag = [&](std::uintmax_t at) {
+    in.seekg(static_cast<std::streamoff>(at));
+    return static_cast<bool>(in.read(reinterpret_cast<char*>(tag.data()), tag.size()));
+  };
+  if (size < header_bytes || !read_tag(header_bytes - tag.size())) return false;
+  const bool little_endian = tag[6] == 'I' && tag[7] == 'M';
+  std::uintmax_t at = header_bytes;
+  while (at < size && read_tag(at)) {
+    std::uintmax_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = 256 * length + tag[little_endian ? 7 - i : 4 + i];
+    at += tag.size() + length;
+  }
+  return at == size;
+}
 
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) {
   return std::make_unique<MatV5>(path);

@@ -8,6 +8,7 @@
 #include "frf/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/mat_file.hpp"
+#include "frf/mat_variable.hpp"
 #include "frf/temporary_file.hpp"
 
 namespace jointid::frf {
@@ -112,7 +113,7 @@ void write_all(MatWriter& writer, const FrfSet& set) {
                  [&](const LineScale& s, std::size_t i) { return s.variance(set.variance[i]); });
   }
   if (!set.coherence.empty()) {
-    writer.write_reals("averages", {1, 1}, {header.averages});
+    if (header.averages > 0.0) writer.write_reals("averages", {1, 1}, {header.averages});
     writer.write_reals(
         "coherence", {header.lines(), header.response.size(), header.reference.size()},
         first_index_fastest<double>(set, [&](std::size_t, std::size_t i) { return set.coherence[i]; }));
@@ -129,7 +130,8 @@ void write_mat(const FrfSet& set, const std::filesystem::path& path) {
   }
   MatWriter writer(temporary.path());
   write_all(writer, set);
-  if (!writer.close() || std::filesystem::file_size(temporary.path()) < writer.bytes()) {
+  if (!writer.close() || std::filesystem::file_size(temporary.path()) < writer.bytes() ||
+      !is_whole_v5(temporary.path())) {
     temporary.fail("matio did not write all of it");
   }
   temporary.commit();

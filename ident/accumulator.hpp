@@ -29,6 +29,7 @@ class Accumulator {
   /// Reduces all buffers; needed before the triangles are read.
   void flush();
   void merge(Accumulator& other);
+  void clear() { triangles_.clear(); }
 
  private:
   std::size_t columns_;

@@ -52,7 +52,7 @@ JOINTID_KERNEL void thin_qr(double* x_re, double* x_im, std::size_t m, std::size
     }
     // β = −e^{i·arg x₀}‖x‖; v = x − βe₁, whose first element has modulus |x₀| + ‖x‖: no cancellation.
     const double norm = std::sqrt(norm2);
-    const double head = std::hypot(x.re[0], x.im[0]);
+    const double head = std::sqrt(x.re[0] * x.re[0] + x.im[0] * x.im[0]);
     const double phase_re = head > 0.0 ? x.re[0] / head : 1.0;
     const double phase_im = head > 0.0 ? x.im[0] / head : 0.0;
     x.re[0] += phase_re * norm;
@@ -162,12 +162,34 @@ JOINTID_KERNEL void project_left(const double* d_re, const double* d_im, std::si
   }
 }
 
+JOINTID_KERNEL bool finite(const double* values, std::size_t count) {
+  double sum = 0.0;  // stays 0 unless some x·0 is NaN
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < count; ++i) sum += values[i] * 0.0;
+  return sum == 0.0;
+}
+
 void scale_columns(std::vector<double>& re, std::vector<double>& im, std::size_t rows, std::size_t columns,
                    std::span<const double> weight) {
   for (std::size_t k = 0; k < columns; ++k) {
     for (std::size_t i = 0; i < rows; ++i) {
       re[k * rows + i] *= weight[i];
       im[k * rows + i] *= weight[i];
+    }
+  }
+}
+
+/// Element (i,k) of a rows × columns matrix to two arrays, columns contiguous.
+template <class Element>
+void load(std::vector<double>& re, std::vector<double>& im, std::size_t rows, std::size_t columns,
+          const Element& element) {
+  re.resize(rows * columns);
+  im.resize(rows * columns);
+  for (std::size_t k = 0; k < columns; ++k) {
+    for (std::size_t i = 0; i < rows; ++i) {
+      const Complex value = element(i, k);
+      re[k * rows + i] = value.real();
+      im[k * rows + i] = value.imag();
     }
   }
 }
@@ -195,6 +217,14 @@ void copy_triangle(const std::vector<double>& re, const std::vector<double>& im,
 
 }  // namespace
 
+bool right_side_is_finite(const LineProduct& line) {
+  for (std::size_t m = 0; m < line.c1.rows; ++m) {
+    if (!finite(reinterpret_cast<const double*>(line.c1.data + m * line.c1.stride), 2 * line.c1.columns)) return false;
+    if (!finite(reinterpret_cast<const double*>(line.c2.data + m * line.c2.stride), 2 * line.c2.columns)) return false;
+  }
+  return true;
+}
+
 void SplitMatrix::resize(std::size_t r, std::size_t c) {
   rows = r;
   columns = c;
@@ -202,48 +232,44 @@ void SplitMatrix::resize(std::size_t r, std::size_t c) {
   im.resize(r * c);
 }
 
-void KroneckerCompressor::compress(const LineProduct& line, const SubProduct& part, Compressed& out) {
-  const std::size_t m = part.rows.size(), l_count = part.columns.size();
-  const std::size_t na = part.a_dofs.size(), nb = part.b_dofs.size();
-  const std::size_t p_count = std::min(m, na), q_count = std::min(l_count, nb);
-  const auto load = [](std::vector<double>& re, std::vector<double>& im, std::size_t rows, std::size_t columns,
-                       const auto& element) {
-    re.resize(rows * columns);
-    im.resize(rows * columns);
-    for (std::size_t k = 0; k < columns; ++k) {
-      for (std::size_t i = 0; i < rows; ++i) {
-        const Complex value = element(i, k);
-        re[k * rows + i] = value.real();
-        im[k * rows + i] = value.imag();
-      }
-    }
-  };
-  load(a_re_, a_im_, m, na, [&](std::size_t i, std::size_t k) { return weighted_a(line, part, i, k); });
-  load(b_re_, b_im_, l_count, nb, [&](std::size_t i, std::size_t k) { return weighted_b(line, part, i, k); });
-  qa_re_.resize(m * p_count);
-  qa_im_.resize(m * p_count);
-  qb_re_.resize(l_count * q_count);
-  qb_im_.resize(l_count * q_count);
-  tau_.resize(std::max(p_count, q_count));
-  thin_qr(a_re_.data(), a_im_.data(), m, na, qa_re_.data(), qa_im_.data(), tau_.data());
-  thin_qr(b_re_.data(), b_im_.data(), l_count, nb, qb_re_.data(), qb_im_.data(), tau_.data());
-  copy_triangle(a_re_, a_im_, m, na, out.ra);
-  copy_triangle(b_re_, b_im_, l_count, nb, out.rb);
-
+void KroneckerCompressor::factor_a(const LineProduct& line, const SubProduct& part, SplitMatrix& r) {
+  const std::size_t m = part.rows.size(), n = part.a_dofs.size(), steps = std::min(m, n);
+  load(a_re_, a_im_, m, n, [&](std::size_t i, std::size_t k) { return weighted_a(line, part, i, k); });
+  qa_re_.resize(m * steps);
+  qa_im_.resize(m * steps);
+  tau_.resize(steps);
+  thin_qr(a_re_.data(), a_im_.data(), m, n, qa_re_.data(), qa_im_.data(), tau_.data());
+  copy_triangle(a_re_, a_im_, m, n, r);
   // The weights of C go into Q_A and Q_B, so that C itself is read once and never copied.
-  scale_columns(qa_re_, qa_im_, m, p_count, part.row_weight);
-  scale_columns(qb_re_, qb_im_, l_count, q_count, part.column_weight);
-  const std::size_t stride = (l_count + width - 1) / width * width;
-  d_re_.resize(p_count * stride);
-  d_im_.resize(p_count * stride);
-  a_re_.assign(m * width, 0.0);  // the factors are copied out: their room serves as the panel of C
-  a_im_.assign(m * width, 0.0);
+  scale_columns(qa_re_, qa_im_, m, steps, part.row_weight);
+}
+
+void KroneckerCompressor::factor_b(const LineProduct& line, const SubProduct& part, SplitMatrix& r) {
+  const std::size_t l = part.columns.size(), n = part.b_dofs.size(), steps = std::min(l, n);
+  load(b_re_, b_im_, l, n, [&](std::size_t i, std::size_t k) { return weighted_b(line, part, i, k); });
+  qb_re_.resize(l * steps);
+  qb_im_.resize(l * steps);
+  tau_.resize(steps);
+  thin_qr(b_re_.data(), b_im_.data(), l, n, qb_re_.data(), qb_im_.data(), tau_.data());
+  copy_triangle(b_re_, b_im_, l, n, r);
+  scale_columns(qb_re_, qb_im_, l, steps, part.column_weight);
+}
+
+void KroneckerCompressor::compress(const LineProduct& line, const SubProduct& part, bool same_a, Compressed& out) {
+  if (!same_a) factor_a(line, part, out.ra);
+  factor_b(line, part, out.rb);
+  const std::size_t m = part.rows.size(), l = part.columns.size();
+  const std::size_t stride = (l + width - 1) / width * width;
+  d_re_.resize(out.ra.rows * stride);
+  d_im_.resize(out.ra.rows * stride);
+  panel_re_.resize(m * width);
+  panel_im_.resize(m * width);
   project_right_side(reinterpret_cast<const double*>(line.c1.data), line.c1.stride,
                      reinterpret_cast<const double*>(line.c2.data), line.c2.stride, part.rows.data(), m,
-                     part.columns.data(), l_count, qa_re_.data(), qa_im_.data(), p_count, d_re_.data(), d_im_.data(),
-                     stride, a_re_.data(), a_im_.data());
-  out.c.resize(p_count, q_count);
-  project_left(d_re_.data(), d_im_.data(), p_count, stride, qb_re_.data(), qb_im_.data(), l_count, q_count,
+                     part.columns.data(), l, qa_re_.data(), qa_im_.data(), out.ra.rows, d_re_.data(), d_im_.data(),
+                     stride, panel_re_.data(), panel_im_.data());
+  out.c.resize(out.ra.rows, out.rb.rows);
+  project_left(d_re_.data(), d_im_.data(), out.ra.rows, stride, qb_re_.data(), qb_im_.data(), l, out.rb.rows,
                out.c.re.data(), out.c.im.data());
 }
 

@@ -24,6 +24,9 @@ struct Compressed {
   SplitMatrix c;   ///< [P×Q]
 };
 
+/// Whether every element of C₁ and C₂ of a line is finite.
+bool right_side_is_finite(const LineProduct& line);
+
 /// Some rows and columns of a LineProduct, all of whose equations are in use, with their weights. Only the elements of Z_j
 /// in `a_dofs` × `b_dofs` have coefficients in them.
 struct SubProduct {
@@ -40,15 +43,20 @@ struct SubProduct {
 /// nothing is squared. Costs about 8(MN(N+L) + LN²) flops instead of the 8·M·L·N² of writing the equations out.
 class KroneckerCompressor {
  public:
-  void compress(const LineProduct& line, const SubProduct& part, Compressed& out);
+  /// With `same_a`, rows, row weights and a_dofs are those of the previous call on the same line, and A's factor is kept.
+  void compress(const LineProduct& line, const SubProduct& part, bool same_a, Compressed& out);
 
   /// The same equations without compression (P = M, Q = L): cheaper when there are few of them.
   static void copy(const LineProduct& line, const SubProduct& part, Compressed& out);
 
  private:
+  void factor_a(const LineProduct& line, const SubProduct& part, SplitMatrix& r);
+  void factor_b(const LineProduct& line, const SubProduct& part, SplitMatrix& r);
+
   std::vector<double> tau_;
   std::vector<double> a_re_, a_im_, b_re_, b_im_;      ///< factors, columns contiguous
   std::vector<double> qa_re_, qa_im_, qb_re_, qb_im_;  ///< Q_A, Q_B, columns contiguous
+  std::vector<double> panel_re_, panel_im_;            ///< a few columns of C
   std::vector<double> d_re_, d_im_;                    ///< Q_Aᴴ W_r C
 };
 

@@ -35,11 +35,14 @@ bool worth_compressing(std::size_t m, std::size_t l, std::size_t na, std::size_t
 
 }  // namespace
 
-LineAssembler::LineAssembler(const AssemblySpec& spec) : spec_(spec) {
+void make_expanders(AssemblySpec& spec) {
+  spec.expanders.clear();
   for (const Support& support : spec.supports) {
-    expanders_.emplace_back(*spec.restriction, support.a_dofs, support.b_dofs, support.unknowns, spec.omega0);
+    spec.expanders.emplace_back(*spec.restriction, support.a_dofs, support.b_dofs, support.unknowns, spec.omega0);
   }
 }
+
+LineAssembler::LineAssembler(const AssemblySpec& spec) : spec_(spec), expanders_(spec.expanders) {}
 
 void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
   line_columns_ = spec_.columns->at(line.frequency_hz);
@@ -51,11 +54,12 @@ void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
   ++lines_used_;
   weigh(line, regular);
   group(line, regular);
+  factored_ = nullptr;
   for (RowExpander& expander : expanders_) expander.set_line(2.0 * M_PI * line.frequency_hz);
-  const double factor = spec_.weighting == weighting::Weighting::wa ? wa_factor(line) : 1.0;
-  for (std::size_t g = 0; g < group_count_; ++g) {
-    compress(line, groups_[g]);
-    push(accumulator, groups_[g], factor);
+  if (spec_.weighting == weighting::Weighting::wa) {
+    push_weighted_after(line, accumulator);
+  } else {
+    for (std::size_t g = 0; g < group_count_; ++g) push(line, groups_[g], accumulator);
   }
 }
 
@@ -72,6 +76,17 @@ void LineAssembler::measure(const LineProduct& line) {
 /// Decides which equations are in use; true when all are, so that no mask is needed.
 bool LineAssembler::mask(const LineProduct& line) {
   const std::size_t rows = row_max_.size(), columns = column_max_.size();
+  const auto positive = [](double value) { return value > 0.0; };
+  const bool all_wanted = line.wanted[0][0] && line.wanted[0][1] && line.wanted[1][0] && line.wanted[1][1];
+  const bool one_class = line.row_class.front() == line.row_class.back();
+  const std::uint8_t row_class = line.row_class.front();
+  const bool rectangle = all_wanted || (one_class && line.wanted[row_class][line.column_class.front()] &&
+                                        line.wanted[row_class][line.column_class.back()]);
+  if (rectangle && spec_.delta == 0.0 && std::all_of(row_max_.begin(), row_max_.end(), positive) &&
+      std::all_of(column_max_.begin(), column_max_.end(), positive) && right_side_is_finite(line)) {
+    count_.used += rows * columns;
+    return true;
+  }
   keep_.assign(rows * columns, 1);
   std::size_t used = 0, wanted = 0;
   for (std::size_t m = 0; m < rows; ++m) {
@@ -152,46 +167,67 @@ void LineAssembler::compress(const LineProduct& line, const Group& group) {
                         .column_weight = group.column_weight};
   if (worth_compressing(group.rows.size(), group.columns.size(), support.a_dofs.size(), support.b_dofs.size(),
                         support.unknowns.size())) {
-    compressor_.compress(line, part, compressed_);
+    const bool same_a = factored_ != nullptr && factored_->rows == group.rows && factored_->row_weight == group.row_weight &&
+                        spec_.supports[factored_->support].a_dofs == support.a_dofs;
+    compressor_.compress(line, part, same_a, compressed_);
+    factored_ = &group;
   } else {
     KroneckerCompressor::copy(line, part, compressed_);
+    factored_ = nullptr;
   }
 }
 
-/// WA: 1/√(largest element of E₀ᵀE₀). That matrix is positive semidefinite, so its largest element is a squared column norm.
-double LineAssembler::wa_factor(const LineProduct& line) {
-  std::vector<double> norm2(spec_.columns->size(), 0.0);
+Triangle& LineAssembler::triangle(const Group& group, Accumulator& accumulator) {
+  group_columns_.clear();
+  for (const std::size_t unknown : spec_.supports[group.support].unknowns) {
+    group_columns_.push_back(line_columns_[unknown]);
+  }
+  return accumulator.triangle(group_columns_);
+}
+
+void LineAssembler::push(const LineProduct& line, const Group& group, Accumulator& accumulator) {
+  compress(line, group);
+  Triangle& to = triangle(group, accumulator);
+  const std::size_t equations = compressed_.ra.rows * compressed_.rb.rows;
+  for (std::size_t first = 0; first < equations; first += RowExpander::most) {
+    const std::size_t count = std::min(RowExpander::most, equations - first);
+    expanders_[group.support].expand(compressed_, first, count, to.append(2 * count), to.stride());
+  }
+}
+
+/// WA: the factor 1/√(largest element of E₀ᵀE₀) is known only when all rows of the line are written. That matrix is positive
+/// semidefinite, so its largest element is a squared column norm.
+void LineAssembler::push_weighted_after(const LineProduct& line, Accumulator& accumulator) {
+  norm2_.assign(spec_.restriction->unknowns.size(), 0.0);
+  line_rows_.clear();
   for (std::size_t g = 0; g < group_count_; ++g) {
     compress(line, groups_[g]);
     const Support& support = spec_.supports[groups_[g].support];
-    const std::size_t width = support.unknowns.size() + 1, rows = 2 * compressed_.rb.rows;
-    for (std::size_t p = 0; p < compressed_.ra.rows; ++p) {
-      scratch_.assign(rows * width, 0.0);
-      expanders_[groups_[g].support].expand(compressed_, p, scratch_.data(), width);
-      for (std::size_t i = 0; i < rows; ++i) {
-        for (std::size_t u = 0; u + 1 < width; ++u) {
-          const double value = scratch_[i * width + u];
-          norm2[line_columns_[support.unknowns[u]]] += value * value;
-        }
-      }
+    const std::size_t width = support.unknowns.size() + 1, equations = compressed_.ra.rows * compressed_.rb.rows;
+    const std::size_t written = line_rows_.size();
+    line_rows_.resize(written + 2 * equations * width, 0.0);
+    for (std::size_t first = 0; first < equations; first += RowExpander::most) {
+      const std::size_t count = std::min(RowExpander::most, equations - first);
+      expanders_[groups_[g].support].expand(compressed_, first, count, line_rows_.data() + written + 2 * first * width,
+                                            width);
     }
+    group_norm2_.assign(width, 0.0);
+    for (std::size_t i = 0; i < 2 * equations; ++i) {
+      const double* row = line_rows_.data() + written + i * width;
+      for (std::size_t u = 0; u < width; ++u) group_norm2_[u] += row[u] * row[u];
+    }
+    for (std::size_t u = 0; u + 1 < width; ++u) norm2_[support.unknowns[u]] += group_norm2_[u];
+    groups_[g].rows_written = 2 * equations;
   }
-  const double largest_square = *std::max_element(norm2.begin(), norm2.end());
-  return largest_square > 0.0 ? 1.0 / std::sqrt(largest_square) : 0.0;
-}
-
-void LineAssembler::push(Accumulator& accumulator, const Group& group, double factor) {
-  const Support& support = spec_.supports[group.support];
-  group_columns_.clear();
-  for (const std::size_t unknown : support.unknowns) group_columns_.push_back(line_columns_[unknown]);
-  Triangle& triangle = accumulator.triangle(group_columns_);
-  const std::size_t rows = 2 * compressed_.rb.rows, stride = triangle.stride();
-  for (std::size_t p = 0; p < compressed_.ra.rows; ++p) {
-    double* to = triangle.append(rows);
-    expanders_[group.support].expand(compressed_, p, to, stride);
-    if (factor == 1.0) continue;
-    for (std::size_t i = 0; i < rows; ++i) {
-      for (std::size_t u = 0; u <= support.unknowns.size(); ++u) to[i * stride + u] *= factor;
+  const double largest_square = *std::max_element(norm2_.begin(), norm2_.end());
+  const double factor = largest_square > 0.0 ? 1.0 / std::sqrt(largest_square) : 0.0;
+  const double* from = line_rows_.data();
+  for (std::size_t g = 0; g < group_count_; ++g) {
+    const std::size_t width = spec_.supports[groups_[g].support].unknowns.size() + 1;
+    Triangle& to = triangle(groups_[g], accumulator);
+    double* row = to.append(groups_[g].rows_written);
+    for (std::size_t i = 0; i < groups_[g].rows_written; ++i, row += to.stride(), from += width) {
+      for (std::size_t u = 0; u < width; ++u) row[u] = factor * from[u];
     }
   }
 }

@@ -26,7 +26,11 @@ struct AssemblySpec {
   double omega0 = 0.0;                     ///< rad/s, reference of T_f: the highest used frequency
   std::vector<Support> supports;           ///< at least one
   std::vector<std::size_t> column_support; ///< [L] which support a column of B belongs to
+  std::vector<RowExpander> expanders;      ///< one per support, made by make_expanders()
 };
+
+/// Expanders of all supports; the plan makes them once, each assembler works on copies.
+void make_expanders(AssemblySpec& spec);
 
 struct EquationCount {
   std::size_t used = 0;
@@ -42,6 +46,11 @@ class LineAssembler {
 
   void add(const LineProduct& line, Accumulator& accumulator);
 
+  /// Since construction or the last reset.
+  void reset_counts() {
+    count_ = {};
+    lines_used_ = 0;
+  }
   const EquationCount& count() const { return count_; }
   std::size_t lines_used() const { return lines_used_; }
 
@@ -50,6 +59,7 @@ class LineAssembler {
     std::size_t support = 0;
     std::vector<std::size_t> rows, columns;
     std::vector<double> row_weight, column_weight;
+    std::size_t rows_written = 0;  ///< real rows, while WA waits for its factor
   };
 
   void measure(const LineProduct& line);
@@ -57,8 +67,9 @@ class LineAssembler {
   void weigh(const LineProduct& line, bool regular);
   void group(const LineProduct& line, bool regular);
   void compress(const LineProduct& line, const Group& group);
-  double wa_factor(const LineProduct& line);
-  void push(Accumulator& accumulator, const Group& group, double factor);
+  void push(const LineProduct& line, const Group& group, Accumulator& accumulator);
+  void push_weighted_after(const LineProduct& line, Accumulator& accumulator);
+  Triangle& triangle(const Group& group, Accumulator& accumulator);
 
   const AssemblySpec& spec_;
   std::vector<RowExpander> expanders_;  ///< one per support
@@ -69,7 +80,8 @@ class LineAssembler {
   std::vector<std::uint8_t> keep_;
   std::vector<Group> groups_;
   std::size_t group_count_ = 0;
-  std::vector<double> scratch_;
+  const Group* factored_ = nullptr;  ///< whose A the compressor last factored at this line
+  std::vector<double> line_rows_, norm2_, group_norm2_;
   std::vector<std::size_t> line_columns_;  ///< of all unknowns at this line
   Accumulator::Columns group_columns_;
   EquationCount count_;

@@ -17,23 +17,26 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Above this many columns an SVD costs more than it tells; the condition is then estimated from the pivots.
+/// Above this many columns an SVD takes too long; the condition is then bounded from below by the pivots.
 constexpr Index svd_limit = 300;
 
 Index index(std::size_t i) { return static_cast<Index>(i); }
 
-/// All triangles one below the other, right-hand side last.
-MatrixXd stack(const Accumulator& accumulator) {
-  std::size_t rows = 0;
-  for (const auto& [columns, triangle] : accumulator.triangles()) rows += columns.size() + 1;
-  MatrixXd system = MatrixXd::Zero(index(rows), index(accumulator.columns() + 1));
-  Index row = 0;
+/// The triangles reduced to one over all columns, as rows [R | Qᵀp], with the residual norm as last diagonal element.
+MatrixXd reduce(const Accumulator& accumulator) {
+  const std::size_t n = accumulator.columns();
+  Triangle whole(n);
   for (const auto& [columns, triangle] : accumulator.triangles()) {
-    const std::size_t n = columns.size();
-    for (std::size_t i = 0; i <= n; ++i, ++row) {
-      for (std::size_t j = i; j < n; ++j) system(row, index(columns[j])) = triangle(i, j);
-      system(row, index(accumulator.columns())) = triangle(i, n);
+    for (std::size_t i = 0; i <= columns.size(); ++i) {
+      double* row = whole.append(1);
+      for (std::size_t j = i; j < columns.size(); ++j) row[columns[j]] = triangle(i, j);
+      row[n] = triangle(i, columns.size());
     }
+  }
+  whole.flush();
+  MatrixXd system = MatrixXd::Zero(index(n + 1), index(n + 1));
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = i; j <= n; ++j) system(index(i), index(j)) = whole(i, j);
   }
   return system;
 }
@@ -50,14 +53,9 @@ FreeDirection direction(const VectorXd& v) {
   return free;
 }
 
-void judge(const MatrixXd& triangle, const VectorXd& pivots, LinearSolution& out) {
+void judge(const MatrixXd& triangle, LinearSolution& out) {
   const Index n = triangle.cols();
   const Index rank = index(out.rank);
-  if (n > svd_limit) {
-    const double last = pivots.size() > 0 ? std::abs(pivots[n - 1]) : 0.0;
-    out.condition = last > 0.0 ? std::abs(pivots[0]) / last : std::numeric_limits<double>::infinity();
-    if (rank == n) return;
-  }
   const Eigen::BDCSVD<MatrixXd> svd(triangle, rank < n ? Eigen::ComputeFullV : 0);
   const VectorXd& sigma = svd.singularValues();
   out.condition = sigma[n - 1] > 0.0 ? sigma[0] / sigma[n - 1] : std::numeric_limits<double>::infinity();
@@ -66,28 +64,38 @@ void judge(const MatrixXd& triangle, const VectorXd& pivots, LinearSolution& out
 
 }  // namespace
 
-LinearSolution solve_dense(Accumulator& accumulator) {
+LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
   accumulator.flush();
   const Index n = index(accumulator.columns());
-  MatrixXd system = stack(accumulator);
+  MatrixXd system = reduce(accumulator);
   const VectorXd scale = power_of_two_scales(system.leftCols(n));
   system.leftCols(n) *= scale.asDiagonal();
-  if (accumulator.triangles().size() > 1) {
-    const Eigen::HouseholderQR<MatrixXd> reduction(system);
-    const Index kept = std::min(system.rows(), n + 1);
-    system = MatrixXd(reduction.matrixQR().topRows(kept).triangularView<Eigen::Upper>());
-  }
-  const MatrixXd triangle = system.topLeftCorner(std::min(n, system.rows()), n);
-  const VectorXd right = system.col(n).head(triangle.rows());
+  const MatrixXd triangle = system.topLeftCorner(n, n);
+  const VectorXd right = system.col(n).head(n);
   LinearSolution out;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition;
-  decomposition.setThreshold(16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
-  decomposition.compute(triangle);
-  out.rank = static_cast<std::size_t>(decomposition.rank());
-  const VectorXd y = scale.asDiagonal() * VectorXd(decomposition.solve(right));
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  const double threshold = 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  qr.setThreshold(threshold);
+  qr.compute(triangle);
+  out.rank = static_cast<std::size_t>(qr.rank());
+  VectorXd y;
+  if (qr.rank() == n) {
+    y = qr.solve(right);
+  } else {
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> minimum_norm;
+    minimum_norm.setThreshold(threshold);
+    minimum_norm.compute(triangle);
+    y = minimum_norm.solve(right);
+  }
+  out.residual_norm = std::hypot((triangle * y - right).norm(), system(n, n));
+  y = scale.asDiagonal() * y;
   out.y.assign(y.begin(), y.end());
-  out.residual_norm = (system.leftCols(n) * scale.cwiseInverse().asDiagonal() * y - system.col(n)).norm();
-  judge(triangle, decomposition.matrixQTZ().diagonal(), out);
+  if (condition == Condition::skip && qr.rank() == n) return out;
+  if (n <= svd_limit || qr.rank() < n) {
+    judge(triangle, out);
+  } else {
+    out.condition = std::abs(qr.matrixQR()(0, 0) / qr.matrixQR()(n - 1, n - 1));
+  }
   return out;
 }
 

@@ -20,9 +20,12 @@ struct LinearSolution {
   std::vector<FreeDirection> free_directions;
 };
 
+/// Whether LinearSolution::condition is computed; it takes an SVD, which costs more than a small solution itself.
+enum class Condition { skip, compute };
+
 /// Column-pivoted QR of the stacked triangles, columns scaled by powers of two (which rounds nothing). A pivot counts as
 /// zero when |R_kk| ≤ 16·n·ε·|R_11|.
-LinearSolution solve_dense(Accumulator& accumulator);
+LinearSolution solve_dense(Accumulator& accumulator, Condition condition = Condition::compute);
 
 /// Sparse QR (SPQR) of the stacked triangles, for systems whose equations touch few of many columns. Same scaling; a column
 /// counts as dependent when its pivot is ≤ 16·n·ε times the largest column norm.

@@ -57,17 +57,6 @@ std::vector<restrictions::JointSpec> with_node_positions(std::vector<restriction
   return joints;
 }
 
-std::unique_ptr<EquationBuilder> make_builder(Plan& plan) {
-  switch (plan.scene.identify.method) {
-    case Method::two:
-      return make_method_two(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
-    case Method::direct:
-      return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
-    default:
-      return make_method_one(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
-  }
-}
-
 void plan_assembly(Plan& plan) {
   AssemblySpec& spec = plan.assembly_spec;
   spec.restriction = &plan.restriction;
@@ -83,6 +72,7 @@ void plan_assembly(Plan& plan) {
     for (const frf::Dof& dof : columns) column_source.push_back(plan.substructures->source_of(dof));
   }
   choose_supports(plan.restriction, joint_source, column_source, columns.size(), spec);
+  make_expanders(spec);
 }
 
 std::size_t a_rows(const Plan& plan) {
@@ -170,6 +160,17 @@ void tell_left_out(Plan& plan) {
 }
 
 }  // namespace
+
+std::unique_ptr<EquationBuilder> make_builder(Plan& plan) {
+  switch (plan.scene.identify.method) {
+    case Method::two:
+      return make_method_two(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+    case Method::direct:
+      return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
+    default:
+      return make_method_one(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+  }
+}
 
 std::unique_ptr<Plan> make_plan(const Scene& scene) {
   auto substructures =

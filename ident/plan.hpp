@@ -59,4 +59,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene);
 std::unique_ptr<Plan> make_plan(const Scene& scene, std::unique_ptr<frf::FrfSystem> substructures,
                                 std::unique_ptr<frf::FrfSystem> assembly);
 
+/// A further builder for the plan's equations, for a thread of its own. Reading stays one at a time: the systems are shared.
+std::unique_ptr<EquationBuilder> make_builder(Plan& plan);
+
 }  // namespace jointid::ident

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "ident/kernel.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -46,39 +48,40 @@ RowExpander::RowExpander(const restrictions::Restriction& restriction, std::span
                          std::span<const std::size_t> b_dofs, std::span<const std::size_t> unknowns, double omega0)
     : unknowns_(unknowns.size()),
       omega0_(omega0),
-      product_re_(a_dofs.size() * b_dofs.size()),
-      product_im_(a_dofs.size() * b_dofs.size()) {
-  const auto element = [&](std::size_t row, std::size_t column, std::size_t& at) {
-    const std::size_t i = place(a_dofs, row), j = place(b_dofs, column);
-    at = i * b_dofs.size() + j;
-    return i < a_dofs.size() && j < b_dofs.size();
-  };
+      a_re_(most * a_dofs.size()),
+      a_im_(most * a_dofs.size()),
+      b_re_(most * b_dofs.size()),
+      b_im_(most * b_dofs.size()) {
   for (const restrictions::MatrixTerms& matrix : restriction.matrices) {
     Pattern pattern;
     Part part{.kind = matrix.kind, .pattern = 0, .columns = {}};
     std::map<std::size_t, std::size_t> local;
     for (const restrictions::Term& term : matrix.terms) {
-      std::size_t at = 0;
-      if (!element(term.row, term.column, at)) continue;
+      const std::size_t a = place(a_dofs, term.row), b = place(b_dofs, term.column);
+      if (a == a_dofs.size() || b == b_dofs.size()) continue;
       const auto [found, added] = local.try_emplace(term.unknown, local.size());
       if (added) part.columns.push_back(place(unknowns, term.unknown));
-      pattern.terms.push_back({at, found->second, term.coefficient});
+      pattern.terms.push_back({a, b, found->second, term.coefficient});
     }
     pattern.unknowns = local.size();
     for (const restrictions::Known& known : matrix.known) {
-      std::size_t at = 0;
-      if (element(known.row, known.column, at)) known_.push_back({matrix.kind, at, known.value});
+      const std::size_t a = place(a_dofs, known.row), b = place(b_dofs, known.column);
+      if (a < a_dofs.size() && b < b_dofs.size()) known_.push_back({matrix.kind, a, b, known.value});
     }
     if (pattern.terms.empty()) continue;
     const auto same = [&](const Pattern& other) {
       return std::equal(other.terms.begin(), other.terms.end(), pattern.terms.begin(), pattern.terms.end(),
                         [](const Term& a, const Term& b) {
-                          return a.element == b.element && a.unknown == b.unknown && a.coefficient == b.coefficient;
+                          return a.a == b.a && a.b == b.b && a.unknown == b.unknown && a.coefficient == b.coefficient;
                         });
     };
     const auto found = std::find_if(patterns_.begin(), patterns_.end(), same);
     part.pattern = static_cast<std::size_t>(found - patterns_.begin());
-    if (found == patterns_.end()) patterns_.push_back(std::move(pattern));
+    if (found == patterns_.end()) {
+      sum_re_.resize(std::max(sum_re_.size(), most * pattern.unknowns));
+      sum_im_.resize(sum_re_.size());
+      patterns_.push_back(std::move(pattern));
+    }
     parts_.push_back(std::move(part));
   }
   known_impedance_.resize(known_.size());
@@ -95,44 +98,73 @@ void RowExpander::set_line(double omega) {
   }
 }
 
-void RowExpander::expand(const Compressed& compressed, std::size_t p, double* rows, std::size_t stride) {
-  const std::size_t na = compressed.ra.columns, nb = compressed.rb.columns, q_count = compressed.rb.rows;
-  const double* a_re = compressed.ra.re.data() + p * na;
-  const double* a_im = compressed.ra.im.data() + p * na;
-  for (std::size_t q = 0; q < q_count; ++q) {
-    const double* b_re = compressed.rb.re.data() + q * nb;
-    const double* b_im = compressed.rb.im.data() + q * nb;
-    for (std::size_t i = 0; i < na; ++i) {
-      for (std::size_t j = 0; j < nb; ++j) {
-        product_re_[i * nb + j] = a_re[i] * b_re[j] - a_im[i] * b_im[j];
-        product_im_[i * nb + j] = a_re[i] * b_im[j] + a_im[i] * b_re[j];
+/// The rows of R_A and R_B of some equations, turned so that equations lie side by side.
+void RowExpander::gather(const Compressed& compressed, std::size_t first, std::size_t count) {
+  const auto turn = [&](const SplitMatrix& from, std::vector<double>& re, std::vector<double>& im, const auto& row_of) {
+    for (std::size_t e = 0; e < count; ++e) {
+      const std::size_t at = row_of(first + e) * from.columns;
+      for (std::size_t k = 0; k < from.columns; ++k) {
+        re[k * count + e] = from.re[at + k];
+        im[k * count + e] = from.im[at + k];
       }
     }
-    double* real_row = rows + 2 * q * stride;
-    double* imag_row = real_row + stride;
-    for (std::size_t k = 0; k < patterns_.size(); ++k) {
-      const Pattern& pattern = patterns_[k];
-      sum_re_.assign(pattern.unknowns, 0.0);
-      sum_im_.assign(pattern.unknowns, 0.0);
-      for (const Term& term : pattern.terms) {
-        sum_re_[term.unknown] += term.coefficient * product_re_[term.element];
-        sum_im_[term.unknown] += term.coefficient * product_im_[term.element];
-      }
-      for (const Part& part : parts_) {
-        if (part.pattern != k) continue;
-        for (std::size_t u = 0; u < pattern.unknowns; ++u) {
-          real_row[part.columns[u]] = part.re * sum_re_[u] - part.im * sum_im_[u];
-          imag_row[part.columns[u]] = part.re * sum_im_[u] + part.im * sum_re_[u];
-        }
-      }
+  };
+  const std::size_t q_count = compressed.rb.rows;
+  turn(compressed.ra, a_re_, a_im_, [&](std::size_t equation) { return equation / q_count; });
+  turn(compressed.rb, b_re_, b_im_, [&](std::size_t equation) { return equation % q_count; });
+}
+
+JOINTID_KERNEL void RowExpander::sum_terms(const std::vector<Term>& terms, const double* a_re, const double* a_im,
+                                           const double* b_re, const double* b_im, std::size_t count, double* sum_re,
+                                           double* sum_im) {
+  for (const Term& term : terms) {
+    const double c = term.coefficient;
+    const double* ar = a_re + term.a * count;
+    const double* ai = a_im + term.a * count;
+    const double* br = b_re + term.b * count;
+    const double* bi = b_im + term.b * count;
+    double* sr = sum_re + term.unknown * count;
+    double* si = sum_im + term.unknown * count;
+#pragma omp simd
+    for (std::size_t e = 0; e < count; ++e) {
+      sr[e] += c * (ar[e] * br[e] - ai[e] * bi[e]);
+      si[e] += c * (ar[e] * bi[e] + ai[e] * br[e]);
     }
-    Complex right(compressed.c.re[p * q_count + q], compressed.c.im[p * q_count + q]);
+  }
+}
+
+void RowExpander::write(const Part& part, std::size_t count, double* rows, std::size_t stride) const {
+  for (std::size_t u = 0; u < part.columns.size(); ++u) {
+    double* to = rows + part.columns[u];
+    for (std::size_t e = 0; e < count; ++e) {
+      const double re = sum_re_[u * count + e], im = sum_im_[u * count + e];
+      to[2 * e * stride] = part.re * re - part.im * im;
+      to[(2 * e + 1) * stride] = part.re * im + part.im * re;
+    }
+  }
+}
+
+void RowExpander::expand(const Compressed& compressed, std::size_t first, std::size_t count, double* rows,
+                         std::size_t stride) {
+  gather(compressed, first, count);
+  for (std::size_t k = 0; k < patterns_.size(); ++k) {
+    const std::size_t used = count * patterns_[k].unknowns;
+    std::fill(sum_re_.begin(), sum_re_.begin() + static_cast<std::ptrdiff_t>(used), 0.0);
+    std::fill(sum_im_.begin(), sum_im_.begin() + static_cast<std::ptrdiff_t>(used), 0.0);
+    sum_terms(patterns_[k].terms, a_re_.data(), a_im_.data(), b_re_.data(), b_im_.data(), count, sum_re_.data(),
+              sum_im_.data());
+    for (const Part& part : parts_) {
+      if (part.pattern == k) write(part, count, rows, stride);
+    }
+  }
+  for (std::size_t e = 0; e < count; ++e) {
+    Complex right(compressed.c.re[first + e], compressed.c.im[first + e]);
     for (std::size_t k = 0; k < known_.size(); ++k) {
-      const std::size_t at = known_[k].element;
-      right -= known_impedance_[k] * Complex(product_re_[at], product_im_[at]);
+      const std::size_t a = known_[k].a * count + e, b = known_[k].b * count + e;
+      right -= known_impedance_[k] * Complex(a_re_[a], a_im_[a]) * Complex(b_re_[b], b_im_[b]);
     }
-    real_row[unknowns_] = right.real();
-    imag_row[unknowns_] = right.imag();
+    rows[2 * e * stride + unknowns_] = right.real();
+    rows[(2 * e + 1) * stride + unknowns_] = right.imag();
   }
 }
 

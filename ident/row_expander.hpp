@@ -22,15 +22,20 @@ class RowExpander {
   /// Prepares for a line at ω in rad/s.
   void set_line(double omega);
 
-  /// The 2·Q real rows of the p-th row of R_A; `rows` zero-filled, `stride` apart, right-hand side at unknowns().
-  void expand(const Compressed& compressed, std::size_t p, double* rows, std::size_t stride);
+  /// Equations handled at a time.
+  static constexpr std::size_t most = 64;
+
+  /// The 2·count real rows of equations [first, first + count) of the P·Q, count ≤ `most`, equation (p,q) at p·Q + q: real
+  /// and imaginary part of each; `rows` zero-filled, `stride` apart, right-hand side at unknowns().
+  void expand(const Compressed& compressed, std::size_t first, std::size_t count, double* rows, std::size_t stride);
 
   std::size_t unknowns() const { return unknowns_; }
 
  private:
+  /// One element of T: product A(·,a)·B(·,b) times the coefficient goes to an unknown of the pattern.
   struct Term {
-    std::size_t element;  ///< i·N_B + j
-    std::size_t unknown;  ///< within the pattern
+    std::size_t a, b;
+    std::size_t unknown;
     double coefficient;
   };
   struct Pattern {
@@ -45,9 +50,14 @@ class RowExpander {
   };
   struct Known {
     restrictions::Kind kind;
-    std::size_t element;
+    std::size_t a, b;
     double value;
   };
+
+  void gather(const Compressed& compressed, std::size_t first, std::size_t count);
+  void write(const Part& part, std::size_t count, double* rows, std::size_t stride) const;
+  static void sum_terms(const std::vector<Term>& terms, const double* a_re, const double* a_im, const double* b_re,
+                        const double* b_im, std::size_t count, double* sum_re, double* sum_im);
 
   std::size_t unknowns_;
   double omega0_;
@@ -55,7 +65,8 @@ class RowExpander {
   std::vector<Part> parts_;
   std::vector<Known> known_;
   std::vector<Complex> known_impedance_;  ///< Z_known at the current line, per element of known_
-  std::vector<double> product_re_, product_im_, sum_re_, sum_im_;
+  /// Equations side by side, `count` of them: coefficients of A and B, sums per unknown.
+  std::vector<double> a_re_, a_im_, b_re_, b_im_, sum_re_, sum_im_;
 };
 
 /// Factor of matrix `kind` in Z_j(ω): 1, −ω², iω, i.

@@ -53,6 +53,7 @@ struct Quality {
   double rms_relative_error = 0.0;  ///< sqrt(mean((u_i − 1)²)) over the same elements
 };
 
+/// Reading overlaps with the rest when several threads work: `assemble` is the time of that stage not spent reading.
 struct RunTime {
   double read = 0.0, assemble = 0.0, solve = 0.0, total = 0.0;  ///< s
 };

@@ -25,22 +25,6 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-/// Lines read at a time, so that a chunk's FRFs take at most about 8 MB.
-std::size_t chunk_lines(std::size_t entries_per_line) {
-  constexpr std::size_t chunk_bytes = 8u << 20;
-  return std::max<std::size_t>(1, chunk_bytes / std::max<std::size_t>(1, entries_per_line * sizeof(Complex)));
-}
-
-/// Calls `work(first, last)` for chunks of the plan's lines, reporting and stopping in between.
-template <class Work>
-void for_chunks(const Plan& plan, std::size_t chunk, const char* stage, const Control& control, const Work& work) {
-  for (std::size_t first = 0; first < plan.lines.size(); first += chunk) {
-    if (control.interrupted && control.interrupted()) throw Interrupted();
-    if (control.progress) control.progress(stage, first, plan.lines.size());
-    work(first, std::min(first + chunk, plan.lines.size()));
-  }
-}
-
 std::string joined_names(const Plan& plan, const std::vector<std::size_t>& columns) {
   std::string text;
   for (const std::size_t column : columns) {
@@ -128,45 +112,9 @@ void fill_quality(const Plan& plan, Solution& out) {
 
 }  // namespace
 
-Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
-  const Reduction reduction = plan.solver == "normal" ? Reduction::normal : Reduction::orthogonal;
-  Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0};
-  LineAssembler assembler(plan.assembly_spec);
-  LineProduct product;
-  std::vector<std::size_t> substructure_lines, assembly_lines;
-  std::size_t unusable = 0;
-  for_chunks(plan, chunk_lines(plan.builder->entries_per_line()), "assembling", control,
-             [&](std::size_t first, std::size_t last) {
-               substructure_lines.clear();
-               assembly_lines.clear();
-               for (std::size_t i = first; i < last; ++i) {
-                 substructure_lines.push_back(plan.lines[i].substructures);
-                 assembly_lines.push_back(plan.lines[i].assembly);
-               }
-               {
-                 const Stopwatch watch(runtime.read);
-                 plan.builder->read(substructure_lines, assembly_lines);
-               }
-               const Stopwatch watch(runtime.assemble);
-               for (std::size_t i = first; i < last; ++i) {
-                 product.frequency_hz = plan.lines[i].frequency_hz;
-                 if (plan.builder->line(i - first, product)) {
-                   assembler.add(product, out.accumulator);
-                 } else {
-                   ++unusable;
-                 }
-               }
-               out.accumulator.flush();
-             });
-  out.equations = assembler.count();
-  out.equations.dropped += unusable * plan.cost.equations_per_line;
-  out.lines = assembler.lines_used();
-  return out;
-}
-
-LinearSolution solve(const Plan& plan, Accumulator& accumulator) {
+LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition) {
   if (plan.solver == "normal") return solve_normal(accumulator);
-  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator);
+  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator, condition);
 }
 
 namespace {
@@ -182,12 +130,9 @@ void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out
   }
 }
 
-std::optional<double> predict(Plan& plan, const Solution& solution, const Control& control) {
+std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control) {
   if (plan.predicted_responses.empty()) return std::nullopt;
-  Predictor predictor(plan);
-  DecibelError error;
-  for_chunks(plan, chunk_lines(plan.builder->entries_per_line()), "predicting", control,
-             [&](std::size_t first, std::size_t last) { predictor.add(first, last, solution.bands, error); });
+  const DecibelError error = predict(plan, solution.bands, control);
   if (error.entries == 0) return std::nullopt;
   return std::sqrt(error.sum_of_squares / static_cast<double>(error.entries));
 }
@@ -204,7 +149,7 @@ void identify(Plan& plan, Accumulator& accumulator, const Control& control, Solu
   judge_status(plan, linear, out);
   fill_bands(plan, out);
   fill_quality(plan, out);
-  out.fit.asm_frf_error = predict(plan, out, control);
+  out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 
 }  // namespace

@@ -15,8 +15,9 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// How the caller watches and stops a run; both are optional and called between chunks of lines.
+/// How the caller watches and stops a run; progress and interrupted are optional and called between chunks of lines.
 struct Control {
+  std::size_t threads = 0;  ///< 0: all cores. The result does not depend on it.
   std::function<void(const char* stage, std::size_t done, std::size_t total)> progress;
   std::function<bool()> interrupted;
 };
@@ -34,6 +35,6 @@ struct Assembled {
 Assembled assemble(Plan& plan, RunTime& runtime, const Control& control = {});
 
 /// … and its solution by the plan's solver.
-LinearSolution solve(const Plan& plan, Accumulator& accumulator);
+LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition = Condition::compute);
 
 }  // namespace jointid::ident

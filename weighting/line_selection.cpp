@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace jointid::weighting {
 namespace {
@@ -21,13 +22,13 @@ std::size_t nearest_line(std::span<const double> axis, double frequency) {
 
 std::vector<std::size_t> stepped_lines(std::span<const double> axis, const std::array<double, 2>& range, double step) {
   std::vector<std::size_t> lines;
-  const double last = std::min(range[1], axis.back());
   const auto first_step = static_cast<long long>(std::max(0.0, std::floor((axis.front() - range[0]) / step)));
   for (long long k = first_step;; ++k) {
     const double target = range[0] + static_cast<double>(k) * step;
-    if (target > last * (1.0 + end_tolerance)) break;
+    if (target > range[1] * (1.0 + end_tolerance)) break;
     const std::size_t line = nearest_line(axis, target);
     if (inside(axis[line], range) && (lines.empty() || line > lines.back())) lines.push_back(line);
+    if (target > axis.back()) break;  // all further steps are nearest to the last line, too
   }
   return lines;
 }
@@ -61,11 +62,11 @@ std::vector<double> find_resonances(std::span<const double> frequency_hz, std::s
   for (std::size_t i = 0; i < lines; ++i) strength[i] = frequency_hz[i] * frequency_hz[i] * indicator[i];
   std::vector<double> resonances;
   // Walks up and down once: `valley` is the lowest value since the last peak, `peak` the highest since that valley.
-  double valley = lines > 0 ? strength[0] : 0.0;
+  double valley = std::numeric_limits<double>::infinity();
   std::size_t peak = 0;
   bool rising = false;
-  for (std::size_t i = 1; i < lines; ++i) {
-    if (!std::isfinite(strength[i])) continue;
+  for (std::size_t i = 0; i < lines; ++i) {
+    if (!(std::isfinite(strength[i]) && strength[i] > 0.0)) continue;  // not measured, or 0 Hz
     if (rising) {
       if (strength[i] > strength[peak]) peak = i;
       if (strength[i] * prominence <= strength[peak]) {
@@ -74,7 +75,7 @@ std::vector<double> find_resonances(std::span<const double> frequency_hz, std::s
         rising = false;
       }
     } else {
-      if (!(valley <= strength[i])) valley = strength[i];
+      valley = std::min(valley, strength[i]);
       if (strength[i] >= prominence * valley) {
         peak = i;
         rising = true;

@@ -20,6 +20,7 @@ std::vector<std::size_t> select_lines(std::span<const double> frequency_hz, cons
 
 /// Resonances as peaks of s(f) = f²·indicator(f), indicator = Σ|H|² over some FRFs: the local maxima whose prominence is at
 /// least a factor 2 (3 dB) on both sides. Multiplicative noise of 5 % moves s by at most a fifth, far below that.
+/// Lines where s is zero or not finite (0 Hz, not measured) are skipped.
 /// Wrong when the lines are coarser than the resonances: a peak between two lines is not seen.
 std::vector<double> find_resonances(std::span<const double> frequency_hz, std::span<const double> indicator);
 

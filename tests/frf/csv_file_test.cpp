@@ -116,8 +116,8 @@ TEST_F(CsvFile, WhatTheCommentsSayIsChecked) {
               HasSubstr("# quantity: unknown FRF quantity 'compliance'"));
   EXPECT_THAT(error("# quantity = receptance\n# unit = m/s\n" + h + "\n1,2,3\n"),
               HasSubstr("# unit: unit 'm/s' is not a unit of receptance"));
-  EXPECT_THAT(error("# quantity = receptance\n" + h + ",1:X/1:X coherence\n1,2,3,0.9\n"),
-              HasSubstr("# averages: '' is not a number of averages"));
+  EXPECT_THAT(error("# quantity = receptance\n# averages = many\n" + h + ",1:X/1:X coherence\n1,2,3,0.9\n"),
+              HasSubstr("# averages: 'many' is not a number of averages"));
   EXPECT_THAT(error("# quantity = receptance\n" + h +
                     ",1:X/1:X coherence,1:X/1:X var_re,1:X/1:X var_im\n1,2,3,1,1,1\n"),
               HasSubstr("has both variances and coherences"));

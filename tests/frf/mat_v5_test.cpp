@@ -215,10 +215,16 @@ TEST_F(MatV5File, WhatIsMissingOrDoubtfulIsNamed) {
                     options),
               HasSubstr("variable response_dof: is not text"));
   EXPECT_THAT(error(with([](Maker& m) {
-                      m.reals("coherence", {3, 1}, {1, 1, 1});
+                      m.counting("coherence", {3, 1});
                     }),
                     options),
-              HasSubstr("variable coherence: is not real, or has no number of averages"));
+              HasSubstr("variable coherence: is not real"));
+  EXPECT_THAT(error(with([](Maker& m) {
+                      m.reals("coherence", {3, 1}, {1, 1, 1});
+                      m.reals("averages", {1, 1}, {0});
+                    }),
+                    options),
+              HasSubstr("variable averages: is not a number of averages"));
   EXPECT_THAT(error(with([](Maker& m) {
                       m.reals("coherence", {1, 1}, {1});
                     }),
@@ -253,6 +259,18 @@ TEST_F(MatV5File, AFolderThatIsNotThereIsAnError) {
   std::mt19937 random(23);
   const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::none);
   EXPECT_THAT(message_of([&] { write_mat(set, path("none/a.mat")); }), HasSubstr("cannot be written"));
+}
+
+TEST_F(MatV5File, ADiskThatFillsAtTheEndIsNoticed) {
+  std::mt19937 random(24);
+  const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::coherence);
+  write_mat(set, path("a.mat"));
+  const rlim_t size = std::filesystem::file_size(path("a.mat"));
+  for (rlim_t lacking = 1; lacking < std::min<rlim_t>(size, 400); ++lacking) {
+    const SmallDisk disk(size - lacking);
+    EXPECT_THAT(message_of([&] { write_mat(set, path("a.mat")); }), HasSubstr("cannot be written"));
+  }
+  expect_same(read(), set, 0.0);
 }
 
 class MeasuredMat : public MatV5File {

@@ -27,6 +27,18 @@ TEST_F(Open, KnowsEveryFormatByItsContent) {
   }
 }
 
+TEST_F(Open, ACoherenceOfUnknownAveragesIsKept) {
+  std::mt19937 random(34);
+  FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::coherence);
+  set.header.averages = 0.0;
+  std::vector<std::string> formats = {"h5", "csv"};
+  if (JOINTID_HAVE_MATIO) formats.push_back("mat");
+  for (const std::string& format : formats) {
+    write(set, path("a.data"), format);
+    expect_same(load(*open(path("a.data"))), set, 0.0);
+  }
+}
+
 TEST_F(Open, TheExtensionChoosesWhatIsWritten) {
   std::mt19937 random(32);
   const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::none);
@@ -35,6 +47,23 @@ TEST_F(Open, TheExtensionChoosesWhatIsWritten) {
   EXPECT_EQ(in.get(), '#');
   EXPECT_THAT(message_of([&] { write(set, path("a.xls")); }, ErrorKind::usage),
               HasSubstr("a.xls: 'xls' is no format of FRF files; name the file .h5, .uff, .mat or .csv"));
+}
+
+TEST_F(Open, AFullDiskLeavesTheOldFile) {
+  std::mt19937 random(33);
+  const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::variance);
+  write_file("a.data", "old");
+  std::vector<std::string> formats = {"h5", "csv"};
+  if (JOINTID_HAVE_MATIO) formats.push_back("mat");
+  for (const std::string& format : formats) {
+    for (const rlim_t room : {1u, 100u, 300u, 600u, 1000u}) {
+      const SmallDisk disk(room);
+      EXPECT_THAT(message_of([&] { write(set, path("a.data"), format); }),
+                  HasSubstr("a.data: cannot be written"));
+    }
+  }
+  EXPECT_EQ(std::filesystem::file_size(path("a.data")), 3u);
+  EXPECT_EQ(files_in_folder(), 1u);
 }
 
 TEST_F(Open, WhatCannotBeOpenedSaysWhy) {

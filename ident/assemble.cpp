@@ -1,0 +1,94 @@
+#include <chrono>
+
+#include "ident/chunk_pipeline.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Assembles chunks of lines, each into a system of its own, and merges them in order.
+class Assembler final : public ChunkWorker {
+ public:
+  /// Shares the plan's own builder, or has one of its own when others work beside it.
+  Assembler(Plan& plan, bool alone, Assembled& total, double& read_time)
+      : plan_(plan),
+        own_builder_(alone ? nullptr : make_builder(plan)),
+        builder_(alone ? *plan.builder : *own_builder_),
+        assembler_(plan.assembly_spec),
+        chunk_(plan.columns->size(), total.accumulator.reduction()),
+        total_(total),
+        read_time_(read_time) {}
+
+  void read(std::size_t first, std::size_t last) override {
+    const Clock::time_point start = Clock::now();
+    substructure_lines_.clear();
+    assembly_lines_.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      substructure_lines_.push_back(plan_.lines[i].substructures);
+      assembly_lines_.push_back(plan_.lines[i].assembly);
+    }
+    builder_.read(substructure_lines_, assembly_lines_);
+    read_time_ += seconds_since(start);
+  }
+
+  void work(std::size_t first, std::size_t last) override {
+    assembler_.reset_counts();
+    unusable_ = 0;
+    const bool only_chunk = first == 0 && last == plan_.lines.size();
+    Accumulator& to = only_chunk ? total_.accumulator : chunk_;
+    for (std::size_t i = first; i < last; ++i) {
+      product_.frequency_hz = plan_.lines[i].frequency_hz;
+      if (builder_.line(i - first, product_)) {
+        assembler_.add(product_, to);
+      } else {
+        ++unusable_;
+      }
+    }
+    to.flush();
+  }
+
+  void merge() override {
+    total_.accumulator.merge(chunk_);
+    chunk_.clear();
+    total_.equations.used += assembler_.count().used;
+    total_.equations.dropped += assembler_.count().dropped + unusable_ * plan_.cost.equations_per_line;
+    total_.lines += assembler_.lines_used();
+  }
+
+ private:
+  Plan& plan_;
+  std::unique_ptr<EquationBuilder> own_builder_;
+  EquationBuilder& builder_;
+  LineAssembler assembler_;
+  LineProduct product_;
+  Accumulator chunk_;
+  std::size_t unusable_ = 0;
+  std::vector<std::size_t> substructure_lines_, assembly_lines_;
+  Assembled& total_;
+  double& read_time_;
+};
+
+}  // namespace
+
+Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
+  const Clock::time_point start = Clock::now();
+  const Reduction reduction = plan.solver == "normal" ? Reduction::normal : Reduction::orthogonal;
+  Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0};
+  const std::size_t chunk = chunk_lines(plan.builder->entries_per_line());
+  const std::size_t count = worker_count(plan.lines.size(), chunk, control.threads);
+  double read_time = 0.0;
+  std::vector<std::unique_ptr<ChunkWorker>> workers;
+  for (std::size_t i = 0; i < count; ++i) {
+    workers.push_back(std::make_unique<Assembler>(plan, count == 1, out, read_time));
+  }
+  run_chunks(plan.lines.size(), chunk, "assembling", workers, control);
+  runtime.read += read_time;
+  runtime.assemble += seconds_since(start) - read_time;
+  return out;
+}
+
+}  // namespace jointid::ident
