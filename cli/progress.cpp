@@ -28,8 +28,7 @@ void Progress::show(const char* stage, std::size_t done, std::size_t total) {
 }
 
 ident::Control Progress::control() {
-  return {.threads = 0,
-          .progress = [this](const char* stage, std::size_t done, std::size_t total) { show(stage, done, total); },
+  return {.progress = [this](const char* stage, std::size_t done, std::size_t total) { show(stage, done, total); },
           .interrupted = interrupted};
 }
 

@@ -50,8 +50,11 @@ class Predictor final : public ChunkWorker {
     const std::size_t n = plan_.coordinates.joint.size();
     const std::size_t rows = measured.rows, columns = measured.columns;
     const JointEffect effect = joint_effect(h, rows, columns, joint_impedance(matrices, n, frequency_hz));
+    const auto right = map(effect.right);
     const RowMatrixXd left_re = effect.left.real(), left_im = effect.left.imag();
-    const RowMatrixXd right_re = map(effect.right).real(), right_im = map(effect.right).imag();
+    RowMatrixXd right_re = RowMatrixXd::Zero(right.rows(), static_cast<Eigen::Index>(padded(columns))), right_im = right_re;
+    right_re.leftCols(right.cols()) = right.real();
+    right_im.leftCols(right.cols()) = right.imag();
     add_decibel_error(h.block(0, 0, rows, columns), left_re.data(), left_im.data(), right_re.data(), right_im.data(), n,
                       measured, error_);
   }

@@ -25,15 +25,6 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-std::string joined_names(const Plan& plan, const std::vector<std::size_t>& columns) {
-  std::string text;
-  for (const std::size_t column : columns) {
-    if (!text.empty()) text += ", ";
-    text += plan.restriction.unknowns[plan.columns->unknown_of(column)].name;
-  }
-  return text;
-}
-
 std::string column_name(const Plan& plan, std::size_t column) {
   std::string text = plan.restriction.unknowns[plan.columns->unknown_of(column)].name;
   if (const auto band = plan.columns->band_of(column)) {
@@ -44,6 +35,15 @@ std::string column_name(const Plan& plan, std::size_t column) {
       return digits;
     };
     text += "@" + number((*band)[0]) + "-" + number((*band)[1]) + "Hz";
+  }
+  return text;
+}
+
+std::string joined_names(const Plan& plan, const std::vector<std::size_t>& columns) {
+  std::string text;
+  for (const std::size_t column : columns) {
+    if (!text.empty()) text += ", ";
+    text += column_name(plan, column);
   }
   return text;
 }
@@ -61,8 +61,8 @@ void judge_status(const Plan& plan, const LinearSolution& linear, Solution& out)
   for (const FreeDirection& direction : linear.free_directions) {
     const bool alone = direction.columns.size() == 1;
     out.message += " " + joined_names(plan, direction.columns) + (alone ? " is free;" : " move together;");
-    for (const std::size_t column : direction.columns) out.unknowns[column].determined = false;
   }
+  for (const std::size_t column : linear.undetermined) out.unknowns[column].determined = false;
   out.message.back() = '.';
   out.message += " Measure more coordinates or lines, or tie unknowns in the joint's matrices.";
 }
