@@ -78,7 +78,7 @@ std::unique_ptr<frf::FrfSystem> computed_system(const char* name, std::size_t li
 }
 
 /// Peak bytes that solve() needs on top of the plan.
-std::size_t peak_of_solve(std::size_t lines) {
+std::size_t peak_of_solve(std::size_t lines, std::size_t threads) {
   Dofs all;
   for (int node = 1; node <= 40; ++node) all.push_back({.node = node, .direction = frf::Direction::x});
   Scene scene;
@@ -88,7 +88,7 @@ std::size_t peak_of_solve(std::size_t lines) {
   EXPECT_EQ(plan->cost.lines, lines);
   const std::size_t before = bytes_in_use;
   peak_bytes = before;
-  const Solution solution = solve(*plan);
+  const Solution solution = solve(*plan, {.threads = threads, .progress = {}, .interrupted = {}});
   EXPECT_EQ(solution.fit.lines, lines);
   return peak_bytes - before;
 }
@@ -96,10 +96,12 @@ std::size_t peak_of_solve(std::size_t lines) {
 TEST(PeakMemory, IsThatOfAChunkHoweverManyLinesThereAre) {
   // 200 lines of two systems of 40×40 FRFs are 10 MB, 10 000 are 512 MB; a chunk is at most 8 MB (and its copies).
   // Eigen's small matrices, which do not come from operator new, are not counted.
-  const std::size_t few = peak_of_solve(200), many = peak_of_solve(10000);
+  const std::size_t few = peak_of_solve(200, 1), many = peak_of_solve(10000, 1);
   EXPECT_GT(few, 5'000'000u);
   EXPECT_LT(few, 40'000'000u);
   EXPECT_LE(static_cast<double>(many), 1.02 * static_cast<double>(few));
+  // Two threads have at most three chunks in flight.
+  EXPECT_LE(static_cast<double>(peak_of_solve(10000, 2)), 3.06 * static_cast<double>(few));
 }
 
 }  // namespace

@@ -221,29 +221,5 @@ TEST(PlanError, MethodsSolversAndKeysThatThisBuildLacks) {
   expect_usage(known, {"nothing to identify"});
 }
 
-TEST(PlanError, ResonancesAreFoundAndNoted) {
-  Input fine = input();
-  fine.scene.frequency.exclude_resonances = ResonanceExclusion{.of_substructures = true, .of_assembly = true, .half_width = 0.01};
-  EXPECT_THAT(fine.plan()->notes, ElementsAre(HasSubstr("in the substructures"), HasSubstr("in the assembly")));
-}
-
-TEST(PlanError, LinesThatWereNotMeasuredAreNoResonances) {
-  // A smooth curve with holes.
-  Input fine = input();
-  std::vector<double> axis;
-  for (int i = 1; i <= 40; ++i) axis.push_back(10.0 * i);
-  std::mt19937_64 random(2);
-  fine.assembly = {random_set("assembly", axis, dofs({"1:+Y", "4:+Y", "5:+Y"}), dofs({"1:+Y", "4:+Y", "5:+Y"}), 1.0, random)};
-  for (std::size_t i = 0; i < fine.assembly[0].values.size(); ++i) {
-    const std::size_t line = i / 9;
-    // Two lines are missing; in two others, two of three points are.
-    const bool missing = line == 10 || line == 20 || ((line == 25 || line == 30) && i % 9 != 0);
-    const double hole = missing ? std::numeric_limits<double>::quiet_NaN() : 1.0;
-    fine.assembly[0].values[i] = hole / (axis[line] * axis[line]);
-  }
-  fine.scene.frequency.exclude_resonances = ResonanceExclusion{.of_substructures = false, .of_assembly = true, .half_width = 0.01};
-  EXPECT_THAT(fine.plan()->notes.at(0), HasSubstr("Found 0 resonances"));
-}
-
 }  // namespace
 }  // namespace jointid::ident
