@@ -32,7 +32,8 @@ function curves(plot) {
   return {
     data: [plot.values, ...plot.series.map((series) => series.y)],
     series: plot.series.map((series) => curveSeries(series, series.style === "reference" ? 0 : next++, plot.period)),
-    range: {}, drag: { x: true, y: false }, x: plot.x, y: plot.y,
+    range: plot.period ? { y: [-plot.period / 2, plot.period / 2] } : {},
+    drag: { x: true, y: false }, x: plot.x, y: plot.y,
   };
 }
 
@@ -98,10 +99,10 @@ function drawPlot(description, element, sync) {
   const width = element.clientWidth;
   const options = {
     width, height: Math.round(Math.min(340, Math.max(230, width * .42))),
-    scales: scales(made), axes: [axis(made.x, "x"), axis(made.y, "y")],
+    scales: scales(made), axes: [axis(made.x, "x"), axis(made.y, "y", description.period)],
     series: [{ label: made.x.label, value: (plot, value) => number(value) }, ...made.series],
     cursor: { drag: made.drag, sync: { key: sync }, points: { size: 7 } },
-    legend: { live: description.kind !== "scatter" },
+    legend: { live: description.kind !== "scatter", markers: { fill: (plot, i) => made.series[i - 1].stroke } },
     hooks: {
       drawAxes: [(plot) => drawBackground(plot, description)],
       draw: [(plot) => { if (description.mark) drawMark(plot, description.mark); }],

@@ -55,7 +55,7 @@ std::vector<Series> overlay(Values measured, Values regenerated) {
   return series;
 }
 
-Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::array<double, 2> used_hz,
+Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::optional<std::array<double, 2>> used_hz,
               std::size_t most) {
   const std::vector<Values> curves = {magnitudes(frf.measured), magnitudes(frf.predicted)};
   const std::vector<std::size_t> kept = keep_peaks(curves, most);
@@ -76,7 +76,7 @@ Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std:
 
 }  // namespace
 
-PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::array<double, 2> used_hz, std::size_t most) {
+PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most) {
   PlotGroup group{"FRF", {}};
   for (const ident::RegeneratedFrf& frf : regenerated.frfs) {
     if (!has_any(magnitudes(frf.measured))) continue;

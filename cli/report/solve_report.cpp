@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
 #include "cli/table.hpp"
@@ -11,11 +13,16 @@ namespace jointid::cli::report {
 namespace {
 
 constexpr std::size_t most_frfs = 16, most_points = 2400, most_line_counts = 400;
-constexpr std::size_t widest_matrix = 48;  ///< a wider one is no reading matter
+/// More is no reading matter; the JSON has it.
+constexpr std::size_t most_bars = 1000, most_elements = 10000;
 
 std::string words(std::string key) {
   for (char& c : key) c = c == '_' ? ' ' : c;
   return key;
+}
+
+std::string duration(double seconds) {
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
 void add_summary(const ident::Solution& solution, ReportPage& page) {
@@ -37,25 +44,39 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
                   {"rank", fmt::format("{} of {}", fit.rank, solution.unknowns.size())},
                   {"condition", number(fit.condition)},
                   {"assembly FRF error", fit.asm_frf_error ? number(*fit.asm_frf_error) + " dB" : "–"},
-                  {"run time", fmt::format("{:.3g} s", time.total)},
-                  {"read, assemble, solve", fmt::format("{:.2g}, {:.2g}, {:.2g} s", time.read, time.assemble, time.solve)}}});
+                  {"run time", duration(time.total)},
+                  {"reading", duration(time.read)},
+                  {"assembling", duration(time.assemble)},
+                  {"solving", duration(time.solve)}}});
 }
 
 void add_unknowns(const ident::Solution& solution, ReportPage& page) {
   if (solution.unknowns.empty()) return;
   Bars bars;
   for (const ident::Estimate& estimate : solution.unknowns) {
+    if (bars.bars.size() == most_bars) break;
     bars.bars.push_back({estimate.name, estimate.value, estimate.unit, estimate.ci95, std::nullopt,
                          estimate.determined ? "" : "not determined by the data"});
   }
   page.section("Identified values");
   page.add(bars);
-  page.add(Text{"Bars of one matrix and unit share a scale; the thin line is zero, the bracket a 95 % interval.", true});
+  if (solution.unknowns.size() > most_bars) {
+    page.add(Text{fmt::format("The first {} of {} unknowns; --json writes them all.", most_bars, solution.unknowns.size())});
+  }
+  const bool intervals = std::ranges::any_of(bars.bars, [](const Bar& bar) { return bar.interval.has_value(); });
+  page.add(Text{intervals ? "Bars of one matrix and unit share a scale; the brackets are 95 % intervals."
+                          : "Bars of one matrix and unit share a scale. This method states no intervals.",
+                true});
 }
 
 void add_matrices(const ident::Plan& plan, const ident::Solution& solution, ReportPage& page) {
-  if (solution.bands.empty() || solution.dofs.size() > widest_matrix) return;
+  if (solution.bands.empty()) return;
   page.section("Joint matrices");
+  const std::size_t n = solution.dofs.size();
+  if (solution.bands.size() * plan.restriction.matrices.size() * n * n > most_elements) {
+    page.add(Text{"Too large to show here; --json writes them."});
+    return;
+  }
   std::vector<std::string> names;
   for (const frf::Dof& dof : solution.dofs) names.push_back(dof.name());
   for (const ident::BandMatrices& band : solution.bands) {
@@ -86,13 +107,14 @@ void add_frfs(ident::Plan& plan, const ident::Solution& solution, const ident::C
   if (solution.bands.empty()) return;
   const auto entries = ident::choose_entries(plan, most_frfs);
   const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, entries, control);
-  const PlotGroup overlay = frf_overlay(
-      regenerated, {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz}, most_points);
+  const bool all_used = regenerated.frequency_hz.size() == plan.lines.size();
+  const std::array used_hz = {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz};
+  const PlotGroup overlay = frf_overlay(regenerated, all_used ? std::nullopt : std::optional(used_hz), most_points);
   if (overlay.choices.empty()) return;
   page.section("Assembly: measured and regenerated from the identified joint");
   page.add(overlay);
-  page.add(Text{"Shaded: the frequencies that the joint was identified from. In brackets behind a name: rms difference over all lines.",
-                true});
+  page.add(Text{"In brackets behind a name: rms difference of the magnitudes over all lines.", true});
+  if (!all_used) page.add(Text{"Shaded: from the first to the last line that the joint was identified from.", true});
   if (regenerated.frequency_hz.size() > most_points) {
     page.add(Text{fmt::format("{} lines are drawn with at most {} points; every peak is kept.",
                               regenerated.frequency_hz.size(), most_points),
