@@ -90,8 +90,8 @@ std::string to_html(const Bars& bars) {
     out += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"unit\">{}</td>",
                        bar.remark.empty() ? "" : " class=\"doubtful\"", html(bar.name), number(bar.value),
                        html(bar.unit));
-    if (intervals) out += "<td>" + interval_text(bar) + "</td>";
-    if (truths) out += "<td>" + (bar.truth ? number(*bar.truth) : "–") + "</td>";
+    if (intervals) out += "<td data-name=\"95 %:\">" + interval_text(bar) + "</td>";
+    if (truths) out += "<td data-name=\"truth:\">" + (bar.truth ? number(*bar.truth) : "–") + "</td>";
     out += "<td class=\"picture\">" + picture(bar, scales.at(group_of(bar)));
     if (!bar.remark.empty()) out += "<small>" + html(bar.remark) + "</small>";
     out += "</td></tr>\n";

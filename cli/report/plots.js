@@ -37,6 +37,20 @@ function curves(plot) {
   };
 }
 
+/// Room around the outermost points, so that they can be seen whole.
+function withMargin(log) {
+  return (plot, from, to) => {
+    if (from == null) return [null, null];
+    const share = .06;
+    if (!log) {
+      const margin = (to - from) * share || Math.abs(to) * share || 1;
+      return [from - margin, to + margin];
+    }
+    const factor = Math.max(1.3, (to / from) ** share);
+    return [from / factor, to * factor];
+  };
+}
+
 /// All points in one list, ascending in x; each row has the value of its own series only.
 function scatter(plot) {
   const lists = [...plot.groups.map((group) => group.points), plot.front];
@@ -53,7 +67,7 @@ function scatter(plot) {
   });
   return {
     data: [rows.map((row) => row.point[0]), ...lists.map((points, index) => column(index))], series, rows,
-    range: {}, drag: { x: true, y: true }, x: plot.x, y: plot.y,
+    range: { x: withMargin(plot.x.log), y: withMargin(plot.y.log) }, drag: { x: true, y: true }, x: plot.x, y: plot.y,
   };
 }
 
@@ -65,7 +79,8 @@ function histogram(plot) {
       label: "count", stroke: seriesColour(0), fill: colour("bar"), width: 1, points: { show: false },
       paths: uPlot.paths.bars({ size: [1, 200] }), value: (u, value) => number(value),
     }],
-    range: { x: (u, from, to) => from == null ? [low, high] : [from, to], y: (u, from, to) => [0, to > 0 ? to * 1.05 : 1] },
+    range: { x: (u, from, to) => from > low + width || to < high - width ? [from, to] : [low, high],
+             y: (u, from, to) => [0, to > 0 ? to * 1.05 : 1] },
     drag: { x: true, y: false }, x: plot.x, y: { label: "count", log: false },
   };
 }

@@ -12,7 +12,7 @@
 namespace jointid::cli::report {
 namespace {
 
-constexpr std::size_t most_frfs = 16, most_points = 2400, most_line_counts = 400;
+constexpr std::size_t most_frfs = 16, most_points = 2400;
 /// More is no reading matter; the JSON has it.
 constexpr std::size_t most_bars = 1000, most_elements = 10000;
 
@@ -91,6 +91,12 @@ void add_matrices(const ident::Plan& plan, const ident::Solution& solution, Repo
   page.add(Text{plan.scene.truth.empty() ? "SI units." : "SI units; below each element its deviation from the truth.", true});
 }
 
+/// Numbers of lines to solve with: fewer where a solution takes long.
+std::size_t line_counts(std::size_t unknowns) {
+  const double size = static_cast<double>(std::max<std::size_t>(1, unknowns));
+  return static_cast<std::size_t>(std::clamp(2e8 / (size * size * size), 20.0, 400.0));
+}
+
 void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {
   if (solution.quality.empty()) return;
   Table table{{"matrix", "RJCF", "ARVF", "rms relative error"}, {}};
@@ -100,7 +106,8 @@ void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident
   }
   page.section("Against the truth");
   page.add(table);
-  page.add(quality_plots(ident::quality_by_line(plan, most_line_counts, control)));
+  page.add(quality_plots(
+      ident::quality_by_line(plan, line_counts(solution.unknowns.size()), control)));
 }
 
 void add_frfs(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {

@@ -53,6 +53,15 @@ TEST(Regenerate, WhatTheEquationsDoNotReadIsReadForIt) {
   for (const RegeneratedFrf& frf : out.frfs) EXPECT_LE(largest_difference(frf), 1e-6);
 }
 
+TEST(Regenerate, EntriesMayPointTheOtherWayThanTheJoint) {
+  Solved a1 = solved("A1", {400.0, 600.0});
+  FrfEntry entry = choose_entries(*a1.plan, 1).front();
+  entry.reference = a1.plan->coordinates.joint.front();
+  entry.reference.sign = -entry.reference.sign;
+  const Regenerated out = regenerate(*a1.plan, a1.solution.bands, {entry});
+  EXPECT_LE(largest_difference(out.frfs.front()), 1e-6);
+}
+
 TEST(Regenerate, LinesOutsideEveryBandAreNotPredicted) {
   Solved a1 = solved("A1", {400.0, 600.0});
   a1.solution.bands.front().band_hz = Range{400.0, 500.0};
