@@ -21,7 +21,7 @@ function number(value) {
 function logSplits(plot, index, low, high) {
   const first = Math.floor(Math.log10(low)), last = Math.ceil(Math.log10(high)), splits = [];
   for (let power = first; power <= last; ++power) {
-    for (const digit of last - first > 2 ? [1] : [1, 2, 5]) splits.push(Number(digit + "e" + power));
+    for (const digit of high / low > 300 ? [1] : [1, 2, 5]) splits.push(Number(digit + "e" + power));
   }
   return splits.filter((value) => value >= low && value <= high);
 }

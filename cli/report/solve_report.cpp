@@ -110,9 +110,18 @@ void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident
       ident::quality_by_line(plan, line_counts(solution.unknowns.size()), control)));
 }
 
-void add_frfs(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {
+std::vector<ident::FrfEntry> entries_of(const ident::Plan& plan, const std::optional<ident::FrfEntry>& first) {
+  std::vector<ident::FrfEntry> entries = ident::choose_entries(plan, most_frfs);
+  if (!first) return entries;
+  std::erase(entries, *first);
+  entries.insert(entries.begin(), *first);
+  return entries;
+}
+
+void add_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+              const ident::Control& control, ReportPage& page) {
   if (solution.bands.empty()) return;
-  const auto entries = ident::choose_entries(plan, most_frfs);
+  const std::vector<ident::FrfEntry> entries = entries_of(plan, first);
   const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, entries, control);
   const bool all_used = regenerated.frequency_hz.size() == plan.lines.size();
   const std::array used_hz = {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz};
@@ -138,14 +147,15 @@ void add_plan(const ident::Plan& plan, ReportPage& page) {
 
 }  // namespace
 
-std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control) {
+std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+                         const ident::Control& control) {
   const std::string file = plan.scene.file.filename().string();
   ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);
   add_summary(solution, page);
   add_unknowns(solution, page);
   add_matrices(plan, solution, page);
   add_quality(plan, solution, control, page);
-  add_frfs(plan, solution, control, page);
+  add_frfs(plan, solution, first, control, page);
   add_plan(plan, page);
   return page.html();
 }

@@ -41,6 +41,11 @@ TEST(SolvePlots, WhatIsNotThereIsLeftOut) {
   EXPECT_EQ(std::get<CurvePlot>(group.choices[0].plots[0]).series.size(), 1U);
 }
 
+TEST(SolvePlots, AnFrfThatVanishesBySymmetryIsLeftOut) {
+  const ident::Regenerated data = {{10.0}, {frf("1:+Y", "1:+Y", {1.0}, {1.0}), frf("1:+Y", "1:+X", {1e-17}, {1e-18})}};
+  EXPECT_EQ(frf_overlay(data, {}, 100).choices.size(), 1U);
+}
+
 TEST(SolvePlots, AHundredThousandLinesStaySmall) {
   const std::size_t lines = 100000;
   ident::Regenerated data;
