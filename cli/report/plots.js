@@ -108,8 +108,8 @@ function showNearest(plot, rows, tip) {
   tip.style.top = top + 12 + "px";
 }
 
-/// Draws a description into an element.
-function drawPlot(description, element, sync) {
+/// Draws a description into an element; `whole` of the plot is the x-range that shows all of it. `part`: what to show of it.
+function drawPlot(description, element, sync, part) {
   const made = kinds[description.kind](description);
   const width = element.clientWidth;
   const options = {
@@ -119,6 +119,10 @@ function drawPlot(description, element, sync) {
     cursor: { drag: made.drag, sync: { key: sync }, points: { size: 7 } },
     legend: { live: description.kind !== "scatter", markers: { fill: (plot, i) => made.series[i - 1].stroke } },
     hooks: {
+      ready: [(plot) => {
+        plot.whole = [plot.scales.x.min, plot.scales.x.max];
+        if (part) queueMicrotask(() => plot.setScale("x", part));  // not while the library is drawing
+      }],
       drawAxes: [(plot) => drawBackground(plot, description)],
       draw: [(plot) => { if (description.mark) drawMark(plot, description.mark); }],
     },
