@@ -37,10 +37,11 @@ function curves(plot) {
   };
 }
 
-/// Room around the outermost points, so that they can be seen whole.
+/// Room around the outermost points, so that they can be seen whole; a part of the x-axis stays as it was asked for.
 function withMargin(log) {
-  return (plot, from, to) => {
+  return (plot, from, to, scale) => {
     if (from == null) return [null, null];
+    if (scale === "x" && (from !== plot.data[0][0] || to !== plot.data[0].at(-1))) return [from, to];
     const share = .06;
     if (!log) {
       const margin = (to - from) * share || Math.abs(to) * share || 1;
