@@ -21,9 +21,10 @@ ident::Solution solve_watched(ident::Plan& plan) {
   return ident::solve(plan, progress.control());
 }
 
-void write_report(const std::string& file, ident::Plan& plan, const ident::Solution& solution) {
+void write_report(const std::string& file, ident::Plan& plan, const ident::Solution& solution,
+                  const std::optional<ident::FrfEntry>& entry) {
   Progress progress;
-  frf::write_text(file, report::solve_report(plan, solution, progress.control()));
+  frf::write_text(file, report::solve_report(plan, solution, entry, progress.control()));
 }
 
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
@@ -64,7 +65,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
     out << solution_text(solution, scene.title);
     if (entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
   }
-  if (arguments.report) write_report(*arguments.report, *plan, solution);
+  if (arguments.report) write_report(*arguments.report, *plan, solution, entry);
   if (solution.status == ident::Status::ok) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + solution.message);
   return ExitCode::unusable;
