@@ -15,11 +15,18 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
+/// What solve() works out beside the estimates.
+enum class Detail {
+  estimates,  ///< estimates, matrices and quality; Fit::condition is 0 unless the rank is not full, no asm_frf_error
+  full
+};
+
 /// How the caller watches and stops a run; progress and interrupted are optional and called between chunks of lines.
 struct Control {
   std::size_t threads = 0;  ///< 0: all cores. The result does not depend on it.
   std::function<void(const char* stage, std::size_t done, std::size_t total)> progress;
   std::function<bool()> interrupted;
+  Detail detail = Detail::full;
 };
 
 /// Carries out a plan: reads what it names line by line, assembles, solves, predicts and judges. Throws InputError when the
