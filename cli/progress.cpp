@@ -28,7 +28,8 @@ void Progress::show(const char* stage, std::size_t done, std::size_t total) {
 }
 
 ident::Control Progress::control() {
-  return {[this](const char* stage, std::size_t done, std::size_t total) { show(stage, done, total); }, interrupted};
+  return {.progress = [this](const char* stage, std::size_t done, std::size_t total) { show(stage, done, total); },
+          .interrupted = interrupted};
 }
 
 }  // namespace jointid::cli

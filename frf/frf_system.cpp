@@ -109,11 +109,14 @@ void FrfSystem::require_disjoint() const {
     for (std::size_t second = first + 1; second < sources_.size(); ++second) {
       const FrfHeader& one = sources_[first]->header();
       const FrfHeader& two = sources_[second]->header();
-      for (const Dof& response : two.response) {
-        if (composition_ == Composition::uncoupled && (has(one.response, response) || has(one.reference, response))) {
-          fail(second, "DOF " + response.name() + " is also in " + one.file,
+      for (const auto* dofs : {&two.response, &two.reference}) {
+        for (const Dof& dof : *dofs) {
+          if (composition_ != Composition::uncoupled || !(has(one.response, dof) || has(one.reference, dof))) continue;
+          fail(second, "DOF " + dof.name() + " is also in " + one.file,
                "two substructures share no coordinate: rename the node, or put both into one file");
         }
+      }
+      for (const Dof& response : two.response) {
         if (!has(one.response, response)) continue;
         for (const Dof& reference : two.reference) {
           if (has(one.reference, reference)) {

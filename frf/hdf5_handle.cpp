@@ -8,14 +8,6 @@ namespace jointid::frf::hdf5 {
 
 static_assert(std::is_same_v<Id, hid_t>);
 
-namespace {
-
-/// Before HDF5 does anything: keeps it from closing at exit what it failed to close before (a dataset on a full disk), on
-/// which HDF5 1.10 crashes. Everything else is closed by its Handle.
-[[maybe_unused]] const herr_t no_exit_handler = H5dont_atexit();
-
-}  // namespace
-
 bool Handle::close() {
   const Id id = std::exchange(id_, -1);
   if (id < 0) return true;

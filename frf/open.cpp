@@ -11,9 +11,7 @@
 #include "frf/frf_source.hpp"
 #include "frf/hdf5_file.hpp"
 #include "frf/mat_file.hpp"
-#if __has_include("frf/uff_file.hpp")
 #include "frf/uff_file.hpp"
-#endif
 
 namespace jointid::frf {
 namespace {
@@ -77,9 +75,7 @@ std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOpt
   const std::string head = read_head(path);
   if (is_hdf5(head)) return has_format_attribute(path) ? open_hdf5(path) : open_mat_v73(path, options);
   if (head.starts_with(matlab_v5_text)) return open_mat_v5(path, options);
-#if __has_include("frf/uff_file.hpp")
   if (looks_like_uff(head)) return open_uff(path, options);
-#endif
   if (looks_like_csv(head)) return open_csv(path, options);
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
        "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3 or CSV");

@@ -7,9 +7,7 @@
 #include "frf/error.hpp"
 #include "frf/hdf5_writer.hpp"
 #include "frf/mat_file.hpp"
-#if __has_include("frf/uff_file.hpp")
 #include "frf/uff_file.hpp"
-#endif
 
 namespace jointid::frf {
 
@@ -19,9 +17,7 @@ void write(const FrfSet& set, const std::filesystem::path& path, std::string for
   std::ranges::transform(format, format.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (format == "h5" || format == "hdf5") return write_hdf5(set, path);
-#if __has_include("frf/uff_file.hpp")
   if (format == "uff" || format == "unv") return write_uff(set, path, {.quantity = set.header.quantity});
-#endif
   if (format == "mat") return write_mat(set, path);
   if (format == "csv") return write_csv(set, path);
   throw InputError({.kind = ErrorKind::usage,

@@ -141,10 +141,11 @@ std::vector<Equation> choose_equations(const Scene& scene, const Coordinates& co
     }
   }
   if (chosen.empty()) {
-    const bool direct = scene.identify.method == Method::direct;
-    fail(scene, "[data]", "the data allow no equation: " + availability.lacks(Equation::nn),
-         direct ? "measure what it lacks"
-                : "with joint coordinates that cannot be reached on the assembly, use method = \"direct\"");
+    const Method method = scene.identify.method;
+    const Equation least = method == Method::two ? Equation::jn : Equation::nn;
+    fail(scene, "[data]", "the data allow no equation: " + availability.lacks(least),
+         method == Method::direct ? "measure what it lacks"
+                                  : "with joint coordinates that cannot be reached on the assembly, use method = \"direct\"");
   }
   return chosen;
 }

@@ -30,46 +30,48 @@ JOINTID_INLINE double fast_log2(double x) {
   return e + 2.0 / std::numbers::ln2 * s * series;
 }
 
-/// One row of base − left·right against the measured row.
-JOINTID_KERNEL void add_row(const double* base, const double* left_re, const double* left_im, const double* right_re,
-                            const double* right_im, std::size_t n, const double* measured, std::size_t columns,
-                            double& total, double& entries) {
-  constexpr double tiny = 1e-300;
+/// `rows` rows of base − left·right against the measured rows; they share what is loaded of `right`.
+template <std::size_t rows>
+JOINTID_INLINE void add_rows(const double* base, std::size_t base_stride, const double* left_re, const double* left_im,
+                             const double* right_re, const double* right_im, std::size_t n, const double* measured,
+                             std::size_t measured_stride, std::size_t columns, double& total, double& entries) {
+  constexpr double tiny = 1e-300, huge = 1e300;
   double sum[width] = {}, count[width] = {};
   for (std::size_t c0 = 0; c0 < columns; c0 += width) {
     const std::size_t used = std::min(width, columns - c0);
-    double re[width] = {}, im[width] = {}, m2[width] = {};
-    for (std::size_t c = 0; c < used; ++c) {
-      re[c] = base[2 * (c0 + c)];
-      im[c] = base[2 * (c0 + c) + 1];
-      const double a = measured[2 * (c0 + c)], b = measured[2 * (c0 + c) + 1];
-      m2[c] = a * a + b * b;
+    double re[rows][width] = {}, im[rows][width] = {}, m2[rows][width] = {};
+    for (std::size_t r = 0; r < rows; ++r) {
+      const double* b = base + 2 * (r * base_stride + c0);
+      const double* m = measured + 2 * (r * measured_stride + c0);
+      for (std::size_t c = 0; c < used; ++c) {
+        re[r][c] = b[2 * c];
+        im[r][c] = b[2 * c + 1];
+        m2[r][c] = m[2 * c] * m[2 * c] + m[2 * c + 1] * m[2 * c + 1];
+      }
     }
+    // The rows of `right` are padded to whole panels.
     for (std::size_t k = 0; k < n; ++k) {
-      const double* r_re = right_re + k * columns + c0;
-      const double* r_im = right_im + k * columns + c0;
-      if (used == width) {
+      const double* r_re = right_re + (k * padded(columns)) + c0;
+      const double* r_im = right_im + (k * padded(columns)) + c0;
+      for (std::size_t r = 0; r < rows; ++r) {
+        const double l_re = left_re[r * n + k], l_im = left_im[r * n + k];
 #pragma omp simd
         for (std::size_t c = 0; c < width; ++c) {
-          re[c] -= left_re[k] * r_re[c] - left_im[k] * r_im[c];
-          im[c] -= left_re[k] * r_im[c] + left_im[k] * r_re[c];
-        }
-      } else {
-        for (std::size_t c = 0; c < used; ++c) {
-          re[c] -= left_re[k] * r_re[c] - left_im[k] * r_im[c];
-          im[c] -= left_re[k] * r_im[c] + left_im[k] * r_re[c];
+          re[r][c] -= l_re * r_re[c] - l_im * r_im[c];
+          im[r][c] -= l_re * r_im[c] + l_im * r_re[c];
         }
       }
     }
+    for (std::size_t r = 0; r < rows; ++r) {
 #pragma omp simd
-    for (std::size_t c = 0; c < width; ++c) {
-      const double p2 = re[c] * re[c] + im[c] * im[c];
-      // Comparisons with NaN are false, so entries that were not measured count as unusable.
-      const double usable = (p2 > tiny) & (m2[c] > tiny) & (p2 < 1e300) & (m2[c] < 1e300) ? 1.0 : 0.0;
-      const double ratio = usable != 0.0 ? p2 / m2[c] : 1.0;
-      const double difference = fast_log2(ratio);
-      sum[c] += difference * difference;
-      count[c] += usable;
+      for (std::size_t c = 0; c < width; ++c) {
+        const double p2 = re[r][c] * re[r][c] + im[r][c] * im[r][c];
+        // Comparisons with NaN are false, so entries that were not measured count as unusable.
+        const bool usable = (p2 > tiny) & (m2[r][c] > tiny) & (p2 < huge) & (m2[r][c] < huge);
+        const double difference = fast_log2(usable ? p2 / m2[r][c] : 1.0);
+        sum[c] += difference * difference;
+        count[c] += usable ? 1.0 : 0.0;
+      }
     }
   }
   for (std::size_t c = 0; c < width; ++c) {
@@ -78,16 +80,31 @@ JOINTID_KERNEL void add_row(const double* base, const double* left_re, const dou
   }
 }
 
+JOINTID_KERNEL void add_all_rows(const double* base, std::size_t base_stride, const double* left_re,
+                                 const double* left_im, const double* right_re, const double* right_im, std::size_t n,
+                                 const double* measured, std::size_t measured_stride, std::size_t rows,
+                                 std::size_t columns, double& total, double& entries) {
+  constexpr std::size_t together = 4;
+  std::size_t r = 0;
+  for (; r + together <= rows; r += together) {
+    add_rows<together>(base + 2 * r * base_stride, base_stride, left_re + r * n, left_im + r * n, right_re, right_im, n,
+                       measured + 2 * r * measured_stride, measured_stride, columns, total, entries);
+  }
+  for (; r < rows; ++r) {
+    add_rows<1>(base + 2 * r * base_stride, base_stride, left_re + r * n, left_im + r * n, right_re, right_im, n,
+                measured + 2 * r * measured_stride, measured_stride, columns, total, entries);
+  }
+}
+
 }  // namespace
+
+std::size_t padded(std::size_t columns) { return (columns + width - 1) / width * width; }
 
 void add_decibel_error(const View& base, const double* left_re, const double* left_im, const double* right_re,
                        const double* right_im, std::size_t n, const View& measured, DecibelError& error) {
   double total = 0.0, entries = 0.0;
-  for (std::size_t r = 0; r < base.rows; ++r) {
-    add_row(reinterpret_cast<const double*>(base.data + r * base.stride), left_re + r * n, left_im + r * n, right_re,
-            right_im, n, reinterpret_cast<const double*>(measured.data + r * measured.stride), base.columns, total,
-            entries);
-  }
+  add_all_rows(reinterpret_cast<const double*>(base.data), base.stride, left_re, left_im, right_re, right_im, n,
+               reinterpret_cast<const double*>(measured.data), measured.stride, base.rows, base.columns, total, entries);
   constexpr double db_per_octave = 10.0 * std::numbers::ln2 / std::numbers::ln10;  // of the squared modulus
   error.sum_of_squares += total * db_per_octave * db_per_octave;
   error.entries += static_cast<std::size_t>(entries);

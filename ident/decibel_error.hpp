@@ -12,8 +12,11 @@ struct DecibelError {
   std::size_t entries = 0;
 };
 
+/// Distance from row to row of `right` below: columns rounded up to whole panels.
+std::size_t padded(std::size_t columns);
+
 /// Adds one line: predicted = base − left·right with left [R×N] and right [N×C], split into real and imaginary parts and
-/// row-major; base and measured [R×C].
+/// row-major, the rows of `right` padded(C) apart; base and measured [R×C].
 void add_decibel_error(const View& base, const double* left_re, const double* left_im, const double* right_re,
                        const double* right_im, std::size_t n, const View& measured, DecibelError& error);
 

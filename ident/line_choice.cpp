@@ -1,7 +1,6 @@
 #include "ident/line_choice.hpp"
 
 #include <cmath>
-#include <numeric>
 
 #include "frf/error.hpp"
 #include "weighting/line_selection.hpp"
@@ -9,23 +8,29 @@
 namespace jointid::ident {
 namespace {
 
-/// Σ|H|² over the point FRFs of a system (the first reference's FRFs where it has none), line by line.
+/// Σ|H|² over the point FRFs of a system (the first reference's FRFs where it has none), line by line; NaN where one of them
+/// was not measured. An FRF without any line counts nowhere.
 std::vector<double> response_level(frf::FrfSystem& system) {
-  Dofs points;
-  for (const frf::Dof& dof : system.responses()) {
-    if (frf::find_coordinate(system.references(), dof) != frf::npos) points.push_back(dof);
-  }
-  std::vector<double> level(system.frequency_hz().size(), 0.0);
-  const auto add = [&](const Dofs& rows, const Dofs& columns) {
-    frf::BlockReader reader(system, rows, columns);
-    std::vector<frf::Complex> values(rows.size() * columns.size());
-    for (std::size_t line = 0; line < level.size(); ++line) {
-      reader.read({&line, 1}, values);
-      for (const frf::Complex& value : values) level[line] += std::isfinite(std::norm(value)) ? std::norm(value) : 0.0;
+  const std::size_t lines = system.frequency_hz().size();
+  std::vector<double> level(lines, 0.0), own(lines);
+  const auto add = [&](const frf::Dof& response, const frf::Dof& reference) {
+    frf::BlockReader reader(system, {response}, {reference});
+    bool measured = false;
+    for (std::size_t line = 0; line < lines; ++line) {
+      frf::Complex value;
+      reader.read({&line, 1}, {&value, 1});
+      own[line] = std::norm(value);
+      measured = measured || std::isfinite(own[line]);
     }
+    for (std::size_t line = 0; measured && line < lines; ++line) level[line] += own[line];
   };
-  for (const frf::Dof& point : points) add({point}, {point});
-  if (points.empty()) add(system.responses(), {system.references().front()});
+  bool points = false;
+  for (const frf::Dof& dof : system.responses()) {
+    if (frf::find_coordinate(system.references(), dof) == frf::npos) continue;
+    points = true;
+    add(dof, dof);
+  }
+  for (const frf::Dof& dof : points ? Dofs() : system.responses()) add(dof, system.references().front());
   return level;
 }
 

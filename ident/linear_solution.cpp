@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "ident/column_scaling.hpp"
+#include "ident/null_space.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -41,25 +41,12 @@ MatrixXd reduce(const Accumulator& accumulator) {
   return system;
 }
 
-FreeDirection direction(const VectorXd& v) {
-  FreeDirection free;
-  std::vector<std::size_t> order(static_cast<std::size_t>(v.size()));
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return std::abs(v[index(a)]) > std::abs(v[index(b)]); });
-  for (const std::size_t column : order) {
-    if (std::abs(v[index(column)]) >= 0.1 * std::abs(v[index(order[0])])) free.columns.push_back(column);
-  }
-  return free;
-}
-
 void judge(const MatrixXd& triangle, LinearSolution& out) {
-  const Index n = triangle.cols();
-  const Index rank = index(out.rank);
+  const Index n = triangle.cols(), rank = index(out.rank);
   const Eigen::BDCSVD<MatrixXd> svd(triangle, rank < n ? Eigen::ComputeFullV : 0);
   const VectorXd& sigma = svd.singularValues();
   out.condition = sigma[n - 1] > 0.0 ? sigma[0] / sigma[n - 1] : std::numeric_limits<double>::infinity();
-  for (Index k = rank; k < n; ++k) out.free_directions.push_back(direction(svd.matrixV().col(k)));
+  if (rank < n) tell_null_space(svd.matrixV().rightCols(n - rank), out);
 }
 
 }  // namespace

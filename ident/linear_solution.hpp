@@ -18,6 +18,7 @@ struct LinearSolution {
   double condition = 0.0;      ///< σ₁/σ_n of the system with columns scaled to about unit length; infinite if σ_n = 0
   double residual_norm = 0.0;  ///< of the compressed weighted rows
   std::vector<FreeDirection> free_directions;
+  std::vector<std::size_t> undetermined;  ///< columns with a share in a free direction, ascending
 };
 
 /// Whether LinearSolution::condition is computed; it takes an SVD, which costs more than a small solution itself.

@@ -90,7 +90,10 @@ class Predictor final : public ChunkWorker {
     const MatrixXcd z = impedance(matrices, n, 2.0 * std::numbers::pi * frequency_hz);
     const MatrixXcd p = MatrixXcd::Identity(z.rows(), z.cols()) + z * map(h_bb);
     const RowMatrixXc left = map(h_to) * p.partialPivLu().solve(z);
-    const RowMatrixXd left_re = left.real(), left_im = left.imag(), right_re = map(h_b).real(), right_im = map(h_b).imag();
+    const RowMatrixXd left_re = left.real(), left_im = left.imag();
+    RowMatrixXd right_re = RowMatrixXd::Zero(map(h_b).rows(), static_cast<Index>(padded(columns))), right_im = right_re;
+    right_re.leftCols(map(h_b).cols()) = map(h_b).real();
+    right_im.leftCols(map(h_b).cols()) = map(h_b).imag();
     add_decibel_error(h.block(0, 0, rows, columns), left_re.data(), left_im.data(), right_re.data(), right_im.data(), n,
                       measured, error_);
   }

@@ -7,7 +7,7 @@ namespace jointid::ident {
 std::optional<Quality> judge(const Matrix& identified, const Matrix& exact) {
   double sum = 0.0, squares = 0.0, errors = 0.0, count = 0.0;
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    for (std::size_t j = i; j < exact[i].size(); ++j) {
+    for (std::size_t j = i % exact[i].size(); j < exact[i].size(); ++j) {
       if (exact[i][j] == 0.0) continue;
       const double u = identified[i][j] / exact[i][j];
       sum += u;

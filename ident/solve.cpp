@@ -29,7 +29,7 @@ std::string joined_names(const Plan& plan, const std::vector<std::size_t>& colum
   std::string text;
   for (const std::size_t column : columns) {
     if (!text.empty()) text += ", ";
-    text += plan.restriction.unknowns[plan.columns->unknown_of(column)].name;
+    text += plan.columns->name(column, plan.restriction);
   }
   return text;
 }
@@ -47,8 +47,8 @@ void judge_status(const Plan& plan, const LinearSolution& linear, Solution& out)
   for (const FreeDirection& direction : linear.free_directions) {
     const bool alone = direction.columns.size() == 1;
     out.message += " " + joined_names(plan, direction.columns) + (alone ? " is free;" : " move together;");
-    for (const std::size_t column : direction.columns) out.unknowns[column].determined = false;
   }
+  for (const std::size_t column : linear.undetermined) out.unknowns[column].determined = false;
   out.message.back() = '.';
   out.message += " Measure more coordinates or lines, or tie unknowns in the joint's matrices.";
 }

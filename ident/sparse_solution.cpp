@@ -5,6 +5,7 @@
 
 #include "ident/column_scaling.hpp"
 #include "ident/linear_solution.hpp"
+#include "ident/null_space.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -94,17 +95,20 @@ class Staircase {
     return x;
   }
 
-  /// Each column without a pivot, with the columns that it depends on.
-  std::vector<FreeDirection> free_directions() const {
-    std::vector<FreeDirection> directions;
-    for (const std::size_t k : dependent_) {
-      FreeDirection direction{{column_[k]}};
-      for_each(k, [&](std::size_t row, double value) {
-        if (value != 0.0 && row < owner_.size()) direction.columns.push_back(column_[owner_[row]]);
+  /// Basis of the null space: a column without a pivot, and what undoes it, at a time.
+  Eigen::MatrixXd null_space() const {
+    const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+    Eigen::MatrixXd basis(index(column_.size()), index(dependent_.size()));
+    for (std::size_t d = 0; d < dependent_.size(); ++d) {
+      std::vector<double> c(owner_.size(), 0.0);
+      for_each(dependent_[d], [&](std::size_t row, double value) {
+        if (row < c.size()) c[row] = -value;
       });
-      directions.push_back(std::move(direction));
+      const std::vector<double> x = solve(c);
+      basis.col(index(d)) = Eigen::Map<const Eigen::VectorXd>(x.data(), index(x.size()));
+      basis(index(column_[dependent_[d]]), index(d)) = 1.0;
     }
-    return directions;
+    return basis;
   }
 
  private:
@@ -149,7 +153,12 @@ LinearSolution solve_sparse(Accumulator& accumulator) {
   out.rank = staircase.pivots().size();
   const double* c = static_cast<const double*>(q_right->x);
   out.y = staircase.solve({c, c + q_right->nrow});
-  out.free_directions = staircase.free_directions();
+  if (out.rank < n) {
+    const Eigen::MatrixXd basis = staircase.null_space();
+    tell_null_space(basis, out);
+    Eigen::Map<Eigen::VectorXd> y(out.y.data(), static_cast<Eigen::Index>(n));
+    y = minimum_norm(basis, y);
+  }
 
   // Pivots bound the condition number from below; an SVD of a large sparse matrix costs more than the solution.
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };

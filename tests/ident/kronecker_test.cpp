@@ -93,7 +93,7 @@ void check(const RandomProduct& product, const Selection& selected, bool a_is_un
   const MatrixXcd plain = stacked(line, part);
   Compressed compressed;
   KroneckerCompressor compressor;
-  compressor.compress(line, part, compressed);
+  compressor.compress(line, part, false, compressed);
   EXPECT_EQ(compressed.ra.rows, std::min(part.rows.size(), part.a_dofs.size()));
   EXPECT_EQ(compressed.rb.rows, std::min(part.columns.size(), part.b_dofs.size()));
   expect_same_least_squares(plain, stacked(compressed));
@@ -143,15 +143,33 @@ TEST(Kronecker, OneEquationAndFewRowsOrColumns) {
   }
 }
 
+TEST(Kronecker, TheFactorOfAMayBeKeptForOtherColumnsOfTheLine) {
+  std::mt19937_64 random(3);
+  const RandomProduct product(9, 4, 12, random);
+  const Selection first = selection(9, 4, 12, random);
+  Selection second = selection(9, 4, 12, random);
+  second.rows = first.rows;
+  second.row_weight = first.row_weight;
+  second.a_dofs = first.a_dofs;
+  KroneckerCompressor keeps;
+  Compressed kept, fresh;
+  keeps.compress(product.line(), first.part(), false, kept);
+  keeps.compress(product.line(), second.part(), true, kept);
+  KroneckerCompressor().compress(product.line(), second.part(), false, fresh);
+  EXPECT_EQ(dense(kept.ra), dense(fresh.ra));
+  EXPECT_EQ(dense(kept.rb), dense(fresh.rb));
+  EXPECT_EQ(dense(kept.c), dense(fresh.c));
+}
+
 TEST(Kronecker, ACompressorThatHasSeenALargeLineForgetsIt) {
   std::mt19937_64 random(2);
   KroneckerCompressor used;
   const RandomProduct large(15, 5, 20, random), small(3, 2, 4, random);
   const Selection of_large = selection(15, 5, 20, random), of_small = selection(3, 2, 4, random);
   Compressed out, fresh;
-  used.compress(large.line(), of_large.part(), out);
-  used.compress(small.line(), of_small.part(), out);
-  KroneckerCompressor().compress(small.line(), of_small.part(), fresh);
+  used.compress(large.line(), of_large.part(), false, out);
+  used.compress(small.line(), of_small.part(), false, out);
+  KroneckerCompressor().compress(small.line(), of_small.part(), false, fresh);
   EXPECT_EQ(dense(out.ra), dense(fresh.ra));
   EXPECT_EQ(dense(out.rb), dense(fresh.rb));
   EXPECT_EQ(dense(out.c), dense(fresh.c));

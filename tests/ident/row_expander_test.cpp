@@ -100,7 +100,7 @@ void check(const restrictions::Restriction& restriction, const std::vector<std::
   const double size = expected.norm() + product.c1.norm();
   for (std::size_t p = 0; p < p_count; ++p) {
     std::vector<double> rows(2 * q_count * stride, 0.0);
-    expander.expand(compressed, p, rows.data(), stride);
+    expander.expand(compressed, p * q_count, q_count, rows.data(), stride);
     for (std::size_t q = 0; q < q_count; ++q) {
       const Eigen::Index row = index_of(p * q_count + q);
       const double* real = rows.data() + 2 * q * stride;

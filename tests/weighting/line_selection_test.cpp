@@ -60,7 +60,8 @@ TEST(SelectLines, ExcludesClosedIntervalsWithTheirEnds) {
 
 TEST(SelectLines, AStepTakesTheNearestLines) {
   EXPECT_THAT(selected(axis(0.0, 0.7, 20), within(2.0, 8.0, 2.0)),
-              ElementsAre(::testing::DoubleEq(2.1), ::testing::DoubleEq(4.2), ::testing::DoubleEq(6.3), ::testing::DoubleEq(7.7)));
+              ElementsAre(::testing::DoubleEq(2.1), ::testing::DoubleEq(4.2), ::testing::DoubleEq(6.3),
+                          ::testing::DoubleEq(7.7)));
 }
 
 TEST(SelectLines, AStepFinerThanTheAxisTakesEveryLineOnce) {
@@ -70,8 +71,7 @@ TEST(SelectLines, AStepFinerThanTheAxisTakesEveryLineOnce) {
 }
 
 TEST(SelectLines, ARangeThatBeginsFarBelowTheAxisIsSteppedFromItsOwnBeginning) {
-  EXPECT_THAT(selected(axis(1000.0, 1.0, 20), within(0.2, 1e9, 10.0)),
-              ElementsAre(1000.0, 1010.0, 1019.0));
+  EXPECT_THAT(selected(axis(1000.0, 1.0, 20), within(0.2, 1e9, 10.0)), ElementsAre(1000.0, 1010.0, 1019.0));
 }
 
 TEST(SelectLines, TheLastLineOfARoundedAxisIsTheNearestToTheLastStep) {
@@ -81,7 +81,8 @@ TEST(SelectLines, TheLastLineOfARoundedAxisIsTheNearestToTheLastStep) {
 }
 
 /// All steps within the range, each by a search over the whole axis.
-std::set<std::size_t> nearest_lines_plainly(const std::vector<double>& frequency, double low, double high, double step) {
+std::set<std::size_t> nearest_lines_plainly(const std::vector<double>& frequency, double low, double high,
+                                            double step) {
   std::set<std::size_t> lines;
   for (std::size_t k = 0; low + static_cast<double>(k) * step <= high; ++k) {
     const double target = low + static_cast<double>(k) * step;

@@ -46,7 +46,8 @@ struct RandomLine {
   double largest(std::size_t row, std::size_t column) const {
     double value = 0.0;
     for (std::size_t p = 0; p < n; ++p) {
-      for (std::size_t q = 0; q < n; ++q) value = std::max(value, std::abs(a[row * n + p] * b[q * l + column]));
+      for (std::size_t q = 0; q < n; ++q)
+        value = std::max(value, std::abs(a[row * n + p] * b[q * l + column]));
     }
     return value;
   }
@@ -66,8 +67,8 @@ struct RandomLine {
 };
 
 /// The group of an equation by the definitions of the weightings (WA is not a matter of this function).
-std::tuple<std::size_t, std::size_t, std::size_t> group(Weighting weighting, const RandomLine& line, std::size_t row,
-                                                        std::size_t column) {
+std::tuple<std::size_t, std::size_t, std::size_t> group(Weighting weighting, const RandomLine& line,
+                                                        std::size_t row, std::size_t column) {
   if (weighting == Weighting::wb) return {0, 0, 0};
   if (weighting == Weighting::wbg) return {1, row, line.column_class[column]};
   return {2, row, column};

@@ -24,8 +24,8 @@ std::vector<double> axis(double first, double step, std::size_t lines) {
   return frequency;
 }
 
-/// Σ|H|² of two point FRFs with modes at 100, 180 and 310 Hz, 1 % damped, and a rigid-body mode, each real and imaginary
-/// part times a factor in [1−level, 1+level].
+/// Σ|H|² of two point FRFs with modes at 100, 180 and 310 Hz, 1 % damped, and a rigid-body mode, each real
+/// and imaginary part times a factor in [1−level, 1+level].
 std::vector<double> three_modes(const std::vector<double>& frequency, double level) {
   const double natural[] = {0.0, 100.0, 180.0, 310.0};
   const double shape[2][4] = {{1.0, 1.0, 0.7, 0.9}, {1.0, -0.8, 1.0, 0.6}};
@@ -36,7 +36,8 @@ std::vector<double> three_modes(const std::vector<double>& frequency, double lev
     double sum = 0.0;
     for (const auto& modes : shape) {
       Complex h = 0.0;
-      for (std::size_t r = 0; r < 4; ++r) h += modes[r] * modes[r] / (natural[r] * natural[r] * Complex(1.0, 0.01) - f * f);
+      for (std::size_t r = 0; r < 4; ++r)
+        h += modes[r] * modes[r] / (natural[r] * natural[r] * Complex(1.0, 0.01) - f * f);
       const double re = h.real() * factor(random), im = h.imag() * factor(random);
       sum += re * re + im * im;
     }
@@ -80,7 +81,8 @@ TEST(FindResonances, LinesThatWereNotMeasuredAreSkipped) {
 
 TEST(FindResonances, APeakNeedsBothFlanks) {
   const std::vector<double> frequency = {1.0, 1.0 + 1e-9, 1.0 + 2e-9, 1.0 + 3e-9, 1.0 + 4e-9};
-  EXPECT_THAT(find_resonances(frequency, std::vector<double>{1.0, 2.1, 4.0, 2.1, 1.9}), ElementsAre(frequency[2]));
+  EXPECT_THAT(find_resonances(frequency, std::vector<double>{1.0, 2.1, 4.0, 2.1, 1.9}),
+              ElementsAre(frequency[2]));
   EXPECT_THAT(find_resonances(frequency, std::vector<double>{1.0, 2.1, 4.0, 3.0, 2.1}), IsEmpty());
   EXPECT_THAT(find_resonances(frequency, std::vector<double>{4.0, 2.1, 1.9, 1.0, 0.1}), IsEmpty());
   EXPECT_THAT(find_resonances({}, {}), IsEmpty());

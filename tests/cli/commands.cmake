@@ -1,0 +1,26 @@
+# The commands of README.md and the exit codes.
+command_test(help CODE 0 OUT "problem write" ARGS --help)
+command_test(version CODE 0 OUT "^jointid [0-9]+\\.[0-9]+\\.[0-9]+\n" ARGS --version)
+command_test(nothing CODE 2 ERR "--help" ARGS)
+command_test(misspelt CODE 2 ERR "did you mean 'solve'" ARGS sovle a.toml)
+
+command_test(problem_list CODE 0 OUT "\nrig1 " ARGS problem list)
+command_test(problem_write CODE 0 OUT "next: jointid solve" MAKES written ARGS problem write rig1 rig1 --format uff)
+command_test(problem_unknown CODE 2 ERR "rig1" ARGS problem write rig_1 rig1)
+command_test(problem_unwritable CODE 3 ERR "/dev/null" ARGS problem write A1 /dev/null/a1)
+
+command_test(plan CODE 0 OUT "stiffness|K\\(1,1\\)" AFTER written ARGS plan rig1/rig1.toml)
+command_test(plan_json CODE 0 OUT "\"left_out\":" AFTER written ARGS plan rig1/rig1.toml --json -)
+command_test(solve CODE 0 OUT "against the truth" AFTER written ARGS solve rig1/rig1.toml)
+command_test(solve_json CODE 0 OUT "^{\n  \"status\": \"ok\"" AFTER written ARGS solve rig1/rig1.toml --json -)
+command_test(solve_both CODE 2 ERR "standard output" AFTER written ARGS solve rig1/rig1.toml --json - --csv -)
+command_test(solve_absent CODE 2 ERR "absent.toml" ARGS solve absent.toml)
+command_test(solve_unwritable CODE 3 ERR "absent/a.json: cannot be written" AFTER written
+  ARGS solve rig1/rig1.toml --json absent/a.json)
+
+command_test(info CODE 0 OUT "accelerance" AFTER written ARGS info rig1/rig1_assembly.uff)
+command_test(info_absent CODE 3 ERR "absent.uff: " ARGS info absent.uff)
+command_test(info_other CODE 3 ERR "rig1.toml: " AFTER written ARGS info rig1/rig1.toml)
+command_test(convert CODE 0 OUT "401 lines" AFTER written MAKES converted ARGS convert rig1/rig1_assembly.uff rig1.h5)
+command_test(convert_back CODE 0 AFTER converted ARGS convert rig1.h5 rig1.csv)
+command_test(convert_to_nothing CODE 2 ERR "xls" AFTER written ARGS convert rig1/rig1_assembly.uff rig1.xls)
