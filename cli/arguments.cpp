@@ -90,7 +90,10 @@ void add_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write the solution as JSON to a file, or - for stdout");
   command->add_option("--csv", arguments->csv, "Write the unknowns as CSV to a file, or - for stdout");
-  command->footer("Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --json - | jq .unknowns");
+  command->add_option("--report", arguments->report, "Write one HTML page with tables and plots");
+  command->footer(
+      "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --json - | jq .unknowns\n"
+      "  jointid solve joint.toml --report joint.html");
 }
 
 void add_plan(CLI::App& app, Chosen& chosen) {

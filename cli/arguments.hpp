@@ -35,6 +35,7 @@ struct ProblemWriteArguments {
 struct SolveArguments {
   std::filesystem::path scene;
   Target json, csv;
+  std::optional<std::string> report;  ///< HTML file
 };
 
 struct PlanArguments {

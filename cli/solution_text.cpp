@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/table.hpp"
@@ -58,11 +59,18 @@ std::string interval(const ident::Estimate& estimate) {
   return estimate.ci95 ? number((*estimate.ci95)[0]) + " … " + number((*estimate.ci95)[1]) : "–";
 }
 
+/// Columns of errors only where a method has them.
 std::string unknowns_text(const ident::Solution& solution) {
-  Table table({{"name", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval"}, {"", Align::left}});
+  const bool errors = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.std_error || u.ci95; });
+  std::vector<Column> columns = {{"name", Align::left}, {"value"}, {"unit", Align::left}};
+  if (errors) columns.insert(columns.end(), {{"std error"}, {"95 % interval"}});
+  columns.push_back({"", Align::left});
+  Table table(std::move(columns));
   for (const auto& estimate : solution.unknowns) {
-    table.add({estimate.name, number(estimate.value), estimate.unit, number_or_dash(estimate.std_error), interval(estimate),
-               estimate.determined ? "" : "not determined by the data"});
+    std::vector<std::string> cells = {estimate.name, number(estimate.value), estimate.unit};
+    if (errors) cells.insert(cells.end(), {number_or_dash(estimate.std_error), interval(estimate)});
+    cells.push_back(estimate.determined ? "" : "not determined by the data");
+    table.add(std::move(cells));
   }
   return "\nunknowns\n" + table.text();
 }

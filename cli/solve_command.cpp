@@ -2,9 +2,11 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/report/solve_report.hpp"
 #include "cli/solution_json.hpp"
 #include "cli/solution_text.hpp"
 #include "frf/error.hpp"
+#include "frf/temporary_file.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::cli {
@@ -23,6 +25,11 @@ ident::Solution solve_watched(ident::Plan& plan) {
   return ident::solve(plan, progress.control());
 }
 
+void write_report(const std::string& file, ident::Plan& plan, const ident::Solution& solution) {
+  Progress progress;
+  frf::write_text(file, report::solve_report(plan, solution, progress.control()));
+}
+
 }  // namespace
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
@@ -33,6 +40,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
   if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
   if (arguments.json != "-" && arguments.csv != "-") out << solution_text(solution, scene.title);
+  if (arguments.report) write_report(*arguments.report, *plan, solution);
   return solution.status == ident::Status::ok ? ExitCode::done : ExitCode::unusable;
 }
 

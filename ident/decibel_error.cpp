@@ -34,7 +34,8 @@ JOINTID_INLINE double fast_log2(double x) {
 template <std::size_t rows>
 JOINTID_INLINE void add_rows(const double* base, std::size_t base_stride, const double* left_re, const double* left_im,
                              const double* right_re, const double* right_im, std::size_t n, const double* measured,
-                             std::size_t measured_stride, std::size_t columns, double& total, double& entries) {
+                             std::size_t measured_stride, std::size_t columns, double least, double& total,
+                             double& entries) {
   constexpr double tiny = 1e-300, huge = 1e300;
   double sum[width] = {}, count[width] = {};
   for (std::size_t c0 = 0; c0 < columns; c0 += width) {
@@ -67,7 +68,7 @@ JOINTID_INLINE void add_rows(const double* base, std::size_t base_stride, const 
       for (std::size_t c = 0; c < width; ++c) {
         const double p2 = re[r][c] * re[r][c] + im[r][c] * im[r][c];
         // Comparisons with NaN are false, so entries that were not measured count as unusable.
-        const bool usable = (p2 > tiny) & (m2[r][c] > tiny) & (p2 < huge) & (m2[r][c] < huge);
+        const bool usable = (p2 > tiny) & (m2[r][c] > least) & (p2 < huge) & (m2[r][c] < huge);
         const double difference = fast_log2(usable ? p2 / m2[r][c] : 1.0);
         sum[c] += difference * difference;
         count[c] += usable ? 1.0 : 0.0;
@@ -85,14 +86,23 @@ JOINTID_KERNEL void add_all_rows(const double* base, std::size_t base_stride, co
                                  const double* measured, std::size_t measured_stride, std::size_t rows,
                                  std::size_t columns, double& total, double& entries) {
   constexpr std::size_t together = 4;
+  double largest = 0.0;
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double* row = measured + 2 * i * measured_stride;
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double square = row[2 * c] * row[2 * c] + row[2 * c + 1] * row[2 * c + 1];
+      largest = square > largest ? square : largest;  // false for NaN
+    }
+  }
+  const double least = std::max(1e-300, largest * zero_level * zero_level);
   std::size_t r = 0;
   for (; r + together <= rows; r += together) {
     add_rows<together>(base + 2 * r * base_stride, base_stride, left_re + r * n, left_im + r * n, right_re, right_im, n,
-                       measured + 2 * r * measured_stride, measured_stride, columns, total, entries);
+                       measured + 2 * r * measured_stride, measured_stride, columns, least, total, entries);
   }
   for (; r < rows; ++r) {
     add_rows<1>(base + 2 * r * base_stride, base_stride, left_re + r * n, left_im + r * n, right_re, right_im, n,
-                measured + 2 * r * measured_stride, measured_stride, columns, total, entries);
+                measured + 2 * r * measured_stride, measured_stride, columns, least, total, entries);
   }
 }
 

@@ -6,6 +6,10 @@
 
 namespace jointid::ident {
 
+/// FRFs this far below the largest of their line (180 dB) count as zero: no measurement has that range, but FRFs that vanish
+/// by symmetry leave rounding errors there, whose ratio says nothing.
+inline constexpr double zero_level = 1e-9;
+
 /// Sum of squares of 20 log10(|predicted|/|measured|) over the entries where both are finite and not zero.
 struct DecibelError {
   double sum_of_squares = 0.0;

@@ -1,49 +1,13 @@
 #include "ident/prediction.hpp"
 
-#include <Eigen/LU>
-#include <numbers>
-
 #include "ident/chunk_pipeline.hpp"
-#include "ident/eigen_view.hpp"
+#include "ident/joint_effect.hpp"
 #include "ident/rectangle.hpp"
-#include "ident/row_expander.hpp"
 
 namespace jointid::ident {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXcd;
 using RowMatrixXd = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// Z_j(ω) of thesis eq. (6.28).
-MatrixXcd impedance(const Matrices& matrices, std::size_t n, double omega) {
-  MatrixXcd z = MatrixXcd::Zero(static_cast<Index>(n), static_cast<Index>(n));
-  for (const auto& [kind, matrix] : matrices) {
-    const Complex factor = impedance_factor(kind, omega);
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) z(static_cast<Index>(i), static_cast<Index>(j)) += factor * matrix[i][j];
-    }
-  }
-  return z;
-}
-
-const Matrices* matrices_at(const std::vector<BandMatrices>& bands, double frequency_hz) {
-  for (const BandMatrices& band : bands) {
-    if (!band.band_hz || (frequency_hz >= (*band.band_hz)[0] && frequency_hz < (*band.band_hz)[1])) {
-      return &band.matrices;
-    }
-  }
-  return nullptr;
-}
-
-Rectangle whole(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns) {
-  return {system, {{rows, columns}}, columns};
-}
-
-/// DOFs of `dofs` followed by the joint DOFs that are not among them.
-Dofs with_joint(const Dofs& dofs, const Dofs& joint) {
-  return frf::find_coordinate(dofs, joint.front()) == frf::npos ? joined(dofs, joint) : dofs;
-}
 
 /// Predicts chunks of lines and adds their errors up in order.
 class Predictor final : public ChunkWorker {
@@ -52,9 +16,10 @@ class Predictor final : public ChunkWorker {
       : plan_(plan),
         bands_(bands),
         total_(total),
-        substructures_(whole(*plan.substructures, with_joint(plan.predicted_responses, plan.coordinates.joint),
-                             with_joint(plan.predicted_references, plan.coordinates.joint))),
-        assembly_(whole(*plan.assembly, plan.predicted_responses, plan.predicted_references)) {}
+        substructures_(whole_rectangle(*plan.substructures,
+                                       with_joint(plan.predicted_responses, plan.coordinates.joint),
+                                       with_joint(plan.predicted_references, plan.coordinates.joint))),
+        assembly_(whole_rectangle(*plan.assembly, plan.predicted_responses, plan.predicted_references)) {}
 
   void read(std::size_t first, std::size_t last) override {
     std::vector<std::size_t> substructure_lines, assembly_lines;
@@ -84,16 +49,12 @@ class Predictor final : public ChunkWorker {
   void add(const Matrices& matrices, double frequency_hz, const View& h, const View& measured) {
     const std::size_t n = plan_.coordinates.joint.size();
     const std::size_t rows = measured.rows, columns = measured.columns;
-    const View h_b = h.block(h.rows - n, 0, n, columns);   // H_b:, to the predicted references
-    const View h_to = h.block(0, h.columns - n, rows, n);  // H_:b, from the joint
-    const View h_bb = h.block(h.rows - n, h.columns - n, n, n);
-    const MatrixXcd z = impedance(matrices, n, 2.0 * std::numbers::pi * frequency_hz);
-    const MatrixXcd p = MatrixXcd::Identity(z.rows(), z.cols()) + z * map(h_bb);
-    const RowMatrixXc left = map(h_to) * p.partialPivLu().solve(z);
-    const RowMatrixXd left_re = left.real(), left_im = left.imag();
-    RowMatrixXd right_re = RowMatrixXd::Zero(map(h_b).rows(), static_cast<Index>(padded(columns))), right_im = right_re;
-    right_re.leftCols(map(h_b).cols()) = map(h_b).real();
-    right_im.leftCols(map(h_b).cols()) = map(h_b).imag();
+    const JointEffect effect = joint_effect(h, rows, columns, joint_impedance(matrices, n, frequency_hz));
+    const auto right = map(effect.right);
+    const RowMatrixXd left_re = effect.left.real(), left_im = effect.left.imag();
+    RowMatrixXd right_re = RowMatrixXd::Zero(right.rows(), static_cast<Eigen::Index>(padded(columns))), right_im = right_re;
+    right_re.leftCols(right.cols()) = right.real();
+    right_im.leftCols(right.cols()) = right.imag();
     add_decibel_error(h.block(0, 0, rows, columns), left_re.data(), left_im.data(), right_re.data(), right_im.data(), n,
                       measured, error_);
   }

@@ -96,15 +96,6 @@ void fill_quality(const Plan& plan, Solution& out) {
   }
 }
 
-}  // namespace
-
-LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition) {
-  if (plan.solver == "normal") return solve_normal(accumulator);
-  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator, condition);
-}
-
-namespace {
-
 void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out) {
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const restrictions::Unknown& unknown = plan.restriction.unknowns[plan.columns->unknown_of(column)];
@@ -115,6 +106,24 @@ void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out
     out.unknowns.push_back(std::move(estimate));
   }
 }
+
+}  // namespace
+
+void interpret(const Plan& plan, const LinearSolution& linear, Solution& out) {
+  out.fit.rank = linear.rank;
+  out.fit.condition = linear.condition;
+  fill_unknowns(plan, linear, out);
+  judge_status(plan, linear, out);
+  fill_bands(plan, out);
+  fill_quality(plan, out);
+}
+
+LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition) {
+  if (plan.solver == "normal") return solve_normal(accumulator);
+  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator, condition);
+}
+
+namespace {
 
 std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control) {
   if (plan.predicted_responses.empty()) return std::nullopt;
@@ -129,12 +138,7 @@ void identify(Plan& plan, Accumulator& accumulator, const Control& control, Solu
     const Stopwatch watch(out.runtime_s.solve);
     linear = solve(plan, accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
   }
-  out.fit.rank = linear.rank;
-  out.fit.condition = linear.condition;
-  fill_unknowns(plan, linear, out);
-  judge_status(plan, linear, out);
-  fill_bands(plan, out);
-  fill_quality(plan, out);
+  interpret(plan, linear, out);
   if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 

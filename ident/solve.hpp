@@ -44,4 +44,8 @@ Assembled assemble(Plan& plan, RunTime& runtime, const Control& control = {});
 /// … and its solution by the plan's solver.
 LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition = Condition::compute);
 
+/// What that solution says: rank, condition, status, unknowns, joint matrices and figures of merit of `out`, which has none
+/// of them yet.
+void interpret(const Plan& plan, const LinearSolution& linear, Solution& out);
+
 }  // namespace jointid::ident

@@ -38,7 +38,7 @@ std::vector<double> frequencies(const Axis& axis);
 /// (floor/|A|)², A the accelerance.
 struct HammerCoherence {
   double ceiling = 0.999;
-  double accelerance_floor = 0.05;  ///< (m/s²)/N
+  double accelerance_floor = 0.04;  ///< (m/s²)/N
 };
 
 /// The definition of a problem, from which make() computes FRFs and writes the scene.

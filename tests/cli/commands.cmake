@@ -18,7 +18,7 @@ command_test(solve_absent CODE 2 ERR "absent.toml" ARGS solve absent.toml)
 command_test(solve_unwritable CODE 3 ERR "absent/a.json: cannot be written" AFTER written
   ARGS solve rig1/rig1.toml --json absent/a.json)
 
-command_test(info CODE 0 OUT "accelerance" AFTER written ARGS info rig1/rig1_assembly.uff)
+command_test(info CODE 0 OUT "assembly.uff: UFF\n.*144 +58b.*accelerance" AFTER written ARGS info rig1/rig1_assembly.uff)
 command_test(info_absent CODE 3 ERR "absent.uff: " ARGS info absent.uff)
 command_test(info_other CODE 3 ERR "rig1.toml: " AFTER written ARGS info rig1/rig1.toml)
 command_test(convert CODE 0 OUT "401 lines" AFTER written MAKES converted ARGS convert rig1/rig1_assembly.uff rig1.h5)

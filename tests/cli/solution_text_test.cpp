@@ -33,6 +33,13 @@ TEST(SolutionText, AnUnknownThatTheDataDoNotFixIsMarked) {
   EXPECT_THAT(text, HasSubstr("not determined by the data\n"));
 }
 
+TEST(SolutionText, WithoutErrorsThereAreNoColumnsForThem) {
+  auto solution = sample_solution();
+  EXPECT_THAT(solution_text(solution, ""), HasSubstr("std error"));
+  solution.unknowns.erase(solution.unknowns.begin());
+  EXPECT_THAT(solution_text(solution, ""), Not(HasSubstr("std error")));
+}
+
 TEST(SolutionText, WithoutATruthThereIsNoQuality) {
   auto solution = sample_solution();
   EXPECT_THAT(solution_text(solution, ""), HasSubstr("against the truth"));

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// What a report page can show. Texts are plain: the page escapes them. NaN is "not there" everywhere.
+namespace jointid::cli::report {
+
+/// A paragraph; `quiet` for remarks.
+struct Text {
+  std::string text;
+  bool quiet = false;
+};
+
+/// Names and values below each other.
+struct Facts {
+  std::vector<std::pair<std::string, std::string>> rows;
+};
+
+struct Table {
+  std::vector<std::string> titles;
+  std::vector<std::vector<std::string>> rows;  ///< first cell of a row: its name
+};
+
+/// A square matrix over named coordinates, and how far each element is from the truth where that is known.
+struct MatrixTable {
+  std::string title;
+  std::vector<std::string> names;
+  std::vector<std::vector<double>> values;
+  std::vector<std::vector<double>> truth;  ///< empty, or as `values`
+};
+
+/// One identified value.
+struct Bar {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::optional<std::array<double, 2>> interval;
+  std::optional<double> truth;
+  std::string remark;  ///< "not determined"
+};
+
+/// Values as bars from zero; those of the same scale group and unit share a scale.
+struct Bars {
+  std::vector<Bar> bars;
+};
+
+struct Axis {
+  std::string label;  ///< with unit
+  bool log = false;
+};
+
+enum class Style {
+  line,
+  reference,  ///< broad and grey: what the other curves are compared with
+  dashed,
+  points
+};
+
+struct Series {
+  std::string name;
+  std::vector<double> y;
+  Style style = Style::line;
+};
+
+/// Curves over one axis.
+struct CurvePlot {
+  std::string title;
+  Axis x, y;
+  std::vector<double> x_values;  ///< ascending
+  std::vector<Series> series;    ///< as long as x_values
+  std::optional<std::array<double, 2>> band;  ///< part of the x-axis to shade
+  std::optional<double> level;                ///< a horizontal line to compare with
+  std::optional<double> period;               ///< of y: a curve that jumps by more than half of it is interrupted
+};
+
+struct Point {
+  double x = 0.0, y = 0.0;
+  std::string label;
+};
+
+struct PointGroup {
+  std::string name;
+  std::vector<Point> points;
+};
+
+struct ScatterPlot {
+  std::string title;
+  Axis x, y;
+  std::vector<PointGroup> groups;
+  std::vector<Point> front;  ///< joined by a line, e.g. the Pareto front; ascending in x
+};
+
+struct HistogramPlot {
+  std::string title;
+  Axis x;
+  double low = 0.0, high = 1.0;  ///< ends of the first and last bin
+  std::vector<double> counts;    ///< of bins of equal width
+  std::optional<double> mark;    ///< a value to point at
+  std::string mark_name;
+};
+
+using Plot = std::variant<CurvePlot, ScatterPlot, HistogramPlot>;
+
+/// Plots that are shown together; curves over the same axis zoom together.
+struct Choice {
+  std::string name;
+  std::vector<Plot> plots;
+};
+
+/// One choice is shown; a menu changes it when there are several.
+struct PlotGroup {
+  std::string menu;  ///< what the menu chooses, e.g. "FRF"
+  std::vector<Choice> choices;
+};
+
+}  // namespace jointid::cli::report

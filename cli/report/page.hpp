@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/report/contents.hpp"
+
+namespace jointid::cli::report {
+
+/// One self-contained HTML page: its style, its program and its data are inside, and it may not load anything (which a
+/// content security policy of its own says too). What is text or a table can be read without the program.
+class ReportPage {
+ public:
+  ReportPage(std::string title, std::string subtitle);
+
+  /// Opens a section; what is added next stands in it.
+  void section(const std::string& title);
+
+  void add(const Text& text);
+  void add(const Facts& facts);
+  void add(const Table& table);
+  void add(const MatrixTable& matrix);
+  void add(const Bars& bars);
+  /// Groups without plots are left out.
+  void add(const PlotGroup& group);
+
+  std::string html() const;
+
+ private:
+  void append(const std::string& html);
+
+  std::string title_, subtitle_;
+  std::vector<std::string> sections_;
+  std::vector<std::string> groups_;  ///< as JSON
+};
+
+}  // namespace jointid::cli::report

@@ -1,0 +1,115 @@
+"use strict";
+// From the page's descriptions of plots (see plot_json.hpp) to options and data of the plotting library.
+
+function lineWidth(style) { return style === "reference" ? 4 : 1.75; }
+
+/// Interrupts a curve where it jumps by more than half a period, e.g. a phase at ±180°.
+function jumps(period) {
+  return (plot, index, from, to, gaps) => {
+    const x = plot.data[0], y = plot.data[index];
+    for (let i = from + 1; i <= to; ++i) {
+      if (y[i] == null || y[i - 1] == null || Math.abs(y[i] - y[i - 1]) <= period / 2) continue;
+      gaps.push([plot.valToPos(x[i - 1], "x", true), plot.valToPos(x[i], "x", true)]);
+    }
+    return gaps.sort((a, b) => a[0] - b[0]);
+  };
+}
+
+function curveSeries(series, index, period) {
+  const shade = series.style === "reference" ? colour("reference") : seriesColour(index);
+  const options = {
+    label: series.name, stroke: shade, width: lineWidth(series.style), value: (plot, value) => number(value),
+    points: { show: series.style === "points", size: 6, fill: shade },
+  };
+  if (series.style === "points") options.paths = () => null;
+  if (series.style === "dashed") options.dash = [6, 4];
+  if (period) options.gaps = jumps(period);
+  return options;
+}
+
+function curves(plot) {
+  let next = 0;
+  return {
+    data: [plot.values, ...plot.series.map((series) => series.y)],
+    series: plot.series.map((series) => curveSeries(series, series.style === "reference" ? 0 : next++, plot.period)),
+    range: {}, drag: { x: true, y: false }, x: plot.x, y: plot.y,
+  };
+}
+
+/// All points in one list, ascending in x; each row has the value of its own series only.
+function scatter(plot) {
+  const lists = [...plot.groups.map((group) => group.points), plot.front];
+  const rows = lists.flatMap((points, series) => points.map((point) => ({ point, series })));
+  rows.sort((a, b) => a.point[0] - b.point[0]);
+  const column = (series) => rows.map((row) => row.series === series ? row.point[1] : null);
+  const series = plot.groups.map((group, index) => ({
+    label: group.name, stroke: seriesColour(index), paths: () => null, value: (u, value) => number(value),
+    points: { show: true, size: 9, fill: seriesColour(index), stroke: colour("paper"), width: 1 },
+  }));
+  series.push({
+    label: "Pareto front", stroke: colour("ink"), width: 1.25, dash: [5, 4], spanGaps: true, points: { show: false },
+    value: (u, value) => number(value),
+  });
+  return {
+    data: [rows.map((row) => row.point[0]), ...lists.map((points, index) => column(index))], series, rows,
+    range: {}, drag: { x: true, y: true }, x: plot.x, y: plot.y,
+  };
+}
+
+function histogram(plot) {
+  const [low, high] = plot.range, width = (high - low) / plot.counts.length;
+  return {
+    data: [plot.counts.map((count, bin) => low + (bin + .5) * width), plot.counts],
+    series: [{
+      label: "count", stroke: seriesColour(0), fill: colour("bar"), width: 1, points: { show: false },
+      paths: uPlot.paths.bars({ size: [1, 200] }), value: (u, value) => number(value),
+    }],
+    range: { x: (u, from, to) => from == null ? [low, high] : [from, to], y: (u, from, to) => [0, to > 0 ? to * 1.05 : 1] },
+    drag: { x: true, y: false }, x: plot.x, y: { label: "count", log: false },
+  };
+}
+
+const kinds = { curves, scatter, histogram };
+
+function scales(made) {
+  const one = (description, range) => Object.assign({ time: false, distr: description.log ? 3 : 1 }, range && { range });
+  return { x: one(made.x, made.range.x), y: one(made.y, made.range.y) };
+}
+
+/// The name of the point nearest to the cursor, in a box beside it.
+function showNearest(plot, rows, tip) {
+  const { left, top } = plot.cursor;
+  let nearest = null, least = 24;
+  for (const { point } of left < 0 ? [] : rows) {
+    if (!point[2]) continue;
+    const distance = Math.hypot(plot.valToPos(point[0], "x") - left, plot.valToPos(point[1], "y") - top);
+    if (distance < least) [nearest, least] = [point, distance];
+  }
+  tip.hidden = nearest === null;
+  if (nearest === null) return;
+  tip.textContent = `${nearest[2]}: ${number(nearest[0])}, ${number(nearest[1])}`;
+  tip.style.left = Math.min(left + plot.over.offsetLeft + 12, plot.width - 150) + "px";
+  tip.style.top = top + 12 + "px";
+}
+
+/// Draws a description into an element.
+function drawPlot(description, element, sync) {
+  const made = kinds[description.kind](description);
+  const width = element.clientWidth;
+  const options = {
+    width, height: Math.round(Math.min(340, Math.max(230, width * .42))),
+    scales: scales(made), axes: [axis(made.x, "x"), axis(made.y, "y")],
+    series: [{ label: made.x.label, value: (plot, value) => number(value) }, ...made.series],
+    cursor: { drag: made.drag, sync: { key: sync }, points: { size: 7 } },
+    legend: { live: description.kind !== "scatter" },
+    hooks: {
+      drawAxes: [(plot) => drawBackground(plot, description)],
+      draw: [(plot) => { if (description.mark) drawMark(plot, description.mark); }],
+    },
+  };
+  if (made.rows) {
+    const tip = element.appendChild(Object.assign(document.createElement("div"), { className: "tip", hidden: true }));
+    options.hooks.setCursor = [(plot) => showNearest(plot, made.rows, tip)];
+  }
+  return new uPlot(options, made.data, element);
+}

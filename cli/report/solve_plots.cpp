@@ -1,0 +1,111 @@
+#include "cli/report/solve_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cli/report/decimate.hpp"
+
+namespace jointid::cli::report {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Zero has no place on a logarithmic axis.
+Values magnitudes(const std::vector<ident::Complex>& frf) {
+  Values out;
+  for (const ident::Complex& value : frf) out.push_back(std::abs(value) > 0.0 ? std::abs(value) : nan);
+  return out;
+}
+
+Values phases_deg(const std::vector<ident::Complex>& frf, const std::vector<std::size_t>& indices) {
+  Values out;
+  for (const std::size_t i : indices) out.push_back(std::arg(frf[i]) * 180.0 / std::numbers::pi);
+  return out;
+}
+
+bool has_any(const Values& values) {
+  for (const double value : values) {
+    if (std::isfinite(value)) return true;
+  }
+  return false;
+}
+
+/// Of a receptance.
+std::string unit(const ident::FrfEntry& entry) {
+  const std::string response = entry.response.is_rotation() ? "rad" : "m";
+  return response + (entry.reference.is_rotation() ? "/(N·m)" : "/N");
+}
+
+std::string entry_name(const ident::RegeneratedFrf& frf) {
+  const auto error = ident::decibel_error(frf);
+  return fmt::format("{} / {}{}", frf.entry.response.name(), frf.entry.reference.name(),
+                     error ? fmt::format(" ({:.3g} dB)", *error) : "");
+}
+
+/// "measured" and "regenerated", whichever there is.
+std::vector<Series> overlay(Values measured, Values regenerated) {
+  std::vector<Series> series;
+  if (has_any(measured)) series.push_back({"measured", std::move(measured), Style::reference});
+  if (has_any(regenerated)) series.push_back({"regenerated", std::move(regenerated), Style::line});
+  return series;
+}
+
+Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::array<double, 2> used_hz,
+              std::size_t most) {
+  const std::vector<Values> curves = {magnitudes(frf.measured), magnitudes(frf.predicted)};
+  const std::vector<std::size_t> kept = keep_peaks(curves, most);
+  CurvePlot magnitude, phase;
+  magnitude.title = "Magnitude of " + frf.entry.response.name() + " / " + frf.entry.reference.name();
+  magnitude.x = {"frequency (Hz)", false};
+  magnitude.y = {"receptance (" + unit(frf.entry) + ")", true};
+  magnitude.x_values = picked(frequency_hz, kept);
+  magnitude.series = overlay(picked(curves[0], kept), picked(curves[1], kept));
+  magnitude.band = used_hz;
+  phase = magnitude;
+  phase.title = "Phase";
+  phase.y = {"phase (°)", false};
+  phase.period = 360.0;
+  phase.series = overlay(phases_deg(frf.measured, kept), phases_deg(frf.predicted, kept));
+  return {entry_name(frf), {magnitude, phase}};
+}
+
+}  // namespace
+
+PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::array<double, 2> used_hz, std::size_t most) {
+  PlotGroup group{"FRF", {}};
+  for (const ident::RegeneratedFrf& frf : regenerated.frfs) {
+    if (!has_any(magnitudes(frf.measured))) continue;
+    group.choices.push_back(choice(frf, regenerated.frequency_hz, used_hz, most));
+  }
+  return group;
+}
+
+PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines) {
+  PlotGroup group{"matrix", {}};
+  if (lines.size() < 2) return group;
+  for (const auto& last : lines.back().quality) {
+    Values count, rjcf, arvf;
+    for (const ident::LineQuality& line : lines) {
+      const auto found = line.quality.find(last.first);
+      count.push_back(static_cast<double>(line.lines));
+      rjcf.push_back(found == line.quality.end() ? nan : found->second.rjcf);
+      arvf.push_back(found == line.quality.end() ? nan : found->second.arvf);
+    }
+    CurvePlot plot;
+    plot.title = "RJCF and ARVF against the number of frequency lines";
+    plot.x = {"frequency lines used", false};
+    plot.y = {"RJCF, ARVF", false};
+    plot.x_values = std::move(count);
+    plot.series = {{"RJCF", std::move(rjcf), Style::line}, {"ARVF", std::move(arvf), Style::line}};
+    plot.level = 1.0;
+    group.choices.push_back({restrictions::key(last.first), {plot}});
+  }
+  return group;
+}
+
+}  // namespace jointid::cli::report

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "ident/solve.hpp"
+
+namespace jointid::cli::report {
+
+/// The page of a solved plan. Computes what only a report shows: regenerated FRFs, and figures of merit line by line when
+/// the scene tells the truth.
+std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control);
+
+}  // namespace jointid::cli::report

@@ -1,0 +1,64 @@
+#include "cli/report/tables_html.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/report/escape.hpp"
+#include "cli/table.hpp"
+
+namespace jointid::cli::report {
+namespace {
+
+/// Wide tables scroll by themselves, not the page.
+std::string scrolling(const std::string& table) { return "<div class=\"wide\" tabindex=\"0\">" + table + "</div>\n"; }
+
+std::string deviation(double value, double truth) {
+  if (truth == 0.0 || !std::isfinite(value)) return "";
+  return fmt::format("<small>{:+.3g} %</small>", 100.0 * (value / truth - 1.0));
+}
+
+}  // namespace
+
+std::string to_html(const Text& text) {
+  return fmt::format("<p{}>{}</p>\n", text.quiet ? " class=\"quiet\"" : "", html(text.text));
+}
+
+std::string to_html(const Facts& facts) {
+  std::string out = "<dl>\n";
+  for (const auto& [name, value] : facts.rows) {
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>\n", html(name), html(value));
+  }
+  return out + "</dl>\n";
+}
+
+std::string to_html(const Table& table) {
+  std::string out = "<table><thead><tr>";
+  for (const std::string& title : table.titles) out += "<th scope=\"col\">" + html(title) + "</th>";
+  out += "</tr></thead><tbody>\n";
+  for (const auto& row : table.rows) {
+    out += "<tr>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      out += i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>" : "<td>" + html(row[i]) + "</td>";
+    }
+    out += "</tr>\n";
+  }
+  return scrolling(out + "</tbody></table>");
+}
+
+std::string to_html(const MatrixTable& matrix) {
+  std::string out = "<table class=\"matrix\"><caption>" + html(matrix.title) + "</caption><thead><tr><td></td>";
+  for (const std::string& name : matrix.names) out += "<th scope=\"col\">" + html(name) + "</th>";
+  out += "</tr></thead><tbody>\n";
+  for (std::size_t i = 0; i < matrix.values.size(); ++i) {
+    out += "<tr><th scope=\"row\">" + html(matrix.names[i]) + "</th>";
+    for (std::size_t j = 0; j < matrix.values[i].size(); ++j) {
+      const double value = matrix.values[i][j];
+      out += "<td>" + number(value) + (matrix.truth.empty() ? "" : deviation(value, matrix.truth[i][j])) + "</td>";
+    }
+    out += "</tr>\n";
+  }
+  return scrolling(out + "</tbody></table>");
+}
+
+}  // namespace jointid::cli::report

@@ -1,0 +1,15 @@
+# Writes OUT: the text of FILES as string constants; see JointidEmbed.cmake.
+cmake_minimum_required(VERSION 3.25)
+
+set(text "#include <string_view>\n\nnamespace ${NAMESPACE} {\n")
+foreach(file IN LISTS FILES)
+  file(SIZE "${file}" size)
+  if(size GREATER 65536)
+    message(FATAL_ERROR "${file} has ${size} bytes, more than 65536")
+  endif()
+  get_filename_component(name "${file}" NAME)
+  string(REGEX REPLACE "[^A-Za-z0-9]" "_" name "${name}")
+  file(READ "${file}" content)
+  string(APPEND text "extern const std::string_view ${name};\nconst std::string_view ${name} = R\"embedded(${content})embedded\";\n")
+endforeach()
+file(WRITE "${OUT}" "${text}}  // namespace ${NAMESPACE}\n")

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "ident/eigen_view.hpp"
+#include "ident/equation_builder.hpp"
+#include "ident/rectangle.hpp"
+#include "ident/solution.hpp"
+
+namespace jointid::ident {
+
+/// The matrices of the band that a line lies in; null between bands.
+const Matrices* matrices_at(const std::vector<BandMatrices>& bands, double frequency_hz);
+
+/// Z_j(ω) [N×N] of thesis eq. (6.28).
+Eigen::MatrixXcd joint_impedance(const Matrices& matrices, std::size_t n, double frequency_hz);
+
+/// `dofs`, with the joint's DOFs behind them unless they are among them.
+Dofs with_joint(const Dofs& dofs, const Dofs& joint);
+
+/// A rectangle that is read as a whole.
+Rectangle whole_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns);
+
+/// What a joint changes: H_asm = H_sub − left·right, for the first R rows and C columns of H_sub.
+struct JointEffect {
+  RowMatrixXc left;  ///< [R×N] H_:b (I + Z_j H_bb)⁻¹ Z_j
+  View right;        ///< [N×C] H_b:, a part of H_sub
+};
+
+/// The effect of a joint on substructures with the FRFs `h`, whose last N rows and columns are the joint's
+/// (formulas §2, thesis eq. 6.12–6.15).
+JointEffect joint_effect(const View& h, std::size_t rows, std::size_t columns, const Eigen::MatrixXcd& impedance);
+
+}  // namespace jointid::ident

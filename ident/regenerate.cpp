@@ -1,0 +1,181 @@
+#include "ident/regenerate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ident/chunk_pipeline.hpp"
+#include "ident/joint_effect.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// The DOFs of `dofs` that `system_dofs` has too.
+Dofs shared(const Dofs& dofs, const Dofs& system_dofs) {
+  Dofs both;
+  for (const frf::Dof& dof : dofs) {
+    if (frf::find_coordinate(system_dofs, dof) != frf::npos) both.push_back(dof);
+  }
+  return both;
+}
+
+void add_once(Dofs& dofs, const frf::Dof& dof) {
+  if (frf::find_coordinate(dofs, dof) == frf::npos) dofs.push_back(dof);
+}
+
+Dofs without(Dofs dofs, const Dofs& others) {
+  std::erase_if(dofs, [&](const frf::Dof& dof) { return frf::find_coordinate(others, dof) != frf::npos; });
+  return dofs;
+}
+
+/// The joint's FRFs stand last in a rectangle of the substructures, so its DOFs are taken out of the others.
+struct Rows {
+  Dofs others, joint;
+
+  Dofs all() const { return joined(others, joint); }
+  std::size_t at(const frf::Dof& dof) const { return frf::find_coordinate(all(), dof); }
+};
+
+class Regenerator final : public ChunkWorker {
+ public:
+  Regenerator(Plan& plan, const std::vector<BandMatrices>& bands, const Rows& rows, const Rows& columns,
+              const std::vector<Line>& lines, Regenerated& out)
+      : bands_(bands),
+        n_(plan.coordinates.joint.size()),
+        lines_(lines),
+        substructures_(whole_rectangle(*plan.substructures, rows.all(), columns.all())),
+        assembly_(whole_rectangle(*plan.assembly, rows.all(), columns.all())),
+        out_(out) {
+    for (const RegeneratedFrf& frf : out.frfs) {
+      places_.emplace_back(rows.at(frf.entry.response), columns.at(frf.entry.reference));
+    }
+  }
+
+  void read(std::size_t first, std::size_t last) override {
+    std::vector<std::size_t> substructure_lines, assembly_lines;
+    for (std::size_t i = first; i < last; ++i) {
+      substructure_lines.push_back(lines_[i].substructures);
+      assembly_lines.push_back(lines_[i].assembly);
+    }
+    substructures_.read(substructure_lines);
+    assembly_.read(assembly_lines);
+  }
+
+  void work(std::size_t first, std::size_t last) override {
+    for (std::size_t i = first; i < last; ++i) {
+      const Matrices* matrices = matrices_at(bands_, lines_[i].frequency_hz);
+      const View h = substructures_.line(i - first), measured = assembly_.line(i - first);
+      for (std::size_t k = 0; k < places_.size(); ++k) {
+        out_.frfs[k].measured[i] = measured(places_[k].first, places_[k].second);
+      }
+      if (matrices != nullptr) predict(i, h, joint_impedance(*matrices, n_, lines_[i].frequency_hz));
+    }
+  }
+
+  void merge() override {}
+
+ private:
+  void predict(std::size_t i, const View& h, const Eigen::MatrixXcd& impedance) {
+    const JointEffect effect = joint_effect(h, h.rows, h.columns, impedance);
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+      const auto [row, column] = places_[k];
+      Complex value = h(row, column);
+      for (std::size_t j = 0; j < n_; ++j) {
+        value -= effect.left(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(j)) * effect.right(j, column);
+      }
+      out_.frfs[k].predicted[i] = value;
+    }
+  }
+
+  const std::vector<BandMatrices>& bands_;
+  std::size_t n_;
+  const std::vector<Line>& lines_;
+  Rectangle substructures_, assembly_;
+  std::vector<std::pair<std::size_t, std::size_t>> places_;
+  Regenerated& out_;
+};
+
+std::vector<Line> common_lines(const Plan& plan) {
+  const std::vector<double>& axis = plan.assembly->frequency_hz();
+  const std::vector<std::size_t> partners = frf::match_lines(axis, plan.substructures->frequency_hz());
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    if (partners[i] != frf::npos) lines.push_back({axis[i], partners[i], i});
+  }
+  return lines;
+}
+
+Regenerated prepared(const std::vector<Line>& lines, const std::vector<FrfEntry>& entries) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Regenerated out;
+  for (const Line& line : lines) out.frequency_hz.push_back(line.frequency_hz);
+  const std::vector<Complex> nothing(lines.size(), Complex(nan, nan));
+  for (const FrfEntry& entry : entries) out.frfs.push_back({entry, nothing, nothing});
+  return out;
+}
+
+bool is_driving_point(const FrfEntry& entry) { return entry.response.same_coordinate(entry.reference); }
+
+/// Every k-th element so that about `count` are left, ends included.
+Dofs spread(const Dofs& dofs, std::size_t count) {
+  if (dofs.size() <= count) return dofs;
+  Dofs chosen;
+  for (std::size_t i = 0; i < count; ++i) {
+    chosen.push_back(dofs[count == 1 ? 0 : i * (dofs.size() - 1) / (count - 1)]);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<FrfEntry> choose_entries(const Plan& plan, std::size_t count) {
+  const Coordinates& at = plan.coordinates;
+  const Dofs rows = joined(at.responses, shared(at.joint, plan.assembly->responses()));
+  const Dofs columns = joined(at.references, shared(at.joint, plan.assembly->references()));
+  std::vector<FrfEntry> entries;
+  const auto add = [&](const frf::Dof& row, const frf::Dof& column) {
+    const FrfEntry entry{row, column};
+    if (std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
+  };
+  for (const frf::Dof& dof : spread(shared(rows, columns), (count + 1) / 2)) add(dof, dof);
+  const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
+  for (const frf::Dof& row : spread(rows, side)) {
+    for (const frf::Dof& column : spread(columns, side)) add(row, column);
+  }
+  if (entries.size() > count) entries.resize(count);
+  std::ranges::stable_partition(entries, is_driving_point);
+  return entries;
+}
+
+Regenerated regenerate(Plan& plan, const std::vector<BandMatrices>& bands, const std::vector<FrfEntry>& entries,
+                       const Control& control) {
+  const std::vector<Line> lines = common_lines(plan);
+  Regenerated out = prepared(lines, entries);
+  if (entries.empty() || lines.empty()) return out;
+  Rows rows{{}, plan.coordinates.joint}, columns = rows;
+  for (const FrfEntry& entry : entries) {
+    add_once(rows.others, entry.response);
+    add_once(columns.others, entry.reference);
+  }
+  rows.others = without(rows.others, rows.joint);
+  columns.others = without(columns.others, columns.joint);
+  const std::size_t chunk = chunk_lines(rows.all().size() * columns.all().size());
+  std::vector<std::unique_ptr<ChunkWorker>> workers;
+  workers.push_back(std::make_unique<Regenerator>(plan, bands, rows, columns, lines, out));
+  run_chunks(lines.size(), chunk, "regenerating", workers, control);
+  return out;
+}
+
+std::optional<double> decibel_error(const RegeneratedFrf& frf) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < frf.measured.size(); ++i) {
+    const double db = 20.0 * std::log10(std::abs(frf.predicted[i]) / std::abs(frf.measured[i]));
+    if (!std::isfinite(db)) continue;
+    sum += db * db;
+    count += 1.0;
+  }
+  if (count == 0.0) return std::nullopt;
+  return std::sqrt(sum / count);
+}
+
+}  // namespace jointid::ident
