@@ -49,7 +49,8 @@ std::string study_json(const StudyReport& report) {
   for (const auto& matrix : of.quality) {
     json["quality"][matrix.matrix] = {{"rjcf", value(matrix.rjcf)},
                                       {"arvf", value(matrix.arvf)},
-                                      {"rms_relative_error", value(matrix.rms_relative_error)}};
+                                      {"rms_relative_error", value(matrix.rms_relative_error)},
+                                      {"rms_over_trials", value(matrix.rms_over_trials)}};
   }
   json["runtime_s"] = {{"total", report.run.wall_s}, {"trials", report.run.computed}, {"one_solution", report.run.solve_s}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -49,18 +49,20 @@ std::string unknowns_text(const ident::StudyStatistics& statistics) {
 
 std::string quality_text(const std::vector<ident::QualityStatistics>& matrices) {
   if (matrices.empty()) return "";
-  Table table({{"matrix", Align::left}, {"", Align::left}, {"5 %"}, {"25 %"}, {"median"}, {"75 %"}, {"95 %"}});
+  Table table({{"matrix", Align::left}, {"", Align::left}, {"5 %"}, {"25 %"}, {"median"}, {"75 %"}, {"95 %"}, {"rms over trials"}});
   for (const ident::QualityStatistics& matrix : matrices) {
     std::string name = matrix.matrix;
     for (char& c : name) c = c == '_' ? ' ' : c;
-    const auto add = [&](const std::string& first, const char* what, const ident::Quantiles& quantiles) {
+    const auto add = [&](const std::string& first, const char* what, const ident::Quantiles& quantiles,
+                         const std::string& rms) {
       std::vector<std::string> cells = {first, what};
       for (const double quantile : quantiles) cells.push_back(fmt::format("{:.4g}", quantile));
+      cells.push_back(rms);
       table.add(std::move(cells));
     };
-    add(name, "RJCF", matrix.rjcf);
-    add("", "ARVF", matrix.arvf);
-    add("", "rms relative error", matrix.rms_relative_error);
+    add(name, "RJCF", matrix.rjcf, "");
+    add("", "ARVF", matrix.arvf, "");
+    add("", "rms relative error", matrix.rms_relative_error, fmt::format("{:.4g}", matrix.rms_over_trials));
   }
   return "\nquantiles against the truth\n" + table.text();
 }

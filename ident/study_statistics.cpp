@@ -117,8 +117,12 @@ StudyStatistics study_statistics(const Path& file) {
   }
   for (std::size_t k = 0; k < at.judged.size(); ++k) {
     const std::size_t first = at.quality(k);
-    out.quality.push_back({at.judged[k], quantiles_of(columns.usable(first)), quantiles_of(columns.usable(first + 1)),
-                           quantiles_of(columns.usable(first + 2))});
+    const std::vector<double> errors = columns.usable(first + 2);
+    out.quality.push_back({.matrix = at.judged[k],
+                           .rjcf = quantiles_of(columns.usable(first)),
+                           .arvf = quantiles_of(columns.usable(first + 1)),
+                           .rms_relative_error = quantiles_of(errors),
+                           .rms_over_trials = std::sqrt(squares_about(errors, 0.0) / static_cast<double>(errors.size()))});
   }
   return out;
 }

@@ -27,6 +27,7 @@ struct UnknownStatistics {
 struct QualityStatistics {
   std::string matrix;  ///< "stiffness"
   Quantiles rjcf{}, arvf{}, rms_relative_error{};
+  double rms_over_trials = 0.0;  ///< rms of the relative errors of all elements in all trials
 };
 
 struct StudyStatistics {
