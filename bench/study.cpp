@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -21,15 +22,22 @@ using namespace jointid;
 
 constexpr std::size_t coordinates = 14, compared = 20;
 
-double study_seconds(const std::shared_ptr<const ident::TrialData>& data, std::size_t threads) {
+struct Seconds {
+  double wall = 1e9, processor = 1e9;
+};
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void run(const std::shared_ptr<const ident::TrialData>& data, std::size_t threads, Seconds& best) {
   ident::StudyOptions options;
   options.trials = 10000;
   options.threads = threads;
   options.out = std::filesystem::temp_directory_path() / "jointid_bench_study.h5";
   const auto team = ident::make_team_of_one();
-  const double seconds = ident::run_study(data, options, *team).wall_s;
+  const double start = processor_seconds();
+  best.wall = std::min(best.wall, ident::run_study(data, options, *team).wall_s);
+  best.processor = std::min(best.processor, processor_seconds() - start);
   std::filesystem::remove(options.out);
-  return seconds;
 }
 
 /// Joint coordinates last.
@@ -125,15 +133,16 @@ int main() {
   ident::Scene scene = problems::scene(problem);
   scene.identify.weighting = weighting::Weighting::wbs;
   const auto data = problems::trial_data(scene, problem);
-  double one = 1e9, two = 1e9;
-  for (int round = 0; round < 3; ++round) {
-    one = std::min(one, study_seconds(data, 1));
-    two = std::min(two, study_seconds(data, 2));
+  Seconds one, two;
+  for (int round = 0; round < 5; ++round) {
+    run(data, 1, one);
+    run(data, 2, two);
   }
-  fmt::print("case A1, 31 lines, nn + nj, WBS, 5 % noise; best of 3 rounds in turns\n");
-  fmt::print("  10,000 trials, 1 thread        {:8.2f} s\n", one);
-  fmt::print("  10,000 trials, 2 threads       {:8.2f} s      less than 3\n", two);
-  fmt::print("  ratio                          {:8.2f}        at least 1.8\n", one / two);
+  fmt::print("case A1, 31 lines, nn + nj, WBS, 5 % noise; best of 5 rounds in turns\n");
+  fmt::print("  10,000 trials, 1 thread        {:8.2f} s      of processor time {:.2f} s\n", one.wall, one.processor);
+  fmt::print("  10,000 trials, 2 threads       {:8.2f} s      less than 3; of processor time {:.2f} s\n", two.wall, two.processor);
+  fmt::print("  ratio                          {:8.2f}        at least 1.8, when no other program needs the processors\n",
+             one.wall / two.wall);
   const bool peer_holds = compare_with_peer(problem, data);
-  return two < 3.0 && one / two >= 1.8 && peer_holds ? 0 : 1;
+  return two.wall < 3.0 && one.wall / two.wall >= 1.8 && peer_holds ? 0 : 1;
 }

@@ -91,8 +91,9 @@ void add_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("--json", arguments->json, "Write the solution as JSON to a file, or - for stdout");
   command->add_option("--csv", arguments->csv, "Write the unknowns as CSV to a file, or - for stdout");
   command->add_option("--report", arguments->report, "Write one HTML page with tables and plots");
+  command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
   command->footer(
-      "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --json - | jq .unknowns\n"
+      "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | jq .unknowns\n"
       "  jointid solve joint.toml --report joint.html");
 }
 

@@ -36,6 +36,7 @@ struct SolveArguments {
   std::filesystem::path scene;
   Target json, csv;
   std::optional<std::string> report;  ///< HTML file
+  std::optional<std::string> plot;    ///< RESPONSE/REFERENCE of an assembly FRF
 };
 
 struct PlanArguments {

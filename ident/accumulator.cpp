@@ -8,18 +8,25 @@ Triangle& Accumulator::triangle(const Columns& columns) {
   return triangles_.emplace(columns, Triangle(columns.size(), reduction_)).first->second;
 }
 
-std::size_t Accumulator::rows_pushed() const {
-  std::size_t rows = 0;
-  for (const auto& [columns, triangle] : triangles_) rows += triangle.rows_pushed();
-  return rows;
+ComplexTriangle& Accumulator::complex_triangle(const Columns& columns, const Columns& real, const Columns& imaginary) {
+  const auto found = complex_.find(columns);
+  if (found != complex_.end()) return found->second.triangle;
+  return complex_.emplace(columns, ComplexPart{ComplexTriangle(real.size()), real, imaginary}).first->second.triangle;
 }
 
 void Accumulator::flush() {
+  for (auto& [columns, part] : complex_) part.triangle.pour(part.real, part.imaginary, triangle(columns));
   for (auto& [columns, triangle] : triangles_) triangle.flush();
 }
 
 void Accumulator::merge(Accumulator& other) {
+  other.flush();
   for (auto& [columns, other_triangle] : other.triangles_) triangle(columns).merge(other_triangle);
+}
+
+void Accumulator::clear() {
+  triangles_.clear();
+  complex_.clear();
 }
 
 }  // namespace jointid::ident
