@@ -14,10 +14,10 @@ namespace {
 /// Hands out blocks of a set that lies in memory.
 class MemorySource final : public FrfSource {
  public:
-  explicit MemorySource(FrfSet set) : set_(std::move(set)) {
-    validate(set_.header);
-    assert(set_.values.size() == set_.header.lines() * set_.header.entries());
-    header_ = set_.header;
+  explicit MemorySource(std::shared_ptr<const FrfSet> set) : set_(std::move(set)) {
+    validate(set_->header);
+    assert(set_->values.size() == set_->header.lines() * set_->header.entries());
+    header_ = set_->header;
   }
 
  private:
@@ -26,17 +26,17 @@ class MemorySource final : public FrfSource {
     std::size_t next = 0;
     for (const std::size_t line : block.lines) {
       for (const std::size_t r : block.responses) {
-        const T* row = from.data() + set_.index(line, r, 0);
+        const T* row = from.data() + set_->index(line, r, 0);
         for (const std::size_t c : block.references) out[next++] = row[c];
       }
     }
   }
 
-  void do_read(const Block& block, std::span<Complex> out) override { gather(block, set_.values, out); }
-  void do_read_variance(const Block& block, std::span<Complex> out) override { gather(block, set_.variance, out); }
-  void do_read_coherence(const Block& block, std::span<double> out) override { gather(block, set_.coherence, out); }
+  void do_read(const Block& block, std::span<Complex> out) override { gather(block, set_->values, out); }
+  void do_read_variance(const Block& block, std::span<Complex> out) override { gather(block, set_->variance, out); }
+  void do_read_coherence(const Block& block, std::span<double> out) override { gather(block, set_->coherence, out); }
 
-  FrfSet set_;
+  std::shared_ptr<const FrfSet> set_;
 };
 
 /// Coherences of 1 may come from averages of single precision.
@@ -76,26 +76,40 @@ void FrfSource::read_coherence(const Block& block, std::span<double> out) {
   if (wrong != out.end()) refuse_coherence(header_, block, static_cast<std::size_t>(wrong - out.begin()), *wrong);
 }
 
-std::unique_ptr<FrfSource> from_memory(FrfSet set) { return std::make_unique<MemorySource>(std::move(set)); }
+std::unique_ptr<FrfSource> from_memory(FrfSet set) { return from_shared(std::make_shared<FrfSet>(std::move(set))); }
+
+std::unique_ptr<FrfSource> from_shared(std::shared_ptr<const FrfSet> set) {
+  return std::make_unique<MemorySource>(std::move(set));
+}
 
 FrfSet load(FrfSource& source) {
-  const FrfHeader& header = source.header();
   const auto indices = [](std::size_t count) {
     std::vector<std::size_t> all(count);
     std::iota(all.begin(), all.end(), std::size_t{0});
     return all;
   };
-  const auto lines = indices(header.lines());
-  const auto responses = indices(header.response.size());
-  const auto references = indices(header.reference.size());
-  const Block block{lines, responses, references};
-  FrfSet set{.header = header, .values = std::vector<Complex>(block.size()), .variance = {}, .coherence = {}};
+  const auto lines = indices(source.header().lines());
+  const auto responses = indices(source.header().response.size());
+  const auto references = indices(source.header().reference.size());
+  return load(source, {lines, responses, references});
+}
+
+FrfSet load(FrfSource& source, const Block& block) {
+  FrfSet set{.header = source.header(), .values = std::vector<Complex>(block.size()), .variance = {}, .coherence = {}};
+  const auto pick = [](auto& from, std::span<const std::size_t> indices) {
+    std::remove_reference_t<decltype(from)> picked;
+    for (const std::size_t i : indices) picked.push_back(from[i]);
+    from = std::move(picked);
+  };
+  pick(set.header.frequency_hz, block.lines);
+  pick(set.header.response, block.responses);
+  pick(set.header.reference, block.references);
   source.read(block, set.values);
-  if (header.noise == NoiseRecord::variance) {
+  if (set.header.noise == NoiseRecord::variance) {
     set.variance.resize(block.size());
     source.read_variance(block, set.variance);
   }
-  if (header.noise == NoiseRecord::coherence) {
+  if (set.header.noise == NoiseRecord::coherence) {
     set.coherence.resize(block.size());
     source.read_coherence(block, set.coherence);
   }

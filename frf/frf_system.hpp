@@ -41,6 +41,8 @@ class FrfSystem {
 
   std::size_t source_count() const { return sources_.size(); }
   const FrfSource& source(std::size_t index) const { return *sources_[index]; }
+  /// The line of that source which is the common line `line`.
+  std::size_t source_line(std::size_t index, std::size_t line) const { return source_lines_[index][line]; }
   /// The file that holds the coordinate in either role, or npos.
   std::size_t source_of(const Dof& dof) const;
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frf/frf_source.hpp"
+#include "frf/noise.hpp"
 #include "restrictions/joint_spec.hpp"
 #include "weighting/weighting.hpp"
 
@@ -60,8 +61,9 @@ struct IdentifySection {
 };
 
 struct NoiseSection {
-  std::string model;  ///< uniform | gaussian | circular | modal
+  std::string model;  ///< uniform | gaussian | circular | hammer | modal
   double level = 0.0;
+  frf::NoiseModel frf_model;  ///< the whole section, for every model but modal
 };
 
 /// A scene file, checked for everything that can be checked without opening the data.

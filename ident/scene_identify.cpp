@@ -12,7 +12,6 @@ const std::vector<std::string> methods = {"one", "two", "direct", "newton", "lik
 const std::vector<std::string> equations = {"nn", "nj", "jj", "jn"};
 const std::vector<std::string> weightings = {"none", "WA", "WB", "WBG", "WBS"};
 const std::vector<std::string> solvers = {"auto", "qr", "normal", "spqr", "ceres", "nlopt", "ipopt", "pattern"};
-const std::vector<std::string> noise_models = {"uniform", "gaussian", "circular", "modal"};
 
 /// The enumerator whose name stands at its place in `words`.
 template <class Enum>
@@ -90,11 +89,6 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   if (const auto solver = table.find("solver")) identify.solver = solver->word(solvers);
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);
   return identify;
-}
-
-NoiseSection read_noise(const SceneItem& item) {
-  const SceneTable table = item.table({"model", "level"});
-  return {table.require("model").word(noise_models), table.require("level").not_negative()};
 }
 
 }  // namespace jointid::ident

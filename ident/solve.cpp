@@ -25,25 +25,11 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-std::string column_name(const Plan& plan, std::size_t column) {
-  std::string text = plan.restriction.unknowns[plan.columns->unknown_of(column)].name;
-  if (const auto band = plan.columns->band_of(column)) {
-    const auto number = [](double value) {
-      std::string digits = std::to_string(value);
-      digits.erase(digits.find_last_not_of('0') + 1);
-      if (digits.back() == '.') digits.pop_back();
-      return digits;
-    };
-    text += "@" + number((*band)[0]) + "-" + number((*band)[1]) + "Hz";
-  }
-  return text;
-}
-
 std::string joined_names(const Plan& plan, const std::vector<std::size_t>& columns) {
   std::string text;
   for (const std::size_t column : columns) {
     if (!text.empty()) text += ", ";
-    text += column_name(plan, column);
+    text += plan.columns->name(column, plan.restriction);
   }
   return text;
 }
@@ -114,7 +100,7 @@ void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const restrictions::Unknown& unknown = plan.restriction.unknowns[plan.columns->unknown_of(column)];
     Estimate estimate;
-    estimate.name = column_name(plan, column);
+    estimate.name = plan.columns->name(column, plan.restriction);
     estimate.unit = unknown.unit;
     estimate.value = linear.y[column] * unscale(unknown.kind, plan.assembly_spec.omega0);
     out.unknowns.push_back(std::move(estimate));
@@ -157,10 +143,10 @@ void identify(Plan& plan, Accumulator& accumulator, const Control& control, Solu
   LinearSolution linear;
   {
     const Stopwatch watch(out.runtime_s.solve);
-    linear = solve(plan, accumulator);
+    linear = solve(plan, accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
   }
   interpret(plan, linear, out);
-  out.fit.asm_frf_error = assembly_error(plan, out, control);
+  if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 
 }  // namespace
