@@ -14,6 +14,12 @@ std::size_t Accumulator::rows_pushed() const {
   return rows;
 }
 
+std::size_t Accumulator::bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [columns, triangle] : triangles_) bytes += triangle.bytes();
+  return bytes;
+}
+
 void Accumulator::flush() {
   for (auto& [columns, triangle] : triangles_) triangle.flush();
 }

@@ -25,6 +25,7 @@ class Accumulator {
   Reduction reduction() const { return reduction_; }
   const std::map<Columns, Triangle>& triangles() const { return triangles_; }
   std::size_t rows_pushed() const;
+  std::size_t bytes() const;  ///< of all triangles and buffers
 
   /// Reduces all buffers; needed before the triangles are read.
   void flush();

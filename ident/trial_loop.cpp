@@ -1,0 +1,28 @@
+#include "ident/trial_loop.hpp"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
+
+namespace jointid::ident {
+
+std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, const TrialOptions& options) {
+  std::vector<Trial> trials(options.trials);
+  tbb::enumerable_thread_specific<TrialRunner> runners([&] { return TrialRunner(data); });
+  std::mutex reporting;
+  std::size_t done = 0;
+  const auto run_one = [&](std::size_t trial) {
+    if (options.interrupted && options.interrupted()) throw Interrupted();
+    trials[trial] = runners.local().run(options.seed, trial);
+    if (!options.progress) return;
+    const std::lock_guard lock(reporting);
+    options.progress(++done, options.trials);
+  };
+  const int threads = options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads);
+  tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, options.trials, run_one); });
+  return trials;
+}
+
+}  // namespace jointid::ident
