@@ -109,15 +109,6 @@ bool dominates(double error, double time, double other_error, double other_time)
   return error <= other_error && time <= other_time && (error < other_error || time < other_time);
 }
 
-/// With progress over the trials of all ways.
-TrialOptions counting_ways(TrialOptions options, std::size_t way, std::size_t ways) {
-  if (!options.progress) return options;
-  options.progress = [way, ways, report = options.progress](std::size_t done, std::size_t total) {
-    report(way * total + done, ways * total);
-  };
-  return options;
-}
-
 }  // namespace
 
 std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives) {
@@ -157,7 +148,7 @@ Comparison compare(const Scene& scene, const std::vector<Way>& ways, const Trial
   Comparer comparer(scene, source);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     try {
-      out.combinations.push_back(comparer.run(ways[i], counting_ways(options, i, ways.size())));
+      out.combinations.push_back(comparer.run(ways[i], counting_parts(options, i, ways.size())));
     } catch (const InputError& error) {
       out.left_out.push_back({ways[i], error.what()});
       if (!refused) refused = error;

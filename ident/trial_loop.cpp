@@ -25,4 +25,12 @@ std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, cons
   return trials;
 }
 
+TrialOptions counting_parts(TrialOptions options, std::size_t part, std::size_t parts) {
+  if (!options.progress) return options;
+  options.progress = [part, parts, report = std::move(options.progress)](std::size_t done, std::size_t total) {
+    report(part * total + done, parts * total);
+  };
+  return options;
+}
+
 }  // namespace jointid::ident

@@ -21,4 +21,7 @@ struct TrialOptions {
 /// Trials 0 … trials−1 of the seed, in that order, each thread with a runner of its own. Throws Interrupted when asked to end.
 std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, const TrialOptions& options);
 
+/// `options` for part `part` of `parts` with as many trials each: progress counts those of all parts.
+TrialOptions counting_parts(TrialOptions options, std::size_t part, std::size_t parts);
+
 }  // namespace jointid::ident
