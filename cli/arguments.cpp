@@ -104,6 +104,25 @@ void add_plan(CLI::App& app, Chosen& chosen) {
   command->footer("Example:\n  jointid plan joint.toml");
 }
 
+void add_study(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<StudyArguments>(
+      app, chosen, "study", "Identify over and over with simulated noise, to see how well the rig sees the joint");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
+  const auto count = [command](const char* name, auto& to, const char* what) {
+    command->add_option(name, to, what)->check(CLI::NonNegativeNumber)->capture_default_str();
+  };
+  count("--trials", arguments->trials, "How often");
+  count("--seed", arguments->seed, "Of the noise");
+  count("--threads", arguments->threads, "0 for all cores; the results do not depend on it");
+  command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
+  command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
+  command->add_option("--json", arguments->json, "Write the statistics as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments->csv, "Write the unknowns' statistics as CSV to a file, or - for stdout");
+  command->footer(
+      "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
+      "  mpirun -n 4 jointid study a1/A1.toml --trials 1000000 --threads 1");
+}
+
 /// "jointid problem write": the innermost command that was named.
 std::string path_of_command(const CLI::App& app) {
   std::string path = "jointid";
@@ -141,6 +160,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   Chosen chosen;
   add_solve(app, chosen);
   add_plan(app, chosen);
+  add_study(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);

@@ -43,8 +43,17 @@ struct PlanArguments {
   Target json;
 };
 
+struct StudyArguments {
+  std::filesystem::path scene, out;  ///< out: empty for the scene's name with .study.h5 in the current folder
+  std::size_t trials = 1000;
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;  ///< 0: all cores
+  bool resume = false;
+  Target json, csv;
+};
+
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
-                               SolveArguments, PlanArguments>;
+                               SolveArguments, PlanArguments, StudyArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

@@ -12,7 +12,7 @@ namespace jointid::ident {
 /// Thrown when Control::interrupted said so.
 class Interrupted : public std::runtime_error {
  public:
-  Interrupted() : std::runtime_error("interrupted") {}
+  explicit Interrupted(const std::string& what = "interrupted") : std::runtime_error(what) {}
 };
 
 /// What solve() works out beside the estimates.

@@ -24,3 +24,9 @@ command_test(info_other CODE 3 ERR "rig1.toml: " AFTER written ARGS info rig1/ri
 command_test(convert CODE 0 OUT "401 lines" AFTER written MAKES converted ARGS convert rig1/rig1_assembly.uff rig1.h5)
 command_test(convert_back CODE 0 AFTER converted ARGS convert rig1.h5 rig1.csv)
 command_test(convert_to_nothing CODE 2 ERR "xls" AFTER written ARGS convert rig1/rig1_assembly.uff rig1.xls)
+
+command_test(study_clean CODE 0 MAKES study_data ARGS problem write A1 a1 --clean)
+command_test(study CODE 0 OUT "median.*per second" AFTER study_data ARGS study a1/A1.toml --trials 20)
+command_test(study_json CODE 0 OUT "\"rms_error\":" AFTER study_data
+  ARGS study a1/A1.toml --trials 20 --json - --out study_json.h5)
+command_test(study_no_trials CODE 2 ERR "--trials" AFTER study_data ARGS study a1/A1.toml --trials 0)
