@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/frf_plot.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
@@ -25,9 +26,31 @@ ident::Solution solve_watched(ident::Plan& plan) {
   return ident::solve(plan, progress.control());
 }
 
-void write_report(const std::string& file, ident::Plan& plan, const ident::Solution& solution) {
+void write_report(const std::string& file, ident::Plan& plan, const ident::Solution& solution,
+                  const std::optional<ident::FrfEntry>& entry) {
   Progress progress;
-  frf::write_text(file, report::solve_report(plan, solution, progress.control()));
+  frf::write_text(file, report::solve_report(plan, solution, entry, progress.control()));
+}
+
+/// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
+ident::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) {
+    throw InputError({ErrorKind::usage, "", "--plot", "'" + text + "' is not RESPONSE/REFERENCE", "write e.g. 1:+Y/5:+Y"});
+  }
+  const ident::FrfEntry entry{frf::Dof::parse(text.substr(0, slash)), frf::Dof::parse(text.substr(slash + 1))};
+  if (frf::find_coordinate(plan.assembly->responses(), entry.response) == frf::npos ||
+      frf::find_coordinate(plan.assembly->references(), entry.reference) == frf::npos) {
+    throw InputError({ErrorKind::usage, "", "--plot", "the assembly has no FRF " + text,
+                      "`jointid plan` lists the responses and references"});
+  }
+  return entry;
+}
+
+void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution& solution, std::ostream& out) {
+  Progress progress;
+  const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, {entry}, progress.control());
+  out << frf_plot(regenerated, regenerated.frfs.front());
 }
 
 }  // namespace
@@ -36,11 +59,16 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   check_targets(arguments);
   const ident::Scene scene = ident::read_scene(arguments.scene);
   const auto plan = ident::make_plan(scene);
+  std::optional<ident::FrfEntry> entry;
+  if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
   const ident::Solution solution = solve_watched(*plan);
   if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
   if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
-  if (arguments.json != "-" && arguments.csv != "-") out << solution_text(solution, scene.title);
-  if (arguments.report) write_report(*arguments.report, *plan, solution);
+  if (arguments.json != "-" && arguments.csv != "-") {
+    out << solution_text(solution, scene.title);
+    if (entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
+  }
+  if (arguments.report) write_report(*arguments.report, *plan, solution, entry);
   return solution.status == ident::Status::ok ? ExitCode::done : ExitCode::unusable;
 }
 

@@ -5,15 +5,11 @@ namespace jointid::cli {
 std::string version_number() { return JOINTID_VERSION; }
 
 std::string version_text() {
-#ifdef JOINTID_HAS_MATIO
-  const std::string matio = "yes";
-#else
-  const std::string matio = "no, this build lacks matio";
-#endif
+  const std::string matio = JOINTID_HAVE_MATIO ? "yes" : "no, this build lacks matio";
   const std::string mpi = JOINTID_HAVE_MPI ? "yes" : "no, this build lacks MPI";
   return "jointid " JOINTID_VERSION
-         "\nUFF 58/2414 and HDF5 files: yes"
-         "\nMATLAB v5/v7 files: " +
+         "\nUFF 58 and 58b, HDF5, MATLAB v7.3 and CSV files: yes"
+         "\nMATLAB v5 to v7 files: " +
          matio + "\nstudies under mpirun: " + mpi;
 }
 

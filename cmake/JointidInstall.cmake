@@ -21,3 +21,4 @@ install(FILES
   cmake/FindJointidSuiteSparse.cmake
   DESTINATION "${_destination}")
 install(FILES LICENSE docs/licences.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES cli/report/vendor/uplot/LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME LICENSE.uPlot)

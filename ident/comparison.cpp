@@ -30,15 +30,15 @@ bool same_equations(const Way& a, const Way& b) { return a.method == b.method &&
 
 Spread spread_of(const std::vector<Trial>& trials, std::size_t matrix, double Quality::*figure) {
   std::vector<double> values;
-  for (const Trial& trial : trials) values.push_back(trial.quality[matrix].*figure);
+  for (const Trial& trial : trials) values.push_back(figure_of(trial, matrix, figure));
   return spread(std::move(values));
 }
 
-/// Mean of estimate/truth − 1 over the trials with an estimate; empty when there is none.
+/// Mean of estimate/truth − 1 over the trials with status ok; empty when there is none.
 std::optional<double> mean_error(const std::vector<Trial>& trials, std::size_t unknown, double truth) {
   double sum = 0.0, count = 0.0;
   for (const Trial& trial : trials) {
-    if (std::isnan(trial.values[unknown])) continue;
+    if (trial.status != Status::ok) continue;
     sum += trial.values[unknown] / truth - 1.0;
     count += 1.0;
   }

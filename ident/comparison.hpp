@@ -33,7 +33,7 @@ struct Alternatives {
 /// Every combination, Δ fastest, then weighting, solver, equations, method.
 std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives);
 
-/// How well one joint matrix was found, over the trials. Trials without an estimate do not count; those of deficient rank do.
+/// How well one joint matrix was found, over the trials with status ok; NaN when there is none.
 struct MatrixFigures {
   restrictions::Kind kind = restrictions::Kind::stiffness;
   Spread rjcf{}, arvf{}, rms_relative_error{};  ///< of Quality

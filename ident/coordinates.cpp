@@ -3,20 +3,12 @@
 #include <algorithm>
 #include <array>
 
-#include "frf/error.hpp"
+#include "ident/scene_failure.hpp"
 
 namespace jointid::ident {
 namespace {
 
 bool has(const Dofs& dofs, const frf::Dof& dof) { return frf::find_coordinate(dofs, dof) != frf::npos; }
-
-[[noreturn]] void fail(const Scene& scene, std::string place, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = scene.file.string(),
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
 
 /// The nearest DOF among those of a system, by spelling.
 std::string nearest_dof(const frf::Dof& dof, const frf::FrfSystem& system) {

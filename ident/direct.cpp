@@ -2,7 +2,6 @@
 
 #include "ident/eigen_view.hpp"
 #include "ident/equation_builder.hpp"
-#include "ident/rectangle.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -12,26 +11,22 @@ class Direct final : public EquationBuilder {
   Direct(const Coordinates& at, frf::FrfSystem& substructures, frf::FrfSystem& assembly)
       : columns_(at.references),
         rows_(at.responses.size()),
-        joint_(at.joint.size()),
-        substructures_(substructures, {{joined(at.responses, at.joint), joined(columns_, at.joint)}},
-                       joined(columns_, at.joint)),
-        assembly_(assembly, {{at.responses, columns_}}, columns_) {
+        joint_(at.joint.size()) {
+    const Dofs all_columns = joined(columns_, at.joint);
+    substructures_ = std::make_unique<Rectangle>(
+        substructures, std::vector<Band>{{joined(at.responses, at.joint), all_columns}}, all_columns);
+    assembly_ = std::make_unique<Rectangle>(assembly, std::vector<Band>{{at.responses, columns_}}, columns_);
     product_.wanted[0][0] = true;
     product_.row_class.assign(rows_, 0);
     product_.column_class.assign(columns_.size(), 0);
   }
 
-  void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) override {
-    substructures_.read(substructure_lines);
-    assembly_.read(assembly_lines);
-  }
-
   bool line(std::size_t i, LineProduct& out) override {
     const std::size_t columns = columns_.size();
-    const View sub = substructures_.line(i);
+    const View sub = substructures_->line(i);
     const View h_aa = sub.block(0, 0, rows_, columns), h_ab = sub.block(0, columns, rows_, joint_);
     const View h_ba = sub.block(rows_, 0, joint_, columns), h_bb = sub.block(rows_, columns, joint_, joint_);
-    const View h_nn = assembly_.line(i);
+    const View h_nn = assembly_->line(i);
     if (!map(sub).allFinite() || !map(h_nn).allFinite()) return false;
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> decomposition(map(h_ba));
     if (decomposition.rank() < static_cast<Eigen::Index>(joint_)) return false;
@@ -47,14 +42,9 @@ class Direct final : public EquationBuilder {
 
   Dofs columns() const override { return columns_; }
 
-  std::size_t entries_per_line() const override {
-    return substructures_.entries_per_line() + assembly_.entries_per_line();
-  }
-
  private:
   Dofs columns_;
   std::size_t rows_, joint_;
-  Rectangle substructures_, assembly_;
   RowMatrixXc h_nj_;
   LineProduct product_;
 };

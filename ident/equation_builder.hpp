@@ -6,6 +6,7 @@
 
 #include "frf/frf_system.hpp"
 #include "ident/line_product.hpp"
+#include "ident/rectangle.hpp"
 #include "ident/scene.hpp"
 
 namespace jointid::ident {
@@ -36,7 +37,7 @@ class EquationBuilder {
   virtual ~EquationBuilder() = default;
 
   /// Reads lines by their indices in the two systems.
-  virtual void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) = 0;
+  void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
 
   /// The equations of the i-th line read; the views stay valid until the next call of line() or read(). False when the line
   /// cannot be used (a matrix to invert is singular or not fully measured).
@@ -46,7 +47,11 @@ class EquationBuilder {
   virtual Dofs columns() const = 0;
 
   /// FRFs read per line.
-  virtual std::size_t entries_per_line() const = 0;
+  std::size_t entries_per_line() const;
+
+ protected:
+  /// Made by the method: what it reads of each system.
+  std::unique_ptr<Rectangle> substructures_, assembly_;
 };
 
 /// Method One (formulas §2): H_nj Z_j H_ba = H_aa − H_nn and so on.

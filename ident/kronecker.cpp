@@ -4,97 +4,11 @@
 #include <cmath>
 
 #include "ident/kernel.hpp"
+#include "ident/split_column.hpp"
+#include "ident/thin_qr.hpp"
 
 namespace jointid::ident {
 namespace {
-
-/// A complex column as two real arrays.
-struct Column {
-  double* re;
-  double* im;
-};
-
-/// uᴴv over `count` elements.
-JOINTID_INLINE void dot(const Column& u, const Column& v, std::size_t count, double& re, double& im) {
-  double sum_re = 0.0, sum_im = 0.0;
-#pragma omp simd reduction(+ : sum_re, sum_im)
-  for (std::size_t i = 0; i < count; ++i) {
-    sum_re += u.re[i] * v.re[i] + u.im[i] * v.im[i];
-    sum_im += u.re[i] * v.im[i] - u.im[i] * v.re[i];
-  }
-  re = sum_re;
-  im = sum_im;
-}
-
-/// v −= (re + i·im) u.
-JOINTID_INLINE void subtract(const Column& u, double re, double im, std::size_t count, const Column& v) {
-#pragma omp simd
-  for (std::size_t i = 0; i < count; ++i) {
-    v.re[i] -= u.re[i] * re - u.im[i] * im;
-    v.im[i] -= u.re[i] * im + u.im[i] * re;
-  }
-}
-
-/// Thin QR of the m×n matrix x (columns contiguous, `m` apart) by Householder reflections I − τvvᴴ with real τ: afterwards
-/// q holds the first min(m,n) columns of Q and the upper part of x holds R.
-JOINTID_KERNEL void thin_qr(double* x_re, double* x_im, std::size_t m, std::size_t n, double* q_re, double* q_im,
-                            double* tau) {
-  const std::size_t steps = std::min(m, n);
-  const auto column = [&](std::size_t k, std::size_t from) { return Column{x_re + k * m + from, x_im + k * m + from}; };
-  const auto q_column = [&](std::size_t k, std::size_t from) { return Column{q_re + k * m + from, q_im + k * m + from}; };
-  for (std::size_t k = 0; k < steps; ++k) {
-    const Column x = column(k, k);
-    double norm2, unused;
-    dot(x, x, m - k, norm2, unused);
-    if (norm2 == 0.0) {
-      tau[k] = 0.0;
-      continue;
-    }
-    // β = −e^{i·arg x₀}‖x‖; v = x − βe₁, whose first element has modulus |x₀| + ‖x‖: no cancellation.
-    const double norm = std::sqrt(norm2);
-    const double head = std::sqrt(x.re[0] * x.re[0] + x.im[0] * x.im[0]);
-    const double phase_re = head > 0.0 ? x.re[0] / head : 1.0;
-    const double phase_im = head > 0.0 ? x.im[0] / head : 0.0;
-    x.re[0] += phase_re * norm;
-    x.im[0] += phase_im * norm;
-    tau[k] = 1.0 / (norm * (norm + head));
-    for (std::size_t j = k + 1; j < n; ++j) {
-      double re, im;
-      dot(x, column(j, k), m - k, re, im);
-      subtract(x, tau[k] * re, tau[k] * im, m - k, column(j, k));
-    }
-    // Keep v in Q's column until Q is formed, and R's diagonal in x.
-    const Column v = q_column(k, k);
-    std::copy(x.re, x.re + (m - k), v.re);
-    std::copy(x.im, x.im + (m - k), v.im);
-    std::fill(x.re, x.re + (m - k), 0.0);
-    std::fill(x.im, x.im + (m - k), 0.0);
-    x.re[0] = -phase_re * norm;
-    x.im[0] = -phase_im * norm;
-  }
-  // Q = H₁…H_s applied to the unit columns, last reflection first.
-  for (std::size_t k = steps; k-- > 0;) {
-    const Column v = q_column(k, k);
-    if (tau[k] != 0.0) {
-      for (std::size_t j = k + 1; j < steps; ++j) {
-        const Column q = q_column(j, k);
-        double re, im;
-        dot(v, q, m - k, re, im);
-        subtract(v, tau[k] * re, tau[k] * im, m - k, q);
-      }
-    }
-    const double head_re = tau[k] * v.re[0], head_im = -tau[k] * v.im[0];
-    for (std::size_t i = 0; i < m - k; ++i) {
-      const double re = v.re[i], im = v.im[i];
-      v.re[i] = -(re * head_re - im * head_im);
-      v.im[i] = -(re * head_im + im * head_re);
-    }
-    v.re[0] += 1.0;
-    const Column full = q_column(k, 0);
-    std::fill(full.re, full.re + k, 0.0);
-    std::fill(full.im, full.im + k, 0.0);
-  }
-}
 
 constexpr std::size_t width = 8;  ///< columns of C handled at a time
 constexpr std::size_t depth = 4;  ///< columns of Q_A handled at a time

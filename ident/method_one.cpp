@@ -1,5 +1,4 @@
 #include "ident/equation_builder.hpp"
-#include "ident/rectangle.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -14,15 +13,17 @@ class MethodOne final : public EquationBuilder {
         j_rows_(only_if(use.jj || use.jn, at.joint)),
         n_columns_(only_if(use.nn || use.jn, at.references)),
         j_columns_(only_if(use.nj || use.jj, at.joint)),
-        joint_(at.joint.size()),
-        substructures_(substructures,
-                       {{n_rows_, joined(only_if(use.nn, at.references), only_if(use.nj, at.joint))},
-                        {at.joint, joined(n_columns_, j_columns_)}},
-                       joined(n_columns_, j_columns_)),
-        assembly_(assembly,
-                  {{n_rows_, joined(only_if(use.nn, at.references), at.joint)},
-                   {j_rows_, joined(only_if(use.jn, at.references), at.joint)}},
-                  joined(n_columns_, at.joint)) {
+        joint_(at.joint.size()) {
+    substructures_ = std::make_unique<Rectangle>(
+        substructures,
+        std::vector<Band>{{n_rows_, joined(only_if(use.nn, at.references), only_if(use.nj, at.joint))},
+                          {at.joint, joined(n_columns_, j_columns_)}},
+        joined(n_columns_, j_columns_));
+    assembly_ = std::make_unique<Rectangle>(
+        assembly,
+        std::vector<Band>{{n_rows_, joined(only_if(use.nn, at.references), at.joint)},
+                          {j_rows_, joined(only_if(use.jn, at.references), at.joint)}},
+        joined(n_columns_, at.joint));
     product_.wanted[0][0] = use.nn;
     product_.wanted[0][1] = use.nj;
     product_.wanted[1][0] = use.jn;
@@ -33,14 +34,9 @@ class MethodOne final : public EquationBuilder {
     product_.column_class.resize(n_columns_.size() + j_columns_.size(), 1);
   }
 
-  void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) override {
-    substructures_.read(substructure_lines);
-    assembly_.read(assembly_lines);
-  }
-
   bool line(std::size_t i, LineProduct& out) override {
-    const View sub = substructures_.line(i);
-    const View asm_ = assembly_.line(i);
+    const View sub = substructures_->line(i);
+    const View asm_ = assembly_->line(i);
     const std::size_t rows = product_.row_class.size(), columns = product_.column_class.size();
     product_.frequency_hz = out.frequency_hz;
     product_.a = asm_.block(0, n_columns_.size(), rows, joint_);
@@ -53,32 +49,13 @@ class MethodOne final : public EquationBuilder {
 
   Dofs columns() const override { return joined(n_columns_, j_columns_); }
 
-  std::size_t entries_per_line() const override {
-    return substructures_.entries_per_line() + assembly_.entries_per_line();
-  }
-
  private:
   Dofs n_rows_, j_rows_, n_columns_, j_columns_;
   std::size_t joint_;
-  Rectangle substructures_, assembly_;
   LineProduct product_;
 };
 
 }  // namespace
-
-Dofs joined(Dofs first, const Dofs& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
-
-EquationSet::EquationSet(const std::vector<Equation>& equations) {
-  for (const Equation equation : equations) {
-    nn = nn || equation == Equation::nn;
-    nj = nj || equation == Equation::nj;
-    jj = jj || equation == Equation::jj;
-    jn = jn || equation == Equation::jn;
-  }
-}
 
 std::unique_ptr<EquationBuilder> make_method_one(const Coordinates& coordinates, const EquationSet& equations,
                                                  frf::FrfSystem& substructures, frf::FrfSystem& assembly) {

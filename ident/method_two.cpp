@@ -2,7 +2,6 @@
 
 #include "ident/eigen_view.hpp"
 #include "ident/equation_builder.hpp"
-#include "ident/rectangle.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -14,9 +13,9 @@ class MethodTwo final : public EquationBuilder {
   MethodTwo(const Coordinates& at, const EquationSet& use, frf::FrfSystem& substructures, frf::FrfSystem& assembly)
       : all_(joined(at.responses, at.joint)),
         columns_(joined(use.jn ? at.references : Dofs(), use.jj ? at.joint : Dofs())),
-        joint_(at.joint.size()),
-        substructures_(substructures, {{all_, all_}}, all_),
-        assembly_(assembly, {{all_, columns_}}, columns_) {
+        joint_(at.joint.size()) {
+    substructures_ = std::make_unique<Rectangle>(substructures, std::vector<Band>{{all_, all_}}, all_);
+    assembly_ = std::make_unique<Rectangle>(assembly, std::vector<Band>{{all_, columns_}}, columns_);
     product_.a_is_unit = true;
     product_.wanted[1][0] = use.jn;
     product_.wanted[1][1] = use.jj;
@@ -25,13 +24,8 @@ class MethodTwo final : public EquationBuilder {
     product_.column_class.resize(columns_.size(), 1);
   }
 
-  void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) override {
-    substructures_.read(substructure_lines);
-    assembly_.read(assembly_lines);
-  }
-
   bool line(std::size_t i, LineProduct& out) override {
-    const auto h = map(substructures_.line(i));
+    const auto h = map(substructures_->line(i));
     if (!h.allFinite()) return false;
     // Rows b of H_sub⁻¹, from a system with unit diagonal so that translations and rotations weigh alike.
     const Eigen::VectorXd scale = h.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
@@ -43,7 +37,7 @@ class MethodTwo final : public EquationBuilder {
     const RowMatrixXc z_b = scale.tail(index(joint_)).asDiagonal() * solution.transpose() * scale.asDiagonal();
     if (!z_b.allFinite()) return false;
 
-    const View asm_view = assembly_.line(i);
+    const View asm_view = assembly_->line(i);
     const auto h_asm = map(asm_view);
     const Eigen::Index n = h.rows() - index(joint_);
     c1_ = -z_b.leftCols(n) * h_asm.topRows(n);
@@ -63,14 +57,9 @@ class MethodTwo final : public EquationBuilder {
 
   Dofs columns() const override { return columns_; }
 
-  std::size_t entries_per_line() const override {
-    return substructures_.entries_per_line() + assembly_.entries_per_line();
-  }
-
  private:
   Dofs all_, columns_;
   std::size_t joint_;
-  Rectangle substructures_, assembly_;
   RowMatrixXc c1_, c2_;
   LineProduct product_;
 };

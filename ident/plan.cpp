@@ -5,21 +5,13 @@
 #include <numbers>
 #include <set>
 
-#include "frf/error.hpp"
 #include "ident/coordinates.hpp"
 #include "ident/line_choice.hpp"
+#include "ident/scene_failure.hpp"
 #include "ident/supports.hpp"
 
 namespace jointid::ident {
 namespace {
-
-[[noreturn]] void fail(const Scene& scene, std::string place, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = scene.file.string(),
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
 
 std::unique_ptr<frf::FrfSystem> open_system(const std::string& name, const std::vector<DataFile>& files,
                                             frf::Composition composition, bool reciprocity) {

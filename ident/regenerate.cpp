@@ -28,26 +28,38 @@ Dofs without(Dofs dofs, const Dofs& others) {
   return dofs;
 }
 
-/// The joint's FRFs stand last in a rectangle of the substructures, so its DOFs are taken out of the others.
-struct Rows {
-  Dofs others, joint;
+/// The rows (or columns) of the entries. The joint's stand last in a rectangle of the substructures.
+struct Side {
+  Dofs wanted, joint;
 
-  Dofs all() const { return joined(others, joint); }
+  Dofs all() const { return joined(without(wanted, joint), joint); }
   std::size_t at(const frf::Dof& dof) const { return frf::find_coordinate(all(), dof); }
+  /// −1 when the joint points the other way than the entry.
+  int sign(const frf::Dof& dof) const { return dof.sign * all()[at(dof)].sign; }
+};
+
+/// Where an entry stands in the rectangles of the two systems.
+struct Place {
+  std::size_t row = 0, column = 0;
+  std::size_t measured_row = 0, measured_column = 0;
+  double sign = 1.0;  ///< of what is predicted, to the entry
 };
 
 class Regenerator final : public ChunkWorker {
  public:
-  Regenerator(Plan& plan, const std::vector<BandMatrices>& bands, const Rows& rows, const Rows& columns,
+  Regenerator(Plan& plan, const std::vector<BandMatrices>& bands, const Side& rows, const Side& columns,
               const std::vector<Line>& lines, Regenerated& out)
       : bands_(bands),
         n_(plan.coordinates.joint.size()),
         lines_(lines),
         substructures_(whole_rectangle(*plan.substructures, rows.all(), columns.all())),
-        assembly_(whole_rectangle(*plan.assembly, rows.all(), columns.all())),
+        assembly_(whole_rectangle(*plan.assembly, rows.wanted, columns.wanted)),
         out_(out) {
     for (const RegeneratedFrf& frf : out.frfs) {
-      places_.emplace_back(rows.at(frf.entry.response), columns.at(frf.entry.reference));
+      const frf::Dof &response = frf.entry.response, &reference = frf.entry.reference;
+      places_.push_back({rows.at(response), columns.at(reference), frf::find_coordinate(rows.wanted, response),
+                         frf::find_coordinate(columns.wanted, reference),
+                         static_cast<double>(rows.sign(response) * columns.sign(reference))});
     }
   }
 
@@ -66,7 +78,7 @@ class Regenerator final : public ChunkWorker {
       const Matrices* matrices = matrices_at(bands_, lines_[i].frequency_hz);
       const View h = substructures_.line(i - first), measured = assembly_.line(i - first);
       for (std::size_t k = 0; k < places_.size(); ++k) {
-        out_.frfs[k].measured[i] = measured(places_[k].first, places_[k].second);
+        out_.frfs[k].measured[i] = measured(places_[k].measured_row, places_[k].measured_column);
       }
       if (matrices != nullptr) predict(i, h, joint_impedance(*matrices, n_, lines_[i].frequency_hz));
     }
@@ -78,12 +90,12 @@ class Regenerator final : public ChunkWorker {
   void predict(std::size_t i, const View& h, const Eigen::MatrixXcd& impedance) {
     const JointEffect effect = joint_effect(h, h.rows, h.columns, impedance);
     for (std::size_t k = 0; k < places_.size(); ++k) {
-      const auto [row, column] = places_[k];
+      const std::size_t row = places_[k].row, column = places_[k].column;
       Complex value = h(row, column);
       for (std::size_t j = 0; j < n_; ++j) {
         value -= effect.left(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(j)) * effect.right(j, column);
       }
-      out_.frfs[k].predicted[i] = value;
+      out_.frfs[k].predicted[i] = places_[k].sign * value;
     }
   }
 
@@ -91,7 +103,7 @@ class Regenerator final : public ChunkWorker {
   std::size_t n_;
   const std::vector<Line>& lines_;
   Rectangle substructures_, assembly_;
-  std::vector<std::pair<std::size_t, std::size_t>> places_;
+  std::vector<Place> places_;
   Regenerated& out_;
 };
 
@@ -152,13 +164,11 @@ Regenerated regenerate(Plan& plan, const std::vector<BandMatrices>& bands, const
   const std::vector<Line> lines = common_lines(plan);
   Regenerated out = prepared(lines, entries);
   if (entries.empty() || lines.empty()) return out;
-  Rows rows{{}, plan.coordinates.joint}, columns = rows;
+  Side rows{{}, plan.coordinates.joint}, columns = rows;
   for (const FrfEntry& entry : entries) {
-    add_once(rows.others, entry.response);
-    add_once(columns.others, entry.reference);
+    add_once(rows.wanted, entry.response);
+    add_once(columns.wanted, entry.reference);
   }
-  rows.others = without(rows.others, rows.joint);
-  columns.others = without(columns.others, columns.joint);
   const std::size_t chunk = chunk_lines(rows.all().size() * columns.all().size());
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   workers.push_back(std::make_unique<Regenerator>(plan, bands, rows, columns, lines, out));

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <limits>
 #include <mutex>
 
 namespace jointid::ident {
@@ -23,6 +24,11 @@ std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, cons
   const int threads = options.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options.threads);
   tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, options.trials, run_one); });
   return trials;
+}
+
+double figure_of(const Trial& trial, std::size_t matrix, double Quality::*figure) {
+  if (trial.status != Status::ok) return std::numeric_limits<double>::quiet_NaN();
+  return trial.quality.at(matrix).*figure;
 }
 
 TrialOptions counting_parts(TrialOptions options, std::size_t part, std::size_t parts) {

@@ -21,6 +21,9 @@ struct TrialOptions {
 /// Trials 0 … trials−1 of the seed, in that order, each thread with a runner of its own. Throws Interrupted when asked to end.
 std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, const TrialOptions& options);
 
+/// RJCF, ARVF or rms error (`figure`) of the judged matrix number `matrix`; NaN unless the trial's status is ok.
+double figure_of(const Trial& trial, std::size_t matrix, double Quality::*figure);
+
 /// `options` for part `part` of `parts` with as many trials each: progress counts those of all parts.
 TrialOptions counting_parts(TrialOptions options, std::size_t part, std::size_t parts);
 

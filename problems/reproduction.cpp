@@ -33,8 +33,8 @@ std::vector<double> figures(const Outcome& outcome, const TableEntry& entry) {
   const auto place = static_cast<std::size_t>(std::ranges::find(outcome.judged, entry.kind) - outcome.judged.begin());
   std::vector<double> values;
   for (const ident::Trial& trial : outcome.trials) {
-    const ident::Quality& quality = trial.quality.at(place);
-    values.push_back(entry.figure == TableFigure::rjcf ? quality.rjcf : quality.arvf);
+    values.push_back(
+        ident::figure_of(trial, place, entry.figure == TableFigure::rjcf ? &ident::Quality::rjcf : &ident::Quality::arvf));
   }
   return values;
 }
@@ -44,6 +44,7 @@ std::vector<double> elements(const Outcome& outcome, const TableEntry& entry, co
   const std::size_t size = problem.joint_dofs.size();
   std::vector<double> values;
   for (const ident::Trial& trial : outcome.trials) {
+    if (trial.status != ident::Status::ok) continue;
     values.push_back(outcome.restriction.matrix(entry.kind, trial.values)[entry.i * size + entry.j] / truth);
   }
   return values;

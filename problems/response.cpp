@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <complex>
 #include <numbers>
 
 #include "frf/error.hpp"
@@ -26,19 +27,30 @@ std::vector<Place> places(const Structure& structure, const std::vector<frf::Dof
   return result;
 }
 
-frf::Complex laplace(double window_rate, double frequency_hz) {
-  return {window_rate, 2.0 * std::numbers::pi * frequency_hz};
+using Extended = std::complex<long double>;
+using ExtendedMatrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
+
+Extended laplace(double window_rate, double frequency_hz) {
+  return {window_rate, 2.0L * std::numbers::pi_v<long double> * frequency_hz};
 }
 
-Eigen::MatrixXcd dynamic_stiffness(const Structure& structure, frf::Complex s) {
+ExtendedMatrix dynamic_stiffness(const Structure& structure, Extended s) {
   const auto n = static_cast<Eigen::Index>(structure.size());
   const auto real = [&](Kind kind) {
-    return Eigen::Map<const RowMajor>(structure.matrix(kind).data(), n, n);
+    return Eigen::Map<const RowMajor>(structure.matrix(kind).data(), n, n).cast<Extended>();
   };
-  Eigen::MatrixXcd z(n, n);
-  z = real(Kind::stiffness) + s * s * real(Kind::mass) + s * real(Kind::viscous_damping) +
-      frf::Complex(0.0, 1.0) * real(Kind::hysteretic_damping);
-  return z;
+  return real(Kind::stiffness) + s * s * real(Kind::mass) + s * real(Kind::viscous_damping) +
+         Extended(0.0L, 1.0L) * real(Kind::hysteretic_damping);
+}
+
+/// Solves Z x = f to the last bit of double precision: LU in double, and one step of refinement with the residual in long
+/// double. Noise-free FRFs are the reference that methods are held against, the ill-conditioned direct solution too.
+Eigen::MatrixXcd solve_refined(const ExtendedMatrix& z, const Eigen::MatrixXcd& forces) {
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z.cast<frf::Complex>());
+  const Eigen::MatrixXcd first = lu.solve(forces);
+  const ExtendedMatrix residual = forces.cast<Extended>() - z.lazyProduct(first.cast<Extended>());
+  const Eigen::MatrixXcd correction = lu.solve(Eigen::MatrixXcd(residual.cast<frf::Complex>()));
+  return (first.cast<Extended>() + correction.cast<Extended>()).cast<frf::Complex>();
 }
 
 }  // namespace
@@ -71,8 +83,8 @@ frf::FrfSet frequency_response(const Structure& structure, const ResponseRequest
     forces(columns[c].index, static_cast<Eigen::Index>(c)) = columns[c].sign;
   }
   for (const double frequency : request.frequency_hz) {
-    const Eigen::MatrixXcd z = dynamic_stiffness(structure, laplace(request.window_rate, frequency));
-    const Eigen::MatrixXcd motion = z.partialPivLu().solve(forces);
+    const ExtendedMatrix z = dynamic_stiffness(structure, laplace(request.window_rate, frequency));
+    const Eigen::MatrixXcd motion = solve_refined(z, forces);
     for (const Place& row : rows) {
       for (Eigen::Index c = 0; c < forces.cols(); ++c) set.values.push_back(row.sign * motion(row.index, c));
     }
@@ -94,7 +106,7 @@ frf::FrfSet with_accelerometer(const frf::FrfSet& set, double mass, double windo
     }
     const double sign = dof.sign * set.header.reference[point].sign;
     for (std::size_t line = 0; line < set.header.lines(); ++line) {
-      const frf::Complex s = laplace(window_rate, set.header.frequency_hz[line]);
+      const frf::Complex s(laplace(window_rate, set.header.frequency_hz[line]));
       const frf::Complex loaded = 1.0 + s * s * mass * sign * set.values[set.index(line, r, point)];
       for (std::size_t c = 0; c < set.header.reference.size(); ++c)
         result.values[set.index(line, r, c)] /= loaded;

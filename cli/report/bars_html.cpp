@@ -11,29 +11,39 @@
 namespace jointid::cli::report {
 namespace {
 
-/// From the least to the greatest of what a group of bars shows, zero included.
+/// Where values of a group of bars stand, in percent of the width; zero is at the same place in all groups.
 struct Scale {
-  double low = 0.0, high = 0.0;
+  double largest = 0.0;  ///< magnitude of what the group shows
+  double zero = 0.0;
 
-  void include(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
+  double percent(double value) const {
+    return largest > 0.0 ? zero + (100.0 - zero) * value / largest : zero;
   }
-  double percent(double value) const { return high > low ? 100.0 * (value - low) / (high - low) : 0.0; }
 };
 
 /// Bars share a scale when their names start alike ("K", "D") and their units are equal.
 std::string group_of(const Bar& bar) { return bar.name.substr(0, bar.name.find_first_of("(.[@")) + " " + bar.unit; }
 
+/// What a bar shows: its value, its truth and the ends of its interval, where they are finite.
+std::vector<double> shown(const Bar& bar) {
+  std::vector<double> values = {bar.value};
+  if (bar.truth) values.push_back(*bar.truth);
+  if (bar.interval) values.insert(values.end(), bar.interval->begin(), bar.interval->end());
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  return values;
+}
+
 std::map<std::string, Scale> scales_of(const std::vector<Bar>& bars) {
   std::map<std::string, Scale> scales;
+  bool negative = false;
   for (const Bar& bar : bars) {
     Scale& scale = scales[group_of(bar)];
-    scale.include(bar.value);
-    if (bar.truth) scale.include(*bar.truth);
-    for (const double end : bar.interval.value_or(std::array{0.0, 0.0})) scale.include(end);
+    for (const double value : shown(bar)) {
+      scale.largest = std::max(scale.largest, std::abs(value));
+      negative = negative || value < 0.0;
+    }
   }
+  for (auto& [group, scale] : scales) scale.zero = negative ? 50.0 : 0.0;
   return scales;
 }
 
@@ -68,16 +78,20 @@ std::string interval_text(const Bar& bar) {
 
 std::string to_html(const Bars& bars) {
   const auto scales = scales_of(bars.bars);
+  const bool intervals = std::ranges::any_of(bars.bars, [](const Bar& bar) { return bar.interval.has_value(); });
   const bool truths = std::ranges::any_of(bars.bars, [](const Bar& bar) { return bar.truth.has_value(); });
   std::string out =
       "<div class=\"wide\" tabindex=\"0\"><table class=\"bars\"><thead><tr><th scope=\"col\">name</th>"
-      "<th scope=\"col\">value</th><th scope=\"col\">unit</th><th scope=\"col\">95 % interval</th>";
-  out += truths ? "<th scope=\"col\">truth</th><td></td></tr></thead><tbody>\n" : "<td></td></tr></thead><tbody>\n";
+      "<th scope=\"col\">value</th><th scope=\"col\">unit</th>";
+  if (intervals) out += "<th scope=\"col\">95 % interval</th>";
+  if (truths) out += "<th scope=\"col\">truth</th>";
+  out += "<td></td></tr></thead><tbody>\n";
   for (const Bar& bar : bars.bars) {
-    out += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td>{}</td>",
+    out += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"unit\">{}</td>",
                        bar.remark.empty() ? "" : " class=\"doubtful\"", html(bar.name), number(bar.value),
-                       html(bar.unit), interval_text(bar));
-    if (truths) out += "<td>" + (bar.truth ? number(*bar.truth) : "–") + "</td>";
+                       html(bar.unit));
+    if (intervals) out += "<td data-name=\"95 %:\">" + interval_text(bar) + "</td>";
+    if (truths) out += "<td data-name=\"truth:\">" + (bar.truth ? number(*bar.truth) : "–") + "</td>";
     out += "<td class=\"picture\">" + picture(bar, scales.at(group_of(bar)));
     if (!bar.remark.empty()) out += "<small>" + html(bar.remark) + "</small>";
     out += "</td></tr>\n";

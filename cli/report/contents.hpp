@@ -44,7 +44,7 @@ struct Bar {
   std::string remark;  ///< "not determined"
 };
 
-/// Values as bars from zero; those of the same scale group and unit share a scale.
+/// Values as bars from zero. Those whose names start alike (K, M, C, D) and whose units are equal share a scale.
 struct Bars {
   std::vector<Bar> bars;
 };

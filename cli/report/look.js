@@ -17,11 +17,23 @@ function number(value) {
   return String(Number(value.toPrecision(6)));
 }
 
-function axis(description, side) {
+/// Powers of ten; between them 2 and 5 where there are few.
+function logSplits(plot, index, low, high) {
+  const first = Math.floor(Math.log10(low)), last = Math.ceil(Math.log10(high)), splits = [];
+  for (let power = first; power <= last; ++power) {
+    for (const digit of high / low > 300 ? [1] : [1, 2, 5]) splits.push(Number(digit + "e" + power));
+  }
+  return splits.filter((value) => value >= low && value <= high);
+}
+
+/// `period`: of an angle in degrees.
+function axis(description, side, period) {
   return {
     scale: side, label: description.label, labelSize: 22, labelGap: 0, size: side === "y" ? 58 : 38,
     stroke: colour("ink"), font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif",
     grid: { stroke: colour("grid"), width: 1 }, ticks: { stroke: colour("line"), width: 1, size: 5 },
+    ...(description.log && { splits: logSplits, filter: (plot, splits) => splits }),
+    ...(period && { incrs: [1, 5, 15, 30, 45, 90] }),
     values: (plot, splits) => splits.map((value) => value == null ? "" : number(value)),
   };
 }

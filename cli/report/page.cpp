@@ -25,9 +25,9 @@ std::string element(const char* name, const char* attributes, std::string_view i
 
 std::string style() { return std::string(assets::uPlot_min_css) + "\n" + std::string(assets::page_css); }
 
-/// In a function of its own, so that its names do not meet the browser's.
+/// In a function of its own, so that its names do not meet the browser's. The licence of the library asks to stand with it.
 std::string program() {
-  std::string out = "(function () {\n";
+  std::string out = "/* uPlot:\n" + std::string(assets::LICENSE) + "\n*/\n(function () {\n";
   for (const std::string_view part : {assets::uPlot_iife_min_js, assets::look_js, assets::plots_js, assets::touch_js,
                                       assets::page_js, assets::selfcheck_js}) {
     out += part;

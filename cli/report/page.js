@@ -23,7 +23,7 @@ class Group {
   }
 
   menu() {
-    const row = make("div", "menu"), label = make("label", "name", this.description.menu + " "), select = make("select");
+    const row = make("div", "menu"), label = make("label", "", this.description.menu), select = make("select");
     this.description.choices.forEach((choice, i) => select.append(new Option(choice.name, i)));
     select.addEventListener("change", () => { this.chosen = Number(select.value); this.draw(); });
     this.shown = make("span", "shown");

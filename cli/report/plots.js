@@ -32,7 +32,22 @@ function curves(plot) {
   return {
     data: [plot.values, ...plot.series.map((series) => series.y)],
     series: plot.series.map((series) => curveSeries(series, series.style === "reference" ? 0 : next++, plot.period)),
-    range: {}, drag: { x: true, y: false }, x: plot.x, y: plot.y,
+    range: plot.period ? { y: [-plot.period / 2, plot.period / 2] } : {},
+    drag: { x: true, y: false }, x: plot.x, y: plot.y,
+  };
+}
+
+/// Room around the outermost points, so that they can be seen whole.
+function withMargin(log) {
+  return (plot, from, to) => {
+    if (from == null) return [null, null];
+    const share = .06;
+    if (!log) {
+      const margin = (to - from) * share || Math.abs(to) * share || 1;
+      return [from - margin, to + margin];
+    }
+    const factor = Math.max(1.3, (to / from) ** share);
+    return [from / factor, to * factor];
   };
 }
 
@@ -52,7 +67,7 @@ function scatter(plot) {
   });
   return {
     data: [rows.map((row) => row.point[0]), ...lists.map((points, index) => column(index))], series, rows,
-    range: {}, drag: { x: true, y: true }, x: plot.x, y: plot.y,
+    range: { x: withMargin(plot.x.log), y: withMargin(plot.y.log) }, drag: { x: true, y: true }, x: plot.x, y: plot.y,
   };
 }
 
@@ -64,7 +79,8 @@ function histogram(plot) {
       label: "count", stroke: seriesColour(0), fill: colour("bar"), width: 1, points: { show: false },
       paths: uPlot.paths.bars({ size: [1, 200] }), value: (u, value) => number(value),
     }],
-    range: { x: (u, from, to) => from == null ? [low, high] : [from, to], y: (u, from, to) => [0, to > 0 ? to * 1.05 : 1] },
+    range: { x: (u, from, to) => from > low + width || to < high - width ? [from, to] : [low, high],
+             y: (u, from, to) => [0, to > 0 ? to * 1.05 : 1] },
     drag: { x: true, y: false }, x: plot.x, y: { label: "count", log: false },
   };
 }
@@ -98,10 +114,10 @@ function drawPlot(description, element, sync) {
   const width = element.clientWidth;
   const options = {
     width, height: Math.round(Math.min(340, Math.max(230, width * .42))),
-    scales: scales(made), axes: [axis(made.x, "x"), axis(made.y, "y")],
+    scales: scales(made), axes: [axis(made.x, "x"), axis(made.y, "y", description.period)],
     series: [{ label: made.x.label, value: (plot, value) => number(value) }, ...made.series],
     cursor: { drag: made.drag, sync: { key: sync }, points: { size: 7 } },
-    legend: { live: description.kind !== "scatter" },
+    legend: { live: description.kind !== "scatter", markers: { fill: (plot, i) => made.series[i - 1].stroke } },
     hooks: {
       drawAxes: [(plot) => drawBackground(plot, description)],
       draw: [(plot) => { if (description.mark) drawMark(plot, description.mark); }],

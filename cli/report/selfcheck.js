@@ -24,7 +24,13 @@ function isDrawn(plot) {
 
 function shownPart(plot) { return plot.scales.x.max - plot.scales.x.min; }
 
-async function check({ plot }, counts) {
+function isLinked(group, { plot, description }) {
+  return group.plots.every((other) => !sameAxis(description, other.description)
+    || (other.plot.scales.x.min === plot.scales.x.min && other.plot.scales.x.max === plot.scales.x.max));
+}
+
+async function check(group, one, counts) {
+  const plot = one.plot;
   counts.plots += 1;
   await settle();
   if (isDrawn(plot)) counts.drawn += 1;
@@ -35,6 +41,7 @@ async function check({ plot }, counts) {
   mouse(plot, "mouseup", .6, .6);
   await settle();
   if (shownPart(plot) < .6 * all) counts.zoomed += 1;
+  if (isLinked(group, one)) counts.linked += 1;
   mouse(plot, "mousemove", .5, .5);
   await settle();
   if (plot.cursor.left > 0 && (plot.cursor.idx != null)) counts.hovered += 1;
@@ -44,12 +51,12 @@ async function check({ plot }, counts) {
 }
 
 async function selfCheck() {
-  const counts = { plots: 0, drawn: 0, zoomed: 0, hovered: 0, reset: 0 };
+  const counts = { plots: 0, drawn: 0, zoomed: 0, linked: 0, hovered: 0, reset: 0 };
   for (const group of groups) {
     for (let choice = 0; choice < group.description.choices.length; ++choice) {
       group.chosen = choice;
       group.draw();
-      for (const one of group.plots) await check(one, counts);
+      for (const one of group.plots) await check(group, one, counts);
     }
   }
   document.documentElement.dataset.selfcheck = Object.entries(counts).map(([name, count]) => name + "=" + count).join(" ");

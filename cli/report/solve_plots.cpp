@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "cli/report/decimate.hpp"
+#include "ident/decibel_error.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -29,10 +31,13 @@ Values phases_deg(const std::vector<ident::Complex>& frf, const std::vector<std:
 }
 
 bool has_any(const Values& values) {
-  for (const double value : values) {
-    if (std::isfinite(value)) return true;
-  }
-  return false;
+  return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
+}
+
+double largest(const ident::RegeneratedFrf& frf) {
+  double out = 0.0;
+  for (const ident::Complex& value : frf.measured) out = std::fmax(out, std::abs(value));
+  return out;
 }
 
 /// Of a receptance.
@@ -55,7 +60,7 @@ std::vector<Series> overlay(Values measured, Values regenerated) {
   return series;
 }
 
-Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::array<double, 2> used_hz,
+Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::optional<std::array<double, 2>> used_hz,
               std::size_t most) {
   const std::vector<Values> curves = {magnitudes(frf.measured), magnitudes(frf.predicted)};
   const std::vector<std::size_t> kept = keep_peaks(curves, most);
@@ -76,10 +81,12 @@ Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std:
 
 }  // namespace
 
-PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::array<double, 2> used_hz, std::size_t most) {
+PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most) {
   PlotGroup group{"FRF", {}};
+  double least = 0.0;  // FRFs that vanish by symmetry are rounding errors
+  for (const ident::RegeneratedFrf& frf : regenerated.frfs) least = std::max(least, ident::zero_level * largest(frf));
   for (const ident::RegeneratedFrf& frf : regenerated.frfs) {
-    if (!has_any(magnitudes(frf.measured))) continue;
+    if (largest(frf) <= least) continue;
     group.choices.push_back(choice(frf, regenerated.frequency_hz, used_hz, most));
   }
   return group;

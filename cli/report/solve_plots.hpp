@@ -7,9 +7,9 @@
 /// The plots of a solve report.
 namespace jointid::cli::report {
 
-/// Magnitude and phase of measured and regenerated FRFs, one choice per FRF that has any; `used_hz`: the range of the lines
-/// that the joint was identified from, shaded. At most `most` points per FRF, peaks kept.
-PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::array<double, 2> used_hz, std::size_t most);
+/// Magnitude and phase of measured and regenerated FRFs, one choice per FRF that was measured; `used_hz`: a range to shade,
+/// that of the lines that the joint was identified from. At most `most` points per FRF, peaks kept.
+PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most);
 
 /// RJCF and ARVF of each matrix against the number of lines (thesis figures 6.6 and 6.7).
 PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
 #include "cli/table.hpp"
@@ -10,12 +12,17 @@
 namespace jointid::cli::report {
 namespace {
 
-constexpr std::size_t most_frfs = 16, most_points = 2400, most_line_counts = 400;
-constexpr std::size_t widest_matrix = 48;  ///< a wider one is no reading matter
+constexpr std::size_t most_frfs = 16, most_points = 2400;
+/// More is no reading matter; the JSON has it.
+constexpr std::size_t most_bars = 1000, most_elements = 10000;
 
 std::string words(std::string key) {
   for (char& c : key) c = c == '_' ? ' ' : c;
   return key;
+}
+
+std::string duration(double seconds) {
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
 void add_summary(const ident::Solution& solution, ReportPage& page) {
@@ -37,25 +44,39 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
                   {"rank", fmt::format("{} of {}", fit.rank, solution.unknowns.size())},
                   {"condition", number(fit.condition)},
                   {"assembly FRF error", fit.asm_frf_error ? number(*fit.asm_frf_error) + " dB" : "–"},
-                  {"run time", fmt::format("{:.3g} s", time.total)},
-                  {"read, assemble, solve", fmt::format("{:.2g}, {:.2g}, {:.2g} s", time.read, time.assemble, time.solve)}}});
+                  {"run time", duration(time.total)},
+                  {"reading", duration(time.read)},
+                  {"assembling", duration(time.assemble)},
+                  {"solving", duration(time.solve)}}});
 }
 
 void add_unknowns(const ident::Solution& solution, ReportPage& page) {
   if (solution.unknowns.empty()) return;
   Bars bars;
   for (const ident::Estimate& estimate : solution.unknowns) {
+    if (bars.bars.size() == most_bars) break;
     bars.bars.push_back({estimate.name, estimate.value, estimate.unit, estimate.ci95, std::nullopt,
                          estimate.determined ? "" : "not determined by the data"});
   }
   page.section("Identified values");
   page.add(bars);
-  page.add(Text{"Bars of one matrix and unit share a scale; the thin line is zero, the bracket a 95 % interval.", true});
+  if (solution.unknowns.size() > most_bars) {
+    page.add(Text{fmt::format("The first {} of {} unknowns; --json writes them all.", most_bars, solution.unknowns.size())});
+  }
+  const bool intervals = std::ranges::any_of(bars.bars, [](const Bar& bar) { return bar.interval.has_value(); });
+  page.add(Text{intervals ? "Bars of one matrix and unit share a scale; the brackets are 95 % intervals."
+                          : "Bars of one matrix and unit share a scale. This method states no intervals.",
+                true});
 }
 
 void add_matrices(const ident::Plan& plan, const ident::Solution& solution, ReportPage& page) {
-  if (solution.bands.empty() || solution.dofs.size() > widest_matrix) return;
+  if (solution.bands.empty()) return;
   page.section("Joint matrices");
+  const std::size_t n = solution.dofs.size();
+  if (solution.bands.size() * plan.restriction.matrices.size() * n * n > most_elements) {
+    page.add(Text{"Too large to show here; --json writes them."});
+    return;
+  }
   std::vector<std::string> names;
   for (const frf::Dof& dof : solution.dofs) names.push_back(dof.name());
   for (const ident::BandMatrices& band : solution.bands) {
@@ -70,6 +91,12 @@ void add_matrices(const ident::Plan& plan, const ident::Solution& solution, Repo
   page.add(Text{plan.scene.truth.empty() ? "SI units." : "SI units; below each element its deviation from the truth.", true});
 }
 
+/// Numbers of lines to solve with: fewer where a solution takes long.
+std::size_t line_counts(std::size_t unknowns) {
+  const double size = static_cast<double>(std::max<std::size_t>(1, unknowns));
+  return static_cast<std::size_t>(std::clamp(2e8 / (size * size * size), 20.0, 400.0));
+}
+
 void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {
   if (solution.quality.empty()) return;
   Table table{{"matrix", "RJCF", "ARVF", "rms relative error"}, {}};
@@ -79,20 +106,31 @@ void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident
   }
   page.section("Against the truth");
   page.add(table);
-  page.add(quality_plots(ident::quality_by_line(plan, most_line_counts, control)));
+  page.add(quality_plots(
+      ident::quality_by_line(plan, line_counts(solution.unknowns.size()), control)));
 }
 
-void add_frfs(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {
+std::vector<ident::FrfEntry> entries_of(const ident::Plan& plan, const std::optional<ident::FrfEntry>& first) {
+  std::vector<ident::FrfEntry> entries = ident::choose_entries(plan, most_frfs);
+  if (!first) return entries;
+  std::erase(entries, *first);
+  entries.insert(entries.begin(), *first);
+  return entries;
+}
+
+void add_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+              const ident::Control& control, ReportPage& page) {
   if (solution.bands.empty()) return;
-  const auto entries = ident::choose_entries(plan, most_frfs);
+  const std::vector<ident::FrfEntry> entries = entries_of(plan, first);
   const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, entries, control);
-  const PlotGroup overlay = frf_overlay(
-      regenerated, {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz}, most_points);
+  const bool all_used = regenerated.frequency_hz.size() == plan.lines.size();
+  const std::array used_hz = {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz};
+  const PlotGroup overlay = frf_overlay(regenerated, all_used ? std::nullopt : std::optional(used_hz), most_points);
   if (overlay.choices.empty()) return;
   page.section("Assembly: measured and regenerated from the identified joint");
   page.add(overlay);
-  page.add(Text{"Shaded: the frequencies that the joint was identified from. In brackets behind a name: rms difference over all lines.",
-                true});
+  page.add(Text{"In brackets behind a name: rms difference of the magnitudes over all lines.", true});
+  if (!all_used) page.add(Text{"Shaded: from the first to the last line that the joint was identified from.", true});
   if (regenerated.frequency_hz.size() > most_points) {
     page.add(Text{fmt::format("{} lines are drawn with at most {} points; every peak is kept.",
                               regenerated.frequency_hz.size(), most_points),
@@ -109,14 +147,15 @@ void add_plan(const ident::Plan& plan, ReportPage& page) {
 
 }  // namespace
 
-std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control) {
+std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+                         const ident::Control& control) {
   const std::string file = plan.scene.file.filename().string();
   ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);
   add_summary(solution, page);
   add_unknowns(solution, page);
   add_matrices(plan, solution, page);
   add_quality(plan, solution, control, page);
-  add_frfs(plan, solution, control, page);
+  add_frfs(plan, solution, first, control, page);
   add_plan(plan, page);
   return page.html();
 }

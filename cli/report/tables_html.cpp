@@ -11,7 +11,9 @@ namespace jointid::cli::report {
 namespace {
 
 /// Wide tables scroll by themselves, not the page.
-std::string scrolling(const std::string& table) { return "<div class=\"wide\" tabindex=\"0\">" + table + "</div>\n"; }
+std::string scrolling(const std::string& table, const char* kind = "wide") {
+  return fmt::format("<div class=\"{}\" tabindex=\"0\">{}</div>\n", kind, table);
+}
 
 std::string deviation(double value, double truth) {
   if (truth == 0.0 || !std::isfinite(value)) return "";
@@ -58,7 +60,7 @@ std::string to_html(const MatrixTable& matrix) {
     }
     out += "</tr>\n";
   }
-  return scrolling(out + "</tbody></table>");
+  return scrolling(out + "</tbody></table>", "wide beside");
 }
 
 }  // namespace jointid::cli::report

@@ -15,6 +15,10 @@ command_test(solve CODE 0 OUT "against the truth" AFTER written ARGS solve rig1/
 command_test(solve_json CODE 0 OUT "^{\n  \"status\": \"ok\"" AFTER written ARGS solve rig1/rig1.toml --json -)
 command_test(solve_both CODE 2 ERR "standard output" AFTER written ARGS solve rig1/rig1.toml --json - --csv -)
 command_test(solve_absent CODE 2 ERR "absent.toml" ARGS solve absent.toml)
+command_test(solve_report CODE 0 OUT "against the truth" AFTER written MAKES reported
+  ARGS solve rig1/rig1.toml --plot 101:+Y/201:+Y --report rig1.html)
+command_test(report_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER written
+  ARGS solve rig1/rig1.toml --report absent/a.html)
 command_test(solve_unwritable CODE 3 ERR "absent/a.json: cannot be written" AFTER written
   ARGS solve rig1/rig1.toml --json absent/a.json)
 

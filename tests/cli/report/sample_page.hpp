@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "cli/report/page.hpp"
+
+namespace jointid::cli::report {
+
+inline constexpr const char* nasty = "</script><script>alert('1')</script> & \"quoted\" <!--";
+
+inline CurvePlot sample_curves() {
+  CurvePlot plot{"A resonance", {"frequency (Hz)", false}, {"receptance (m/N)", true}, {}, {}, {{20.0, 60.0}}, {}, {}};
+  std::vector<double> measured, phase;
+  for (int i = 1; i <= 100; ++i) {
+    const double f = i, re = 1.0 - f * f / 2500.0, im = 0.04 * f / 50.0;
+    plot.x_values.push_back(f);
+    measured.push_back(i % 10 == 0 ? std::numeric_limits<double>::quiet_NaN() : 1e-6 / std::hypot(re, im));
+  }
+  plot.series = {{"measured", measured, Style::reference}, {nasty, measured, Style::dashed}};
+  return plot;
+}
+
+inline ScatterPlot sample_scatter() {
+  ScatterPlot plot{"Error against run time", {"run time (s)", true}, {"rms error", true}, {}, {}};
+  plot.groups = {{"WA", {{1e-4, 0.2, "WA, nn"}, {1e-3, 0.05, "WA, nn nj"}}},
+                 {"WBS", {{1e-3, 0.03, "WBS, nn"}, {0.02, 0.01, nasty}, {0.5, 0.02, "WBS, all"}}}};
+  plot.front = {{1e-4, 0.2, ""}, {1e-3, 0.03, ""}, {0.02, 0.01, ""}};
+  return plot;
+}
+
+inline HistogramPlot sample_histogram() {
+  return {"K(1,1)", {"stiffness (N/m)", false}, 0.9e6, 1.1e6, {1, 4, 9, 17, 22, 15, 8, 3, 0, 1}, 1e6, "truth"};
+}
+
+/// A page with one of everything, and texts that try to break out.
+inline ReportPage sample_page() {
+  ReportPage page(nasty, "every kind of content");
+  page.section("Tables");
+  page.add(Text{nasty});
+  page.add(Facts{{{"status", "ok"}, {nasty, nasty}}});
+  page.add(Table{{"method", "error"}, {{"one", "0.1"}, {nasty, "0.2"}}});
+  page.add(MatrixTable{"stiffness K", {"4:+Y", "5:+Y"}, {{1e6, -1e6}, {-1e6, 1e6}}, {{1.1e6, -1e6}, {-1e6, 0.0}}});
+  page.add(Bars{{{"K(1,1)", 1e6, "N/m", {{0.9e6, 1.1e6}}, 1.05e6, ""},
+                 {"K(1,2)", -4e5, "N/m", {}, {}, nasty},
+                 {"D(1,1)", 3.0, "N/m", {{-1.0, 7.0}}, 2.0, ""}}});
+  page.section("Plots");
+  page.add(PlotGroup{"FRF", {{"first", {sample_curves(), sample_curves()}}, {nasty, {sample_curves()}}}});
+  page.add(PlotGroup{"", {{"compared", {sample_scatter()}}}});
+  page.add(PlotGroup{"", {{"trials", {sample_histogram()}}}});
+  return page;
+}
+
+}  // namespace jointid::cli::report

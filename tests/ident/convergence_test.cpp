@@ -1,0 +1,57 @@
+#include "ident/convergence.hpp"
+
+#include <gtest/gtest.h>
+
+#include "problems/in_memory.hpp"
+
+namespace jointid::ident {
+namespace {
+
+std::unique_ptr<Plan> noisy_plan(const std::string& name) {
+  const problems::Problem problem = problems::make(name);
+  return problems::plan(problems::scene(problem), problems::polluted(problem, 1, 0));
+}
+
+TEST(Convergence, TheLastPointIsTheSolutionItself) {
+  const auto plan = noisy_plan("A1");
+  const auto points = quality_by_line(*plan, 1000);
+  const Solution solution = solve(*plan);
+  ASSERT_FALSE(points.empty());
+  EXPECT_EQ(points.back().lines, plan->lines.size());
+  for (const auto& [kind, quality] : solution.quality) {
+    EXPECT_NEAR(points.back().quality.at(kind).rjcf, quality.rjcf, 1e-9);
+    EXPECT_NEAR(points.back().quality.at(kind).arvf, quality.arvf, 1e-9);
+  }
+}
+
+/// Each point is what the scene cut to its first lines gives.
+TEST(Convergence, AnEarlierPointIsTheSolutionOfItsLines) {
+  const auto plan = noisy_plan("A1");
+  const auto points = quality_by_line(*plan, 1000);
+  plan->lines.resize(10);
+  const Solution solution = solve(*plan);
+  for (const LineQuality& point : points) {
+    if (point.lines != 10) continue;
+    EXPECT_EQ(point.frequency_hz, plan->lines.back().frequency_hz);
+    for (const auto& [kind, quality] : solution.quality) {
+      EXPECT_NEAR(point.quality.at(kind).arvf, quality.arvf, 1e-9);
+    }
+  }
+}
+
+TEST(Convergence, ManyLinesGiveAsManyPointsAsAskedFor) {
+  const auto plan = noisy_plan("A6");
+  const auto points = quality_by_line(*plan, 20);
+  EXPECT_LE(points.size(), 20U);
+  EXPECT_GE(points.size(), 15U);
+  EXPECT_EQ(points.back().lines, plan->lines.size());
+}
+
+TEST(Convergence, WithoutATruthThereIsNone) {
+  const auto plan = noisy_plan("A1");
+  plan->scene.truth.clear();
+  EXPECT_TRUE(quality_by_line(*plan, 10).empty());
+}
+
+}  // namespace
+}  // namespace jointid::ident
