@@ -118,16 +118,22 @@ void add_plan(CLI::App& app, Chosen& chosen) {
   command->footer("Example:\n  jointid plan joint.toml");
 }
 
+/// --trials, --seed and --threads of commands that draw noise.
+template <class T>
+void add_trial_options(CLI::App* command, T& arguments) {
+  const auto count = [command](const char* name, auto& to, const char* what) {
+    command->add_option(name, to, what)->check(CLI::NonNegativeNumber)->capture_default_str();
+  };
+  count("--trials", arguments.trials, "How often");
+  count("--seed", arguments.seed, "Of the noise");
+  count("--threads", arguments.threads, "0 for all cores; the results do not depend on it");
+}
+
 void add_study(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<StudyArguments>(
       app, chosen, "study", "Identify over and over with simulated noise, to see how well the rig sees the joint");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
-  const auto count = [command](const char* name, auto& to, const char* what) {
-    command->add_option(name, to, what)->check(CLI::NonNegativeNumber)->capture_default_str();
-  };
-  count("--trials", arguments->trials, "How often");
-  count("--seed", arguments->seed, "Of the noise");
-  count("--threads", arguments->threads, "0 for all cores; the results do not depend on it");
+  add_trial_options(command, *arguments);
   command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
   command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
   command->add_option("--json", arguments->json, "Write the statistics as JSON to a file, or - for stdout");
@@ -135,6 +141,30 @@ void add_study(CLI::App& app, Chosen& chosen) {
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
       "  mpirun -n 4 jointid study a1/A1.toml --trials 1000000 --threads 1");
+}
+
+void add_compare(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<CompareArguments>(
+      app, chosen, "compare", "Compare ways of identifying by error and run time, on the same trials with simulated noise");
+  CLI::Option* scene = command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [truth] and [noise]");
+  const auto list = [command](const char* name, auto& to, const char* what) {
+    return command->add_option(name, to, what)->delimiter(',');
+  };
+  const std::vector<CLI::Option*> alternatives = {
+      list("--methods", arguments->methods, "one,two; default of each list: the scene's"),
+      command->add_option("--equations", arguments->equations, "Sets of equations, e.g. \"nn nj;nn nj jj jn\""),
+      list("--weightings", arguments->weightings, "none,WA,WB,WBG,WBS"), list("--deltas", arguments->deltas, "0,0.05,0.1"),
+      list("--solvers", arguments->solvers, "qr,normal,spqr")};
+  CLI::Option* reproduce = command->add_option("--reproduce", arguments->reproduce,
+                                               "Instead of a scene: a table of Ren's thesis beside ours, e.g. 6.3; or list");
+  reproduce->excludes(scene);
+  for (CLI::Option* option : alternatives) reproduce->excludes(option);
+  add_trial_options(command, *arguments);
+  command->add_option("--json", arguments->json, "Write the figures as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV to a file, or - for stdout");
+  command->footer(
+      "Examples:\n  jointid problem write B b --clean && jointid compare b/B.toml --weightings WA,WBS --deltas 0,0.05,0.1\n"
+      "  jointid compare --reproduce 6.9");
 }
 
 }  // namespace
@@ -151,6 +181,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   add_solve(app, chosen);
   add_plan(app, chosen);
   add_study(app, chosen);
+  add_compare(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);

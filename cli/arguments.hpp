@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "cli/exit_code.hpp"
 #include "frf/frf_source.hpp"
@@ -53,8 +54,20 @@ struct StudyArguments {
   Target json, csv;
 };
 
+struct CompareArguments {
+  std::filesystem::path scene;  ///< empty with `reproduce`
+  std::string reproduce;        ///< number of a thesis table, or "list"; empty with `scene`
+  std::size_t trials = 200;
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;  ///< 0: all cores
+  std::vector<std::string> methods, weightings, solvers;
+  std::vector<double> deltas;
+  std::string equations;  ///< sets of names, separated by ";"
+  Target json, csv;
+};
+
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
-                               SolveArguments, PlanArguments, StudyArguments>;
+                               SolveArguments, PlanArguments, StudyArguments, CompareArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

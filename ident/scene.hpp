@@ -51,6 +51,10 @@ enum class Equation { nn, nj, jj, jn };
 std::string name(Method method);
 std::string name(Equation equation);
 
+/// The methods and equations by name; throw InputError (usage) with the nearest valid word.
+Method parse_method(const std::string& text);
+Equation parse_equation(const std::string& text);
+
 struct IdentifySection {
   Method method = Method::one;
   std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow

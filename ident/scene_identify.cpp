@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "frf/error.hpp"
 #include "ident/scene_sections.hpp"
 
 namespace jointid::ident {
@@ -52,7 +53,21 @@ std::map<Kind, Matrix> read_start(const SceneItem& item, const std::vector<Joint
   return start;
 }
 
+std::size_t find_word(const std::string& text, const std::vector<std::string>& words, const std::string& what) {
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string remedy;
+  for (const std::string& word : words) remedy += (remedy.empty() ? "use " : ", ") + word;
+  const std::string near = nearest_word(text, words);
+  throw InputError({ErrorKind::usage, "", "", "'" + text + "' is no " + what,
+                    (near.empty() ? "" : "did you mean '" + near + "'? ") + remedy});
+}
+
 }  // namespace
+
+Method parse_method(const std::string& text) { return static_cast<Method>(find_word(text, methods, "method")); }
+
+Equation parse_equation(const std::string& text) { return static_cast<Equation>(find_word(text, equations, "equation")); }
 
 std::string name(Method method) { return methods[static_cast<std::size_t>(method)]; }
 

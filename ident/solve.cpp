@@ -156,11 +156,12 @@ Solution solve(Plan& plan, const Control& control) {
   const Clock::time_point start = Clock::now();
   out.dofs = plan.coordinates.joint;
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
-              plan.solver};
+              plan.solver, 0};
   Assembled system = assemble(plan, out.runtime_s, control);
   out.fit.equations_used = system.equations.used;
   out.fit.equations_dropped = system.equations.dropped;
   out.fit.lines = system.lines;
+  out.used.accumulator_bytes = system.accumulator.bytes();
   if (system.equations.used > 0) {
     identify(plan, system.accumulator, control, out);
   } else {

@@ -114,6 +114,7 @@ void describe(const Plan& plan, TrialData& out) {
     const std::size_t unknown = plan.columns->unknown_of(column);
     out.unknowns.push_back({.name = plan.columns->name(column, plan.restriction),
                             .unit = plan.restriction.unknowns[unknown].unit,
+                            .kind = plan.restriction.unknowns[unknown].kind,
                             .truth = truth[unknown]});
   }
   for (const auto& [kind, matrix] : plan.scene.truth) {

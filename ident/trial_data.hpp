@@ -26,6 +26,7 @@ using Pollution = std::function<void(std::uint64_t seed, std::uint64_t trial, Me
 /// An unknown as the trials report it: one per column of the plan.
 struct TrialUnknown {
   std::string name, unit;
+  restrictions::Kind kind = restrictions::Kind::stiffness;
   std::optional<double> truth;  ///< when the scene's [truth] fixes it
 };
 

@@ -52,6 +52,8 @@ TrialRunner::TrialRunner(std::shared_ptr<const TrialData> data) : state_(std::ma
 TrialRunner::~TrialRunner() = default;
 TrialRunner::TrialRunner(TrialRunner&&) noexcept = default;
 
+const Plan& TrialRunner::plan() const { return *state_->plan; }
+
 const Measurements& TrialRunner::measurements() const { return state_->polluted; }
 
 Trial TrialRunner::run(std::uint64_t seed, std::uint64_t trial) {
@@ -64,7 +66,8 @@ Trial TrialRunner::run(std::uint64_t seed, std::uint64_t trial) {
             .values = std::vector<double>(at.data->unknowns.size(), nan),
             .ci95 = std::vector<std::optional<std::array<double, 2>>>(at.data->unknowns.size()),
             .quality = {},
-            .solve_s = solution.runtime_s.total};
+            .solve_s = solution.runtime_s.total,
+            .accumulator_bytes = solution.used.accumulator_bytes};
   for (std::size_t i = 0; i < solution.unknowns.size(); ++i) {
     out.values[i] = solution.unknowns[i].value;
     out.ci95[i] = solution.unknowns[i].ci95;

@@ -18,6 +18,7 @@ struct Trial {
   std::vector<std::optional<std::array<double, 2>>> ci95;  ///< as long as values
   std::vector<Quality> quality;                            ///< one per TrialData::judged; NaN when there is no estimate
   double solve_s = 0.0;  ///< assembling and solving, without drawing the noise
+  std::size_t accumulator_bytes = 0;
 };
 
 /// Plans once, then pollutes and solves as often as asked. The numbers of a trial depend on (seed, trial) alone, not on
@@ -29,6 +30,8 @@ class TrialRunner {
   TrialRunner(TrialRunner&&) noexcept;
 
   Trial run(std::uint64_t seed, std::uint64_t trial);
+
+  const Plan& plan() const;
 
   /// The polluted data of the last trial.
   const Measurements& measurements() const;
