@@ -1,11 +1,13 @@
 #include "cli/arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <array>
+#include <charconv>
+#include <cstdint>
 #include <memory>
 #include <sstream>
-#include <string_view>
 
+#include "cli/of_option.hpp"
+#include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "frf/error.hpp"
 
@@ -32,12 +34,16 @@ std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
 /// What the user knows of an FRF file that does not say it itself.
 void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   command->add_option_function<std::string>(
-      "--quantity", [&open](const std::string& text) { open.quantity = frf::parse_quantity(text); },
+      "--quantity", [&open](const std::string& text) {
+        open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); });
+      },
       "receptance, mobility or accelerance, for files that do not name it");
   const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
     command
         ->add_option_function<std::vector<std::string>>(
-            name, [&to](const std::vector<std::string>& texts) { to = parse_dofs(texts); }, what)
+            name,
+            [&to, name](const std::vector<std::string>& texts) { to = of_option(name, [&] { return parse_dofs(texts); }); },
+            what)
         ->delimiter(',');
   };
   dofs("--response", open.response, "Response DOFs, e.g. 4:+Y,4:+RZ, for matrices without DOFs (MAT, CSV)");
@@ -63,6 +69,13 @@ void add_convert(CLI::App& app, Chosen& chosen) {
       "  jointid convert rig.mat rig.h5 --quantity accelerance --response 4:+Y,5:+Y");
 }
 
+std::string is_whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_one = error == std::errc() && end == text.data() + text.size();
+  return is_one ? "" : "'" + text + "' is not a whole number of at least 0";
+}
+
 void add_problem(CLI::App& app, Chosen& chosen) {
   CLI::App* problem = app.add_subcommand("problem", "Built-in problems with known answers");
   problem->require_subcommand(1);
@@ -79,7 +92,7 @@ void add_problem(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"h5", "uff"}))
       ->capture_default_str();
   write->add_option("--seed", arguments->options.seed, "Of the noise")
-      ->check(CLI::NonNegativeNumber)
+      ->check(is_whole_number)
       ->capture_default_str();
   write->add_flag("--clean", arguments->options.clean, "Leave the noise out");
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
@@ -154,30 +167,6 @@ void add_compare(CLI::App& app, Chosen& chosen) {
       "  jointid compare --reproduce 6.9");
 }
 
-/// "jointid problem write": the innermost command that was named.
-std::string path_of_command(const CLI::App& app) {
-  std::string path = "jointid";
-  const CLI::App* current = &app;
-  while (!current->get_subcommands().empty()) {
-    current = current->get_subcommands().front();
-    path += " " + current->get_name();
-  }
-  return path;
-}
-
-/// The nearest command when the first argument is none.
-std::string suggestion(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2 || !app.get_subcommands().empty() || argv[1][0] == '-') return "";
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  const std::string nearest = nearest_word(argv[1], names);
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
-}
-
-Notice usage_error(const CLI::App& app, const std::string& what, int argc, const char* const* argv) {
-  return {ExitCode::usage, what + suggestion(app, argc, argv) + "; see `" + path_of_command(app) + " --help`"};
-}
-
 }  // namespace
 
 std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
@@ -203,7 +192,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
     app.exit(success, out, err);
     return Notice{ExitCode::done, out.str()};
   } catch (const CLI::ParseError& error) {
-    return usage_error(app, error.what(), argc, argv);
+    return Notice{ExitCode::usage, usage_error(app, error)};
   }
   return *chosen;
 }

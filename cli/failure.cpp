@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <new>
 
 #include "frf/error.hpp"
@@ -37,5 +38,7 @@ Failure explain(const std::exception_ptr& exception) {
   std::ranges::replace(failure.line, '\n', ' ');
   return failure;
 }
+
+void print_error(const std::string& line) { std::cerr << "jointid: error: " << line << '\n'; }
 
 }  // namespace jointid::cli

@@ -1,7 +1,12 @@
 #include "frf/frf_source.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 #include <numeric>
+
+#include "frf/error.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -34,6 +39,20 @@ class MemorySource final : public FrfSource {
   std::shared_ptr<const FrfSet> set_;
 };
 
+/// Coherences of 1 may come from averages of single precision.
+constexpr double rounding = 1e-5;
+
+[[noreturn]] void refuse_coherence(const FrfHeader& header, const Block& block, std::size_t at, double value) {
+  const std::size_t columns = block.references.size(), rows = block.responses.size();
+  const std::string pair = header.response[block.responses[at / columns % rows]].name() + "/" +
+                           header.reference[block.references[at % columns]].name();
+  throw InputError({.kind = ErrorKind::data,
+                    .file = header.file,
+                    .place = fmt::format("coherence of {}, line {}", pair, block.lines[at / columns / rows] + 1),
+                    .problem = fmt::format("{} is not between 0 and 1", value),
+                    .remedy = "export the coherences again, or leave them out"});
+}
+
 }  // namespace
 
 void FrfSource::read(const Block& block, std::span<Complex> out) {
@@ -51,7 +70,10 @@ void FrfSource::read_variance(const Block& block, std::span<Complex> out) {
 
 void FrfSource::read_coherence(const Block& block, std::span<double> out) {
   assert(header_.noise == NoiseRecord::coherence && out.size() == block.size());
-  if (block.size() > 0) do_read_coherence(block, out);
+  if (block.size() == 0) return;
+  do_read_coherence(block, out);
+  const auto wrong = std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + rounding; });
+  if (wrong != out.end()) refuse_coherence(header_, block, static_cast<std::size_t>(wrong - out.begin()), *wrong);
 }
 
 std::unique_ptr<FrfSource> from_memory(FrfSet set) { return from_shared(std::make_shared<FrfSet>(std::move(set))); }

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "ident/complex_triangle.hpp"
 #include "ident/triangle.hpp"
 
 namespace jointid::ident {
@@ -21,21 +22,28 @@ class Accumulator {
   /// The triangle for rows that touch just these columns of the whole system.
   Triangle& triangle(const Columns& columns);
 
+  /// The same for complex rows in z = k + i·d: of the unknown u, k is column real[u] of `columns`, d column imaginary[u].
+  ComplexTriangle& complex_triangle(const Columns& columns, const Columns& real, const Columns& imaginary);
+
   std::size_t columns() const { return columns_; }
   Reduction reduction() const { return reduction_; }
   const std::map<Columns, Triangle>& triangles() const { return triangles_; }
-  std::size_t rows_pushed() const;
   std::size_t bytes() const;  ///< of all triangles and buffers
 
-  /// Reduces all buffers; needed before the triangles are read.
+  /// Reduces all buffers and moves complex rows into the real triangles; needed before the triangles are read.
   void flush();
   void merge(Accumulator& other);
-  void clear() { triangles_.clear(); }
+  void clear();
 
  private:
   std::size_t columns_;
   Reduction reduction_;
+  struct ComplexPart {
+    ComplexTriangle triangle;
+    Columns real, imaginary;
+  };
   std::map<Columns, Triangle> triangles_;
+  std::map<Columns, ComplexPart> complex_;
 };
 
 }  // namespace jointid::ident

@@ -177,21 +177,60 @@ void LineAssembler::compress(const LineProduct& line, const Group& group) {
   }
 }
 
-Triangle& LineAssembler::triangle(const Group& group, Accumulator& accumulator) {
+/// Room for rows of a group, real or complex.
+LineAssembler::Rows LineAssembler::append(const Group& group, std::size_t equations, Accumulator& accumulator) {
   group_columns_.clear();
   for (const std::size_t unknown : spec_.supports[group.support].unknowns) {
     group_columns_.push_back(line_columns_[unknown]);
   }
-  return accumulator.triangle(group_columns_);
+  const RowExpander& expander = expanders_[group.support];
+  if (is_complex(group, accumulator)) {
+    ComplexTriangle& triangle =
+        accumulator.complex_triangle(group_columns_, expander.pair()->stiffness, expander.pair()->damping);
+    return {triangle.append(equations), triangle.stride(), equations};
+  }
+  Triangle& triangle = accumulator.triangle(group_columns_);
+  return {triangle.append(2 * equations), triangle.stride(), 2 * equations};
+}
+
+bool LineAssembler::is_complex(const Group& group, const Accumulator& accumulator) const {
+  return expanders_[group.support].pair() && accumulator.reduction() == Reduction::orthogonal;
+}
+
+void LineAssembler::expand(const Group& group, bool complex, std::size_t first, std::size_t count, const Rows& to) {
+  if (complex) {
+    expanders_[group.support].expand_complex(compressed_, first, count, to.data, to.stride / 2);
+  } else {
+    expanders_[group.support].expand(compressed_, first, count, to.data, to.stride);
+  }
 }
 
 void LineAssembler::push(const LineProduct& line, const Group& group, Accumulator& accumulator) {
   compress(line, group);
-  Triangle& to = triangle(group, accumulator);
   const std::size_t equations = compressed_.ra.rows * compressed_.rb.rows;
   for (std::size_t first = 0; first < equations; first += RowExpander::most) {
     const std::size_t count = std::min(RowExpander::most, equations - first);
-    expanders_[group.support].expand(compressed_, first, count, to.append(2 * count), to.stride());
+    expand(group, is_complex(group, accumulator), first, count, append(group, count, accumulator));
+  }
+}
+
+/// Squared norms of the columns of the rows of a group, added up per unknown of the restriction.
+void LineAssembler::add_column_norms(const Group& group, bool complex, const Rows& rows) {
+  const Support& support = spec_.supports[group.support];
+  group_norm2_.assign(rows.stride, 0.0);
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    const double* row = rows.data + i * rows.stride;
+    for (std::size_t u = 0; u < rows.stride; ++u) group_norm2_[u] += row[u] * row[u];
+  }
+  if (!complex) {
+    for (std::size_t u = 0; u < support.unknowns.size(); ++u) norm2_[support.unknowns[u]] += group_norm2_[u];
+    return;
+  }
+  const RowExpander::Pair& pair = *expanders_[group.support].pair();
+  for (std::size_t u = 0; u < pair.stiffness.size(); ++u) {
+    const double square = group_norm2_[u] + group_norm2_[rows.stride / 2 + u];
+    norm2_[support.unknowns[pair.stiffness[u]]] += square;
+    norm2_[support.unknowns[pair.damping[u]]] += square;
   }
 }
 
@@ -202,32 +241,28 @@ void LineAssembler::push_weighted_after(const LineProduct& line, Accumulator& ac
   line_rows_.clear();
   for (std::size_t g = 0; g < group_count_; ++g) {
     compress(line, groups_[g]);
-    const Support& support = spec_.supports[groups_[g].support];
-    const std::size_t width = support.unknowns.size() + 1, equations = compressed_.ra.rows * compressed_.rb.rows;
+    const bool complex = is_complex(groups_[g], accumulator);
+    const std::size_t unknowns = expanders_[groups_[g].support].unknowns();
+    const std::size_t stride = complex ? 2 * ComplexTriangle::half(unknowns / 2) : unknowns + 1;
+    const std::size_t equations = compressed_.ra.rows * compressed_.rb.rows, per_equation = complex ? 1 : 2;
     const std::size_t written = line_rows_.size();
-    line_rows_.resize(written + 2 * equations * width, 0.0);
+    line_rows_.resize(written + per_equation * equations * stride, 0.0);
     for (std::size_t first = 0; first < equations; first += RowExpander::most) {
       const std::size_t count = std::min(RowExpander::most, equations - first);
-      expanders_[groups_[g].support].expand(compressed_, first, count, line_rows_.data() + written + 2 * first * width,
-                                            width);
+      expand(groups_[g], complex, first, count,
+             {line_rows_.data() + written + per_equation * first * stride, stride, per_equation * count});
     }
-    group_norm2_.assign(width, 0.0);
-    for (std::size_t i = 0; i < 2 * equations; ++i) {
-      const double* row = line_rows_.data() + written + i * width;
-      for (std::size_t u = 0; u < width; ++u) group_norm2_[u] += row[u] * row[u];
-    }
-    for (std::size_t u = 0; u + 1 < width; ++u) norm2_[support.unknowns[u]] += group_norm2_[u];
-    groups_[g].rows_written = 2 * equations;
+    add_column_norms(groups_[g], complex, {line_rows_.data() + written, stride, per_equation * equations});
+    groups_[g].equations_written = equations;
+    groups_[g].row_length = stride;
   }
   const double largest_square = *std::max_element(norm2_.begin(), norm2_.end());
   const double factor = largest_square > 0.0 ? 1.0 / std::sqrt(largest_square) : 0.0;
   const double* from = line_rows_.data();
   for (std::size_t g = 0; g < group_count_; ++g) {
-    const std::size_t width = spec_.supports[groups_[g].support].unknowns.size() + 1;
-    Triangle& to = triangle(groups_[g], accumulator);
-    double* row = to.append(groups_[g].rows_written);
-    for (std::size_t i = 0; i < groups_[g].rows_written; ++i, row += to.stride(), from += width) {
-      for (std::size_t u = 0; u < width; ++u) row[u] = factor * from[u];
+    const Rows to = append(groups_[g], groups_[g].equations_written, accumulator);
+    for (std::size_t i = 0; i < to.count; ++i, from += groups_[g].row_length) {
+      for (std::size_t u = 0; u < groups_[g].row_length; ++u) to.data[i * to.stride + u] = factor * from[u];
     }
   }
 }

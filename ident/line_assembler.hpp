@@ -59,7 +59,13 @@ class LineAssembler {
     std::size_t support = 0;
     std::vector<std::size_t> rows, columns;
     std::vector<double> row_weight, column_weight;
-    std::size_t rows_written = 0;  ///< real rows, while WA waits for its factor
+    std::size_t equations_written = 0, row_length = 0;  ///< while WA waits for its factor
+  };
+
+  /// Rows to write: real ones (two per equation) or complex ones (one).
+  struct Rows {
+    double* data;
+    std::size_t stride, count;
   };
 
   void measure(const LineProduct& line);
@@ -69,7 +75,10 @@ class LineAssembler {
   void compress(const LineProduct& line, const Group& group);
   void push(const LineProduct& line, const Group& group, Accumulator& accumulator);
   void push_weighted_after(const LineProduct& line, Accumulator& accumulator);
-  Triangle& triangle(const Group& group, Accumulator& accumulator);
+  Rows append(const Group& group, std::size_t equations, Accumulator& accumulator);
+  bool is_complex(const Group& group, const Accumulator& accumulator) const;
+  void expand(const Group& group, bool complex, std::size_t first, std::size_t count, const Rows& to);
+  void add_column_norms(const Group& group, bool complex, const Rows& rows);
 
   const AssemblySpec& spec_;
   std::vector<RowExpander> expanders_;  ///< one per support

@@ -85,6 +85,13 @@ RowExpander::RowExpander(const restrictions::Restriction& restriction, std::span
     parts_.push_back(std::move(part));
   }
   known_impedance_.resize(known_.size());
+  find_pair();
+}
+
+void RowExpander::find_pair() {
+  if (parts_.size() != 2 || patterns_.size() != 1 || unknowns_ != 2 * patterns_.front().unknowns) return;
+  if (parts_[0].kind != Kind::stiffness || parts_[1].kind != Kind::hysteretic_damping) return;
+  pair_ = Pair{parts_[0].columns, parts_[1].columns};
 }
 
 void RowExpander::set_line(double omega) {
@@ -144,27 +151,52 @@ void RowExpander::write(const Part& part, std::size_t count, double* rows, std::
   }
 }
 
+void RowExpander::sum_pattern(const Pattern& pattern, std::size_t count) {
+  const auto used = static_cast<std::ptrdiff_t>(count * pattern.unknowns);
+  std::fill(sum_re_.begin(), sum_re_.begin() + used, 0.0);
+  std::fill(sum_im_.begin(), sum_im_.begin() + used, 0.0);
+  sum_terms(pattern.terms, a_re_.data(), a_im_.data(), b_re_.data(), b_im_.data(), count, sum_re_.data(), sum_im_.data());
+}
+
+Complex RowExpander::right_side(const Compressed& compressed, std::size_t first, std::size_t count, std::size_t e) const {
+  Complex right(compressed.c.re[first + e], compressed.c.im[first + e]);
+  for (std::size_t k = 0; k < known_.size(); ++k) {
+    const std::size_t a = known_[k].a * count + e, b = known_[k].b * count + e;
+    right -= known_impedance_[k] * Complex(a_re_[a], a_im_[a]) * Complex(b_re_[b], b_im_[b]);
+  }
+  return right;
+}
+
 void RowExpander::expand(const Compressed& compressed, std::size_t first, std::size_t count, double* rows,
                          std::size_t stride) {
   gather(compressed, first, count);
   for (std::size_t k = 0; k < patterns_.size(); ++k) {
-    const std::size_t used = count * patterns_[k].unknowns;
-    std::fill(sum_re_.begin(), sum_re_.begin() + static_cast<std::ptrdiff_t>(used), 0.0);
-    std::fill(sum_im_.begin(), sum_im_.begin() + static_cast<std::ptrdiff_t>(used), 0.0);
-    sum_terms(patterns_[k].terms, a_re_.data(), a_im_.data(), b_re_.data(), b_im_.data(), count, sum_re_.data(),
-              sum_im_.data());
+    sum_pattern(patterns_[k], count);
     for (const Part& part : parts_) {
       if (part.pattern == k) write(part, count, rows, stride);
     }
   }
   for (std::size_t e = 0; e < count; ++e) {
-    Complex right(compressed.c.re[first + e], compressed.c.im[first + e]);
-    for (std::size_t k = 0; k < known_.size(); ++k) {
-      const std::size_t a = known_[k].a * count + e, b = known_[k].b * count + e;
-      right -= known_impedance_[k] * Complex(a_re_[a], a_im_[a]) * Complex(b_re_[b], b_im_[b]);
-    }
+    const Complex right = right_side(compressed, first, count, e);
     rows[2 * e * stride + unknowns_] = right.real();
     rows[(2 * e + 1) * stride + unknowns_] = right.imag();
+  }
+}
+
+void RowExpander::expand_complex(const Compressed& compressed, std::size_t first, std::size_t count, double* rows,
+                                 std::size_t half) {
+  gather(compressed, first, count);
+  sum_pattern(patterns_.front(), count);
+  const std::size_t unknowns = patterns_.front().unknowns;
+  for (std::size_t e = 0; e < count; ++e) {
+    double* row = rows + e * 2 * half;
+    for (std::size_t u = 0; u < unknowns; ++u) {
+      row[u] = sum_re_[u * count + e];
+      row[half + u] = sum_im_[u * count + e];
+    }
+    const Complex right = right_side(compressed, first, count, e);
+    row[unknowns] = right.real();
+    row[half + unknowns] = right.imag();
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,17 @@ class RowExpander {
   /// and imaginary part of each; `rows` zero-filled, `stride` apart, right-hand side at unknowns().
   void expand(const Compressed& compressed, std::size_t first, std::size_t count, double* rows, std::size_t stride);
 
+  /// The same as `count` complex rows for a ComplexTriangle over pair(): coefficients and right-hand side, imaginary parts
+  /// `half` further on.
+  void expand_complex(const Compressed& compressed, std::size_t first, std::size_t count, double* rows, std::size_t half);
+
+  /// Where the joint has stiffness and hysteretic damping of the same pattern and nothing else, k and d of every unknown make
+  /// one complex unknown k + i·d: their columns. Empty otherwise.
+  struct Pair {
+    std::vector<std::size_t> stiffness, damping;
+  };
+  const std::optional<Pair>& pair() const { return pair_; }
+
   std::size_t unknowns() const { return unknowns_; }
 
  private:
@@ -54,7 +66,10 @@ class RowExpander {
     double value;
   };
 
+  void find_pair();
   void gather(const Compressed& compressed, std::size_t first, std::size_t count);
+  void sum_pattern(const Pattern& pattern, std::size_t count);
+  Complex right_side(const Compressed& compressed, std::size_t first, std::size_t count, std::size_t e) const;
   void write(const Part& part, std::size_t count, double* rows, std::size_t stride) const;
   static void sum_terms(const std::vector<Term>& terms, const double* a_re, const double* a_im, const double* b_re,
                         const double* b_im, std::size_t count, double* sum_re, double* sum_im);
@@ -64,6 +79,7 @@ class RowExpander {
   std::vector<Pattern> patterns_;
   std::vector<Part> parts_;
   std::vector<Known> known_;
+  std::optional<Pair> pair_;
   std::vector<Complex> known_impedance_;  ///< Z_known at the current line, per element of known_
   /// Equations side by side, `count` of them: coefficients of A and B, sums per unknown.
   std::vector<double> a_re_, a_im_, b_re_, b_im_, sum_re_, sum_im_;

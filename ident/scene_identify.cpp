@@ -35,7 +35,9 @@ std::vector<Equation> read_equations(const SceneItem& item) {
 
 double read_delta(const SceneItem& item) {
   const double delta = item.number();
-  if (!(delta >= 0.0 && delta < 2.0)) item.fail("delta is outside 0 <= delta < 2", "0 drops no equation");
+  if (!(delta >= 0.0 && delta < 2.0)) {
+    item.fail("delta = " + number_text(delta) + " is outside 0 <= delta < 2", "0 drops no equation");
+  }
   return delta;
 }
 

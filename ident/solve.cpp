@@ -125,6 +125,13 @@ LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condi
 
 namespace {
 
+std::string without_equations(const Plan& plan) {
+  const bool filtered = plan.scene.identify.delta > 0.0;
+  return std::string("No equation is left: the FRFs are missing or zero, or their matrices singular, on every line") +
+         (filtered ? ", or delta dropped them. Lower delta" : ". Choose other lines") +
+         ", or look with `jointid info` at what the files hold.";
+}
+
 std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control) {
   if (plan.predicted_responses.empty()) return std::nullopt;
   const DecibelError error = predict(plan, solution.bands, control);
@@ -159,9 +166,7 @@ Solution solve(Plan& plan, const Control& control) {
     identify(plan, system.accumulator, control, out);
   } else {
     out.status = Status::no_equations;
-    out.message =
-        "No equation is left: all are missing, zero or dropped by delta. Lower delta, widen the frequency range, or "
-        "check the FRFs.";
+    out.message = without_equations(plan);
   }
   out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
   return out;

@@ -32,30 +32,36 @@ class Group {
     return row;
   }
 
-  draw() {
+  /// The same plots anew, zoomed as they were.
+  redraw() {
+    this.draw(this.plots.map(({ plot }) => ({ min: plot.scales.x.min, max: plot.scales.x.max })));
+  }
+
+  draw(parts = []) {
     for (const { plot } of this.plots) plot.destroy();
     this.figures.replaceChildren();
     const choice = this.description.choices[this.chosen];
     if (this.shown) this.shown.textContent = document.documentElement.classList.contains("printing") ? choice.name : "";
-    this.plots = choice.plots.map((description) => this.figure(description));
+    this.plots = choice.plots.map((description, i) => this.figure(description, parts[i]));
     this.link();
   }
 
-  figure(description) {
+  figure(description, part) {
     const figure = make("figure"), caption = make("figcaption"), element = make("div", "plot");
     figure.append(caption, element);
     this.figures.append(figure);
-    const plot = drawPlot(description, element, "group" + this.index);
-    const whole = { x: [plot.scales.x.min, plot.scales.x.max] };
+    const plot = drawPlot(description, element, "group" + this.index, part);
     caption.append(make("span", "", description.title));
+    const buttons = [];
     for (const [sign, what, factor] of [["+", "zoom in", .5], ["−", "zoom out", 2], ["⟲", "show all", Infinity]]) {
       const button = caption.appendChild(make("button", "", sign));
       button.type = "button";
       button.title = button.ariaLabel = what;
-      button.addEventListener("click", () => zoom(plot, whole.x, factor));
+      button.addEventListener("click", () => zoom(plot, factor));
+      buttons.push(button);
     }
-    touchZoom(plot, () => whole.x);
-    return { plot, description, whole };
+    touchZoom(plot);
+    return { plot, description, buttons };
   }
 
   /// Curves over the same axis show the same part of it.
@@ -75,12 +81,13 @@ class Group {
 
 function sameAxis(a, b) { return a.kind === "curves" && b.kind === "curves" && a.x.label === b.x.label; }
 
-/// Shows `factor` times as much of the x-axis around its middle, at most `whole`; a plot zoomed in y as well is set back.
-function zoom(plot, [low, high], factor) {
+/// Shows `factor` times as much of the x-axis around its middle, at most all; infinity: all, of y too.
+function zoom(plot, factor) {
   if (factor === Infinity) return plot.setData(plot.data, true);
   const log = plot.scales.x.distr === 3, to = log ? Math.log : Number, back = log ? Math.exp : Number;
   const from = to(plot.scales.x.min), until = to(plot.scales.x.max);
   const middle = (from + until) / 2, half = (until - from) / 2 * factor;
+  const [low, high] = plot.whole;
   plot.setScale("x", { min: Math.max(low, back(middle - half)), max: Math.min(high, back(middle + half)) });
 }
 
@@ -88,7 +95,7 @@ const groups = JSON.parse(document.getElementById("plots").textContent)
   .map((description, i) => new Group(description, document.querySelector(`[data-group="${i}"]`), i));
 
 function drawAll() {
-  for (const group of groups) group.draw();
+  for (const group of groups) group.redraw();
   document.documentElement.dataset.plots = String(groups.reduce((sum, group) => sum + group.plots.length, 0));
 }
 

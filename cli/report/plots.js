@@ -37,10 +37,11 @@ function curves(plot) {
   };
 }
 
-/// Room around the outermost points, so that they can be seen whole.
+/// Room around the outermost points, so that they can be seen whole; a part of the x-axis stays as it was asked for.
 function withMargin(log) {
-  return (plot, from, to) => {
+  return (plot, from, to, scale) => {
     if (from == null) return [null, null];
+    if (scale === "x" && (from !== plot.data[0][0] || to !== plot.data[0].at(-1))) return [from, to];
     const share = .06;
     if (!log) {
       const margin = (to - from) * share || Math.abs(to) * share || 1;
@@ -108,8 +109,8 @@ function showNearest(plot, rows, tip) {
   tip.style.top = top + 12 + "px";
 }
 
-/// Draws a description into an element.
-function drawPlot(description, element, sync) {
+/// Draws a description into an element; `whole` of the plot is the x-range that shows all of it. `part`: what to show of it.
+function drawPlot(description, element, sync, part) {
   const made = kinds[description.kind](description);
   const width = element.clientWidth;
   const options = {
@@ -119,6 +120,10 @@ function drawPlot(description, element, sync) {
     cursor: { drag: made.drag, sync: { key: sync }, points: { size: 7 } },
     legend: { live: description.kind !== "scatter", markers: { fill: (plot, i) => made.series[i - 1].stroke } },
     hooks: {
+      ready: [(plot) => {
+        plot.whole = [plot.scales.x.min, plot.scales.x.max];
+        if (part) queueMicrotask(() => plot.setScale("x", part));  // not while the library is drawing
+      }],
       drawAxes: [(plot) => drawBackground(plot, description)],
       draw: [(plot) => { if (description.mark) drawMark(plot, description.mark); }],
     },

@@ -1,6 +1,6 @@
 "use strict";
-// With #selfcheck in its address the page uses itself: every choice of every group is drawn, zoomed with the mouse, hovered
-// and set back; the counts stand in <html data-selfcheck="…"> afterwards.
+// With #selfcheck in its address the page uses itself: every choice of every group is drawn, zoomed with the mouse, hovered,
+// set back, and zoomed and set back by its buttons (with the plots over the same axis); the counts stand in <html data-selfcheck="…"> afterwards.
 
 function mouse(plot, kind, x, y) {
   const box = plot.over.getBoundingClientRect();
@@ -29,6 +29,8 @@ function isLinked(group, { plot, description }) {
     || (other.plot.scales.x.min === plot.scales.x.min && other.plot.scales.x.max === plot.scales.x.max));
 }
 
+function isWhole(plot, all) { return Math.abs(shownPart(plot) - all) <= 1e-9 * all; }
+
 async function check(group, one, counts) {
   const plot = one.plot;
   counts.plots += 1;
@@ -41,17 +43,35 @@ async function check(group, one, counts) {
   mouse(plot, "mouseup", .6, .6);
   await settle();
   if (shownPart(plot) < .6 * all) counts.zoomed += 1;
-  if (isLinked(group, one)) counts.linked += 1;
   mouse(plot, "mousemove", .5, .5);
   await settle();
   if (plot.cursor.left > 0 && (plot.cursor.idx != null)) counts.hovered += 1;
   mouse(plot, "dblclick", .5, .5);
   await settle();
-  if (Math.abs(shownPart(plot) - all) <= 1e-9 * all) counts.reset += 1;
+  if (isWhole(plot, all)) counts.reset += 1;
+  const [zoomIn, , showAll] = one.buttons;
+  zoomIn.click();
+  await settle();
+  const { min, max } = plot.scales.x, [low, high] = plot.whole;
+  if (low < min && min < max && max < high && isLinked(group, one)) counts.stepped += 1;
+  showAll.click();
+  await settle();
+  if (isWhole(plot, all)) counts.restored += 1;
+}
+
+/// A redraw, as for printing, leaves a zoomed plot as it was.
+async function keepsPart(group) {
+  group.plots[0].buttons[0].click();
+  await settle();
+  const before = { ...group.plots[0].plot.scales.x };
+  group.redraw();
+  await settle();
+  const after = group.plots[0].plot.scales.x;
+  return before.min === after.min && before.max === after.max && group.plots[0].plot.whole[1] > after.max;
 }
 
 async function selfCheck() {
-  const counts = { plots: 0, drawn: 0, zoomed: 0, linked: 0, hovered: 0, reset: 0 };
+  const counts = { plots: 0, drawn: 0, zoomed: 0, hovered: 0, reset: 0, stepped: 0, restored: 0 };
   for (const group of groups) {
     for (let choice = 0; choice < group.description.choices.length; ++choice) {
       group.chosen = choice;
@@ -59,6 +79,7 @@ async function selfCheck() {
       for (const one of group.plots) await check(group, one, counts);
     }
   }
+  for (const group of groups) if (!await keepsPart(group)) console.error("a redraw lost what was shown");
   document.documentElement.dataset.selfcheck = Object.entries(counts).map(([name, count]) => name + "=" + count).join(" ");
 }
 

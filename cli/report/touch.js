@@ -1,7 +1,7 @@
 "use strict";
 // Two fingers zoom a plot along x, one finger moves it sideways once it is zoomed.
 
-function touchZoom(plot, whole) {
+function touchZoom(plot) {
   let start = null;
   const value = (touch) => touch.clientX - plot.over.getBoundingClientRect().left;
   const span = (touches) => touches.length > 1 ? Math.max(20, Math.abs(value(touches[0]) - value(touches[1]))) : null;
@@ -16,7 +16,7 @@ function touchZoom(plot, whole) {
     const factor = start.span === null ? 1 : start.span / span(event.touches);
     const width = plot.over.clientWidth, perPixel = (start.to - start.from) / width;
     const from = start.from + perPixel * (start.middle - middle(event.touches) * factor);
-    const [low, high] = whole();
+    const [low, high] = plot.whole;
     const length = Math.min((start.to - start.from) * factor, high - low);
     const left = Math.max(low, Math.min(from, high - length));
     plot.setScale("x", { min: left, max: left + length });
