@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "cli/commands.hpp"
@@ -18,9 +19,9 @@ namespace jointid::cli {
 namespace {
 
 void check(const StudyArguments& arguments) {
-  if (arguments.json == "-" && arguments.csv == "-") {
-    throw InputError({ErrorKind::usage, "", "--json - --csv -", "both want standard output", "give one of them a file"});
-  }
+  std::optional<std::string> file;
+  if (!arguments.out.empty()) file = arguments.out.string();
+  check_targets(arguments.scene, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--out", file}});
   if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
 }
 

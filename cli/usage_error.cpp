@@ -1,6 +1,6 @@
 #include "cli/usage_error.hpp"
 
-#include <string_view>
+#include <CLI/CLI.hpp>
 #include <vector>
 
 #include "frf/error.hpp"

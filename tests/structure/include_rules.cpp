@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <regex>
 #include <sstream>
 #include <string_view>
 
@@ -17,37 +16,56 @@ constexpr std::array heavy = {
     std::string_view("SuiteSparseQR.hpp"), std::string_view("ceres/ceres.h"),
 };
 
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(trimmed(part));
+  return parts;
+}
+
+/// The folder of a first cell "`frf/`", or empty for any other.
+std::string folder_of(const std::string& cell) {
+  if (!cell.starts_with('`') || !cell.ends_with("/`")) return "";
+  return cell.substr(1, cell.size() - 3);
+}
+
 std::set<std::string> allowed_folders(const std::string& cell, const std::set<std::string>& above) {
-  if (cell.find("all above") != std::string::npos) return above;
-  std::set<std::string> folders;
-  const std::regex word("[a-z_]+");
-  for (std::sregex_iterator it(cell.begin(), cell.end(), word), end; it != end; ++it) folders.insert(it->str());
-  return folders;
+  if (cell == "all above") return above;
+  if (cell == "–") return {};
+  const auto names = split(cell, ',');
+  return {names.begin(), names.end()};
 }
 
 }  // namespace
 
 IncludeTable read_table(std::istream& markdown) {
-  const std::regex row(R"(^\| `([a-z_]+)/` \|.*\|([^|]*)\|\s*$)");
   IncludeTable table;
   std::set<std::string> above;
-  std::string line;
-  while (std::getline(markdown, line)) {
-    std::smatch match;
-    if (!std::regex_match(line, match, row)) continue;
-    table[match[1]] = allowed_folders(match[2], above);
-    above.insert(match[1]);
+  for (std::string line; std::getline(markdown, line);) {
+    const auto cells = split(trimmed(line), '|');  // the first is what stands before the first bar
+    if (cells.size() < 3 || folder_of(cells[1]).empty()) continue;
+    table[folder_of(cells[1])] = allowed_folders(cells.back(), above);
+    above.insert(folder_of(cells[1]));
   }
   return table;
 }
 
 std::vector<std::string> includes(std::istream& source) {
-  const std::regex directive(R"(^\s*#\s*include\s*["<]([^">]+)[">].*)");
   std::vector<std::string> found;
-  std::string line;
-  while (std::getline(source, line)) {
-    std::smatch match;
-    if (std::regex_match(line, match, directive)) found.push_back(match[1]);
+  for (std::string line; std::getline(source, line);) {
+    std::string rest = trimmed(line);
+    if (!rest.starts_with('#')) continue;
+    rest = trimmed(rest.substr(1));
+    if (!rest.starts_with("include")) continue;
+    const std::size_t open = rest.find_first_of("<\"");
+    const std::size_t close = rest.find_first_of(">\"", open + 1);
+    if (open != std::string::npos && close != std::string::npos) found.push_back(rest.substr(open + 1, close - open - 1));
   }
   return found;
 }
