@@ -14,6 +14,9 @@ const std::vector<Equation> all_four = {Equation::nn, Equation::nj, Equation::jj
 
 constexpr const char* basic_choices =
     "A3 to A7 leave lines, range or coordinates open in Table 6.1; docs/problems.md tells what is taken.";
+constexpr const char* unit_of_mass =
+    "WA with mass depends on the unit of M: its weight is set by the largest element of E0'E0. Ours is M times the square of the "
+    "highest line's angular frequency; with M in kg the pairs and elements of WA come to lie inside, but for ARVF in Table 6.10.";
 constexpr const char* open_weighting = "The print does not name the weighting; ours is WB.";
 
 const char* const a1_stiffness = "A1 1.006 0.994 1.040 0.955 0.986 0.962 1.049 0.908 1.056 0.981\n";
@@ -63,19 +66,23 @@ ThesisTable table_6_5() {
 }
 
 ThesisTable table_6_6() {
-  return factor_pairs("6.6", "(RJCF, ARVF) of stiffness, all four equations", Kind::stiffness, all_four, R"(
+  ThesisTable table = factor_pairs("6.6", "(RJCF, ARVF) of stiffness, all four equations", Kind::stiffness, all_four, R"(
     WA  0.9962 0.9280 0.9960 0.9279 0.9960 0.9283 0.9960 0.9287 0.9960 0.9288 0.9962 0.9294 0.9975 0.9292 0.9978 0.9288
     WB  0.9996 0.9829 0.9995 0.9853 0.9960 0.9871 1.0000 0.9978 0.9998 0.9900 0.9997 0.9904 0.9960 0.9900 0.9970 0.9923
     WBG 0.9994 0.9984 0.9994 0.9986 0.9995 1.0000 0.9994 1.0010 0.9994 1.0020 0.9994 1.0030 0.9995 0.9957 0.9996 0.9983
     WBS 0.9980 0.9866 0.9980 0.9853 0.9960 0.9949 0.9960 0.9934 0.9996 0.9937 0.9996 0.9946 0.9997 0.9951 0.9996 0.9935)");
+  table.notes = {unit_of_mass};
+  return table;
 }
 
 ThesisTable table_6_7() {
-  return factor_pairs("6.7", "(RJCF, ARVF) of mass, all four equations", Kind::mass, all_four, R"(
+  ThesisTable table = factor_pairs("6.7", "(RJCF, ARVF) of mass, all four equations", Kind::mass, all_four, R"(
     WA  0.9860 0.9990 0.9863 0.9994 0.9864 1.0000 0.9866 1.0000 0.9865 1.0000 0.9871 0.9993 0.9900 0.9898 0.9903 0.9892
     WB  0.9998 0.9764 0.9970 0.9895 0.9998 0.9970 1.0000 0.9977 0.9998 0.9922 0.9998 0.9913 0.9998 0.9829 0.9998 0.9888
     WBG 0.9997 0.9896 0.9997 0.9899 0.9998 0.9982 0.9996 0.9789 0.9996 0.9790 0.9996 0.9794 0.9998 0.9810 0.9997 0.9822
     WBS 0.9999 0.9842 0.9999 0.9835 0.9999 0.9835 0.9998 0.9834 0.9998 0.9838 0.9998 0.9842 0.9998 0.9854 0.9995 0.9749)");
+  table.notes = {unit_of_mass};
+  return table;
 }
 
 ThesisTable table_6_8() {
@@ -103,7 +110,7 @@ ThesisTable table_6_10() {
     WB  0.25 0.12 0.24 0.12 0.25 0.12 0.18 0.10 0.17 0.09 0.12 0.08 0.09 0.07 0.88? 0.08
     WBG 0.97 1.01 0.97 1.03 0.97 1.05 0.97 1.00 0.97 1.00 0.97 1.01 0.98 0.67 0.98 0.66
     WBS 0.54 0.81 0.55 0.83 0.99 0.93 0.99 0.86 0.99 0.86 0.99 0.84 0.98 0.68 0.94 0.56)");
-  table.notes = {"0.88? stands after 0.12 and 0.09 in its row; 0.08 would fit."};
+  table.notes = {"0.88? stands after 0.12 and 0.09 in its row; 0.08 would fit.", unit_of_mass};
   return table;
 }
 
@@ -146,7 +153,8 @@ ThesisTable table_6_12() {
     h(2,4)  0.35   0.36 1.84 -0.36)");
   table.notes = {"0.545? has a digit too many; with 0.45 the column gives the pair 0.76, 0.64 of Table 6.10, with 0.545 it does not.",
                  "The h column of WB gives the pair 0.56, 0.43, not 0.52, 0.39 as in Table 6.11: one of its numbers is wrong, "
-                 "which one cannot be told."};
+                 "which one cannot be told.",
+                 unit_of_mass};
   return table;
 }
 
