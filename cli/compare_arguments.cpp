@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cli/of_option.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::cli {
@@ -10,16 +11,6 @@ namespace {
 
 [[noreturn]] void fail(const char* option, std::string problem, std::string remedy) {
   throw InputError({ErrorKind::usage, "", option, std::move(problem), std::move(remedy)});
-}
-
-/// The same error with the option it came from.
-template <class Parse>
-auto named(const char* option, const Parse& parse) {
-  try {
-    return parse();
-  } catch (const InputError& error) {
-    fail(option, error.parts().problem, error.parts().remedy);
-  }
 }
 
 std::vector<ident::Equation> equation_set(const std::string& text) {
@@ -55,11 +46,11 @@ void check_delta(double delta) {
 ident::Alternatives alternatives(const CompareArguments& arguments) {
   ident::Alternatives out;
   for (const std::string& word : arguments.methods) {
-    out.methods.push_back(named("--methods", [&] { return ident::parse_method(word); }));
+    out.methods.push_back(of_option("--methods", [&] { return ident::parse_method(word); }));
   }
-  out.equations = named("--equations", [&] { return equation_sets(arguments.equations); });
+  out.equations = of_option("--equations", [&] { return equation_sets(arguments.equations); });
   for (const std::string& word : arguments.weightings) {
-    out.weightings.push_back(named("--weightings", [&] { return weighting::parse_weighting(word); }));
+    out.weightings.push_back(of_option("--weightings", [&] { return weighting::parse_weighting(word); }));
   }
   std::ranges::for_each(arguments.deltas, check_delta);
   out.deltas = arguments.deltas;
