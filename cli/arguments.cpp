@@ -1,11 +1,13 @@
 #include "cli/arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <array>
+#include <charconv>
+#include <cstdint>
 #include <memory>
 #include <sstream>
-#include <string_view>
 
+#include "cli/of_option.hpp"
+#include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "frf/error.hpp"
 
@@ -32,12 +34,16 @@ std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
 /// What the user knows of an FRF file that does not say it itself.
 void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   command->add_option_function<std::string>(
-      "--quantity", [&open](const std::string& text) { open.quantity = frf::parse_quantity(text); },
+      "--quantity", [&open](const std::string& text) {
+        open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); });
+      },
       "receptance, mobility or accelerance, for files that do not name it");
   const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
     command
         ->add_option_function<std::vector<std::string>>(
-            name, [&to](const std::vector<std::string>& texts) { to = parse_dofs(texts); }, what)
+            name,
+            [&to, name](const std::vector<std::string>& texts) { to = of_option(name, [&] { return parse_dofs(texts); }); },
+            what)
         ->delimiter(',');
   };
   dofs("--response", open.response, "Response DOFs, e.g. 4:+Y,4:+RZ, for matrices without DOFs (MAT, CSV)");
@@ -63,6 +69,13 @@ void add_convert(CLI::App& app, Chosen& chosen) {
       "  jointid convert rig.mat rig.h5 --quantity accelerance --response 4:+Y,5:+Y");
 }
 
+std::string is_whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_one = error == std::errc() && end == text.data() + text.size();
+  return is_one ? "" : "'" + text + "' is not a whole number of at least 0";
+}
+
 void add_problem(CLI::App& app, Chosen& chosen) {
   CLI::App* problem = app.add_subcommand("problem", "Built-in problems with known answers");
   problem->require_subcommand(1);
@@ -79,7 +92,7 @@ void add_problem(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"h5", "uff"}))
       ->capture_default_str();
   write->add_option("--seed", arguments->options.seed, "Of the noise")
-      ->check(CLI::NonNegativeNumber)
+      ->check(is_whole_number)
       ->capture_default_str();
   write->add_flag("--clean", arguments->options.clean, "Leave the noise out");
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
@@ -105,28 +118,53 @@ void add_plan(CLI::App& app, Chosen& chosen) {
   command->footer("Example:\n  jointid plan joint.toml");
 }
 
-/// "jointid problem write": the innermost command that was named.
-std::string path_of_command(const CLI::App& app) {
-  std::string path = "jointid";
-  const CLI::App* current = &app;
-  while (!current->get_subcommands().empty()) {
-    current = current->get_subcommands().front();
-    path += " " + current->get_name();
-  }
-  return path;
+/// --trials, --seed and --threads of commands that draw noise.
+template <class T>
+void add_trial_options(CLI::App* command, T& arguments) {
+  const auto count = [command](const char* name, auto& to, const char* what) {
+    command->add_option(name, to, what)->check(CLI::NonNegativeNumber)->capture_default_str();
+  };
+  count("--trials", arguments.trials, "How often");
+  count("--seed", arguments.seed, "Of the noise");
+  count("--threads", arguments.threads, "0 for all cores; the results do not depend on it");
 }
 
-/// The nearest command when the first argument is none.
-std::string suggestion(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2 || !app.get_subcommands().empty() || argv[1][0] == '-') return "";
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  const std::string nearest = nearest_word(argv[1], names);
-  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+void add_study(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<StudyArguments>(
+      app, chosen, "study", "Identify over and over with simulated noise, to see how well the rig sees the joint");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
+  add_trial_options(command, *arguments);
+  command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
+  command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
+  command->add_option("--json", arguments->json, "Write the statistics as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments->csv, "Write the unknowns' statistics as CSV to a file, or - for stdout");
+  command->footer(
+      "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
+      "  mpirun -n 4 jointid study a1/A1.toml --trials 1000000 --threads 1");
 }
 
-Notice usage_error(const CLI::App& app, const std::string& what, int argc, const char* const* argv) {
-  return {ExitCode::usage, what + suggestion(app, argc, argv) + "; see `" + path_of_command(app) + " --help`"};
+void add_compare(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<CompareArguments>(
+      app, chosen, "compare", "Compare ways of identifying by error and run time, on the same trials with simulated noise");
+  CLI::Option* scene = command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [truth] and [noise]");
+  const auto list = [command](const char* name, auto& to, const char* what) {
+    return command->add_option(name, to, what)->delimiter(',');
+  };
+  const std::vector<CLI::Option*> alternatives = {
+      list("--methods", arguments->methods, "one,two; default of each list: the scene's"),
+      command->add_option("--equations", arguments->equations, "Sets of equations, e.g. \"nn nj;nn nj jj jn\""),
+      list("--weightings", arguments->weightings, "none,WA,WB,WBG,WBS"), list("--deltas", arguments->deltas, "0,0.05,0.1"),
+      list("--solvers", arguments->solvers, "qr,normal,spqr")};
+  CLI::Option* reproduce = command->add_option("--reproduce", arguments->reproduce,
+                                               "Instead of a scene: a table of Ren's thesis beside ours, e.g. 6.3; or list");
+  reproduce->excludes(scene);
+  for (CLI::Option* option : alternatives) reproduce->excludes(option);
+  add_trial_options(command, *arguments);
+  command->add_option("--json", arguments->json, "Write the figures as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV to a file, or - for stdout");
+  command->footer(
+      "Examples:\n  jointid problem write B b --clean && jointid compare b/B.toml --weightings WA,WBS --deltas 0,0.05,0.1\n"
+      "  jointid compare --reproduce 6.9");
 }
 
 }  // namespace
@@ -142,6 +180,8 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   Chosen chosen;
   add_solve(app, chosen);
   add_plan(app, chosen);
+  add_study(app, chosen);
+  add_compare(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);
@@ -152,7 +192,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
     app.exit(success, out, err);
     return Notice{ExitCode::done, out.str()};
   } catch (const CLI::ParseError& error) {
-    return usage_error(app, error.what(), argc, argv);
+    return Notice{ExitCode::usage, usage_error(app, error)};
   }
   return *chosen;
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "cli/exit_code.hpp"
 #include "frf/frf_source.hpp"
@@ -44,8 +45,29 @@ struct PlanArguments {
   Target json;
 };
 
+struct StudyArguments {
+  std::filesystem::path scene, out;  ///< out: empty for the scene's name with .study.h5 in the current folder
+  std::size_t trials = 1000;
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;  ///< 0: all cores
+  bool resume = false;
+  Target json, csv;
+};
+
+struct CompareArguments {
+  std::filesystem::path scene;  ///< empty with `reproduce`
+  std::string reproduce;        ///< number of a thesis table, or "list"; empty with `scene`
+  std::size_t trials = 200;
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;  ///< 0: all cores
+  std::vector<std::string> methods, weightings, solvers;
+  std::vector<double> deltas;
+  std::string equations;  ///< sets of names, separated by ";"
+  Target json, csv;
+};
+
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
-                               SolveArguments, PlanArguments>;
+                               SolveArguments, PlanArguments, StudyArguments, CompareArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

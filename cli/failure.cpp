@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <new>
 
 #include "frf/error.hpp"
@@ -15,8 +16,8 @@ Failure classify(const std::exception_ptr& exception) {
     std::rethrow_exception(exception);
   } catch (const InputError& error) {
     return {error.kind() == ErrorKind::usage ? ExitCode::usage : ExitCode::data, error.what()};
-  } catch (const ident::Interrupted&) {
-    return {ExitCode::interrupted, "interrupted"};
+  } catch (const ident::Interrupted& interrupted) {
+    return {ExitCode::interrupted, interrupted.what()};
   } catch (const std::bad_alloc&) {
     return {ExitCode::data,
             "not enough memory; use fewer lines ([frequency] range, step) or fewer DOFs, or convert large files to HDF5, "
@@ -37,5 +38,7 @@ Failure explain(const std::exception_ptr& exception) {
   std::ranges::replace(failure.line, '\n', ' ');
   return failure;
 }
+
+void print_error(const std::string& line) { std::cerr << "jointid: error: " << line << '\n'; }
 
 }  // namespace jointid::cli

@@ -15,4 +15,7 @@ struct Failure {
 
 Failure explain(const std::exception_ptr& exception);
 
+/// "jointid: error: LINE" on stderr.
+void print_error(const std::string& line);
+
 }  // namespace jointid::cli

@@ -20,15 +20,15 @@ Progress::~Progress() {
   if (shown_) std::fputs(clear_line, stderr);
 }
 
-void Progress::show(const char* stage, std::size_t done, std::size_t total) {
+void Progress::show(const std::string& text) {
   if (!terminal_) return;
-  std::fputs((clear_line + fmt::format("{}: line {} of {}", stage, done, total)).c_str(), stderr);
+  std::fputs((clear_line + text).c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;
 }
 
 ident::Control Progress::control() {
-  return {.progress = [this](const char* stage, std::size_t done, std::size_t total) { show(stage, done, total); },
+  return {.progress = [this](const char* stage, std::size_t done, std::size_t total) { show(fmt::format("{}: line {} of {}", stage, done, total)); },
           .interrupted = interrupted};
 }
 

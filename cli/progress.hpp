@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <string>
 
 #include "ident/solve.hpp"
 
@@ -14,7 +14,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(const char* stage, std::size_t done, std::size_t total);
+  void show(const std::string& text);
 
   /// Progress and Ctrl-C for the library.
   ident::Control control();

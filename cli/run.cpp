@@ -10,7 +10,7 @@ namespace jointid::cli {
 namespace {
 
 int report(ExitCode code, const std::string& line) {
-  std::cerr << "jointid: error: " << line << '\n';
+  print_error(line);
   return static_cast<int>(code);
 }
 
@@ -18,7 +18,8 @@ int report(ExitCode code, const std::string& line) {
 int finish(ExitCode code) {
   std::cout.flush();
   if (!std::cout) return report(ExitCode::data, "cannot write to standard output");
-  return static_cast<int>(interrupted() ? ExitCode::interrupted : code);
+  if (interrupted()) return report(ExitCode::interrupted, "interrupted");
+  return static_cast<int>(code);
 }
 
 int perform(const Arguments& arguments) {

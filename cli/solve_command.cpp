@@ -1,6 +1,8 @@
 #include "cli/commands.hpp"
+#include "cli/failure.hpp"
 #include "cli/frf_plot.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/of_option.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/solve_report.hpp"
@@ -12,13 +14,6 @@
 
 namespace jointid::cli {
 namespace {
-
-/// Throws InputError (usage) when two results are to share standard output.
-void check_targets(const SolveArguments& arguments) {
-  if (arguments.json == "-" && arguments.csv == "-") {
-    throw InputError({ErrorKind::usage, "", "--json - --csv -", "both want standard output", "give one of them a file"});
-  }
-}
 
 ident::Solution solve_watched(ident::Plan& plan) {
   catch_interrupts();
@@ -38,7 +33,8 @@ ident::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) 
   if (slash == std::string::npos) {
     throw InputError({ErrorKind::usage, "", "--plot", "'" + text + "' is not RESPONSE/REFERENCE", "write e.g. 1:+Y/5:+Y"});
   }
-  const ident::FrfEntry entry{frf::Dof::parse(text.substr(0, slash)), frf::Dof::parse(text.substr(slash + 1))};
+  const auto dof = [](const std::string& word) { return of_option("--plot", [&] { return frf::Dof::parse(word); }); };
+  const ident::FrfEntry entry{dof(text.substr(0, slash)), dof(text.substr(slash + 1))};
   if (frf::find_coordinate(plan.assembly->responses(), entry.response) == frf::npos ||
       frf::find_coordinate(plan.assembly->references(), entry.reference) == frf::npos) {
     throw InputError({ErrorKind::usage, "", "--plot", "the assembly has no FRF " + text,
@@ -56,7 +52,8 @@ void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution
 }  // namespace
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
-  check_targets(arguments);
+  check_targets(arguments.scene,
+                {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   const ident::Scene scene = ident::read_scene(arguments.scene);
   const auto plan = ident::make_plan(scene);
   std::optional<ident::FrfEntry> entry;
@@ -69,7 +66,9 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
     if (entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
   }
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry);
-  return solution.status == ident::Status::ok ? ExitCode::done : ExitCode::unusable;
+  if (solution.status == ident::Status::ok) return ExitCode::done;
+  print_error(arguments.scene.string() + ": " + solution.message);
+  return ExitCode::unusable;
 }
 
 }  // namespace jointid::cli

@@ -4,6 +4,9 @@
 
 namespace jointid::cli {
 
+/// "0.1.0"
+std::string version_number();
+
 /// Name, version, and what this build can and cannot do.
 std::string version_text();
 

@@ -7,6 +7,11 @@ if(TARGET PkgConfig::matio)
   set(JOINTID_HAS_MATIO ON)
 endif()
 
+set(JOINTID_HAS_MPI OFF)
+if(TARGET MPI::MPI_C)
+  set(JOINTID_HAS_MPI ON)
+endif()
+
 install(EXPORT jointid-targets NAMESPACE jointid:: DESTINATION "${_destination}")
 configure_package_config_file(cmake/jointid-config.cmake.in jointid-config.cmake INSTALL_DESTINATION "${_destination}")
 write_basic_package_version_file(jointid-config-version.cmake COMPATIBILITY SameMinorVersion)

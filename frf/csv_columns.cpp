@@ -25,9 +25,6 @@ class HeaderRow {
 
   CsvColumns::Pairs read() {
     if (table_.columns.empty()) fail(0, "no header row", "begin it with frequency_hz");
-    if (table_.columns[0] != csv_frequency_column) {
-      fail(0, "the first column is '" + table_.columns[0] + "'", "begin the header row with frequency_hz");
-    }
     if (table_.columns.size() == 1) fail(0, "no column but the frequency", "add columns of FRFs");
     for (std::size_t column = 1; column < table_.columns.size(); ++column) add(column);
     for (const auto& [pair, columns] : pairs_) require_complete(pair, columns);

@@ -15,7 +15,6 @@ namespace jointid::frf {
 enum class CsvPart : std::size_t { re, im, mag, phase_deg, var_re, var_im, coherence };
 inline constexpr std::array<std::string_view, 7> csv_part_names = {
     "re", "im", "mag", "phase_deg", "var_re", "var_im", "coherence"};
-inline constexpr const char* csv_frequency_column = "frequency_hz";
 
 /// Which column holds what, by the header row of a table.
 class CsvColumns {

@@ -71,6 +71,13 @@ void read_comment(std::string_view line, CsvTable& table) {
   table.keys[key] = trimmed(line);
 }
 
+/// Any other text with a comma may get here.
+void require_frequency(const CsvTable& table) {
+  if (table.columns[0] == csv_frequency_column) return;
+  table.fail(table.header_line, 0, "the first column is '" + table.columns[0] + "', so it is no table of FRFs",
+             "begin the header row with frequency_hz, or give jointid-frf HDF5, UFF or MATLAB");
+}
+
 void read_row(std::string_view line, std::size_t number, char separator, CsvTable& table) {
   const std::vector<std::string_view> cells = split(line, separator);
   if (cells.size() != table.columns.size()) {
@@ -127,6 +134,7 @@ CsvTable read_csv_table(const std::filesystem::path& path) {
       separator = csv_separator(line);
       table.header_line = number;
       for (const std::string_view name : split(line, separator)) table.columns.emplace_back(name);
+      require_frequency(table);
     } else {
       read_row(line, number, separator, table);
     }

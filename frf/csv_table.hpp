@@ -9,6 +9,9 @@
 
 namespace jointid::frf {
 
+/// The first column of a table of FRFs.
+inline constexpr const char* csv_frequency_column = "frequency_hz";
+
 /// A table of numbers with named columns, as it stands in a text file.
 struct CsvTable {
   std::string file;

@@ -1,5 +1,7 @@
 #include "frf/frf_set.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -35,10 +37,10 @@ void validate(const FrfHeader& header) {
   for (std::size_t i = 0; i < axis.size(); ++i) {
     const std::string place = "frequency line " + std::to_string(i + 1);
     if (!std::isfinite(axis[i]) || axis[i] < 0.0) {
-      fail(header, place, std::to_string(axis[i]) + " Hz is not a frequency", "remove or correct that line");
+      fail(header, place, fmt::format("{} Hz is not a frequency", axis[i]), "remove or correct that line");
     }
     if (i > 0 && axis[i] <= axis[i - 1]) {
-      fail(header, place, std::to_string(axis[i]) + " Hz does not follow " + std::to_string(axis[i - 1]) + " Hz",
+      fail(header, place, fmt::format("{} Hz does not follow {} Hz", axis[i], axis[i - 1]),
            "frequencies must increase from line to line");
     }
   }

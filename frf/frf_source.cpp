@@ -1,7 +1,12 @@
 #include "frf/frf_source.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cassert>
 #include <numeric>
+
+#include "frf/error.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -9,10 +14,10 @@ namespace {
 /// Hands out blocks of a set that lies in memory.
 class MemorySource final : public FrfSource {
  public:
-  explicit MemorySource(FrfSet set) : set_(std::move(set)) {
-    validate(set_.header);
-    assert(set_.values.size() == set_.header.lines() * set_.header.entries());
-    header_ = set_.header;
+  explicit MemorySource(std::shared_ptr<const FrfSet> set) : set_(std::move(set)) {
+    validate(set_->header);
+    assert(set_->values.size() == set_->header.lines() * set_->header.entries());
+    header_ = set_->header;
   }
 
  private:
@@ -21,18 +26,32 @@ class MemorySource final : public FrfSource {
     std::size_t next = 0;
     for (const std::size_t line : block.lines) {
       for (const std::size_t r : block.responses) {
-        const T* row = from.data() + set_.index(line, r, 0);
+        const T* row = from.data() + set_->index(line, r, 0);
         for (const std::size_t c : block.references) out[next++] = row[c];
       }
     }
   }
 
-  void do_read(const Block& block, std::span<Complex> out) override { gather(block, set_.values, out); }
-  void do_read_variance(const Block& block, std::span<Complex> out) override { gather(block, set_.variance, out); }
-  void do_read_coherence(const Block& block, std::span<double> out) override { gather(block, set_.coherence, out); }
+  void do_read(const Block& block, std::span<Complex> out) override { gather(block, set_->values, out); }
+  void do_read_variance(const Block& block, std::span<Complex> out) override { gather(block, set_->variance, out); }
+  void do_read_coherence(const Block& block, std::span<double> out) override { gather(block, set_->coherence, out); }
 
-  FrfSet set_;
+  std::shared_ptr<const FrfSet> set_;
 };
+
+/// Coherences of 1 may come from averages of single precision.
+constexpr double rounding = 1e-5;
+
+[[noreturn]] void refuse_coherence(const FrfHeader& header, const Block& block, std::size_t at, double value) {
+  const std::size_t columns = block.references.size(), rows = block.responses.size();
+  const std::string pair = header.response[block.responses[at / columns % rows]].name() + "/" +
+                           header.reference[block.references[at % columns]].name();
+  throw InputError({.kind = ErrorKind::data,
+                    .file = header.file,
+                    .place = fmt::format("coherence of {}, line {}", pair, block.lines[at / columns / rows] + 1),
+                    .problem = fmt::format("{} is not between 0 and 1", value),
+                    .remedy = "export the coherences again, or leave them out"});
+}
 
 }  // namespace
 
@@ -51,29 +70,46 @@ void FrfSource::read_variance(const Block& block, std::span<Complex> out) {
 
 void FrfSource::read_coherence(const Block& block, std::span<double> out) {
   assert(header_.noise == NoiseRecord::coherence && out.size() == block.size());
-  if (block.size() > 0) do_read_coherence(block, out);
+  if (block.size() == 0) return;
+  do_read_coherence(block, out);
+  const auto wrong = std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + rounding; });
+  if (wrong != out.end()) refuse_coherence(header_, block, static_cast<std::size_t>(wrong - out.begin()), *wrong);
 }
 
-std::unique_ptr<FrfSource> from_memory(FrfSet set) { return std::make_unique<MemorySource>(std::move(set)); }
+std::unique_ptr<FrfSource> from_memory(FrfSet set) { return from_shared(std::make_shared<FrfSet>(std::move(set))); }
+
+std::unique_ptr<FrfSource> from_shared(std::shared_ptr<const FrfSet> set) {
+  return std::make_unique<MemorySource>(std::move(set));
+}
 
 FrfSet load(FrfSource& source) {
-  const FrfHeader& header = source.header();
   const auto indices = [](std::size_t count) {
     std::vector<std::size_t> all(count);
     std::iota(all.begin(), all.end(), std::size_t{0});
     return all;
   };
-  const auto lines = indices(header.lines());
-  const auto responses = indices(header.response.size());
-  const auto references = indices(header.reference.size());
-  const Block block{lines, responses, references};
-  FrfSet set{.header = header, .values = std::vector<Complex>(block.size()), .variance = {}, .coherence = {}};
+  const auto lines = indices(source.header().lines());
+  const auto responses = indices(source.header().response.size());
+  const auto references = indices(source.header().reference.size());
+  return load(source, {lines, responses, references});
+}
+
+FrfSet load(FrfSource& source, const Block& block) {
+  FrfSet set{.header = source.header(), .values = std::vector<Complex>(block.size()), .variance = {}, .coherence = {}};
+  const auto pick = [](auto& from, std::span<const std::size_t> indices) {
+    std::remove_reference_t<decltype(from)> picked;
+    for (const std::size_t i : indices) picked.push_back(from[i]);
+    from = std::move(picked);
+  };
+  pick(set.header.frequency_hz, block.lines);
+  pick(set.header.response, block.responses);
+  pick(set.header.reference, block.references);
   source.read(block, set.values);
-  if (header.noise == NoiseRecord::variance) {
+  if (set.header.noise == NoiseRecord::variance) {
     set.variance.resize(block.size());
     source.read_variance(block, set.variance);
   }
-  if (header.noise == NoiseRecord::coherence) {
+  if (set.header.noise == NoiseRecord::coherence) {
     set.coherence.resize(block.size());
     source.read_coherence(block, set.coherence);
   }

@@ -76,7 +76,13 @@ std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOpt
 /// A set in memory as a source (tests, studies, formats that load whole).
 std::unique_ptr<FrfSource> from_memory(FrfSet set);
 
+/// A set that the caller keeps: what is in it when a block is read is handed out. Its header must not change.
+std::unique_ptr<FrfSource> from_shared(std::shared_ptr<const FrfSet> set);
+
 /// The whole of a source in memory.
 FrfSet load(FrfSource& source);
+
+/// A part of a source in memory, as a set of its own.
+FrfSet load(FrfSource& source, const Block& block);
 
 }  // namespace jointid::frf

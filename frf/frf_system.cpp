@@ -1,5 +1,7 @@
 #include "frf/frf_system.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,11 +27,6 @@ std::size_t same_line(const std::vector<double>& axis, double frequency, double 
   return std::abs(axis[nearest] - frequency) <= tolerance ? nearest : npos;
 }
 
-std::string range_text(const std::vector<double>& axis) {
-  return std::to_string(axis.front()) + " to " + std::to_string(axis.back()) + " Hz in " +
-         std::to_string(axis.size()) + " lines";
-}
-
 void add_coordinates(std::vector<Dof>& to, const std::vector<Dof>& dofs) {
   for (const Dof& dof : dofs) {
     if (find_coordinate(to, dof) == npos) to.push_back(dof);
@@ -39,6 +36,10 @@ void add_coordinates(std::vector<Dof>& to, const std::vector<Dof>& dofs) {
 bool has(const std::vector<Dof>& dofs, const Dof& dof) { return find_coordinate(dofs, dof) != npos; }
 
 }  // namespace
+
+std::string range_text(const std::vector<double>& axis) {
+  return fmt::format("{} to {} Hz in {} line{}", axis.front(), axis.back(), axis.size(), axis.size() == 1 ? "" : "s");
+}
 
 std::vector<std::size_t> match_lines(const std::vector<double>& axis, const std::vector<double>& other) {
   std::vector<std::size_t> partner(axis.size());

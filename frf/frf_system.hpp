@@ -17,6 +17,9 @@ enum class Composition {
 /// Two lines are the same when they differ by at most this share of the smaller line spacing (UFF rounds increments).
 inline constexpr double axis_tolerance = 0.1;
 
+/// "400 to 1000 Hz in 31 lines", for messages.
+std::string range_text(const std::vector<double>& axis);
+
 /// For each line of `axis` the line of `other` that is the same, or npos.
 std::vector<std::size_t> match_lines(const std::vector<double>& axis, const std::vector<double>& other);
 
@@ -38,6 +41,8 @@ class FrfSystem {
 
   std::size_t source_count() const { return sources_.size(); }
   const FrfSource& source(std::size_t index) const { return *sources_[index]; }
+  /// The line of that source which is the common line `line`.
+  std::size_t source_line(std::size_t index, std::size_t line) const { return source_lines_[index][line]; }
   /// The file that holds the coordinate in either role, or npos.
   std::size_t source_of(const Dof& dof) const;
 

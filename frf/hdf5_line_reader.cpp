@@ -56,7 +56,8 @@ void require_shape(const Dataset& dataset, const FrfHeader& header) {
     return text + "]";
   };
   fail(dataset, "has dimensions " + shown(dataset.dims) +
-                    " where frequency, response_dof and reference_dof make " + shown(expected));
+                    " where frequency, response_dof and reference_dof make " + shown(expected),
+       "store it as [lines, responses, references]");
 }
 
 /// Chunks that were never written would read as zero, a value that nobody measured.

@@ -140,7 +140,7 @@ Dataset open_dataset(const Object& file, const std::string& name) {
   const Object dataset{.id = {}, .file = file.file, .place = "dataset " + name};
   H5L_info_t link;
   if (!has(file, name) || H5Lget_info(file.id.get(), name.c_str(), &link, H5P_DEFAULT) < 0) {
-    fail(dataset, "is missing");
+    fail(dataset, "is missing", "write the file again; `jointid convert` makes whole ones");
   }
   if (link.type != H5L_TYPE_HARD)
     fail(dataset, "is a link to somewhere else", "copy the data into this file");

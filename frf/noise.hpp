@@ -23,6 +23,12 @@ std::string name(NoiseKind kind);
 /// word.
 NoiseKind parse_noise_kind(std::string_view text);
 
+/// Tukey's contaminated normal, line by line: on a `share` of the lines of a set the errors are `factor` times as large.
+struct GrossErrors {
+  double share = 0.0;  ///< 0 ≤ share ≤ 1
+  double factor = 10.0;
+};
+
 /// A noise model. In uniform, gaussian and circular noise an FRF and its reciprocal (r,c) and (c,r), when the
 /// set has both, share their random numbers, so that a symmetric set stays symmetric. In a hammer test each
 /// FRF is measured on its own.
@@ -40,6 +46,14 @@ struct NoiseModel {
   /// uniform, gaussian, circular: fill `variance` by the model's law at the polluted value, as a user would
   /// who knows the law but not H. Hammer records coherence instead.
   bool record_variance = false;
+
+  bool reciprocal = true;  ///< false: (r,c) and (c,r) draw numbers of their own
+  /// Constant floor: a complex normal error is added whose standard deviation is `floor` times the rms of that FRF over the
+  /// lines of the set, in the quantity the set is stored in (a floor of the accelerometer in an accelerance).
+  double floor = 0.0;
+  GrossErrors gross{};
+  double sign_errors = 0.0;     ///< probability that a DOF's direction is noted the wrong way round, in both roles
+  double position_errors = 0.0; ///< m, standard deviation of a DOF's place, along the line to the nearest node with that DOF
 };
 
 /// Throws InputError (usage) naming the field that is outside its range.

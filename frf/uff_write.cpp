@@ -1,11 +1,12 @@
-#include <unistd.h>
-
 #include <bit>
 #include <cassert>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 
 #include "frf/error.hpp"
+#include "frf/temporary_file.hpp"
 #include "frf/uff58_header.hpp"
 #include "frf/uff_file.hpp"
 #include "frf/uff_write_text.hpp"
@@ -25,40 +26,6 @@ using uff::text_field;
                     .problem = std::move(problem),
                     .remedy = std::move(remedy)});
 }
-
-/// A file that is there under its name only when it is complete.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::filesystem::path& path)
-      : path_(path), temporary_(path.string() + ".part" + std::to_string(::getpid())) {
-    stream_.open(temporary_, std::ios::binary);
-    if (!stream_)
-      fail(path.string(), {}, "cannot write the file", "check that its folder exists and may be written");
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    if (!done_) std::filesystem::remove(temporary_, ignored);
-  }
-
-  std::ostream& stream() { return stream_; }
-
-  void finish() {
-    stream_.close();
-    std::error_code error;
-    if (stream_) std::filesystem::rename(temporary_, path_, error);
-    if (!stream_ || error)
-      fail(path_.string(), {}, "cannot write the file", "check the space and rights on its disk");
-    done_ = true;
-  }
-
- private:
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;
-  std::ofstream stream_;
-  bool done_ = false;
-};
 
 /// One record of a set: which element of the grid, FRF or coherence.
 struct Record {
@@ -263,9 +230,12 @@ class Writer {
 void write_uff(const FrfSet& set, const std::filesystem::path& path, const UffWriteOptions& options) {
   validate(set.header);
   assert(set.values.size() == set.header.lines() * set.header.entries());
-  TemporaryFile file(path);
-  Writer(set, options, path.string(), file.stream()).run();
-  file.finish();
+  TemporaryFile temporary(path);
+  std::ofstream out(temporary.path(), std::ios::binary);
+  Writer(set, options, path.string(), out).run();
+  out.close();
+  if (!out) temporary.fail(std::strerror(errno));
+  temporary.commit();
 }
 
 }  // namespace jointid::frf

@@ -23,8 +23,9 @@ void write(const FrfSet& set, const std::filesystem::path& path, std::string for
   throw InputError({.kind = ErrorKind::usage,
                     .file = path.string(),
                     .place = {},
-                    .problem = "'" + format + "' is no format of FRF files",
-                    .remedy = "name the file .h5, .uff, .mat or .csv, or give the format"});
+                    .problem = format.empty() ? "has no extension that says the format"
+                                              : "'" + format + "' is no format of FRF files",
+                    .remedy = "name the file .h5, .uff, .mat or .csv"});
 }
 
 }  // namespace jointid::frf

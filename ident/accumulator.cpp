@@ -14,6 +14,13 @@ ComplexTriangle& Accumulator::complex_triangle(const Columns& columns, const Col
   return complex_.emplace(columns, ComplexPart{ComplexTriangle(real.size()), real, imaginary}).first->second.triangle;
 }
 
+std::size_t Accumulator::bytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [columns, triangle] : triangles_) bytes += triangle.bytes();
+  for (const auto& [columns, part] : complex_) bytes += part.triangle.bytes();
+  return bytes;
+}
+
 void Accumulator::flush() {
   for (auto& [columns, part] : complex_) part.triangle.pour(part.real, part.imaginary, triangle(columns));
   for (auto& [columns, triangle] : triangles_) triangle.flush();

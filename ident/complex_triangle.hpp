@@ -17,6 +17,7 @@ class ComplexTriangle {
   explicit ComplexTriangle(std::size_t unknowns);
 
   std::size_t stride() const { return 2 * half_; }
+  std::size_t bytes() const { return (triangle_.size() + buffer_.size() + scratch_.size()) * sizeof(double); }
   static std::size_t half(std::size_t unknowns);
 
   /// Room for `count` new rows, zero-filled.

@@ -32,6 +32,11 @@ class Availability {
                const frf::FrfSystem& assembly)
       : method_(scene.identify.method), at_(coordinates), sub_(substructures), asm_(assembly) {}
 
+  /// Whether the direct solution, which needs no joint coordinate of the assembly, gets along without what is lacking.
+  bool only_the_joint_on_the_assembly(Equation equation) const {
+    return method_ != Method::direct && !lacks(equation).empty() && direct_lacks(Equation::nn).empty();
+  }
+
   std::string lacks(Equation equation) const {
     if (method_ == Method::two) return two_lacks(equation);
     if (method_ == Method::direct) return direct_lacks(equation);
@@ -65,7 +70,7 @@ class Availability {
   std::string joint(const frf::FrfSystem& system, bool as_response) const {
     const std::string missing = first_missing(at_.joint, as_response ? system.responses() : system.references());
     if (missing.empty()) return {};
-    return "the " + system.name() + " has no " + (as_response ? "response " : "reference ") + missing;
+    return "the " + system.name() + (&system == &sub_ ? " have no " : " has no ") + (as_response ? "response " : "reference ") + missing;
   }
   std::string two_lacks(Equation equation) const {
     if (equation == Equation::nn || equation == Equation::nj) {
@@ -136,8 +141,9 @@ std::vector<Equation> choose_equations(const Scene& scene, const Coordinates& co
     const Method method = scene.identify.method;
     const Equation least = method == Method::two ? Equation::jn : Equation::nn;
     fail(scene, "[data]", "the data allow no equation: " + availability.lacks(least),
-         method == Method::direct ? "measure what it lacks"
-                                  : "with joint coordinates that cannot be reached on the assembly, use method = \"direct\"");
+         availability.only_the_joint_on_the_assembly(least)
+             ? "if that coordinate cannot be reached on the assembly, use method = \"direct\""
+             : "measure it");
   }
   return chosen;
 }

@@ -73,16 +73,13 @@ std::vector<Line> choose_lines(const Scene& scene, frf::FrfSystem& substructures
     notes.push_back(std::to_string(alone) + " selected lines of the assembly have no partner in the substructures.");
   }
   if (lines.empty()) {
-    const auto range = [](const frf::FrfSystem& system) {
-      return std::to_string(system.frequency_hz().front()) + " to " + std::to_string(system.frequency_hz().back()) +
-             " Hz in " + std::to_string(system.frequency_hz().size()) + " lines";
-    };
     throw InputError({.kind = alone > 0 ? ErrorKind::data : ErrorKind::usage,
                       .file = scene.file.string(),
                       .place = "[frequency]",
                       .problem = alone > 0 ? "no selected line is common to substructures and assembly"
                                            : "the selection leaves no line",
-                      .remedy = "the assembly has " + range(assembly) + ", the substructures " + range(substructures)});
+                      .remedy = "the assembly has " + frf::range_text(assembly.frequency_hz()) + ", the substructures " +
+                                frf::range_text(substructures.frequency_hz())});
   }
   return lines;
 }

@@ -49,6 +49,15 @@ std::vector<restrictions::JointSpec> with_node_positions(std::vector<restriction
   return joints;
 }
 
+/// What the joints make of the unknowns; an error in them names the scene.
+restrictions::Restriction build_restriction(const Scene& scene, const frf::FrfSystem& substructures) {
+  try {
+    return restrictions::build(with_node_positions(scene.joints, substructures));
+  } catch (const InputError& error) {
+    fail(scene, error.parts().place, error.parts().problem, error.parts().remedy);
+  }
+}
+
 void plan_assembly(Plan& plan) {
   AssemblySpec& spec = plan.assembly_spec;
   spec.restriction = &plan.restriction;
@@ -178,7 +187,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::unique_ptr<frf::FrfSyst
   plan->scene = scene;
   plan->substructures = std::move(substructures);
   plan->assembly = std::move(assembly);
-  plan->restriction = restrictions::build(with_node_positions(scene.joints, *plan->substructures));
+  plan->restriction = build_restriction(scene, *plan->substructures);
   if (plan->restriction.unknowns.empty()) {
     fail(scene, "[joint]", "every element of the joint is known: nothing to identify", "name an unknown");
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frf/frf_source.hpp"
+#include "frf/noise.hpp"
 #include "restrictions/joint_spec.hpp"
 #include "weighting/weighting.hpp"
 
@@ -50,6 +51,10 @@ enum class Equation { nn, nj, jj, jn };
 std::string name(Method method);
 std::string name(Equation equation);
 
+/// The methods and equations by name; throw InputError (usage) with the nearest valid word.
+Method parse_method(const std::string& text);
+Equation parse_equation(const std::string& text);
+
 struct IdentifySection {
   Method method = Method::one;
   std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
@@ -60,8 +65,9 @@ struct IdentifySection {
 };
 
 struct NoiseSection {
-  std::string model;  ///< uniform | gaussian | circular | modal
+  std::string model;  ///< uniform | gaussian | circular | hammer | modal
   double level = 0.0;
+  frf::NoiseModel frf_model;  ///< the whole section, for every model but modal
 };
 
 /// A scene file, checked for everything that can be checked without opening the data.

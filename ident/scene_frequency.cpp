@@ -26,7 +26,8 @@ ResonanceExclusion read_resonances(const SceneItem& item) {
   if (const auto width = table.find("half_width")) {
     exclusion.half_width = width->number();
     if (!(exclusion.half_width > 0.0 && exclusion.half_width < 1.0)) {
-      width->fail("half_width is not between 0 and 1", "it is relative: 0.01 leaves out 1 % on each side");
+      width->fail("half_width = " + number_text(exclusion.half_width) + " is not between 0 and 1",
+                  "it is relative: 0.01 leaves out 1 % on each side");
     }
   }
   return exclusion;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "frf/error.hpp"
 #include "ident/scene_sections.hpp"
 
 namespace jointid::ident {
@@ -12,7 +13,6 @@ const std::vector<std::string> methods = {"one", "two", "direct", "newton", "lik
 const std::vector<std::string> equations = {"nn", "nj", "jj", "jn"};
 const std::vector<std::string> weightings = {"none", "WA", "WB", "WBG", "WBS"};
 const std::vector<std::string> solvers = {"auto", "qr", "normal", "spqr", "ceres", "nlopt", "ipopt", "pattern"};
-const std::vector<std::string> noise_models = {"uniform", "gaussian", "circular", "modal"};
 
 /// The enumerator whose name stands at its place in `words`.
 template <class Enum>
@@ -35,7 +35,9 @@ std::vector<Equation> read_equations(const SceneItem& item) {
 
 double read_delta(const SceneItem& item) {
   const double delta = item.number();
-  if (!(delta >= 0.0 && delta < 2.0)) item.fail("delta is outside 0 <= delta < 2", "0 drops no equation");
+  if (!(delta >= 0.0 && delta < 2.0)) {
+    item.fail("delta = " + number_text(delta) + " is outside 0 <= delta < 2", "0 drops no equation");
+  }
   return delta;
 }
 
@@ -51,7 +53,21 @@ std::map<Kind, Matrix> read_start(const SceneItem& item, const std::vector<Joint
   return start;
 }
 
+std::size_t find_word(const std::string& text, const std::vector<std::string>& words, const std::string& what) {
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string remedy;
+  for (const std::string& word : words) remedy += (remedy.empty() ? "use " : ", ") + word;
+  const std::string near = nearest_word(text, words);
+  throw InputError({ErrorKind::usage, "", "", "'" + text + "' is no " + what,
+                    (near.empty() ? "" : "did you mean '" + near + "'? ") + remedy});
+}
+
 }  // namespace
+
+Method parse_method(const std::string& text) { return static_cast<Method>(find_word(text, methods, "method")); }
+
+Equation parse_equation(const std::string& text) { return static_cast<Equation>(find_word(text, equations, "equation")); }
 
 std::string name(Method method) { return methods[static_cast<std::size_t>(method)]; }
 
@@ -88,11 +104,6 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   if (const auto solver = table.find("solver")) identify.solver = solver->word(solvers);
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);
   return identify;
-}
-
-NoiseSection read_noise(const SceneItem& item) {
-  const SceneTable table = item.table({"model", "level"});
-  return {table.require("model").word(noise_models), table.require("level").not_negative()};
 }
 
 }  // namespace jointid::ident

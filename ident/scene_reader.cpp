@@ -16,16 +16,10 @@ std::string written(const std::string& key) {
   return bare ? key : '"' + key + '"';
 }
 
-std::string text_of(double number) {
-  char buffer[32];
-  const int length = std::snprintf(buffer, sizeof buffer, "%.10g", number);
-  return std::string(buffer, static_cast<std::size_t>(length));
-}
-
 struct Describe {
   std::string operator()(bool value) const { return value ? "the boolean true" : "the boolean false"; }
   std::string operator()(std::int64_t value) const { return "the integer " + std::to_string(value); }
-  std::string operator()(double value) const { return "the number " + text_of(value); }
+  std::string operator()(double value) const { return "the number " + number_text(value); }
   std::string operator()(const std::string& value) const { return "the string \"" + value + "\""; }
   std::string operator()(DateOrTime) const { return "a date or time"; }
   std::string operator()(const Array& value) const { return "an array of " + std::to_string(value.size()); }
@@ -44,6 +38,12 @@ std::string did_you_mean(const std::string& word, std::span<const std::string> v
 }
 
 }  // namespace
+
+std::string number_text(double number) {
+  char buffer[32];
+  const int length = std::snprintf(buffer, sizeof buffer, "%.10g", number);
+  return std::string(buffer, static_cast<std::size_t>(length));
+}
 
 std::string one_of(std::span<const std::string> words) {
   std::string text;
@@ -77,19 +77,19 @@ const T& SceneItem::as(const char* expected) const {
 double SceneItem::number() const {
   if (const auto* integer = std::get_if<std::int64_t>(&value_->content)) return static_cast<double>(*integer);
   const double number = as<double>("a number");
-  if (!std::isfinite(number)) fail("expected a finite number, found " + text_of(number));
+  if (!std::isfinite(number)) fail("expected a finite number, found " + number_text(number));
   return number;
 }
 
 double SceneItem::positive() const {
   const double value = number();
-  if (!(value > 0.0)) fail("expected a number above 0, found " + text_of(value));
+  if (!(value > 0.0)) fail("expected a number above 0, found " + number_text(value));
   return value;
 }
 
 double SceneItem::not_negative() const {
   const double value = number();
-  if (!(value >= 0.0)) fail("expected a number of at least 0, found " + text_of(value));
+  if (!(value >= 0.0)) fail("expected a number of at least 0, found " + number_text(value));
   return value;
 }
 
@@ -98,7 +98,7 @@ bool SceneItem::boolean() const { return as<bool>("true or false"); }
 const std::string& SceneItem::text() const { return as<std::string>("a string"); }
 
 std::string SceneItem::text_not_empty() const {
-  if (text().empty()) fail("the string is empty");
+  if (text().empty()) fail("the string is empty", "leave the key out or name something");
   return text();
 }
 
@@ -142,11 +142,12 @@ SceneTable SceneItem::table(std::vector<std::string> valid_keys) const {
 }
 
 Range SceneItem::interval() const {
+  if (!std::holds_alternative<Array>(value_->content)) as<Array>("[lo, hi]");
   const std::vector<SceneItem> items = list();
   if (items.size() != 2) fail("expected [lo, hi], found an array of " + std::to_string(items.size()));
   const Range range = {items[0].not_negative(), items[1].not_negative()};
   if (!(range[0] < range[1])) {
-    fail("expected lo < hi, found [" + text_of(range[0]) + ", " + text_of(range[1]) + "]");
+    fail("expected lo < hi, found [" + number_text(range[0]) + ", " + number_text(range[1]) + "]");
   }
   return range;
 }
@@ -178,7 +179,7 @@ std::vector<frf::Dof> SceneItem::dofs() const {
   std::vector<frf::Dof> result;
   for (const SceneItem& item : list_not_empty()) {
     const frf::Dof dof = item.dof();
-    if (frf::find_coordinate(result, dof) != frf::npos) item.fail("the coordinate of " + dof.name() + " is here twice");
+    if (frf::find_coordinate(result, dof) != frf::npos) item.fail("the coordinate of " + dof.name() + " is here twice", "name each coordinate once, with one sign");
     result.push_back(dof);
   }
   return result;
@@ -193,7 +194,7 @@ std::optional<SceneItem> SceneTable::find(const std::string& key) const {
 
 SceneItem SceneTable::require(const std::string& key) const {
   if (const auto item = find(key)) return *item;
-  itself_.fail("the key '" + key + "' is missing");
+  itself_.fail("the key '" + key + "' is missing", "add it");
 }
 
 }  // namespace jointid::ident

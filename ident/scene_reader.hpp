@@ -11,6 +11,9 @@
 
 namespace jointid::ident {
 
+/// Ten digits at most: "0.05".
+std::string number_text(double number);
+
 class SceneTable;
 
 /// A value of the scene with its name, for strict typed access. Everything that is wrong throws InputError (usage) with

@@ -54,7 +54,7 @@ Value parse_toml(const std::string& text, const Path& file) {
                       .file = file.string(),
                       .place = "line " + std::to_string(at.line) + ", column " + std::to_string(at.column),
                       .problem = std::string(error.description()),
-                      .remedy = {}});
+                      .remedy = text.find('\0') != std::string::npos ? "is it a scene file (TOML)?" : "correct the TOML there"});
   }
 }
 

@@ -65,6 +65,7 @@ struct Used {
   weighting::Weighting weighting = weighting::Weighting::none;
   double delta = 0.0;
   std::string solver;
+  std::size_t accumulator_bytes = 0;  ///< of the reduced system and its row buffers
 };
 
 struct Solution {

@@ -25,25 +25,11 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-std::string column_name(const Plan& plan, std::size_t column) {
-  std::string text = plan.restriction.unknowns[plan.columns->unknown_of(column)].name;
-  if (const auto band = plan.columns->band_of(column)) {
-    const auto number = [](double value) {
-      std::string digits = std::to_string(value);
-      digits.erase(digits.find_last_not_of('0') + 1);
-      if (digits.back() == '.') digits.pop_back();
-      return digits;
-    };
-    text += "@" + number((*band)[0]) + "-" + number((*band)[1]) + "Hz";
-  }
-  return text;
-}
-
 std::string joined_names(const Plan& plan, const std::vector<std::size_t>& columns) {
   std::string text;
   for (const std::size_t column : columns) {
     if (!text.empty()) text += ", ";
-    text += column_name(plan, column);
+    text += plan.columns->name(column, plan.restriction);
   }
   return text;
 }
@@ -114,7 +100,7 @@ void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const restrictions::Unknown& unknown = plan.restriction.unknowns[plan.columns->unknown_of(column)];
     Estimate estimate;
-    estimate.name = column_name(plan, column);
+    estimate.name = plan.columns->name(column, plan.restriction);
     estimate.unit = unknown.unit;
     estimate.value = linear.y[column] * unscale(unknown.kind, plan.assembly_spec.omega0);
     out.unknowns.push_back(std::move(estimate));
@@ -139,6 +125,13 @@ LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condi
 
 namespace {
 
+std::string without_equations(const Plan& plan) {
+  const bool filtered = plan.scene.identify.delta > 0.0;
+  return std::string("No equation is left: the FRFs are missing or zero, or their matrices singular, on every line") +
+         (filtered ? ", or delta dropped them. Lower delta" : ". Choose other lines") +
+         ", or look with `jointid info` at what the files hold.";
+}
+
 std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control) {
   if (plan.predicted_responses.empty()) return std::nullopt;
   const DecibelError error = predict(plan, solution.bands, control);
@@ -150,10 +143,10 @@ void identify(Plan& plan, Accumulator& accumulator, const Control& control, Solu
   LinearSolution linear;
   {
     const Stopwatch watch(out.runtime_s.solve);
-    linear = solve(plan, accumulator);
+    linear = solve(plan, accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
   }
   interpret(plan, linear, out);
-  out.fit.asm_frf_error = assembly_error(plan, out, control);
+  if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 
 }  // namespace
@@ -163,18 +156,17 @@ Solution solve(Plan& plan, const Control& control) {
   const Clock::time_point start = Clock::now();
   out.dofs = plan.coordinates.joint;
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
-              plan.solver};
+              plan.solver, 0};
   Assembled system = assemble(plan, out.runtime_s, control);
   out.fit.equations_used = system.equations.used;
   out.fit.equations_dropped = system.equations.dropped;
   out.fit.lines = system.lines;
+  out.used.accumulator_bytes = system.accumulator.bytes();
   if (system.equations.used > 0) {
     identify(plan, system.accumulator, control, out);
   } else {
     out.status = Status::no_equations;
-    out.message =
-        "No equation is left: all are missing, zero or dropped by delta. Lower delta, widen the frequency range, or "
-        "check the FRFs.";
+    out.message = without_equations(plan);
   }
   out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
   return out;

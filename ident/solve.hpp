@@ -12,7 +12,13 @@ namespace jointid::ident {
 /// Thrown when Control::interrupted said so.
 class Interrupted : public std::runtime_error {
  public:
-  Interrupted() : std::runtime_error("interrupted") {}
+  explicit Interrupted(const std::string& what = "interrupted") : std::runtime_error(what) {}
+};
+
+/// What solve() works out beside the estimates.
+enum class Detail {
+  estimates,  ///< estimates, matrices and quality; Fit::condition is 0 unless the rank is not full, no asm_frf_error
+  full
 };
 
 /// How the caller watches and stops a run; progress and interrupted are optional and called between chunks of lines.
@@ -20,6 +26,7 @@ struct Control {
   std::size_t threads = 0;  ///< 0: all cores. The result does not depend on it.
   std::function<void(const char* stage, std::size_t done, std::size_t total)> progress;
   std::function<bool()> interrupted;
+  Detail detail = Detail::full;
 };
 
 /// Carries out a plan: reads what it names line by line, assembles, solves, predicts and judges. Throws InputError when the

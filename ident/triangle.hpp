@@ -23,6 +23,7 @@ class Triangle {
   std::size_t unknowns() const { return unknowns_; }
   std::size_t rows_pushed() const { return rows_pushed_; }
   std::size_t stride() const { return stride_; }
+  std::size_t bytes() const { return (triangle_.size() + buffer_.size() + scratch_.size()) * sizeof(double); }
 
   /// Room for `count` new rows of unknowns()+1 numbers, `stride()` apart, zero-filled; they count as pushed.
   double* append(std::size_t count);

@@ -36,4 +36,16 @@ std::vector<std::size_t> UnknownColumns::at(double frequency_hz) const {
   return columns;
 }
 
+std::string UnknownColumns::name(std::size_t column, const restrictions::Restriction& restriction) const {
+  std::string text = restriction.unknowns[unknown_of_[column]].name;
+  const auto number = [](double value) {
+    std::string digits = std::to_string(value);
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+    return digits;
+  };
+  if (const auto band = band_of_[column]) text += "@" + number((*band)[0]) + "-" + number((*band)[1]) + "Hz";
+  return text;
+}
+
 }  // namespace jointid::ident

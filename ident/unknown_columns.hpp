@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "ident/scene.hpp"
@@ -19,6 +20,9 @@ class UnknownColumns {
   std::size_t unknown_of(std::size_t column) const { return unknown_of_[column]; }
   /// Band of the column's joint, or empty where the joint has none.
   std::optional<Range> band_of(std::size_t column) const { return band_of_[column]; }
+
+  /// The unknown's name, with the band where there are several: "K(1,2)", "K(1,2)@400-500Hz".
+  std::string name(std::size_t column, const restrictions::Restriction& restriction) const;
 
   /// Columns of all unknowns at a line, or empty when the line lies in no band of some joint.
   std::vector<std::size_t> at(double frequency_hz) const;

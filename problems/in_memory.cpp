@@ -20,4 +20,20 @@ std::unique_ptr<ident::Plan> plan(const ident::Scene& scene, Measurement measure
                           system("assembly", std::move(assembly), frf::Composition::merged));
 }
 
+std::shared_ptr<const ident::TrialData> trial_data(const ident::Scene& scene, const Problem& problem) {
+  const ident::Measurements clean{problem.substructures, {problem.assembly}};
+  if (const auto* model = std::get_if<frf::NoiseModel>(&problem.noise)) {
+    return ident::make_trial_data(scene, clean, *model);
+  }
+  const auto regenerate = [errors = std::get<ConsistentErrors>(problem.noise), parts = problem.substructure_modes,
+                           whole = problem.assembly_modes](std::uint64_t seed, std::uint64_t trial,
+                                                           ident::Measurements& data) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      data.substructures[i] = with_modal_errors(data.substructures[i], parts[i], errors, {seed, trial, i});
+    }
+    data.assembly.front() = with_modal_errors(data.assembly.front(), whole, errors, {seed, trial, parts.size()});
+  };
+  return ident::make_trial_data(scene, clean, regenerate);
+}
+
 }  // namespace jointid::problems

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "ident/plan.hpp"
+#include "ident/trial_data.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::problems {
@@ -12,5 +13,9 @@ ident::Scene scene(const Problem& problem);
 
 /// A plan on FRFs in memory: the scene's files are not opened.
 std::unique_ptr<ident::Plan> plan(const ident::Scene& scene, Measurement measurement);
+
+/// Base data and noise of the problem for trials: trial t of a seed has the FRFs of polluted(problem, seed, t). `scene` may
+/// differ from the problem's own in what it identifies and how.
+std::shared_ptr<const ident::TrialData> trial_data(const ident::Scene& scene, const Problem& problem);
 
 }  // namespace jointid::problems

@@ -90,4 +90,14 @@ Modes with_consistent_errors(Modes modes, const ConsistentErrors& errors, const 
   return modes;
 }
 
+frf::FrfSet with_modal_errors(const frf::FrfSet& clean, const Modes& exact, const ConsistentErrors& errors,
+                              const frf::RandomStream& stream) {
+  frf::FrfSet result = modal_response(with_consistent_errors(exact, errors, stream),
+                                      {.response = clean.header.response,
+                                       .reference = clean.header.reference,
+                                       .frequency_hz = clean.header.frequency_hz});
+  result.header = clean.header;
+  return result;
+}
+
 }  // namespace jointid::problems

@@ -38,4 +38,8 @@ struct ConsistentErrors {
 };
 Modes with_consistent_errors(Modes modes, const ConsistentErrors& errors, const frf::RandomStream& stream);
 
+/// A set with the header of `clean` and the FRFs of modes with errors.
+frf::FrfSet with_modal_errors(const frf::FrfSet& clean, const Modes& exact, const ConsistentErrors& errors,
+                              const frf::RandomStream& stream);
+
 }  // namespace jointid::problems

@@ -10,20 +10,10 @@ void append(std::vector<Case>& all, std::vector<Case> more) {
   for (Case& definition : more) all.push_back(std::move(definition));
 }
 
-frf::FrfSet regenerated(const frf::FrfSet& clean, const Modes& exact, const ConsistentErrors& errors,
-                        const frf::RandomStream& stream) {
-  frf::FrfSet result = modal_response(with_consistent_errors(exact, errors, stream),
-                                      {.response = clean.header.response,
-                                       .reference = clean.header.reference,
-                                       .frequency_hz = clean.header.frequency_hz});
-  result.header = clean.header;
-  return result;
-}
-
 frf::FrfSet with_noise(const frf::FrfSet& clean, const Modes& exact, const ProblemNoise& noise,
                        const frf::RandomStream& stream) {
   if (const auto* errors = std::get_if<ConsistentErrors>(&noise))
-    return regenerated(clean, exact, *errors, stream);
+    return with_modal_errors(clean, exact, *errors, stream);
   return frf::polluted(clean, std::get<frf::NoiseModel>(noise), stream.seed, stream.trial, stream.set);
 }
 

@@ -18,14 +18,15 @@ void check_size(const JointSpec& joint, Kind kind, const EntryMatrix& entries) {
   const std::size_t size = joint.dofs.size();
   const std::string expected = "the joint has " + std::to_string(size) + " DOFs";
   if (entries.size() != size) {
-    fail(joint, kind, "the matrix has " + std::to_string(entries.size()) + " rows, but " + expected, "");
+    fail(joint, kind, "the matrix has " + std::to_string(entries.size()) + " rows, but " + expected,
+         "give it a row and a column for each");
   }
   for (std::size_t row = 0; row < size; ++row) {
     if (entries[row].size() == size) continue;
     fail(joint, kind,
          "row " + std::to_string(row + 1) + " has " + std::to_string(entries[row].size()) + " elements, but " +
              expected,
-         "");
+         "give the matrix a row and a column for each");
   }
 }
 

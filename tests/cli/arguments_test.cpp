@@ -28,6 +28,16 @@ TEST(Arguments, SolveTakesASceneAndTargets) {
   EXPECT_FALSE(solve.csv.has_value());
 }
 
+TEST(Arguments, CompareTakesListsWithCommas) {
+  const auto compare = command<CompareArguments>(
+      {"compare", "a.toml", "--weightings", "none,WA", "--deltas", "0,0.05", "--equations", "nn nj;nn"});
+  EXPECT_EQ(compare.scene, "a.toml");
+  EXPECT_EQ(compare.weightings, (std::vector<std::string>{"none", "WA"}));
+  EXPECT_EQ(compare.deltas, (std::vector<double>{0.0, 0.05}));
+  EXPECT_EQ(compare.equations, "nn nj;nn");
+  EXPECT_EQ(compare.trials, 200U);
+}
+
 TEST(Arguments, ProblemWriteHasTheDefaultsOfTheLibrary) {
   const auto write = command<ProblemWriteArguments>({"problem", "write", "A1", "dir"});
   EXPECT_EQ(write.name, "A1");
@@ -49,6 +59,7 @@ TEST(Arguments, AFileMayBeExplained) {
 TEST(Arguments, HelpStandsAtEachLevelWithAnExample) {
   for (const auto& words : std::vector<std::vector<const char*>>{{"--help"},
                                                                  {"solve", "--help"},
+                                                                 {"compare", "--help"},
                                                                  {"plan", "--help"},
                                                                  {"info", "--help"},
                                                                  {"convert", "--help"},
@@ -77,6 +88,9 @@ TEST(Arguments, WrongUseIsOneLineThatLeadsToHelp) {
   EXPECT_THAT(notice({"problem", "write", "A1"}).text, HasSubstr("`jointid problem write --help`"));
   EXPECT_EQ(notice({"problem", "write", "A1", "d", "--format", "xls"}).code, ExitCode::usage);
   EXPECT_EQ(notice({"problem", "write", "A1", "d", "--seed", "-1"}).code, ExitCode::usage);
+  EXPECT_EQ(notice({"compare", "a.toml", "--reproduce", "6.3"}).code, ExitCode::usage);
+  EXPECT_EQ(notice({"compare", "--reproduce", "6.3", "--deltas", "0.1"}).code, ExitCode::usage);
+  EXPECT_EQ(notice({"compare", "a.toml", "--deltas", "x"}).code, ExitCode::usage);
   EXPECT_EQ(notice({}).code, ExitCode::usage);
 }
 

@@ -28,3 +28,23 @@ command_test(info_other CODE 3 ERR "rig1.toml: " AFTER written ARGS info rig1/ri
 command_test(convert CODE 0 OUT "401 lines" AFTER written MAKES converted ARGS convert rig1/rig1_assembly.uff rig1.h5)
 command_test(convert_back CODE 0 AFTER converted ARGS convert rig1.h5 rig1.csv)
 command_test(convert_to_nothing CODE 2 ERR "xls" AFTER written ARGS convert rig1/rig1_assembly.uff rig1.xls)
+
+command_test(study_clean CODE 0 MAKES study_data ARGS problem write A1 a1 --clean)
+command_test(study CODE 0 OUT "median.*per second" AFTER study_data ARGS study a1/A1.toml --trials 20)
+command_test(study_json CODE 0 OUT "\"rms_error\":" AFTER study_data
+  ARGS study a1/A1.toml --trials 20 --json - --out study_json.h5)
+command_test(study_no_trials CODE 2 ERR "--trials" AFTER study_data ARGS study a1/A1.toml --trials 0)
+
+command_test(compare CODE 0 OUT "WBS .*Pareto" AFTER study_data
+  ARGS compare a1/A1.toml --trials 3 --weightings WA,WBS --deltas 0,0.05)
+command_test(compare_methods CODE 0 OUT "\"method\": \"two\"" AFTER study_data
+  ARGS compare a1/A1.toml --trials 2 --methods one,two --json -)
+command_test(compare_csv CODE 0 OUT "one,nn,WB,0,normal,stiffness," AFTER study_data
+  ARGS compare a1/A1.toml --trials 2 --equations nn --weightings WB --solvers qr,normal --csv -)
+command_test(compare_list CODE 0 OUT "\n6.19 " ARGS compare --reproduce list)
+command_test(compare_reproduce CODE 0 OUT "of 100 entries of the print" ARGS compare --reproduce 6.3 --trials 2)
+command_test(compare_no_table CODE 2 ERR "6.15.*`list`" ARGS compare --reproduce 6.15)
+command_test(compare_nothing CODE 2 ERR "--reproduce" ARGS compare)
+command_test(compare_weighting CODE 2 ERR "--weightings: 'WX'" AFTER study_data ARGS compare a1/A1.toml --weightings WX)
+command_test(compare_solver CODE 2 ERR "solver" AFTER study_data ARGS compare a1/A1.toml --trials 2 --solvers magic)
+command_test(compare_impossible CODE 2 ERR "nn" AFTER study_data ARGS compare a1/A1.toml --methods two --equations nn)

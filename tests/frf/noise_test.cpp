@@ -3,11 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include "frf/error.hpp"
+#include "frf/h1.hpp"
+#include "frf/polluter.hpp"
 #include "frf/random.hpp"
 
 namespace jointid::frf {
@@ -153,6 +156,80 @@ TEST(Noise, WhatIsNotMeasuredStaysSo) {
   for (const NoiseKind kind : {NoiseKind::uniform, NoiseKind::circular, NoiseKind::hammer}) {
     EXPECT_TRUE(std::isnan(polluted(constant_set({nan, nan}, 1), {.kind = kind}, 1, 0).values[0].real()));
   }
+}
+
+/// Two responses at nodes 1 m apart, one reference, `lines` lines.
+FrfSet two_nodes(std::size_t lines) {
+  FrfSet set;
+  set.header.response = {Dof::parse("1:+Y"), Dof::parse("2:+Y")};
+  set.header.reference = {Dof::parse("7:+Y")};
+  set.header.nodes = {{1, {0.0, 0.0, 0.0}}, {2, {1.0, 0.0, 0.0}}};
+  for (std::size_t i = 0; i < lines; ++i) set.header.frequency_hz.push_back(1.0 + static_cast<double>(i));
+  for (std::size_t i = 0; i < lines; ++i) set.values.insert(set.values.end(), {Complex(1.0, 0.0), Complex(3.0, 0.0)});
+  return set;
+}
+
+TEST(Noise, FloorIsConstantInTheQuantityOfTheSet) {
+  FrfSet set = constant_set({2.0, 0.0});
+  for (double& f : set.header.frequency_hz) f += 1.0;
+  set.header.quantity = Quantity::accelerance;
+  const FrfSet noisy = polluted(set, {.level = 0.0, .floor = 0.1}, 3, 1);
+  double rms = 0.0;
+  const auto accelerance = [&](std::size_t i, Complex h) {
+    return h * from_receptance(Quantity::accelerance, set.header.frequency_hz[i]);
+  };
+  for (std::size_t i = 0; i < many; ++i) rms += std::norm(accelerance(i, set.values[i])) / static_cast<double>(many);
+  const auto error = [&](std::size_t i) { return accelerance(i, noisy.values[i] - set.values[i]).real(); };
+  expect_mean_and_variance(sample(many, error), 0.0, 0.01 * rms / 2.0);
+  expect_mean_and_variance(sample(many / 10, error), 0.0, 0.01 * rms / 2.0);
+}
+
+TEST(Noise, GrossErrorsFallOnTheirShareOfTheLines) {
+  const NoiseModel model{.level = 0.01, .gross = {.share = 0.1, .factor = 20.0}};
+  const FrfSet noisy = polluted(constant_set({1.0, 1.0}), model, 3, 1);
+  const Sample far = sample(many, [&](std::size_t i) { return std::abs(noisy.values[i].real() - 1.0) > 0.01 ? 1.0 : 0.0; });
+  EXPECT_NEAR(far.mean, 0.1 * 0.95, 4.0 * far.mean_error);
+}
+
+TEST(Noise, AWrongDirectionFlipsADofOnAllLines) {
+  int flipped = 0;
+  for (std::uint64_t trial = 0; trial < 400; ++trial) {
+    const FrfSet noisy = polluted(two_nodes(3), {.level = 0.0, .sign_errors = 0.25}, 1, trial);
+    for (std::size_t i = 2; i < 6; ++i) EXPECT_EQ(noisy.values[i], noisy.values[i - 2]);
+    flipped += noisy.values[0].real() * noisy.values[1].real() < 0.0;
+  }
+  EXPECT_NEAR(flipped / 400.0, 2.0 * 0.25 * 0.75, 4.0 * std::sqrt(0.375 * 0.625 / 400.0));
+}
+
+TEST(Noise, AWrongPlaceMixesWithTheNeighbour) {
+  const Sample moved = sample(4000, [](std::size_t trial) {
+    return polluted(two_nodes(1), {.level = 0.0, .position_errors = 0.01}, 1, trial).values[0].real();
+  });
+  expect_mean_and_variance(moved, 1.0, 4e-4);
+}
+
+TEST(Noise, OfAnExcerptIsThatOfTheWhole) {
+  FrfSet set = two_nodes(5);
+  set.header.reference.push_back(Dof::parse("1:-Y"));
+  set.values.assign(20, Complex(1.0, 2.0));
+  const auto source = from_memory(set);
+  const std::array<std::size_t, 2> lines = {1, 4}, references = {1, 0};
+  const std::array<std::size_t, 1> responses = {1};
+  const Excerpt part = excerpt(*source, {lines, responses, references});
+  for (const NoiseKind kind : {NoiseKind::uniform, NoiseKind::circular, NoiseKind::hammer}) {
+    const FrfSet whole_noisy = polluted(set, {.kind = kind}, 9, 4, 2);
+    FrfSet noisy = part.set;
+    Polluter(part, {.kind = kind}).pollute(noisy, {9, 4, 2});
+    EXPECT_EQ(noisy.values[0], whole_noisy.values[set.index(1, 1, 1)]);
+    EXPECT_EQ(noisy.values[3], whole_noisy.values[set.index(4, 1, 0)]);
+  }
+}
+
+TEST(H1, OverlappingAveragesAreWorthWhatWelchSays) {
+  EXPECT_DOUBLE_EQ(effective_averages(20, 0.0, Window::hann), 20.0);
+  EXPECT_NEAR(effective_averages(1000, 0.5, Window::hann), 1000.0 / (1.0 + 2.0 * 0.999 / 36.0), 1e-9);
+  EXPECT_NEAR(effective_averages(100000, 0.5, Window::rectangular), 100000.0 / 1.5, 1.0);
+  EXPECT_DOUBLE_EQ(h1_variance({3.0, 4.0}, 0.5, 6.0), 5.0);
 }
 
 TEST(Noise, ModelsOutsideTheirRangeAreErrors) {

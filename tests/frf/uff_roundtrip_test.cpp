@@ -181,9 +181,9 @@ TEST(UffRoundTrip, PartlyMeasuredIsAnErrorThatLeavesNoFile) {
               AllOf(HasSubstr("response 1:-X and reference 1:+X"), HasSubstr("1 of 3 lines"),
                     HasSubstr("write HDF5")));
   for (const auto& entry : std::filesystem::directory_iterator(path.parent_path())) {
-    EXPECT_FALSE(entry.path().string().starts_with(path.string())) << entry.path();
+    EXPECT_THAT(entry.path().string(), Not(HasSubstr(path.filename().string())));
   }
-  EXPECT_THAT(error_of([&] { write_uff(small_set(), "/nowhere/at/all.uff"); }), HasSubstr("cannot write"));
+  EXPECT_THAT(error_of([&] { write_uff(small_set(), "/nowhere/at/all.uff"); }), HasSubstr("cannot be written"));
 }
 
 TEST(UffRoundTrip, NothingMeasured) {

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdlib>
 #include <new>
 
+#include "computed_system.hpp"
 #include "ident/solve.hpp"
-#include "memory_systems.hpp"
 
 // Counts all bytes in use by operator new; each block is preceded by its size.
 namespace {
@@ -45,46 +44,9 @@ void operator delete[](void* pointer, std::size_t) noexcept { release(pointer); 
 namespace jointid::ident {
 namespace {
 
-/// FRFs that are computed when they are read.
-class Computed final : public frf::FrfSource {
- public:
-  Computed(std::size_t lines, const Dofs& all, double seed) : seed_(seed) {
-    for (std::size_t i = 1; i <= lines; ++i) header_.frequency_hz.push_back(0.1 * static_cast<double>(i));
-    header_.response = header_.reference = all;
-  }
-
- private:
-  void do_read(const frf::Block& block, std::span<frf::Complex> out) override {
-    std::size_t next = 0;
-    for (const std::size_t line : block.lines) {
-      for (const std::size_t r : block.responses) {
-        for (const std::size_t c : block.references) {
-          const double phase = static_cast<double>(1 + 31 * r + 17 * c + line * (r + 2 * c + 1)) * seed_;
-          out[next++] = {phase - std::floor(phase), 0.1};
-        }
-      }
-    }
-  }
-  void do_read_variance(const frf::Block&, std::span<frf::Complex>) override {}
-  void do_read_coherence(const frf::Block&, std::span<double>) override {}
-
-  double seed_;
-};
-
-std::unique_ptr<frf::FrfSystem> computed_system(const char* name, std::size_t lines, const Dofs& all, double seed) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  sources.push_back(std::make_unique<Computed>(lines, all, seed));
-  return std::make_unique<frf::FrfSystem>(name, std::move(sources), frf::Composition::merged, false);
-}
-
 /// Peak bytes that solve() needs on top of the plan.
 std::size_t peak_of_solve(std::size_t lines, std::size_t threads) {
-  Dofs all;
-  for (int node = 1; node <= 40; ++node) all.push_back({.node = node, .direction = frf::Direction::x});
-  Scene scene;
-  scene.joints = {joint_of({all.begin(), all.begin() + 3}, restrictions::Kind::stiffness, restrictions::Pattern::full)};
-  const auto plan = make_plan(scene, computed_system("substructures", lines, all, 0.7),
-                              computed_system("assembly", lines, all, 1.3));
+  const auto plan = computed_plan(lines);
   EXPECT_EQ(plan->cost.lines, lines);
   const std::size_t before = bytes_in_use;
   peak_bytes = before;

@@ -87,19 +87,19 @@ TEST(PlanError, EachEquationSaysWhatItLacks) {
   const Lack lacks[] = {
       {Equation::nn, true, true, joint, "no non-joint response"},
       {Equation::nn, true, false, joint, "no non-joint reference"},
-      {Equation::nn, false, true, no_four, "the substructures has no response 4:+Y"},
+      {Equation::nn, false, true, no_four, "the substructures have no response 4:+Y"},
       {Equation::nj, true, true, joint, "no non-joint response"},
       {Equation::nj, true, false, other, "the assembly has no reference 4:+Y"},
-      {Equation::nj, false, true, no_four, "the substructures has no response 4:+Y"},
-      {Equation::nj, false, false, no_four, "the substructures has no reference 4:+Y"},
+      {Equation::nj, false, true, no_four, "the substructures have no response 4:+Y"},
+      {Equation::nj, false, false, no_four, "the substructures have no reference 4:+Y"},
       {Equation::jj, true, true, no_four, "the assembly has no response 4:+Y"},
       {Equation::jj, true, false, no_four, "the assembly has no reference 4:+Y"},
-      {Equation::jj, false, true, no_four, "the substructures has no response 4:+Y"},
-      {Equation::jj, false, false, no_four, "the substructures has no reference 4:+Y"},
+      {Equation::jj, false, true, no_four, "the substructures have no response 4:+Y"},
+      {Equation::jj, false, false, no_four, "the substructures have no reference 4:+Y"},
       {Equation::jn, true, false, joint, "no non-joint reference"},
       {Equation::jn, true, true, no_four, "the assembly has no response 4:+Y"},
       {Equation::jn, true, false, no_four, "the assembly has no reference 4:+Y"},
-      {Equation::jn, false, true, no_four, "the substructures has no response 4:+Y"},
+      {Equation::jn, false, true, no_four, "the substructures have no response 4:+Y"},
   };
   for (const Lack& lack : lacks) {
     Input wrong = input();
@@ -157,7 +157,7 @@ TEST(PlanError, WithoutJointCoordinatesOnTheAssemblyTheRemedyIsTheDirectSolution
 TEST(PlanError, ARangeWithoutLinesNamesTheAxes) {
   Input wrong = input();
   wrong.scene.frequency.range_hz = {{11.0, 19.0}};
-  expect_usage(wrong, {"[frequency]", "the selection leaves no line", "10.000000 to 40.000000 Hz in 4 lines"});
+  expect_usage(wrong, {"[frequency]", "the selection leaves no line", "10 to 40 Hz in 4 lines"});
   wrong.scene.frequency.range_hz.reset();
   wrong.scene.frequency.exclude_hz = {{0.0, 100.0}};
   expect_usage(wrong, {"the selection leaves no line"});

@@ -93,7 +93,7 @@ TEST(SceneErrors, Frequency) {
            {"range = [1, 2], step = 1e-9", "step", "more than ten million lines"},
            {"step = 1.0", "step", "a step needs a range"},
            {"exclude = [[3, 2]]", "exclude[1]", "expected lo < hi"},
-           {"exclude = [3, 2]", "exclude[1]", "expected an array, found the integer 3"},
+           {"exclude = [3, 2]", "exclude[1]", "expected [lo, hi], found the integer 3"},
            {"ranges = [1, 2]", "ranges", "did you mean range?"},
            {"exclude_resonances = true", "exclude_resonances", "expected a table, found the boolean true"},
        }) {

@@ -1,0 +1,132 @@
+#include "cli/reproduction_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/table.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using problems::Reproduced;
+using problems::TableEntry;
+
+std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "–"; }
+
+/// Entries [first, last) that stand in one row of the table.
+struct RowOf {
+  std::size_t first = 0, last = 0;
+};
+
+std::vector<RowOf> rows_of(const std::vector<TableEntry>& entries) {
+  std::vector<RowOf> rows;
+  for (std::size_t e = 0; e < entries.size(); ++e) {
+    if (e == 0 || entries[e].row != entries[e - 1].row || entries[e].kind != entries[e - 1].kind) rows.push_back({e, e});
+    rows.back().last = e + 1;
+  }
+  return rows;
+}
+
+std::string row_text(const ReproductionReport& report, const RowOf& row) {
+  const auto line = [&](const char* title, const auto& cell) {
+    std::vector<std::string> cells = {title};
+    for (std::size_t e = row.first; e < row.last; ++e) cells.push_back(cell(report.table.entries[e], report.results[e]));
+    return cells;
+  };
+  std::vector<Column> columns = {{report.table.entries[row.first].row, Align::left}};
+  for (std::size_t e = row.first; e < row.last; ++e) columns.push_back({report.table.entries[e].column});
+  Table table(std::move(columns));
+  table.add(line("print", [](const TableEntry& entry, const Reproduced&) {
+    return entry.print.text + (entry.print.doubtful ? "?" : "");
+  }));
+  table.add(line("median", [](const TableEntry&, const Reproduced& result) { return short_number(result.ours.median); }));
+  table.add(line("5 %", [](const TableEntry&, const Reproduced& result) { return short_number(result.ours.low); }));
+  table.add(line("95 %", [](const TableEntry&, const Reproduced& result) { return short_number(result.ours.high); }));
+  table.add(line("inside", [](const TableEntry&, const Reproduced& result) -> std::string { return result.inside ? "yes" : "NO"; }));
+  return "\n" + table.text(0);
+}
+
+struct Count {
+  std::size_t inside = 0, legible = 0, doubtful = 0;
+};
+
+Count count(const ReproductionReport& report) {
+  Count counted;
+  for (std::size_t e = 0; e < report.results.size(); ++e) {
+    if (report.table.entries[e].print.doubtful) {
+      ++counted.doubtful;
+      continue;
+    }
+    ++counted.legible;
+    counted.inside += report.results[e].inside ? 1 : 0;
+  }
+  return counted;
+}
+
+std::string verdict(const ReproductionReport& report) {
+  const Count counted = count(report);
+  std::string text = fmt::format(
+      "\n{} of {} entries of the print lie inside 5 to 95 %, to its rounding (90 % would be expected of the same problem;\n"
+      "entries of one case come from one set of random numbers, so they are in or out together)\n",
+      counted.inside, counted.legible);
+  if (counted.doubtful > 0) {
+    text += fmt::format("{} more {} doubtful (marked ?) and not counted\n", counted.doubtful, counted.doubtful == 1 ? "is" : "are");
+  }
+  for (const std::string& note : report.table.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+}  // namespace
+
+std::string table_list() {
+  Table table({{"table", Align::left}, {"what", Align::left}, {"entries"}});
+  for (const auto& each : problems::thesis_tables()) table.add({each.number, each.title, fmt::format("{}", each.entries.size())});
+  return table.text(0);
+}
+
+std::string reproduction_text(const ReproductionReport& report) {
+  std::string text = fmt::format("Table {}. {}\nprint: one set of random numbers; ours: {} trials of seed {}\n",
+                                 report.table.number, report.table.title, report.trials, report.seed);
+  for (const RowOf& row : rows_of(report.table.entries)) text += row_text(report, row);
+  return text + verdict(report);
+}
+
+std::string reproduction_json(const ReproductionReport& report) {
+  const Count counted = count(report);
+  Json json = {{"table", report.table.number},     {"title", report.table.title}, {"trials", report.trials},
+               {"seed", report.seed},              {"inside", counted.inside},    {"legible", counted.legible},
+               {"doubtful", counted.doubtful},     {"notes", report.table.notes}, {"entries", Json::array()}};
+  for (std::size_t e = 0; e < report.results.size(); ++e) {
+    const TableEntry& entry = report.table.entries[e];
+    const Reproduced& result = report.results[e];
+    json["entries"].push_back({{"row", entry.row},
+                               {"column", entry.column},
+                               {"print", entry.print.value},
+                               {"doubtful", entry.print.doubtful},
+                               {"median", value(result.ours.median)},
+                               {"q05", value(result.ours.low)},
+                               {"q95", value(result.ours.high)},
+                               {"inside", result.inside}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string reproduction_csv(const ReproductionReport& report) {
+  std::string csv = csv_line({"table", "row", "column", "print", "doubtful", "median", "q05", "q95", "inside"});
+  for (std::size_t e = 0; e < report.results.size(); ++e) {
+    const TableEntry& entry = report.table.entries[e];
+    const ident::Spread& ours = report.results[e].ours;
+    csv += csv_line({report.table.number, entry.row, entry.column, entry.print.text, entry.print.doubtful ? "true" : "false",
+                     fmt::format("{}", ours.median), fmt::format("{}", ours.low), fmt::format("{}", ours.high),
+                     report.results[e].inside ? "true" : "false"});
+  }
+  return csv;
+}
+
+}  // namespace jointid::cli

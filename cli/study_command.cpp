@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/study_text.hpp"
+#include "cli/version.hpp"
+#include "frf/error.hpp"
+#include "frf/record_journal.hpp"
+#include "ident/scene_text.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::cli {
+namespace {
+
+void check(const StudyArguments& arguments) {
+  std::optional<std::string> file;
+  if (!arguments.out.empty()) file = arguments.out.string();
+  check_targets(arguments.scene, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--out", file}});
+  if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
+}
+
+ident::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
+  ident::StudyOptions options;
+  options.trials = arguments.trials;
+  options.seed = arguments.seed;
+  options.threads = arguments.threads;
+  if (options.threads == 0) {
+    options.threads = std::max<std::size_t>(1, std::thread::hardware_concurrency() / ident::processes_started());
+  }
+  options.resume = arguments.resume;
+  options.out = arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.h5") : arguments.out;
+  options.texts["scene_hash"] = fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(scene_text))));
+  options.texts["jointid_version"] = version_number();
+  return options;
+}
+
+/// "trial 1200 of 10000, 3480 per second, 2.5 s left".
+class StudyProgress {
+ public:
+  void show(std::size_t done, std::size_t total) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (!first_) first_ = done;
+    const double rate = static_cast<double>(done - *first_) / seconds;
+    std::string text = fmt::format("trial {} of {}", done, total);
+    if (rate > 0.0) text += fmt::format(", {:.3g} per second, {:.3g} s left", rate, static_cast<double>(total - done) / rate);
+    progress_.show(text);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Progress progress_;
+  Clock::time_point start_ = Clock::now();
+  std::optional<std::size_t> first_;
+};
+
+ident::StudyRun run_watched(const StudyArguments& arguments, const ident::StudyOptions& options, ident::Team& team) {
+  catch_interrupts();
+  const auto data = ident::load_trial_data(ident::read_scene(arguments.scene));
+  StudyProgress progress;
+  ident::StudyControl control{.progress = {}, .interrupted = interrupted};
+  if (team.rank() == 0) control.progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
+  return ident::run_study(data, options, team, control);
+}
+
+}  // namespace
+
+ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
+  check(arguments);
+  const auto team = ident::join_team();
+  const ident::StudyOptions options = options_of(arguments, ident::read_text(arguments.scene));
+  const ident::StudyRun run = run_watched(arguments, options, *team);
+  if (team->rank() != 0) return ExitCode::done;
+  if (!run.complete) {
+    throw ident::Interrupted(fmt::format("interrupted; {}.partial keeps {} of {} trials, the same command with --resume continues",
+                                         options.out.string(), run.done, options.trials));
+  }
+  const StudyReport report{ident::read_scene(arguments.scene).title, options.out.string(), options.seed, run,
+                           ident::study_statistics(options.out)};
+  if (arguments.json) write_target(*arguments.json, study_json(report), out);
+  if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
+  if (arguments.json != "-" && arguments.csv != "-") out << study_text(report);
+  return report.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,59 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/study_text.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+Json value(const std::optional<double>& number) { return number ? value(*number) : Json(nullptr); }
+
+Json value(const ident::Quantiles& quantiles) {
+  Json all = Json::array();
+  for (const double quantile : quantiles) all.push_back(value(quantile));
+  return all;
+}
+
+Json unknown(const ident::UnknownStatistics& of) {
+  return {{"name", of.name},
+          {"unit", of.unit},
+          {"truth", value(of.truth)},
+          {"mean", value(of.mean)},
+          {"bias", value(of.bias)},
+          {"std", value(of.std_deviation)},
+          {"rms_error", value(of.rms_error)},
+          {"quantiles", value(of.quantiles)},
+          {"coverage", value(of.coverage)}};
+}
+
+}  // namespace
+
+std::string study_json(const StudyReport& report) {
+  const ident::StudyStatistics& of = report.statistics;
+  Json json = {{"trials",
+                {{"all", of.trials},
+                 {"ok", of.usable},
+                 {"rank_deficient", of.rank_deficient},
+                 {"no_equations", of.no_equations},
+                 {"not_converged", of.not_converged}}},
+               {"seed", report.seed},
+               {"file", report.file},
+               {"quantile_levels", ident::study_quantiles}};
+  json["unknowns"] = Json::array();
+  for (const auto& one : of.unknowns) json["unknowns"].push_back(unknown(one));
+  json["quality"] = Json::object();
+  for (const auto& matrix : of.quality) {
+    json["quality"][matrix.matrix] = {{"rjcf", value(matrix.rjcf)},
+                                      {"arvf", value(matrix.arvf)},
+                                      {"rms_relative_error", value(matrix.rms_relative_error)},
+                                      {"rms_over_trials", value(matrix.rms_over_trials)}};
+  }
+  json["runtime_s"] = {{"total", report.run.wall_s}, {"trials", report.run.computed}, {"one_solution", report.run.solve_s}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace jointid::frf {
+
+struct TableColumn {
+  std::string name;
+  std::string unit;
+  double truth = 0.0;  ///< NaN when there is none
+};
+
+/// What a table of numbers is, HDF5 layout `jointid-table` version 1: root attributes `format`, `version` and the texts;
+/// datasets `column` [C] and `unit` [C] UTF-8, `truth` [C] float64, `rows` [N,C] float64, chunked by columns.
+struct TableHeader {
+  std::map<std::string, std::string> texts;  ///< root attributes
+  std::vector<TableColumn> columns;          ///< at least one
+};
+
+/// Writes a table row by row in order. Without finish() no file appears, with it the file is there whole; equal tables give
+/// equal bytes.
+class TableWriter {
+ public:
+  /// Throws InputError when the folder does not take the file.
+  TableWriter(const std::filesystem::path& path, const TableHeader& header, std::size_t rows);
+  ~TableWriter();
+
+  /// Appends rows, [count, C] numbers. Throws InputError when the disk does not take them.
+  void append(std::span<const double> rows);
+  void finish();
+
+ private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+/// Reads a table column by column.
+class TableReader {
+ public:
+  /// Throws InputError when the file is no such table.
+  explicit TableReader(const std::filesystem::path& path);
+  ~TableReader();
+
+  const TableHeader& header() const;
+  std::size_t rows() const;
+  /// Rows [first, first + out.size()) of a column.
+  void read(std::size_t column, std::size_t first, std::span<double> out) const;
+
+ private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace jointid::frf

@@ -1,0 +1,247 @@
+#include "ident/study.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "frf/error.hpp"
+#include "frf/record_journal.hpp"
+#include "ident/study_workers.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string hash_of(const TrialData& data) {
+  std::uint64_t sum = frf::checksum({});
+  for (const auto* sets : {&data.base.substructures, &data.base.assembly}) {
+    for (const frf::FrfSet& set : *sets) {
+      sum = frf::checksum(std::as_bytes(std::span(set.header.frequency_hz)), sum);
+      sum = frf::checksum(std::as_bytes(std::span(set.values)), sum);
+      sum = frf::checksum(std::as_bytes(std::span(set.coherence)), sum);
+    }
+  }
+  return std::to_string(sum);
+}
+
+bool has_intervals(const std::shared_ptr<const TrialData>& data, std::uint64_t seed) {
+  const Trial first = TrialRunner(data).run(seed, 0);
+  return std::any_of(first.ci95.begin(), first.ci95.end(), [](const auto& interval) { return interval.has_value(); });
+}
+
+std::string key_of(const frf::TableHeader& header) {
+  std::string key;
+  for (const auto& [name, text] : header.texts) key += name + "=" + text + "\n";
+  for (const frf::TableColumn& column : header.columns) key += column.name + "\n";
+  return key;
+}
+
+Path journal_path(const StudyOptions& options) { return options.out.string() + ".partial"; }
+
+/// What the leader has and the others have not: the files.
+class Records {
+ public:
+  Records(const StudyOptions& options, frf::TableHeader header) : options_(options), header_(std::move(header)) {
+    if (options.resume && !std::filesystem::exists(journal_path(options)) && is_complete()) return;
+    using Start = frf::RecordJournal::Start;
+    journal_.emplace(journal_path(options), key_of(header_), header_.columns.size(),
+                     options.resume ? Start::resume : Start::fresh);
+  }
+
+  std::vector<bool> present() const {
+    return journal_ ? journal_->present(options_.trials) : std::vector<bool>(options_.trials, true);
+  }
+  void put(std::size_t trial, std::span<const double> row) { journal_->put(trial, row); }
+  void sync() const { journal_->sync(); }
+
+  /// The journal in the order of the trials, as a file of its own.
+  void finish() {
+    if (!journal_) return;
+    constexpr std::size_t block = 4096;
+    frf::TableWriter table(options_.out, header_, options_.trials);
+    for (std::size_t first = 0; first < options_.trials; first += block) {
+      table.append(journal_->read(first, std::min(block, options_.trials - first)));
+    }
+    table.finish();
+    journal_->remove();
+  }
+
+ private:
+  /// Whether OUT is this very study. Throws InputError when it is another.
+  bool is_complete() const {
+    if (!std::filesystem::exists(options_.out)) return false;
+    const frf::TableReader table(options_.out);
+    if (key_of(table.header()) == key_of(header_) && table.rows() == options_.trials) return true;
+    throw InputError({.kind = ErrorKind::usage,
+                      .file = options_.out.string(),
+                      .place = "--resume",
+                      .problem = "it is complete and belongs to another scene, seed, version or number of trials",
+                      .remedy = "repeat that run, or give another --out"});
+  }
+
+  const StudyOptions& options_;
+  frf::TableHeader header_;
+  std::optional<frf::RecordJournal> journal_;
+};
+
+/// Rows on their way to the leader: trial number and row, one after the other.
+class Outbox {
+ public:
+  void put(std::size_t trial, std::span<const double> row) {
+    const std::lock_guard lock(mutex_);
+    numbers_.push_back(static_cast<double>(trial));
+    numbers_.insert(numbers_.end(), row.begin(), row.end());
+  }
+  std::vector<double> take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(numbers_, {});
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> numbers_;
+};
+
+class Study {
+ public:
+  Study(const std::shared_ptr<const TrialData>& data, const StudyOptions& options, Team& team, const StudyControl& control)
+      : data_(data), options_(options), team_(team), control_(control), columns_(columns_of(*data, has_intervals(data, options.seed))) {}
+
+  StudyRun lead() {
+    frf::TableHeader header = header_of(*data_, columns_);
+    header.texts.insert(options_.texts.begin(), options_.texts.end());
+    header.texts["seed"] = std::to_string(options_.seed);
+    header.texts["data_hash"] = hash_of(*data_);
+    Records records(options_, std::move(header));
+    const std::vector<bool> present = records.present();
+    require_agreement();
+    StudyRun run;
+    run.done = static_cast<std::size_t>(std::count(present.begin(), present.end(), true));
+    std::vector<std::uint8_t> bytes(present.begin(), present.end());
+    team_.share(bytes);
+    supervise(records, present, run);
+    run.complete = run.done == options_.trials;
+    if (run.complete) records.finish();
+    return run;
+  }
+
+  StudyRun follow() {
+    require_agreement();
+    std::vector<std::uint8_t> bytes;
+    team_.share(bytes);
+    Outbox outbox;
+    StudyRun run;
+    {
+      TrialQueue queue({bytes.begin(), bytes.end()}, team_.rank(), team_.size());
+      StudyWorkers workers(data_, columns_, options_.seed, threads(), queue,
+                           [&](std::size_t trial, std::span<const double> row) { outbox.put(trial, row); }, state_);
+      for (bool ended = false; !ended;) {
+        ended = workers.wait_ms(5);
+        const std::vector<double> numbers = outbox.take();
+        if (!numbers.empty()) team_.send(numbers);
+        if (team_.stopped() || is_interrupted()) state_.stop = true;
+      }
+    }
+    team_.send_end(failure_text());
+    run.done = run.computed = state_.computed;
+    return run;
+  }
+
+ private:
+  std::size_t threads() const {
+    return options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
+  }
+  bool is_interrupted() const { return control_.interrupted && control_.interrupted(); }
+
+  void require_agreement() {
+    if (team_.agree(true)) return;
+    throw InputError({.kind = ErrorKind::data,
+                      .file = {},
+                      .place = "mpirun",
+                      .problem = "another process could not start",
+                      .remedy = "see what it says"});
+  }
+
+  void supervise(Records& records, const std::vector<bool>& present, StudyRun& run) {
+    const std::size_t done_before = run.done;
+    std::size_t received = 0, others = team_.size() - 1;
+    TrialQueue queue(present, 0, team_.size());
+    StudyWorkers workers(data_, columns_, options_.seed, threads(), queue,
+                         [&](std::size_t trial, std::span<const double> row) { records.put(trial, row); }, state_);
+    Clock::time_point synced = Clock::now();
+    for (bool ended = false; !ended || others > 0;) {
+      ended = workers.wait_ms(team_.size() > 1 ? 2 : 50);
+      while (const auto message = team_.receive()) {
+        if (const auto* end = std::get_if<TeamEnd>(&*message)) {
+          --others;
+          note_failure(end->failure);
+        } else {
+          received += store(std::get<std::vector<double>>(*message), records);
+        }
+      }
+      if (is_interrupted()) state_.stop = true;
+      if (state_.stop) team_.stop_others();
+      run.computed = state_.computed + received;
+      run.done = done_before + run.computed;
+      if (control_.progress) control_.progress(run.done, options_.trials);
+      if (run.computed > 0 && seconds_since(synced) > 5.0) {
+        records.sync();
+        synced = Clock::now();
+      }
+    }
+    if (state_.computed > 0) run.solve_s = 1e-9 * static_cast<double>(state_.solve_ns) / static_cast<double>(state_.computed);
+    if (state_.failure) std::rethrow_exception(state_.failure);
+  }
+
+  std::size_t store(std::span<const double> numbers, Records& records) const {
+    const std::size_t step = 1 + columns_.count();
+    for (std::size_t at = 0; at < numbers.size(); at += step) {
+      records.put(static_cast<std::size_t>(numbers[at]), numbers.subspan(at + 1, columns_.count()));
+    }
+    return numbers.size() / step;
+  }
+
+  void note_failure(const std::string& text) {
+    if (text.empty()) return;
+    const std::lock_guard lock(state_.mutex);
+    if (!state_.failure) {
+      state_.failure = std::make_exception_ptr(InputError(
+          {.kind = ErrorKind::data, .file = {}, .place = "another process", .problem = text, .remedy = {}}));
+    }
+    state_.stop = true;
+  }
+
+  std::string failure_text() const {
+    if (!state_.failure) return {};
+    try {
+      std::rethrow_exception(state_.failure);
+    } catch (const std::exception& error) {
+      return error.what();
+    }
+  }
+
+  std::shared_ptr<const TrialData> data_;
+  const StudyOptions& options_;
+  Team& team_;
+  const StudyControl& control_;
+  StudyColumns columns_;
+  WorkerState state_;
+};
+
+}  // namespace
+
+StudyRun run_study(const std::shared_ptr<const TrialData>& data, const StudyOptions& options, Team& team,
+                   const StudyControl& control) {
+  const Clock::time_point start = Clock::now();
+  Study study(data, options, team, control);
+  StudyRun run = team.rank() == 0 ? study.lead() : study.follow();
+  run.wall_s = seconds_since(start);
+  return run;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,132 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <cstdlib>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "frf/hdf5_writer.hpp"
+#include "input_folder.hpp"
+#include "run_command.hpp"
+
+namespace jointid::cli {
+namespace {
+
+/// A pseudo-terminal, on which the command shows its progress.
+class Terminal {
+ public:
+  Terminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
+    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) throw std::runtime_error("no terminal");
+    slave_ = ::open(::ptsname(master_), O_RDWR | O_NOCTTY);
+    if (slave_ < 0) throw std::runtime_error("no terminal");
+  }
+  ~Terminal() {
+    ::close(slave_);
+    ::close(master_);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  int descriptor() const { return slave_; }
+
+  /// What was shown next; waits for it.
+  std::string next() const {
+    std::array<char, 4096> piece{};
+    const ssize_t got = ::read(master_, piece.data(), piece.size());
+    return {piece.data(), got < 0 ? 0U : static_cast<std::size_t>(got)};
+  }
+
+  /// All that is shown until a text appears.
+  std::string until(const std::string& text) const {
+    std::string shown;
+    while (shown.find(text) == std::string::npos) shown += next();
+    return shown;
+  }
+
+ private:
+  int master_, slave_ = -1;
+};
+
+/// Writes random FRFs of `count` coordinates among themselves, `lines` lines, piece by piece.
+void write_large(const std::filesystem::path& path, std::size_t count, std::size_t lines) {
+  frf::FrfHeader header;
+  for (std::size_t i = 1; i <= count; ++i) {
+    header.response.push_back({.node = static_cast<std::int64_t>(i), .direction = frf::Direction::y});
+  }
+  header.reference = header.response;
+  for (std::size_t i = 1; i <= lines; ++i) header.frequency_hz.push_back(static_cast<double>(i));
+  frf::Hdf5Writer writer(path, header);
+  std::vector<frf::Complex> values(header.entries());
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 / static_cast<double>(1 + (i * 7919 + line) % 1009);
+    for (std::size_t i = 0; i < count; ++i) values[i * count + i] += 4.0;
+    writer.write_lines(line, 1, values);
+  }
+  writer.finish();
+}
+
+/// Two systems of 120 coordinates in one file under two names: Method Two inverts one 120×120 matrix for each line.
+void write_long_scene(const InputFolder& folder) {
+  write_large(folder.path("parts.h5"), 120, 600);
+  std::filesystem::create_hard_link(folder.path("parts.h5"), folder.path("whole.h5"));
+  folder.write("long.toml",
+               "[data]\nsubstructures = ['parts.h5']\nassembly = ['whole.h5']\n"
+               "[joint]\ndofs = ['1:+Y', '2:+Y']\nstiffness.pattern = 'symmetric'\n[identify]\nmethod = 'two'\n");
+}
+
+std::vector<std::string> names_in(const InputFolder& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) names.push_back(entry.path().filename());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(InterruptedCommand, ASolveEndsBetweenChunksAndWritesNothing) {
+  const InputFolder folder;
+  write_long_scene(folder);
+  const auto before = names_in(folder);
+  const Terminal terminal;
+  Command command(folder.path(), {"solve", "long.toml", "--json", "old.json", "--csv", "new.csv"},
+                  {.out = -1, .err = terminal.descriptor()});
+  terminal.until("assembling: line ");
+  command.interrupt();
+  terminal.until("jointid: error: interrupted");
+  const Outcome outcome = command.wait();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(folder.text("old.json"), "old");
+  EXPECT_EQ(names_in(folder), before);
+}
+
+/// Interrupts a conversion as soon as its temporary file is there; false when it was done before.
+bool catch_in_the_act(const InputFolder& folder, const std::vector<std::string>& before) {
+  Command command(folder.path(), {"convert", "parts.h5", "new.h5"});
+  while (names_in(folder) == before && !command.has_ended()) std::this_thread::yield();
+  command.interrupt();
+  const Outcome outcome = command.wait();
+  if (outcome.code == 0) {
+    std::filesystem::remove(folder.path("new.h5"));
+    return false;
+  }
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "jointid: error: interrupted\n");
+  return true;
+}
+
+TEST(InterruptedCommand, AConversionLeavesNoTemporaryFile) {
+  const InputFolder folder;
+  write_large(folder.path("parts.h5"), 120, 600);
+  const auto before = names_in(folder);
+  bool caught = false;
+  for (int attempt = 0; attempt < 20 && !caught; ++attempt) caught = catch_in_the_act(folder, before);
+  EXPECT_TRUE(caught);
+  EXPECT_EQ(names_in(folder), before);
+}
+
+}  // namespace
+}  // namespace jointid::cli

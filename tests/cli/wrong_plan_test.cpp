@@ -1,0 +1,80 @@
+#include "wrong_input.hpp"
+
+namespace jointid::cli {
+namespace {
+
+Spoil keep_positions_out(const std::string& file) {
+  return with_set(file, [](frf::FrfSet& set) { set.header.nodes.clear(); });
+}
+
+/// Leaves the first `count` responses of a set.
+Spoil first_responses(const std::string& file, std::size_t count) {
+  return with_set(file, [count](frf::FrfSet& set) {
+    frf::FrfSet kept;
+    kept.header = set.header;
+    kept.header.response.resize(count);
+    for (std::size_t line = 0; line < set.header.lines(); ++line) {
+      for (std::size_t r = 0; r < count; ++r) {
+        for (std::size_t c = 0; c < set.header.reference.size(); ++c) {
+          kept.values.push_back(set.values[set.index(line, r, c)]);
+        }
+      }
+    }
+    set = kept;
+  });
+}
+
+Spoil axis(const std::string& file, double shift) {
+  return with_set(file, [shift](frf::FrfSet& set) {
+    for (double& hz : set.header.frequency_hz) hz += shift;
+  });
+}
+
+/// What shows when the scene meets its data.
+const Wrong plans[] = {
+    {"DofThatNoFileHas", scene("\"5:+Y\"", "\"5:+Z\""), solve(), 2,
+     {"A1.toml: ", "[joint] dofs: ", "no substructure file has the DOF 5:+Z", "did you mean 5:+Y?"}},
+    {"EquationThatTheDataDoNotAllow", first_responses("A1_substructure_1.h5", 6), solve(), 2,
+     {"A1.toml: ", "[identify] equations: ", "equation nn cannot be used", "the substructures have no response 4:+Y",
+      "leave it out, or measure what it lacks"}},
+    {"NoEquation", both(first_responses("A1_substructure_1.h5", 6), scene("equations = [\"nn\", \"nj\"]\n", "")), solve(), 2,
+     {"A1.toml: ", "[data]: ", "the data allow no equation", "the substructures have no response 4:+Y", "measure it"}},
+    {"RangeWithoutLines", scene("[400.0, 1000.0]", "[401.0, 419.0]"), solve(), 2,
+     {"A1.toml: ", "[frequency]: ", "leaves no line", "400 to 1000 Hz in 31 lines"}},
+    {"EverythingExcluded", scene("[joint]", "exclude = [[0, 2000]]\n[joint]"), solve(), 2,
+     {"A1.toml: ", "[frequency]: ", "leaves no line", "400 to 1000 Hz in 31 lines"}},
+    {"FreeWithoutPositions",
+     both(both(keep_positions_out("A1_substructure_1.h5"), keep_positions_out("A1_substructure_2.h5")),
+          scene("pattern = \"symmetric\"", "pattern = \"free\"")),
+     solve(), 2, {"A1.toml: ", "stiffness", "needs the position of node 4", "[nodes]"}},
+    {"MethodOfAnotherBuild", scene("method = \"one\"", "method = \"likelihood\""), solve(), 2,
+     {"A1.toml: ", "[identify] method: ", "no method \"likelihood\"", "use one, two or direct"}},
+    {"SolverOfAnotherMethod", scene("method = \"one\"", "solver = \"ceres\""), solve(), 2,
+     {"A1.toml: ", "[identify] solver: ", "no solver \"ceres\"", "use auto, qr, normal or spqr"}},
+    {"NothingUnknown",
+     scene("pattern = \"symmetric\"\n\n[joint.hysteretic_damping]\npattern = \"symmetric\"",
+           "matrix = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"),
+     solve(), 2, {"A1.toml: ", "[joint]: ", "every element of the joint is known", "name an unknown"}},
+    {"MethodTwoWithNn", scene("method = \"one\"", "method = \"two\""), solve(), 2,
+     {"A1.toml: ", "[identify] equations: ", "nn", "Method Two has the equations jn and jj only", "leave it out"}},
+    {"FileOfTheSceneAbsent", scene("A1_substructure_2.h5", "A1_substructure_3.h5"), solve(), 3,
+     {"A1_substructure_3.h5: ", "no such file", "check"}},
+    {"AxesWithoutACommonLine", axis("A1_assembly.h5", 7.0), solve(), 3,
+     {"A1.toml: ", "[frequency]: ", "common", "407 to 1007 Hz in 31 lines", "400 to 1000 Hz in 31 lines"}},
+    {"PartsWithoutACommonLine", axis("A1_substructure_2.h5", 7.0), solve(), 3,
+     {"A1_substructure_1.h5: ", "substructures: ", "no frequency line is common to all files", "A1_substructure_2.h5",
+      "one axis"}},
+    {"CoordinateInTwoParts",
+     with_set("A1_substructure_2.h5", [](frf::FrfSet& set) { set.header.response[2] = frf::Dof::parse("3:-Y"); }),
+     solve(), 3, {"A1_substructure_2.h5: ", "DOF 3:-Y is also in ", "A1_substructure_1.h5", "rename the node"}},
+    {"AssemblyFrfInTwoFiles",
+     both([](const InputFolder& folder) {
+            std::filesystem::copy(folder.path("A1_assembly.h5"), folder.path("again.h5"));
+          },
+          scene("[\"A1_assembly.h5\"]", "[\"A1_assembly.h5\", \"again.h5\"]")),
+     solve(), 3, {"again.h5: ", "assembly: ", "FRF 1:+Y / 1:+Y is also in ", "A1_assembly.h5", "keep it in one file"}},
+};
+INSTANTIATE_TEST_SUITE_P(Plan, WrongInput, testing::ValuesIn(plans), name_of);
+
+}  // namespace
+}  // namespace jointid::cli

@@ -1,0 +1,86 @@
+#include "ident/study_statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "frf/error.hpp"
+#include "frf/record_journal.hpp"
+#include "frf/table_file.hpp"
+#include "ident/study.hpp"
+#include "ident/trial_runner.hpp"
+#include "problems/in_memory.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Path scratch(const std::string& name) {
+  const Path path = Path(testing::TempDir()) / name;
+  std::filesystem::remove(path);
+  std::filesystem::remove(path.string() + ".partial");
+  return path;
+}
+
+TEST(StudyStatistics, AreThoseOfTheUsableTrials) {
+  const Path path = scratch("statistics.h5");
+  frf::TableHeader header{.texts = {{"unknowns", "1"}, {"judged", ""}, {"intervals", "yes"}},
+                          .columns = {{"status", "", nan}, {"K(1,1)", "N/m", 10.0}, {"low", "", nan}, {"high", "", nan}}};
+  frf::TableWriter table(path, header, 5);
+  table.append(std::vector<double>{0, 8, 7, 9,  0, 11, 9, 13,  1, 99, nan, nan,  0, 12, 9, 15,  0, 13, 9, 17});
+  table.finish();
+  const StudyStatistics s = study_statistics(path);
+  EXPECT_EQ(s.trials, 5u);
+  EXPECT_EQ(s.usable, 4u);
+  EXPECT_EQ(s.rank_deficient, 1u);
+  const UnknownStatistics& k = s.unknowns.front();
+  EXPECT_DOUBLE_EQ(k.mean, 11.0);
+  EXPECT_DOUBLE_EQ(*k.bias, 1.0);
+  EXPECT_DOUBLE_EQ(k.std_deviation, std::sqrt((9.0 + 0.0 + 1.0 + 4.0) / 3.0));
+  EXPECT_DOUBLE_EQ(*k.rms_error, std::sqrt((4.0 + 1.0 + 4.0 + 9.0) / 4.0));
+  EXPECT_DOUBLE_EQ(k.quantiles[2], 11.5);
+  EXPECT_DOUBLE_EQ(k.quantiles[0], 8.0 + 0.15 * 3.0);
+  EXPECT_DOUBLE_EQ(*k.coverage, 0.75);
+}
+
+TEST(StudyStatistics, OfAStudyAreThoseOfItsTrials) {
+  const problems::Problem problem = problems::make("A10");
+  const auto data = problems::trial_data(problems::scene(problem), problem);
+  const StudyOptions options{.trials = 40, .seed = 3, .threads = 2, .resume = false, .out = scratch("study.h5"), .texts = {}};
+  const auto team = make_team_of_one();
+  const StudyRun run = run_study(data, options, *team);
+  EXPECT_TRUE(run.complete);
+  EXPECT_EQ(run.computed, 40u);
+  const StudyStatistics s = study_statistics(options.out);
+  TrialRunner runner(data);
+  for (std::size_t i = 0; i < data->unknowns.size(); ++i) {
+    double sum = 0.0;
+    for (std::uint64_t trial = 0; trial < 40; ++trial) sum += runner.run(3, trial).values[i];
+    EXPECT_DOUBLE_EQ(s.unknowns[i].mean, sum / 40.0);
+    EXPECT_EQ(s.unknowns[i].truth, data->unknowns[i].truth);
+  }
+}
+
+TEST(RecordJournal, KnowsWhatIsWhole) {
+  const Path path = scratch("journal");
+  using Start = frf::RecordJournal::Start;
+  {
+    frf::RecordJournal journal(path, "key", 2, Start::fresh);
+    journal.put(3, std::vector<double>{1.0, 2.0});
+    journal.put(0, std::vector<double>{0.0, 0.0});
+    EXPECT_THROW(frf::RecordJournal(path, "key", 2, Start::resume), InputError) << "two on one journal";
+  }
+  EXPECT_THROW(frf::RecordJournal(path, "key", 2, Start::fresh), InputError);
+  EXPECT_THROW(frf::RecordJournal(path, "other", 2, Start::resume), InputError);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  frf::RecordJournal journal(path, "key", 2, Start::resume);
+  EXPECT_EQ(journal.present(5), (std::vector<bool>{true, false, false, false, false}));
+  journal.put(1, std::vector<double>{5.0, 6.0});
+  EXPECT_EQ(journal.read(0, 2), (std::vector<double>{0.0, 0.0, 5.0, 6.0}));
+}
+
+}  // namespace
+}  // namespace jointid::ident
