@@ -7,16 +7,12 @@
 #include <cmath>
 
 #include "cli/table.hpp"
+#include "cli/words.hpp"
 
 namespace jointid::cli {
 namespace {
 
 std::string number_or_dash(const std::optional<double>& value) { return value ? number(*value) : "–"; }
-
-std::string words(std::string key) {
-  for (char& c : key) c = c == '_' ? ' ' : c;
-  return key;
-}
 
 std::string head(const ident::Solution& solution, const std::string& title) {
   const ident::Used& used = solution.used;

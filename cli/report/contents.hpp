@@ -21,11 +21,6 @@ struct Facts {
   std::vector<std::pair<std::string, std::string>> rows;
 };
 
-struct Table {
-  std::vector<std::string> titles;
-  std::vector<std::vector<std::string>> rows;  ///< first cell of a row: its name
-};
-
 /// A square matrix over named coordinates, and how far each element is from the truth where that is known.
 struct MatrixTable {
   std::string title;

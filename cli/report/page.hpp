@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/report/contents.hpp"
+#include "cli/table.hpp"
 
 namespace jointid::cli::report {
 
@@ -18,6 +19,7 @@ class ReportPage {
 
   void add(const Text& text);
   void add(const Facts& facts);
+  /// The first cell of a row is its name.
   void add(const Table& table);
   void add(const MatrixTable& matrix);
   void add(const Bars& bars);

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "cli/report/escape.hpp"
-#include "cli/table.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -35,13 +34,17 @@ std::string to_html(const Facts& facts) {
 }
 
 std::string to_html(const Table& table) {
+  const auto side = [&](std::size_t i) { return table.columns()[i].align == Align::left ? " class=\"left\"" : ""; };
   std::string out = "<table><thead><tr>";
-  for (const std::string& title : table.titles) out += "<th scope=\"col\">" + html(title) + "</th>";
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    out += fmt::format("<th scope=\"col\"{}>{}</th>", side(i), html(table.columns()[i].title));
+  }
   out += "</tr></thead><tbody>\n";
-  for (const auto& row : table.rows) {
+  for (const auto& row : table.rows()) {
     out += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      out += i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>" : "<td>" + html(row[i]) + "</td>";
+      out += i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>"
+                    : fmt::format("<td{}>{}</td>", side(i), html(row[i]));
     }
     out += "</tr>\n";
   }
