@@ -15,15 +15,9 @@ namespace {
 
 using ident::Combination;
 
-std::string equations_of(const ident::Way& way) {
-  std::vector<std::string> names;
-  for (const auto equation : way.equations) names.push_back(ident::name(equation));
-  return names.empty() ? "all" : fmt::format("{}", fmt::join(names, " "));
-}
-
 /// What the thesis's tables hold constant.
 std::string frame_of(const ident::Way& way) {
-  return fmt::format("method {}, equations {}, solver {}", ident::name(way.method), equations_of(way), way.solver);
+  return fmt::format("method {}, equations {}, solver {}", ident::name(way.method), equations_text(way.equations), way.solver);
 }
 
 std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", value) : "–"; }
@@ -71,7 +65,7 @@ std::optional<PairTable> pair_table(const std::vector<const Combination*>& frame
 }  // namespace
 
 std::vector<std::string> way_cells(const ident::Way& way) {
-  return {ident::name(way.method), equations_of(way), weighting::name(way.weighting), fmt::format("{:g}", way.delta),
+  return {ident::name(way.method), equations_text(way.equations), weighting::name(way.weighting), fmt::format("{:g}", way.delta),
           way.solver};
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/words.hpp"
@@ -30,15 +31,18 @@ std::string trials_text(const ident::StudyStatistics& statistics) {
 }
 
 Table unknowns_table(const ident::StudyStatistics& statistics) {
-  Table table({{"name", Align::left}, {"true value"}, {"mean"}, {"unit", Align::left}, {"bias %"}, {"std %"}, {"rms error %"},
-               {"5 %"}, {"25 %"}, {"median %"}, {"75 %"}, {"95 %"}, {"coverage"}});
+  const bool intervals = std::ranges::any_of(statistics.unknowns, [](const auto& unknown) { return unknown.coverage.has_value(); });
+  std::vector<Column> columns = {{"name", Align::left}, {"true value"}, {"mean"}, {"unit", Align::left}, {"bias %"}, {"std %"},
+                                 {"rms error %"}, {"5 %"}, {"25 %"}, {"median %"}, {"75 %"}, {"95 %"}};
+  if (intervals) columns.push_back({"coverage"});
+  Table table(std::move(columns));
   for (const ident::UnknownStatistics& unknown : statistics.unknowns) {
     const double centre = unknown.truth.value_or(unknown.mean);
     std::vector<std::string> cells = {unknown.name, optional_number(unknown.truth), number(unknown.mean), unknown.unit,
                                       percent(unknown.bias, centre), percent(unknown.std_deviation, centre),
                                       percent(unknown.rms_error, centre)};
     for (const double quantile : unknown.quantiles) cells.push_back(percent(quantile - centre, centre));
-    cells.push_back(unknown.coverage ? fmt::format("{:.3f}", *unknown.coverage) : "–");
+    if (intervals) cells.push_back(unknown.coverage ? fmt::format("{:.3f}", *unknown.coverage) : "–");
     table.add(std::move(cells));
   }
   return table;

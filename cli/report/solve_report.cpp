@@ -22,15 +22,13 @@ std::string duration(double seconds) {
 }
 
 void add_summary(const ident::Solution& solution, ReportPage& page) {
-  std::vector<std::string> equations;
-  for (const auto equation : solution.used.equations) equations.push_back(ident::name(equation));
   const ident::Fit& fit = solution.fit;
   const ident::RunTime& time = solution.runtime_s;
   page.section("Summary");
   if (!solution.message.empty()) page.add(Text{solution.message});
   page.add(Facts{{{"status", words(ident::name(solution.status))},
                   {"method", ident::name(solution.used.method)},
-                  {"equations", fmt::format("{}", fmt::join(equations, " "))},
+                  {"equations", equations_text(solution.used.equations)},
                   {"weighting", weighting::name(solution.used.weighting)},
                   {"delta", fmt::format("{:g}", solution.used.delta)},
                   {"solver", solution.used.solver},

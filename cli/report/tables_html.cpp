@@ -9,6 +9,9 @@
 namespace jointid::cli::report {
 namespace {
 
+/// Tables of more are written smaller.
+constexpr std::size_t most_columns = 8;
+
 /// Wide tables scroll by themselves, not the page.
 std::string scrolling(const std::string& table, const char* kind = "wide") {
   return fmt::format("<div class=\"{}\" tabindex=\"0\">{}</div>\n", kind, table);
@@ -35,7 +38,7 @@ std::string to_html(const Facts& facts) {
 
 std::string to_html(const Table& table) {
   const auto side = [&](std::size_t i) { return table.columns()[i].align == Align::left ? " class=\"left\"" : ""; };
-  std::string out = "<table><thead><tr>";
+  std::string out = fmt::format("<table{}><thead><tr>", table.columns().size() > most_columns ? " class=\"many\"" : "");
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     out += fmt::format("<th scope=\"col\"{}>{}</th>", side(i), html(table.columns()[i].title));
   }
