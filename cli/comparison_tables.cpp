@@ -118,4 +118,21 @@ Table cost_table(const std::vector<Combination>& all) {
   return table;
 }
 
+std::vector<std::string> left_out_lines(const std::vector<ident::LeftOut>& left_out) {
+  const auto alike = [](const ident::LeftOut& one, const ident::LeftOut& other) {
+    return one.way.method == other.way.method && one.way.equations == other.way.equations && one.reason == other.reason;
+  };
+  std::vector<std::string> lines;
+  for (auto first = left_out.begin(); first != left_out.end();) {
+    const auto last = std::find_if_not(first, left_out.end(), [&](const auto& each) { return alike(*first, each); });
+    const auto count = last - first;
+    const std::string which = count == 1 ? fmt::format("{}", fmt::join(way_cells(first->way), " "))
+                                         : fmt::format("{} {}, {} combinations", ident::name(first->way.method),
+                                                       equations_text(first->way.equations), count);
+    lines.push_back(which + ": " + first->reason);
+    first = last;
+  }
+  return lines;
+}
+
 }  // namespace jointid::cli

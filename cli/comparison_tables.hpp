@@ -27,4 +27,7 @@ Table figures_table(const std::vector<ident::Combination>& all, std::size_t matr
 /// One row per combination: time, memory and how the trials ended.
 Table cost_table(const std::vector<ident::Combination>& all);
 
+/// "two nn, 30 combinations: reason": one line for those that follow each other with the same method, equations and reason.
+std::vector<std::string> left_out_lines(const std::vector<ident::LeftOut>& left_out);
+
 }  // namespace jointid::cli

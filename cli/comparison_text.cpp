@@ -1,7 +1,6 @@
 #include "cli/comparison_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/comparison_tables.hpp"
 #include "cli/words.hpp"
@@ -17,9 +16,7 @@ std::string pairs_text(const std::vector<ident::Combination>& all, std::size_t m
 
 std::string left_out_text(const std::vector<ident::LeftOut>& left_out) {
   std::string text = left_out.empty() ? "" : "\nleft out\n";
-  for (const ident::LeftOut& each : left_out) {
-    text += fmt::format("  {}: {}\n", fmt::join(way_cells(each.way), " "), each.reason);
-  }
+  for (const std::string& line : left_out_lines(left_out)) text += "  " + line + "\n";
   return text;
 }
 

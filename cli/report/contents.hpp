@@ -29,6 +29,20 @@ struct MatrixTable {
   std::vector<std::vector<double>> truth;  ///< empty, or as `values`
 };
 
+enum class Verdict { inside, outside, doubtful };
+
+/// A published number, what trials give for it, and whether it lies in their range.
+struct ComparedCell {
+  std::string published, ours, low, high;
+  Verdict verdict = Verdict::inside;
+};
+
+/// A published table beside ours; rows may be shorter than the titles.
+struct ComparedTable {
+  std::vector<std::string> titles;
+  std::vector<std::pair<std::string, std::vector<ComparedCell>>> rows;
+};
+
 /// One identified value.
 struct Bar {
   std::string name;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t most_columns = 8;
 
 /// Wide tables scroll by themselves, not the page.
-std::string scrolling(const std::string& table, const char* kind = "wide") {
+std::string scrolling(const std::string& table, const char* kind) {
   return fmt::format("<div class=\"{}\" tabindex=\"0\">{}</div>\n", kind, table);
 }
 
@@ -36,9 +36,11 @@ std::string to_html(const Facts& facts) {
   return out + "</dl>\n";
 }
 
-std::string to_html(const Table& table) {
+std::string to_html(const Table& table, const std::string& title) {
   const auto side = [&](std::size_t i) { return table.columns()[i].align == Align::left ? " class=\"left\"" : ""; };
-  std::string out = fmt::format("<table{}><thead><tr>", table.columns().size() > most_columns ? " class=\"many\"" : "");
+  std::string out = fmt::format("<table{}>", table.columns().size() > most_columns ? " class=\"many\"" : "");
+  if (!title.empty()) out += "<caption>" + html(title) + "</caption>";
+  out += "<thead><tr>";
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     out += fmt::format("<th scope=\"col\"{}>{}</th>", side(i), html(table.columns()[i].title));
   }
@@ -51,7 +53,7 @@ std::string to_html(const Table& table) {
     }
     out += "</tr>\n";
   }
-  return scrolling(out + "</tbody></table>");
+  return scrolling(out + "</tbody></table>", title.empty() ? "wide" : "wide beside");
 }
 
 std::string to_html(const MatrixTable& matrix) {
