@@ -43,6 +43,10 @@ inline ReportPage sample_page() {
   table.add({"one", nasty, "0.1"});
   table.add({nasty, "", "0.2"});
   page.add(table);
+  page.add(table, nasty);
+  page.add(ComparedTable{{"K(1,1)", nasty},
+                         {{"A1", {{"1.006", "1.01", "0.9", "1.1", Verdict::inside}, {nasty, nasty, nasty, nasty, Verdict::outside}}},
+                          {nasty, {{"0.5", "–", "–", "–", Verdict::doubtful}}}}});
   page.add(MatrixTable{"stiffness K", {"4:+Y", "5:+Y"}, {{1e6, -1e6}, {-1e6, 1e6}}, {{1.1e6, -1e6}, {-1e6, 0.0}}});
   page.add(Bars{{{"K(1,1)", 1e6, "N/m", {{0.9e6, 1.1e6}}, 1.05e6, ""},
                  {"K(1,2)", -4e5, "N/m", {}, {}, nasty},
