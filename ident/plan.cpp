@@ -221,6 +221,10 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   return plan;
 }
 
+double Plan::unscale(std::size_t column) const {
+  return ident::unscale(restriction.unknowns[columns->unknown_of(column)].kind, assembly_spec.omega0);
+}
+
 void read_first_line(Plan& plan) {
   if (plan.builder) {
     plan.builder->read(std::array{plan.lines.front().substructures}, std::array{plan.lines.front().assembly});

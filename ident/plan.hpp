@@ -44,6 +44,8 @@ struct Plan {
   /// Assembly FRFs that are predicted from the result for asm_frf_error; empty when the equations do not read what it needs.
   Dofs predicted_responses, predicted_references;
   Cost cost;
+  /// Unknown of a column in SI units = scaled unknown of x = {k, ω₀²m, ω₀c, d} · this.
+  double unscale(std::size_t column) const;
   std::vector<std::string> left_out;  ///< what the scene does not need, one phrase each
   std::vector<std::string> notes;     ///< what the user should know, one sentence each
 };

@@ -66,6 +66,7 @@ Trial TrialRunner::run(std::uint64_t seed, std::uint64_t trial) {
             .values = std::vector<double>(at.data->unknowns.size(), nan),
             .ci95 = std::vector<std::optional<std::array<double, 2>>>(at.data->unknowns.size()),
             .quality = {},
+            .iterations = solution.fit.iterations,
             .solve_s = solution.runtime_s.total,
             .accumulator_bytes = solution.used.accumulator_bytes};
   for (std::size_t i = 0; i < solution.unknowns.size(); ++i) {

@@ -17,6 +17,7 @@ struct Trial {
   std::vector<double> values;  ///< SI, one per TrialData::unknowns; NaN when there is no estimate
   std::vector<std::optional<std::array<double, 2>>> ci95;  ///< as long as values
   std::vector<Quality> quality;                            ///< one per TrialData::judged; NaN when there is no estimate
+  std::size_t iterations = 0;  ///< of iterative methods
   double solve_s = 0.0;  ///< assembling and solving, without drawing the noise
   std::size_t accumulator_bytes = 0;
 };

@@ -44,6 +44,22 @@ Eigen::VectorXd pick(const Eigen::VectorXd& all, const std::vector<std::size_t>&
   return out;
 }
 
+/// Where H_sub(j,j) is not measured: what A = (I + Y Z)⁻¹ X makes of the measured A and X, Y = (X − A)(Z A)⁺.
+void guess_y(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, LineState& state) {
+  const auto unknown = [](const Complex& weight) { return weight == Complex(0.0); };
+  if (std::none_of(data.y.weight.begin(), data.y.weight.end(), unknown)) return;
+  ComplexMatrix a = ComplexMatrix::Zero(state.x.rows(), state.x.cols());
+  for (std::size_t v = 0; v < layout.a.size(); ++v) a(at(layout.a[v].row), at(layout.a[v].column)) = data.a.value[v];
+  const ComplexMatrix za = z * a, rest = state.x - a;
+  const Eigen::BDCSVD<ComplexMatrix> svd(za.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const ComplexMatrix guess = svd.solve(ComplexMatrix(rest.transpose())).transpose();
+  for (std::size_t v = 0; v < layout.y.size(); ++v) {
+    if (!unknown(data.y.weight[v])) continue;
+    const auto p = at(layout.y[v].row), q = at(layout.y[v].column);
+    state.y(p, q) = state.y(q, p) = 0.5 * (guess(p, q) + guess(q, p));
+  }
+}
+
 std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step, double scale) {
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] += scale * step[at(i)];
   return theta;
@@ -94,6 +110,7 @@ void LikelihoodEstimator::begin(const std::vector<double>& theta) {
       state.y(at(layout.y[v].row), at(layout.y[v].column)) = state.y(at(layout.y[v].column), at(layout.y[v].row)) = data.y.value[v];
     }
     const ComplexMatrix z = lines_[i].joint.at(theta);
+    guess_y(layout, data, z, state);
     put_on_constraint(layout, z, state);
     for (std::size_t v = 0; v < layout.a.size(); ++v) {
       if (data.a.weight[v] != Complex(0.0)) state.a(at(layout.a[v].row), at(layout.a[v].column)) = data.a.value[v];
@@ -133,6 +150,16 @@ void LikelihoodEstimator::sum(Eigen::MatrixXd& information, Eigen::VectorXd& gra
   }
 }
 
+void LikelihoodEstimator::linearise_all(const std::vector<double>& theta) {
+  for_lines([&](std::size_t i, LineModel& model) {
+    Line& line = lines_[i];
+    model.linearise(observations_.lines()[i], line.joint, line.joint.at(theta), line.state, true);
+    std::optional<ReducedLine> reduced = model.reduce(0.0);
+    for (double damping = 1e-3; !reduced && damping < 1e12; damping *= 10.0) reduced = model.reduce(damping);
+    if (reduced) line.reduced = std::move(*reduced);
+  });
+}
+
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
   constexpr std::size_t most = 15;
   constexpr double near = 0.3;  // in standard deviations: close enough for the second stage
@@ -140,19 +167,8 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
   Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
-    for_lines([&](std::size_t i, LineModel& model) {
-      Line& line = lines_[i];
-      double damping = 0.0;
-      do {
-        model.linearise(observations_.lines()[i], line.joint, line.joint.at(fit.theta), line.state, true);
-        if (auto reduced = model.reduce(damping)) {
-          line.reduced = std::move(*reduced);
-          break;
-        }
-        damping = damping == 0.0 ? 1e-3 : 10.0 * damping;
-      } while (damping < 1e12);
-      line.cost = line.reduced.cost;
-    });
+    linearise_all(fit.theta);
+    for (Line& line : lines_) line.cost = line.reduced.cost;
     weigh();
     sum(information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
@@ -235,14 +251,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
-    for_lines([&](std::size_t i, LineModel& model) {
-      Line& line = lines_[i];
-      model.linearise(observations_.lines()[i], line.joint, line.joint.at(fit.theta), line.state, true);
-      double damping = 0.0;
-      std::optional<ReducedLine> reduced;
-      while (!(reduced = model.reduce(damping)) && damping < 1e12) damping = damping == 0.0 ? 1e-3 : 10.0 * damping;
-      if (reduced) line.reduced = std::move(*reduced);
-    });
+    linearise_all(fit.theta);
     sum(fit.information, gradient);
     const Eigen::VectorXd step = solve_step(fit.information, gradient);
     const double size = std::sqrt(std::max(0.0, step.dot(fit.information * step)));
@@ -303,6 +312,17 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
     fit.line_weight.push_back(line.weight);
   }
   return fit;
+}
+
+Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {
+  begin(theta);
+  relax_all(theta);
+  linearise_all(theta);
+  for (Line& line : lines_) line.weight = 1.0;
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+  sum(information, gradient);
+  return information;
 }
 
 }  // namespace jointid::ident

@@ -37,6 +37,9 @@ class LikelihoodEstimator {
 
   LikelihoodFit run(std::vector<double> start, const FitWatcher& watch);
 
+  /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
+  Eigen::MatrixXd information_at(const std::vector<double>& theta);
+
  private:
   struct Line {
     JointImpedance joint;
@@ -53,6 +56,7 @@ class LikelihoodEstimator {
   void sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total() const;
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
+  void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);
   void relax_all(const std::vector<double>& theta);
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);

@@ -1,13 +1,12 @@
 #include "ident/likelihood/likelihood.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
+#include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/estimator.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
-#include "ident/row_expander.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/true_values.hpp"
 
@@ -22,10 +21,6 @@ void check_interrupt(const Control& control) {
   if (control.interrupted && control.interrupted()) throw Interrupted();
 }
 
-double scale_of(const Plan& plan, std::size_t column) {
-  return unscale(plan.restriction.unknowns[plan.columns->unknown_of(column)].kind, plan.assembly_spec.omega0);
-}
-
 /// The scene's start, or empty where its matrices do not fix every unknown.
 std::vector<double> scene_start(const Plan& plan) {
   const auto values = true_values(plan.restriction, plan.scene.identify.start);
@@ -37,7 +32,7 @@ std::vector<double> scene_start(const Plan& plan) {
       fail(plan.scene, "[identify] start", "its matrices do not fix " + plan.columns->name(column, plan.restriction),
            "give matrices that follow the joint's pattern");
     }
-    theta.push_back(value.value_or(0.0) / scale_of(plan, column));
+    theta.push_back(value.value_or(0.0) / plan.unscale(column));
   }
   return theta;
 }
@@ -49,7 +44,7 @@ std::vector<double> linear_start(Plan& plan, const Control& control) {
   std::vector<double> theta(plan.columns->size(), 0.0);
   for (std::size_t column = 0; column < first.unknowns.size(); ++column) {
     const double value = first.unknowns[column].value;
-    theta[column] = std::isfinite(value) ? value / scale_of(plan, column) : 0.0;
+    theta[column] = std::isfinite(value) ? value / plan.unscale(column) : 0.0;
   }
   return theta;
 }
@@ -66,12 +61,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   LikelihoodEstimator estimator(observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, control.threads);
   const LikelihoodFit fit = estimator.run(std::move(theta), [&](std::size_t) { check_interrupt(control); });
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
-  const auto p = static_cast<Eigen::Index>(fit.theta.size());
-  const Eigen::VectorXd scale = fit.information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd covariance =
-      scale.asDiagonal() *
-      Eigen::LDLT<Eigen::MatrixXd>(scale.asDiagonal() * fit.information * scale.asDiagonal()).solve(Eigen::MatrixXd::Identity(p, p)) *
-      scale.asDiagonal();
+  const Eigen::MatrixXd covariance = covariance_of(fit.information);
   LinearSolution linear;
   linear.y = fit.theta;
   linear.rank = fit.theta.size();
@@ -79,7 +69,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   for (std::size_t column = 0; column < fit.theta.size(); ++column) {
     Estimate& estimate = out.unknowns[column];
     const auto c = static_cast<Eigen::Index>(column);
-    const double error = std::sqrt(covariance(c, c)) * scale_of(plan, column);
+    const double error = std::sqrt(covariance(c, c)) * plan.unscale(column);
     estimate.std_error = error;
     estimate.ci95 = {estimate.value - 1.959963984540054 * error, estimate.value + 1.959963984540054 * error};
   }

@@ -1,0 +1,102 @@
+// Accuracy of method "likelihood" against the Cramér–Rao bound on the built-in cases: rms error / bound over many trials,
+// coverage of the 95 % intervals, iterations. Prints the table of docs/accuracy.md.
+//   bench_accuracy [TRIALS [CASE ...]]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "ident/likelihood/bound.hpp"
+#include "ident/trial_loop.hpp"
+#include "problems/in_memory.hpp"
+
+namespace {
+
+using namespace jointid;
+using enum ident::Equation;
+
+struct Case {
+  std::string label, problem;
+  std::vector<ident::Equation> equations;
+};
+
+const std::vector<Case> cases = {
+    {"A1", "A1", {nn, nj}},     {"A1 all", "A1", {nn, nj, jj, jn}}, {"B nn", "B", {nn}},    {"B", "B", {nn, nj}}, {"C1", "C1", {nn, nj}},
+    {"C2", "C2", {nn, nj}},     {"D1", "D1", {nn, nj}},             {"E1", "E1", {nn, nj}}, {"E2", "E2", {nn, nj}},
+    {"E3", "E3", {nn, nj}},     {"F1", "F1", {nn, nj}},             {"F2", "F2", {nn, nj}}, {"F3", "F3", {nn, nj}},
+    {"G1", "G1", {nn, nj}},     {"H_nn", "H4", {nn}}};
+
+struct Figures {
+  double mean = 0.0, worst = 0.0, bias = 0.0;
+  std::size_t count = 0;
+
+  void add(double ratio, double offset) {
+    mean += ratio;
+    worst = std::max(worst, ratio);
+    bias = std::max(bias, std::abs(offset));
+    ++count;
+  }
+};
+
+void run(const Case& which, double level, std::size_t trials) {
+  problems::Problem problem = problems::make(which.problem);
+  auto& noise = std::get<frf::NoiseModel>(problem.noise);
+  noise.level = level;
+  ident::Scene scene = problems::scene(problem);
+  scene.identify.method = ident::Method::likelihood;
+  scene.identify.equations = which.equations;
+  scene.noise = ident::NoiseSection{.model = frf::name(noise.kind), .level = level, .frf_model = noise};
+  std::vector<double> truth;
+  for (const problems::ExactUnknown& unknown : problem.unknowns) truth.push_back(unknown.value);
+  const auto exact = problems::plan(scene, {problem.substructures, problem.assembly});
+  const std::vector<double> bound = ident::cramer_rao_bound(*exact, truth, ident::Control());
+  const auto data = problems::trial_data(scene, problem);
+  const std::vector<ident::Trial> done = ident::run_trials(data, {.trials = trials});
+  Figures stiffness, rest;
+  double covered = 0.0, intervals = 0.0, largest_bound = 0.0;
+  std::vector<double> iterations, times;
+  std::size_t failed = 0;
+  for (const ident::Trial& trial : done) {
+    failed += trial.status != ident::Status::ok;
+    iterations.push_back(static_cast<double>(trial.iterations));
+    times.push_back(1e3 * trial.solve_s);
+  }
+  for (std::size_t u = 0; u < truth.size(); ++u) {
+    if (truth[u] == 0.0) continue;
+    double squares = 0.0, sum = 0.0;
+    for (const ident::Trial& trial : done) {
+      const double error = trial.values[u] - truth[u];
+      squares += error * error;
+      sum += error;
+      if (!trial.ci95[u]) continue;
+      covered += (*trial.ci95[u])[0] <= truth[u] && truth[u] <= (*trial.ci95[u])[1];
+      ++intervals;
+    }
+    const auto n = static_cast<double>(done.size());
+    const bool is_stiffness = data->unknowns[u].kind == restrictions::Kind::stiffness;
+    (is_stiffness ? stiffness : rest).add(std::sqrt(squares / n) / bound[u], sum / n / bound[u]);
+    largest_bound = std::max(largest_bound, bound[u] / std::abs(truth[u]));
+  }
+  std::sort(iterations.begin(), iterations.end());
+  std::sort(times.begin(), times.end());
+  const auto mean = [](const Figures& f) { return f.count == 0 ? std::string("–") : fmt::format("{:.2f} / {:.2f}", f.mean / static_cast<double>(f.count), f.worst); };
+  fmt::print("| {} | {:g} % | {:.2g} % | {} | {} | {:.2f} | {:.3f} | {:.0f} / {:.0f} | {} | {:.0f} |\n", which.label, 100.0 * level, 100.0 * largest_bound,
+             mean(stiffness), mean(rest), std::max(stiffness.bias, rest.bias), covered / intervals, iterations[iterations.size() / 2],
+             iterations.back(), failed, times[times.size() / 2]);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t trials = argc > 1 ? std::stoul(argv[1]) : 100;
+  const std::vector<std::string> wanted(argv + std::min(argc, 2), argv + argc);
+  fmt::print("| case | noise | largest bound | K: rms / bound, mean / worst | M, D: the same | largest bias / bound | coverage | iterations, median / most | "
+             "not converged | ms |\n|---|---|---|---|---|---|---|---|---|---|\n");
+  for (const Case& which : cases) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), which.label) == wanted.end()) continue;
+    for (const double level : {0.001, 0.01, 0.05}) run(which, level, trials);
+  }
+}
