@@ -11,7 +11,7 @@ class TeamOfOne final : public Team {
   std::size_t rank() const override { return 0; }
   std::size_t size() const override { return 1; }
   bool agree(bool ready) override { return ready; }
-  void share(std::vector<std::uint8_t>&) override {}
+  void share(std::vector<std::uint64_t>&) override {}
   void send(const std::vector<double>&) override {}
   void send_end(const std::string&) override {}
   std::optional<TeamMessage> receive() override { return std::nullopt; }

@@ -24,8 +24,8 @@ class Team {
 
   /// Everybody says once whether it is ready; true when all are. A team that is left before says no.
   virtual bool agree(bool ready) = 0;
-  /// Gives the leader's bytes to all.
-  virtual void share(std::vector<std::uint8_t>& bytes) = 0;
+  /// Gives the leader's numbers to all.
+  virtual void share(std::vector<std::uint64_t>& numbers) = 0;
   /// To the leader.
   virtual void send(const std::vector<double>& numbers) = 0;
   virtual void send_end(const std::string& failure) = 0;

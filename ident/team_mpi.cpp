@@ -1,8 +1,6 @@
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 
-#include <algorithm>
-
 #include "ident/team.hpp"
 
 namespace jointid::ident {
@@ -45,14 +43,11 @@ class MpiTeam final : public Team {
     return all == 1;
   }
 
-  void share(std::vector<std::uint8_t>& bytes) override {
-    std::uint64_t count = bytes.size();
+  void share(std::vector<std::uint64_t>& numbers) override {
+    std::uint64_t count = numbers.size();
     MPI_Bcast(&count, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-    bytes.resize(count);
-    constexpr std::uint64_t most = 1u << 30;
-    for (std::uint64_t first = 0; first < count; first += most) {
-      MPI_Bcast(bytes.data() + first, static_cast<int>(std::min(most, count - first)), MPI_UINT8_T, 0, MPI_COMM_WORLD);
-    }
+    numbers.resize(count);
+    MPI_Bcast(numbers.data(), static_cast<int>(count), MPI_UINT64_T, 0, MPI_COMM_WORLD);
   }
 
   void send(const std::vector<double>& numbers) override {
