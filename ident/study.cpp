@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <thread>
 #include <utility>
 
@@ -37,16 +38,17 @@ bool has_intervals(const std::shared_ptr<const TrialData>& data, std::uint64_t s
 class Study {
  public:
   Study(const std::shared_ptr<const TrialData>& data, const StudyOptions& options, Team& team, const StudyControl& control)
-      : data_(data), options_(options), team_(team), control_(control), columns_(columns_of(*data, has_intervals(data, options.seed))) {}
+      : data_(data), options_(options), team_(team), control_(control) {}
 
   StudyRun lead() {
-    frf::TableHeader header = header_of(*data_, columns_);
-    header.texts.insert(options_.texts.begin(), options_.texts.end());
-    header.texts["seed"] = std::to_string(options_.seed);
-    header.texts["data_hash"] = hash_of(*data_);
-    StudyRecords records(options_, std::move(header));
-    std::vector<frf::IndexRange> missing = records.missing();
-    require_agreement();
+    std::optional<StudyRecords> opened;
+    std::vector<frf::IndexRange> missing;
+    start_together(team_, [&] {
+      choose_columns();
+      opened.emplace(options_, header());
+      missing = opened->missing();
+    });
+    StudyRecords& records = *opened;
     StudyRun run;
     run.done = options_.trials - count(missing);
     share(missing);
@@ -57,7 +59,7 @@ class Study {
   }
 
   StudyRun follow() {
-    require_agreement();
+    start_together(team_, [&] { choose_columns(); });
     std::vector<frf::IndexRange> missing;
     share(missing);
     Outbox outbox;
@@ -84,13 +86,14 @@ class Study {
   }
   bool is_interrupted() const { return control_.interrupted && control_.interrupted(); }
 
-  void require_agreement() {
-    if (team_.agree(true)) return;
-    throw InputError({.kind = ErrorKind::data,
-                      .file = {},
-                      .place = "mpirun",
-                      .problem = "another process could not start",
-                      .remedy = "see what it says"});
+  void choose_columns() { columns_ = columns_of(*data_, has_intervals(data_, options_.seed)); }
+
+  frf::TableHeader header() const {
+    frf::TableHeader header = header_of(*data_, columns_);
+    header.texts.insert(options_.texts.begin(), options_.texts.end());
+    header.texts["seed"] = std::to_string(options_.seed);
+    header.texts["data_hash"] = hash_of(*data_);
+    return header;
   }
 
   /// Gives the leader's ranges to all.

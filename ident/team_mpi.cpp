@@ -28,19 +28,15 @@ class MpiTeam final : public Team {
     size_ = static_cast<std::size_t>(size);
     told_.resize(size_, false);
   }
-  ~MpiTeam() override {
-    if (!agreed_) agree(false);
-    MPI_Finalize();
-  }
+  ~MpiTeam() override { MPI_Finalize(); }
 
   std::size_t rank() const override { return rank_; }
   std::size_t size() const override { return size_; }
 
-  bool agree(bool ready) override {
-    agreed_ = true;
-    int mine = ready ? 1 : 0, all = 0;
-    MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    return all == 1;
+  std::size_t first_failed(bool failed) override {
+    std::uint64_t mine = failed ? rank_ : size_, first = 0;
+    MPI_Allreduce(&mine, &first, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+    return first;
   }
 
   void share(std::vector<std::uint64_t>& numbers) override {
@@ -99,7 +95,7 @@ class MpiTeam final : public Team {
   }
 
   std::size_t rank_ = 0, size_ = 1;
-  bool agreed_ = false, stopping_ = false;
+  bool stopping_ = false;
   std::vector<bool> told_;
 };
 
