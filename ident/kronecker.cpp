@@ -76,11 +76,19 @@ JOINTID_KERNEL void project_left(const double* d_re, const double* d_im, std::si
   }
 }
 
-JOINTID_KERNEL bool finite(const double* values, std::size_t count) {
+/// Whether all elements of a block are finite, its rows `stride` numbers apart.
+JOINTID_KERNEL bool finite(const double* block, std::size_t rows, std::size_t columns, std::size_t stride) {
   double sum = 0.0;  // stays 0 unless some x·0 is NaN
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double* row = block + i * stride;
 #pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < count; ++i) sum += values[i] * 0.0;
+    for (std::size_t j = 0; j < columns; ++j) sum += row[j] * 0.0;
+  }
   return sum == 0.0;
+}
+
+bool finite(const View& view) {
+  return finite(reinterpret_cast<const double*>(view.data), view.rows, 2 * view.columns, 2 * view.stride);
 }
 
 void scale_columns(std::vector<double>& re, std::vector<double>& im, std::size_t rows, std::size_t columns,
@@ -131,13 +139,7 @@ void copy_triangle(const std::vector<double>& re, const std::vector<double>& im,
 
 }  // namespace
 
-bool right_side_is_finite(const LineProduct& line) {
-  for (std::size_t m = 0; m < line.c1.rows; ++m) {
-    if (!finite(reinterpret_cast<const double*>(line.c1.data + m * line.c1.stride), 2 * line.c1.columns)) return false;
-    if (!finite(reinterpret_cast<const double*>(line.c2.data + m * line.c2.stride), 2 * line.c2.columns)) return false;
-  }
-  return true;
-}
+bool right_side_is_finite(const LineProduct& line) { return finite(line.c1) && finite(line.c2); }
 
 void SplitMatrix::resize(std::size_t r, std::size_t c) {
   rows = r;
