@@ -15,7 +15,8 @@ using restrictions::Pattern;
 
 std::vector<double> seven_lines() { return {10.0, 25.0, 31.0, 44.0, 52.0, 75.0, 90.0}; }
 
-/// Two substructures and an assembly without any physical sense. Non-square data: more responses than references, joint coordinates in both roles.
+/// Two substructures and an assembly without any physical sense. Non-square data: more responses than references, joint
+/// coordinates in both roles.
 MemoryScene random_system(unsigned seed) {
   std::mt19937_64 random(seed);
   const Dofs a_responses = dofs({"1:+Y", "2:+Y", "3:+X", "4:+Y", "4:+RZ"}), a_references = dofs({"4:+RZ", "1:+Y", "4:+Y"});
