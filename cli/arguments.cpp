@@ -103,7 +103,7 @@ void add_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write the solution as JSON to a file, or - for stdout");
   command->add_option("--csv", arguments->csv, "Write the unknowns as CSV to a file, or - for stdout");
-  command->add_option("--report", arguments->report, "Write one HTML page with tables and plots");
+  command->add_option("--report", arguments->report, "Write one HTML page with tables and plots to a file, or - for stdout");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
   command->footer(
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | jq .unknowns\n"
@@ -138,8 +138,10 @@ void add_study(CLI::App& app, Chosen& chosen) {
   command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
   command->add_option("--json", arguments->json, "Write the statistics as JSON to a file, or - for stdout");
   command->add_option("--csv", arguments->csv, "Write the unknowns' statistics as CSV to a file, or - for stdout");
+  command->add_option("--report", arguments->report, "Write one HTML page with tables and histograms to a file, or - for stdout");
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
+      "  jointid study a1/A1.toml --trials 10000 --report a1.html\n"
       "  mpirun -n 4 jointid study a1/A1.toml --trials 1000000 --threads 1");
 }
 
@@ -162,9 +164,10 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   add_trial_options(command, *arguments);
   command->add_option("--json", arguments->json, "Write the figures as JSON to a file, or - for stdout");
   command->add_option("--csv", arguments->csv, "Write the figures as CSV to a file, or - for stdout");
+  command->add_option("--report", arguments->report, "Write one HTML page with tables and plots to a file, or - for stdout");
   command->footer(
       "Examples:\n  jointid problem write B b --clean && jointid compare b/B.toml --weightings WA,WBS --deltas 0,0.05,0.1\n"
-      "  jointid compare --reproduce 6.9");
+      "  jointid compare --reproduce 6.9 --report table.html");
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ struct ProblemWriteArguments {
 struct SolveArguments {
   std::filesystem::path scene;
   Target json, csv;
-  std::optional<std::string> report;  ///< HTML file
-  std::optional<std::string> plot;    ///< RESPONSE/REFERENCE of an assembly FRF
+  Target report;  ///< HTML
+  std::optional<std::string> plot;  ///< RESPONSE/REFERENCE of an assembly FRF
 };
 
 struct PlanArguments {
@@ -51,7 +51,7 @@ struct StudyArguments {
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< 0: all cores
   bool resume = false;
-  Target json, csv;
+  Target json, csv, report;
 };
 
 struct CompareArguments {
@@ -63,7 +63,7 @@ struct CompareArguments {
   std::vector<std::string> methods, weightings, solvers;
   std::vector<double> deltas;
   std::string equations;  ///< sets of names, separated by ";"
-  Target json, csv;
+  Target json, csv, report;
 };
 
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "cli/of_option.hpp"
+#include "cli/output.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::cli {
@@ -62,9 +63,7 @@ void check(const CompareArguments& arguments) {
   if (arguments.scene.empty() && arguments.reproduce.empty()) {
     fail("compare", "there is nothing to compare", "name a scene, or a table of the thesis with --reproduce");
   }
-  if (arguments.json == "-" && arguments.csv == "-") {
-    fail("--json - --csv -", "both want standard output", "give one of them a file");
-  }
+  check_targets(arguments.scene, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   if (arguments.trials == 0) fail("--trials", "it is 0", "give 1 or more");
 }
 

@@ -8,6 +8,8 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/report/comparison_report.hpp"
+#include "cli/report/reproduction_report.hpp"
 #include "cli/reproduction_text.hpp"
 
 namespace jointid::cli {
@@ -25,9 +27,8 @@ ident::TrialOptions watched(const CompareArguments& arguments, Progress& progres
           .interrupted = interrupted};
 }
 
-ComparisonReport compared(const CompareArguments& arguments) {
+ComparisonReport compared(const CompareArguments& arguments, const ident::Scene& scene) {
   const auto lists = alternatives(arguments);
-  const ident::Scene scene = ident::read_scene(arguments.scene);
   Progress progress;
   return {scene.title, arguments.trials, arguments.seed,
           ident::compare(scene, ident::combinations(scene.identify, lists), ident::load_trial_data,
@@ -41,10 +42,11 @@ ReproductionReport reproduced(const CompareArguments& arguments) {
 }
 
 void write(const CompareArguments& arguments, std::ostream& out, const std::string& text, const std::string& json,
-           const std::string& csv) {
+           const std::string& csv, const std::string& page) {
   if (arguments.json) write_target(*arguments.json, json, out);
   if (arguments.csv) write_target(*arguments.csv, csv, out);
-  if (arguments.json != "-" && arguments.csv != "-") out << text;
+  if (arguments.report) write_target(*arguments.report, page, out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << text;
 }
 
 bool some_usable(const std::vector<ident::Combination>& combinations) {
@@ -61,11 +63,14 @@ ExitCode execute(const CompareArguments& arguments, std::ostream& out) {
   }
   if (!arguments.reproduce.empty()) {
     const ReproductionReport report = reproduced(arguments);
-    write(arguments, out, reproduction_text(report), reproduction_json(report), reproduction_csv(report));
+    write(arguments, out, reproduction_text(report), reproduction_json(report), reproduction_csv(report),
+          report::reproduction_report(report));
     return ExitCode::done;
   }
-  const ComparisonReport report = compared(arguments);
-  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report));
+  const ident::Scene scene = ident::read_scene(arguments.scene);
+  const ComparisonReport report = compared(arguments, scene);
+  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report),
+        report::comparison_report(report, scene));
   return some_usable(report.comparison.combinations) ? ExitCode::done : ExitCode::unusable;
 }
 

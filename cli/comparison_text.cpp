@@ -1,151 +1,39 @@
 #include "cli/comparison_text.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <set>
-
-#include "cli/table.hpp"
+#include "cli/comparison_tables.hpp"
+#include "cli/words.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using ident::Combination;
-
-std::string words(std::string key) {
-  std::ranges::replace(key, '_', ' ');
-  return key;
-}
-
-std::string equations_of(const ident::Way& way) {
-  std::vector<std::string> names;
-  for (const auto equation : way.equations) names.push_back(ident::name(equation));
-  return names.empty() ? "all" : fmt::format("{}", fmt::join(names, " "));
-}
-
-/// What the thesis's tables hold constant.
-std::string frame_of(const ident::Way& way) {
-  return fmt::format("method {}, equations {}, solver {}", ident::name(way.method), equations_of(way), way.solver);
-}
-
-std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", value) : "–"; }
-
-std::string range(const ident::Spread& spread) {
-  return short_number(spread.low) + " … " + short_number(spread.high);
-}
-
-std::vector<Column> way_columns() {
-  return {{"method", Align::left}, {"equations", Align::left}, {"weighting", Align::left}, {"Δ"}, {"solver", Align::left}};
-}
-
-std::vector<std::string> way_cells(const ident::Way& way) {
-  return {ident::name(way.method), equations_of(way), weighting::name(way.weighting), fmt::format("{:g}", way.delta),
-          way.solver};
-}
-
-const Combination* find(const std::vector<const Combination*>& from, weighting::Weighting weighting, double delta) {
-  const auto found = std::ranges::find_if(from, [&](const Combination* each) {
-    return each->way.weighting == weighting && each->way.delta == delta;
-  });
-  return found == from.end() ? nullptr : *found;
-}
-
-/// Tables 6.6 to 6.11: rows weighting, columns Δ.
-std::string pair_table(const std::vector<const Combination*>& framed, std::size_t matrix) {
-  std::set<double> deltas;
-  std::vector<weighting::Weighting> weightings;
-  for (const Combination* each : framed) {
-    deltas.insert(each->way.delta);
-    if (std::ranges::find(weightings, each->way.weighting) == weightings.end()) weightings.push_back(each->way.weighting);
-  }
-  if (deltas.size() < 2) return "";
-  std::vector<Column> columns = {{"Δ", Align::left}};
-  for (const double delta : deltas) columns.push_back({fmt::format("{:g}", delta)});
-  Table table(std::move(columns));
-  for (const auto weighting : weightings) {
-    std::vector<std::string> cells = {weighting::name(weighting)};
-    for (const double delta : deltas) {
-      const Combination* found = find(framed, weighting, delta);
-      cells.push_back(found ? fmt::format("{:.4f} {:.4f}", found->matrices[matrix].rjcf.median,
-                                          found->matrices[matrix].arvf.median)
-                            : "–");
-    }
-    table.add(std::move(cells));
-  }
-  return frame_of(framed.front()->way) + "; medians of RJCF ARVF\n" + table.text();
-}
-
-std::string pair_tables(const std::vector<Combination>& all, std::size_t matrix) {
-  std::vector<std::string> frames;
+std::string pairs_text(const std::vector<ident::Combination>& all, std::size_t matrix) {
   std::string text;
-  for (const Combination& first : all) {
-    const std::string frame = frame_of(first.way);
-    if (std::ranges::find(frames, frame) != frames.end()) continue;
-    frames.push_back(frame);
-    std::vector<const Combination*> framed;
-    for (const Combination& each : all) {
-      if (frame_of(each.way) == frame) framed.push_back(&each);
-    }
-    text += pair_table(framed, matrix);
-  }
+  for (const PairTable& pair : pair_tables(all, matrix)) text += pair.title + "\n" + pair.table.text();
   return text;
-}
-
-std::string figures_table(const std::vector<Combination>& all, std::size_t matrix) {
-  std::vector<Column> columns = way_columns();
-  for (const char* title : {"RJCF", "5–95 %", "ARVF", "5–95 %", "rms error", "5–95 %", "bias", "ms"}) columns.push_back({title});
-  columns.push_back({"front", Align::left});
-  Table table(std::move(columns));
-  for (const Combination& each : all) {
-    const ident::MatrixFigures& figures = each.matrices[matrix];
-    std::vector<std::string> cells = way_cells(each.way);
-    for (const ident::Spread& spread : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
-      cells.insert(cells.end(), {short_number(spread.median), range(spread)});
-    }
-    cells.insert(cells.end(), {short_number(figures.bias), short_number(1e3 * each.solve_s), figures.on_front ? "*" : ""});
-    table.add(std::move(cells));
-  }
-  return table.text();
-}
-
-std::string cost_table(const std::vector<Combination>& all) {
-  std::vector<Column> columns = way_columns();
-  columns.insert(columns.end(), {{"ms per solve"}, {"kB"}, {"trials", Align::left}});
-  Table table(std::move(columns));
-  for (const Combination& each : all) {
-    std::vector<std::string> statuses;
-    for (const auto& [status, count] : each.statuses) statuses.push_back(fmt::format("{} {}", count, words(ident::name(status))));
-    std::vector<std::string> cells = way_cells(each.way);
-    cells.insert(cells.end(), {short_number(1e3 * each.solve_s),
-                               fmt::format("{:.1f}", static_cast<double>(each.accumulator_bytes) / 1e3),
-                               fmt::format("{}", fmt::join(statuses, ", "))});
-    table.add(std::move(cells));
-  }
-  return "\ncost: median time of one solution on one thread, memory of the reduced system\n" + table.text();
 }
 
 std::string left_out_text(const std::vector<ident::LeftOut>& left_out) {
   std::string text = left_out.empty() ? "" : "\nleft out\n";
-  for (const ident::LeftOut& each : left_out) {
-    text += fmt::format("  {}: {}\n", fmt::join(way_cells(each.way), " "), each.reason);
-  }
+  for (const std::string& line : left_out_lines(left_out)) text += "  " + line + "\n";
   return text;
 }
 
 }  // namespace
 
 std::string comparison_text(const ComparisonReport& report) {
-  const std::vector<Combination>& all = report.comparison.combinations;
+  const std::vector<ident::Combination>& all = report.comparison.combinations;
   std::string text = report.title.empty() ? "" : report.title + "\n";
   text += fmt::format("{} trials of seed {}, the same for every row\n", report.trials, report.seed);
   for (std::size_t matrix = 0; matrix < all.front().matrices.size(); ++matrix) {
-    text += "\n" + words(restrictions::key(all.front().matrices[matrix].kind)) + "\n" + pair_tables(all, matrix) +
-            "all combinations\n" + figures_table(all, matrix);
+    text += "\n" + words(restrictions::key(all.front().matrices[matrix].kind)) + "\n" + pairs_text(all, matrix) +
+            "all combinations\n" + figures_table(all, matrix).text();
   }
   text += "\n  rms error: relative, median over the trials; bias: rms of the mean relative error of the unknowns\n"
           "  * on the Pareto front: no other row has both less error in this matrix and less time\n";
-  return text + cost_table(all) + left_out_text(report.comparison.left_out);
+  text += "\ncost: median time of one solution on one thread, memory of the reduced system\n" + cost_table(all).text();
+  return text + left_out_text(report.comparison.left_out);
 }
 
 }  // namespace jointid::cli

@@ -1,5 +1,6 @@
 #include "cli/output.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "frf/error.hpp"
@@ -58,9 +59,13 @@ void check_targets(const std::filesystem::path& scene, const std::vector<OptionT
       if (other->second) require_different(*other, *one);
     }
     if (*target == "-") continue;
-    if (same_file(*target, scene)) refuse_use(option + " " + *target, "would replace the scene", "give another name");
+    if (!scene.empty() && same_file(*target, scene)) refuse_use(option + " " + *target, "would replace the scene", "give another name");
     require_folder(*target);
   }
+}
+
+bool takes_output(const std::vector<std::optional<std::string>>& targets) {
+  return std::ranges::find(targets, "-") != targets.end();
 }
 
 void write_target(const std::string& target, const std::string& text, std::ostream& out) {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/reproduction_rows.hpp"
 #include "cli/table.hpp"
 
 namespace jointid::cli {
@@ -14,22 +14,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using problems::Reproduced;
 using problems::TableEntry;
-
-std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.4g}", value) : "–"; }
-
-/// Entries [first, last) that stand in one row of the table.
-struct RowOf {
-  std::size_t first = 0, last = 0;
-};
-
-std::vector<RowOf> rows_of(const std::vector<TableEntry>& entries) {
-  std::vector<RowOf> rows;
-  for (std::size_t e = 0; e < entries.size(); ++e) {
-    if (e == 0 || entries[e].row != entries[e - 1].row || entries[e].kind != entries[e - 1].kind) rows.push_back({e, e});
-    rows.back().last = e + 1;
-  }
-  return rows;
-}
 
 std::string row_text(const ReproductionReport& report, const RowOf& row) {
   const auto line = [&](const char* title, const auto& cell) {
@@ -43,41 +27,11 @@ std::string row_text(const ReproductionReport& report, const RowOf& row) {
   table.add(line("print", [](const TableEntry& entry, const Reproduced&) {
     return entry.print.text + (entry.print.doubtful ? "?" : "");
   }));
-  table.add(line("median", [](const TableEntry&, const Reproduced& result) { return short_number(result.ours.median); }));
-  table.add(line("5 %", [](const TableEntry&, const Reproduced& result) { return short_number(result.ours.low); }));
-  table.add(line("95 %", [](const TableEntry&, const Reproduced& result) { return short_number(result.ours.high); }));
+  table.add(line("median", [](const TableEntry&, const Reproduced& result) { return four_digits(result.ours.median); }));
+  table.add(line("5 %", [](const TableEntry&, const Reproduced& result) { return four_digits(result.ours.low); }));
+  table.add(line("95 %", [](const TableEntry&, const Reproduced& result) { return four_digits(result.ours.high); }));
   table.add(line("inside", [](const TableEntry&, const Reproduced& result) -> std::string { return result.inside ? "yes" : "NO"; }));
   return "\n" + table.text(0);
-}
-
-struct Count {
-  std::size_t inside = 0, legible = 0, doubtful = 0;
-};
-
-Count count(const ReproductionReport& report) {
-  Count counted;
-  for (std::size_t e = 0; e < report.results.size(); ++e) {
-    if (report.table.entries[e].print.doubtful) {
-      ++counted.doubtful;
-      continue;
-    }
-    ++counted.legible;
-    counted.inside += report.results[e].inside ? 1 : 0;
-  }
-  return counted;
-}
-
-std::string verdict(const ReproductionReport& report) {
-  const Count counted = count(report);
-  std::string text = fmt::format(
-      "\n{} of {} entries of the print lie inside 5 to 95 %, to its rounding (90 % would be expected of the same problem;\n"
-      "entries of one case come from one set of random numbers, so they are in or out together)\n",
-      counted.inside, counted.legible);
-  if (counted.doubtful > 0) {
-    text += fmt::format("{} more {} doubtful (marked ?) and not counted\n", counted.doubtful, counted.doubtful == 1 ? "is" : "are");
-  }
-  for (const std::string& note : report.table.notes) text += "note: " + note + "\n";
-  return text;
 }
 
 Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
@@ -94,7 +48,9 @@ std::string reproduction_text(const ReproductionReport& report) {
   std::string text = fmt::format("Table {}. {}\nprint: one set of random numbers; ours: {} trials of seed {}\n",
                                  report.table.number, report.table.title, report.trials, report.seed);
   for (const RowOf& row : rows_of(report.table.entries)) text += row_text(report, row);
-  return text + verdict(report);
+  text += "\n" + verdict_text(count(report)) + "\n";
+  for (const std::string& note : report.table.notes) text += "note: " + note + "\n";
+  return text;
 }
 
 std::string reproduction_json(const ReproductionReport& report) {

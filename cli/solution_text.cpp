@@ -7,26 +7,20 @@
 #include <cmath>
 
 #include "cli/table.hpp"
+#include "cli/words.hpp"
 
 namespace jointid::cli {
 namespace {
 
 std::string number_or_dash(const std::optional<double>& value) { return value ? number(*value) : "–"; }
 
-std::string words(std::string key) {
-  for (char& c : key) c = c == '_' ? ' ' : c;
-  return key;
-}
-
 std::string head(const ident::Solution& solution, const std::string& title) {
   const ident::Used& used = solution.used;
-  std::vector<std::string> equations;
-  for (const auto equation : used.equations) equations.push_back(ident::name(equation));
   Table table({{"", Align::left}, {"", Align::left}});
   table.add({"status", words(ident::name(solution.status))});
   if (!solution.message.empty()) table.add({"message", solution.message});
   table.add({"method", fmt::format("{}, equations {}, weighting {}, delta {:g}, solver {}", ident::name(used.method),
-                                   fmt::join(equations, " "), weighting::name(used.weighting), used.delta,
+                                   equations_text(used.equations), weighting::name(used.weighting), used.delta,
                                    used.solver)});
   return (title.empty() ? "" : title + "\n") + table.text();
 }

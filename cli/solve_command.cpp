@@ -9,7 +9,6 @@
 #include "cli/solution_json.hpp"
 #include "cli/solution_text.hpp"
 #include "frf/error.hpp"
-#include "frf/temporary_file.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::cli {
@@ -21,10 +20,10 @@ ident::Solution solve_watched(ident::Plan& plan) {
   return ident::solve(plan, progress.control());
 }
 
-void write_report(const std::string& file, ident::Plan& plan, const ident::Solution& solution,
-                  const std::optional<ident::FrfEntry>& entry) {
+void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
+                  const std::optional<ident::FrfEntry>& entry, std::ostream& out) {
   Progress progress;
-  frf::write_text(file, report::solve_report(plan, solution, entry, progress.control()));
+  write_target(target, report::solve_report(plan, solution, entry, progress.control()), out);
 }
 
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
@@ -61,11 +60,11 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const ident::Solution solution = solve_watched(*plan);
   if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
   if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
-  if (arguments.json != "-" && arguments.csv != "-") {
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) {
     out << solution_text(solution, scene.title);
     if (entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
   }
-  if (arguments.report) write_report(*arguments.report, *plan, solution, entry);
+  if (arguments.report) write_report(*arguments.report, *plan, solution, entry, out);
   if (solution.status == ident::Status::ok) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + solution.message);
   return ExitCode::unusable;

@@ -8,6 +8,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/report/study_report.hpp"
 #include "cli/study_text.hpp"
 #include "cli/version.hpp"
 #include "frf/error.hpp"
@@ -18,10 +19,15 @@
 namespace jointid::cli {
 namespace {
 
+std::filesystem::path result_file(const StudyArguments& arguments) {
+  return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.h5") : arguments.out;
+}
+
 void check(const StudyArguments& arguments) {
-  std::optional<std::string> file;
-  if (!arguments.out.empty()) file = arguments.out.string();
-  check_targets(arguments.scene, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--out", file}});
+  check_targets(arguments.scene, {{"--json", arguments.json},
+                                  {"--csv", arguments.csv},
+                                  {"--report", arguments.report},
+                                  {"--out", result_file(arguments).string()}});
   if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
 }
 
@@ -34,7 +40,7 @@ ident::StudyOptions options_of(const StudyArguments& arguments, const std::strin
     options.threads = std::max<std::size_t>(1, std::thread::hardware_concurrency() / ident::processes_started());
   }
   options.resume = arguments.resume;
-  options.out = arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.h5") : arguments.out;
+  options.out = result_file(arguments);
   options.texts["scene_hash"] = fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(scene_text))));
   options.texts["jointid_version"] = version_number();
   return options;
@@ -96,11 +102,12 @@ ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
     throw ident::Interrupted(fmt::format("interrupted; {}.partial keeps {} of {} trials, the same command with --resume continues",
                                          options.out.string(), run.done, options.trials));
   }
-  const StudyReport report{ident::read_scene(arguments.scene).title, options.out.string(), options.seed, run,
+  const StudyReport report{start.data->scene.title, options.out.string(), options.seed, run,
                            ident::study_statistics(options.out)};
   if (arguments.json) write_target(*arguments.json, study_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
-  if (arguments.json != "-" && arguments.csv != "-") out << study_text(report);
+  if (arguments.report) write_target(*arguments.report, report::study_report(report, start.data->scene), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << study_text(report);
   return report.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
 }
 

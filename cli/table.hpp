@@ -21,6 +21,9 @@ class Table {
   /// `cells`: one per column.
   void add(std::vector<std::string> cells);
 
+  const std::vector<Column>& columns() const { return columns_; }
+  const std::vector<std::vector<std::string>>& rows() const { return rows_; }
+
   /// Title line and rows, each line after `indent` blanks; the title line is left out when all titles are empty.
   std::string text(std::size_t indent = 2) const;
 

@@ -42,15 +42,19 @@ class MemorySource final : public FrfSource {
 /// Coherences of 1 may come from averages of single precision.
 constexpr double rounding = 1e-5;
 
-[[noreturn]] void refuse_coherence(const FrfHeader& header, const Block& block, std::size_t at, double value) {
+/// "4:+Y/1:+Y, line 7": what stands at a place of a block.
+std::string place_text(const FrfHeader& header, const Block& block, std::size_t at) {
   const std::size_t columns = block.references.size(), rows = block.responses.size();
-  const std::string pair = header.response[block.responses[at / columns % rows]].name() + "/" +
-                           header.reference[block.references[at % columns]].name();
+  return fmt::format("{}/{}, line {}", header.response[block.responses[at / columns % rows]].name(),
+                     header.reference[block.references[at % columns]].name(), block.lines[at / columns / rows] + 1);
+}
+
+[[noreturn]] void refuse(const FrfHeader& header, std::string place, std::string problem, std::string remedy) {
   throw InputError({.kind = ErrorKind::data,
                     .file = header.file,
-                    .place = fmt::format("coherence of {}, line {}", pair, block.lines[at / columns / rows] + 1),
-                    .problem = fmt::format("{} is not between 0 and 1", value),
-                    .remedy = "export the coherences again, or leave them out"});
+                    .place = std::move(place),
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
 }
 
 }  // namespace
@@ -65,7 +69,12 @@ void FrfSource::read(const Block& block, std::span<Complex> out) {
 
 void FrfSource::read_variance(const Block& block, std::span<Complex> out) {
   assert(header_.noise == NoiseRecord::variance && out.size() == block.size());
-  if (block.size() > 0) do_read_variance(block, out);
+  if (block.size() == 0) return;
+  do_read_variance(block, out);
+  const auto wrong = std::find_if(out.begin(), out.end(), [](Complex v) { return v.real() < 0.0 || v.imag() < 0.0; });
+  if (wrong == out.end()) return;
+  refuse(header_, "variance of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
+         fmt::format("{} is below 0", std::min(wrong->real(), wrong->imag())), "export the variances again, or leave them out");
 }
 
 void FrfSource::read_coherence(const Block& block, std::span<double> out) {
@@ -73,7 +82,9 @@ void FrfSource::read_coherence(const Block& block, std::span<double> out) {
   if (block.size() == 0) return;
   do_read_coherence(block, out);
   const auto wrong = std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + rounding; });
-  if (wrong != out.end()) refuse_coherence(header_, block, static_cast<std::size_t>(wrong - out.begin()), *wrong);
+  if (wrong == out.end()) return;
+  refuse(header_, "coherence of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
+         fmt::format("{} is not between 0 and 1", *wrong), "export the coherences again, or leave them out");
 }
 
 std::unique_ptr<FrfSource> from_memory(FrfSet set) { return from_shared(std::make_shared<FrfSet>(std::move(set))); }

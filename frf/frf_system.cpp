@@ -137,52 +137,39 @@ std::size_t FrfSystem::source_of(const Dof& dof) const {
   return npos;
 }
 
-BlockReader::BlockReader(FrfSystem& system, const std::vector<Dof>& rows, const std::vector<Dof>& columns)
-    : system_(system), rows_(rows.size()), columns_(columns.size()) {
-  for (std::size_t s = 0; s < system.sources_.size(); ++s) add_piece(s, rows, columns, false);
-  if (system.use_reciprocity_) {
-    for (std::size_t s = 0; s < system.sources_.size(); ++s) add_piece(s, rows, columns, true);
-  }
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  background_.assign(rows_ * columns_, Complex(nan, nan));
-  if (system.composition_ == Composition::uncoupled) {
-    for (std::size_t r = 0; r < rows_; ++r) {
-      for (std::size_t c = 0; c < columns_; ++c) {
-        if (system.source_of(rows[r]) != system.source_of(columns[c])) background_[r * columns_ + c] = 0.0;
-      }
+std::vector<BlockPiece> FrfSystem::pieces(const std::vector<Dof>& rows, const std::vector<Dof>& columns) const {
+  std::vector<BlockPiece> result;
+  for (const bool transposed : {false, true}) {
+    for (std::size_t s = 0; s < sources_.size() && (use_reciprocity_ || !transposed); ++s) {
+      BlockPiece piece = find_piece(sources_[s]->header(), s, rows, columns, transposed);
+      if (piece.size() > 0) result.push_back(std::move(piece));
     }
   }
+  return result;
 }
 
-void BlockReader::add_piece(std::size_t source, const std::vector<Dof>& rows, const std::vector<Dof>& columns,
-                            bool transposed) {
-  const FrfHeader& header = system_.sources_[source]->header();
-  Piece piece{.source = source,
-              .responses = {},
-              .references = {},
-              .rows = {},
-              .columns = {},
-              .response_sign = {},
-              .reference_sign = {},
-              .transposed = transposed};
-  const auto match = [](const std::vector<Dof>& wanted, const std::vector<Dof>& stored, std::vector<std::size_t>& place,
-                        std::vector<std::size_t>& index, std::vector<double>& sign) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const std::size_t found = find_coordinate(stored, wanted[i]);
-      if (found == npos) continue;
-      place.push_back(i);
-      index.push_back(found);
-      sign.push_back(wanted[i].sign * stored[found].sign);
+std::vector<Complex> FrfSystem::background(const std::vector<Dof>& rows, const std::vector<Dof>& columns) const {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Complex> line(rows.size() * columns.size(), Complex(nan, nan));
+  if (composition_ != Composition::uncoupled) return line;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (source_of(rows[r]) != source_of(columns[c])) line[r * columns.size() + c] = 0.0;
     }
-  };
-  match(transposed ? columns : rows, header.response, piece.rows, piece.responses, piece.response_sign);
-  match(transposed ? rows : columns, header.reference, piece.columns, piece.references, piece.reference_sign);
-  if (!piece.rows.empty() && !piece.columns.empty()) pieces_.push_back(std::move(piece));
+  }
+  return line;
 }
+
+BlockReader::BlockReader(FrfSystem& system, const std::vector<Dof>& rows, const std::vector<Dof>& columns)
+    : system_(system),
+      rows_(rows.size()),
+      columns_(columns.size()),
+      pieces_(system.pieces(rows, columns)),
+      background_(system.background(rows, columns)) {}
 
 bool BlockReader::is_plain() const {
   if (pieces_.size() != 1) return false;
-  const Piece& only = pieces_.front();
+  const BlockPiece& only = pieces_.front();
   const auto positive = [](const std::vector<double>& signs) {
     return std::all_of(signs.begin(), signs.end(), [](double sign) { return sign > 0.0; });
   };
@@ -197,7 +184,7 @@ void BlockReader::read(std::span<const std::size_t> lines, std::span<Complex> ou
       std::copy(background_.begin(), background_.end(), out.begin() + static_cast<std::ptrdiff_t>(i * background_.size()));
     }
   }
-  for (const Piece& piece : pieces_) {
+  for (const BlockPiece& piece : pieces_) {
     source_lines_.clear();
     for (const std::size_t line : lines) source_lines_.push_back(system_.source_lines_[piece.source][line]);
     const Block block{source_lines_, piece.responses, piece.references};
@@ -212,7 +199,7 @@ void BlockReader::read(std::span<const std::size_t> lines, std::span<Complex> ou
   }
 }
 
-void BlockReader::scatter(const Piece& piece, std::size_t lines, std::span<Complex> out) const {
+void BlockReader::scatter(const BlockPiece& piece, std::size_t lines, std::span<Complex> out) const {
   const Complex* from = scratch_.data();
   for (std::size_t line = 0; line < lines; ++line) {
     Complex* to = out.data() + line * rows_ * columns_;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "frf/block_pieces.hpp"
 #include "frf/frf_source.hpp"
 
 namespace jointid::frf {
@@ -41,8 +42,13 @@ class FrfSystem {
 
   std::size_t source_count() const { return sources_.size(); }
   const FrfSource& source(std::size_t index) const { return *sources_[index]; }
+  FrfSource& source(std::size_t index) { return *sources_[index]; }
   /// The line of that source which is the common line `line`.
   std::size_t source_line(std::size_t index, std::size_t line) const { return source_lines_[index][line]; }
+  /// The pieces that make the rectangle rows × columns: the files' own FRFs first, then with reciprocity their transposes.
+  std::vector<BlockPiece> pieces(const std::vector<Dof>& rows, const std::vector<Dof>& columns) const;
+  /// A line of the rectangle before any FRF is read: zero across two uncoupled files, NaN elsewhere.
+  std::vector<Complex> background(const std::vector<Dof>& rows, const std::vector<Dof>& columns) const;
   /// The file that holds the coordinate in either role, or npos.
   std::size_t source_of(const Dof& dof) const;
 
@@ -74,23 +80,13 @@ class BlockReader {
   void read(std::span<const std::size_t> lines, std::span<Complex> out);
 
  private:
-  /// What one file contributes: FRFs from its (responses × references) to (row, column) of the rectangle.
-  struct Piece {
-    std::size_t source = 0;
-    std::vector<std::size_t> responses, references;  ///< of the file
-    std::vector<std::size_t> rows, columns;          ///< of the rectangle; swapped roles when transposed
-    std::vector<double> response_sign, reference_sign;
-    bool transposed = false;  ///< reciprocity: fills what is still missing
-  };
-
-  void add_piece(std::size_t source, const std::vector<Dof>& rows, const std::vector<Dof>& columns, bool transposed);
   bool is_plain() const;
-  void scatter(const Piece& piece, std::size_t lines, std::span<Complex> out) const;
+  void scatter(const BlockPiece& piece, std::size_t lines, std::span<Complex> out) const;
 
   FrfSystem& system_;
   std::size_t rows_, columns_;
-  std::vector<Piece> pieces_;
-  std::vector<Complex> background_;  ///< one line: zero across two uncoupled files, NaN elsewhere
+  std::vector<BlockPiece> pieces_;
+  std::vector<Complex> background_;  ///< FrfSystem::background()
   std::vector<Complex> scratch_;
   std::vector<std::size_t> source_lines_;
 };

@@ -63,10 +63,10 @@ class Follower final : public ChunkWorker {
 
 std::vector<LineQuality> quality_by_line(Plan& plan, std::size_t points, const Control& control) {
   std::vector<LineQuality> out;
-  if (plan.scene.truth.empty()) return out;
+  if (plan.scene.truth.empty() || !plan.builder) return out;
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   workers.push_back(std::make_unique<Follower>(plan, points, out));
-  run_chunks(plan.lines.size(), chunk_lines(plan.builder->entries_per_line()), "following lines", workers, control);
+  run_chunks(plan.lines.size(), chunk_lines(plan.entries_per_line), "following lines", workers, control);
   return out;
 }
 

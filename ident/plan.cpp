@@ -1,11 +1,13 @@
 #include "ident/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
 
 #include "ident/coordinates.hpp"
+#include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/line_choice.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/supports.hpp"
@@ -22,9 +24,14 @@ std::unique_ptr<frf::FrfSystem> open_system(const std::string& name, const std::
 
 void require_method(const Scene& scene) {
   const IdentifySection& identify = scene.identify;
-  if (identify.method == Method::newton || identify.method == Method::likelihood) {
-    fail(scene, "[identify] method", "this build has no method \"" + name(identify.method) + "\"",
-         "use one, two or direct");
+  if (identify.method == Method::newton) {
+    fail(scene, "[identify] method", "this build has no method \"newton\"", "use one, two, direct or likelihood");
+  }
+  if (identify.method == Method::likelihood) {
+    if (identify.solver != "auto") {
+      fail(scene, "[identify] solver", "method \"likelihood\" has no solver \"" + identify.solver + "\"", "use auto");
+    }
+    return;
   }
   const std::set<std::string> linear = {"auto", "qr", "normal", "spqr"};
   if (!linear.contains(identify.solver)) {
@@ -64,8 +71,6 @@ void plan_assembly(Plan& plan) {
   spec.columns = plan.columns.get();
   spec.weighting = plan.scene.identify.weighting;
   spec.delta = plan.scene.identify.delta;
-  spec.omega0 = 2.0 * std::numbers::pi * plan.lines.back().frequency_hz;
-  if (spec.omega0 == 0.0) spec.omega0 = 1.0;
   const Dofs columns = plan.builder->columns();
   std::vector<std::size_t> joint_source, column_source;
   if (plan.substructures->source_count() > 1 && plan.scene.identify.method != Method::two) {
@@ -98,7 +103,7 @@ void count_cost(Plan& plan) {
   cost.columns = plan.columns->size();
   cost.equations_per_line = count_equations(plan);
   cost.compressed_rows_per_line = compressed_rows(spec, a_rows(plan));
-  cost.bytes_read = plan.builder->entries_per_line() * sizeof(Complex) * cost.lines;
+  cost.bytes_read = plan.entries_per_line * sizeof(Complex) * cost.lines;
   const auto lines = static_cast<double>(cost.lines), unknowns = static_cast<double>(plan.restriction.unknowns.size());
   const auto n = static_cast<double>(plan.coordinates.joint.size());
   const auto m = static_cast<double>(a_rows(plan)), l = static_cast<double>(plan.builder->columns().size());
@@ -118,11 +123,23 @@ void choose_solver(Plan& plan) {
   plan.solver = columns >= 200 && 4 * touched <= columns ? "spqr" : "qr";
 }
 
+void plan_linear(Plan& plan) {
+  plan.builder = make_builder(plan);
+  plan.entries_per_line = plan.builder->entries_per_line();
+  plan_assembly(plan);
+  choose_solver(plan);
+  count_cost(plan);
+}
+
 /// The assembly FRFs that the equations use are predicted; that takes H_bb and all substructure FRFs to and from the joint.
 void plan_prediction(Plan& plan) {
   const EquationSet use(plan.equations);
   const Coordinates& at = plan.coordinates;
   const Method method = plan.scene.identify.method;
+  if (method == Method::likelihood) {
+    plan_likelihood_prediction(plan);
+    return;
+  }
   if (method == Method::one && !use.nj && !use.jj) {
     plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
     return;
@@ -157,7 +174,7 @@ void tell_left_out(Plan& plan) {
     plan.left_out.push_back(std::to_string(lines - plan.lines.size()) + " of " + std::to_string(lines) +
                             " lines: not read");
   }
-  if (plan.scene.identify.delta == 0.0) plan.left_out.push_back("the delta filter");
+  if (plan.builder && plan.scene.identify.delta == 0.0) plan.left_out.push_back("the delta filter");
 }
 
 }  // namespace
@@ -180,8 +197,8 @@ std::unique_ptr<Plan> make_plan(const Scene& scene) {
   return make_plan(scene, std::move(substructures), std::move(assembly));
 }
 
-std::unique_ptr<Plan> make_plan(const Scene& scene, std::unique_ptr<frf::FrfSystem> substructures,
-                                std::unique_ptr<frf::FrfSystem> assembly) {
+std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
+                                std::shared_ptr<frf::FrfSystem> assembly) {
   require_method(scene);
   auto plan = std::make_unique<Plan>();
   plan->scene = scene;
@@ -192,16 +209,25 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::unique_ptr<frf::FrfSyst
     fail(scene, "[joint]", "every element of the joint is known: nothing to identify", "name an unknown");
   }
   plan->coordinates = find_coordinates(scene, plan->restriction, *plan->substructures, *plan->assembly);
-  plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
+  const bool linear = scene.identify.method != Method::likelihood;
+  if (linear) plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
   plan->lines = choose_lines(scene, *plan->substructures, *plan->assembly, plan->notes);
   plan->columns = std::make_unique<UnknownColumns>(plan->restriction, scene.joints);
-  plan->builder = make_builder(*plan);
-  plan_assembly(*plan);
-  choose_solver(*plan);
+  const double highest = 2.0 * std::numbers::pi * plan->lines.back().frequency_hz;
+  plan->assembly_spec.omega0 = highest == 0.0 ? 1.0 : highest;
+  linear ? plan_linear(*plan) : plan_likelihood(*plan);
   plan_prediction(*plan);
   tell_left_out(*plan);
-  count_cost(*plan);
   return plan;
+}
+
+void read_first_line(Plan& plan) {
+  if (plan.builder) {
+    plan.builder->read(std::array{plan.lines.front().substructures}, std::array{plan.lines.front().assembly});
+    return;
+  }
+  plan.likelihood->observations->read({plan.lines.front()}, [](std::size_t) {});
+  if (plan.likelihood->start) read_first_line(*plan.likelihood->start);
 }
 
 }  // namespace jointid::ident

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ident/equation_builder.hpp"
+#include "ident/line.hpp"
 #include "ident/line_assembler.hpp"
 #include "ident/scene.hpp"
 #include "ident/unknown_columns.hpp"
@@ -12,12 +13,7 @@
 
 namespace jointid::ident {
 
-/// A frequency line that both systems have.
-struct Line {
-  double frequency_hz = 0.0;
-  std::size_t substructures = 0;  ///< line of that system
-  std::size_t assembly = 0;
-};
+struct LikelihoodPlan;
 
 /// What the stages will cost, counted before anything is done.
 struct Cost {
@@ -35,12 +31,14 @@ struct Cost {
 struct Plan {
   Scene scene;
   restrictions::Restriction restriction;
-  std::unique_ptr<frf::FrfSystem> substructures, assembly;
+  std::shared_ptr<frf::FrfSystem> substructures, assembly;
   Coordinates coordinates;
   std::vector<Equation> equations;  ///< used, in the order nn nj jj jn
   std::vector<Line> lines;
   std::unique_ptr<UnknownColumns> columns;
-  std::unique_ptr<EquationBuilder> builder;
+  std::unique_ptr<EquationBuilder> builder;    ///< of linear methods
+  std::shared_ptr<LikelihoodPlan> likelihood;  ///< of that method
+  std::size_t entries_per_line = 0;            ///< FRFs read
   AssemblySpec assembly_spec;
   std::string solver;                 ///< "qr", "normal" or "spqr"
   /// Assembly FRFs that are predicted from the result for asm_frf_error; empty when the equations do not read what it needs.
@@ -56,8 +54,11 @@ struct Plan {
 std::unique_ptr<Plan> make_plan(const Scene& scene);
 
 /// The same on sources that are open already, for sets in memory.
-std::unique_ptr<Plan> make_plan(const Scene& scene, std::unique_ptr<frf::FrfSystem> substructures,
-                                std::unique_ptr<frf::FrfSystem> assembly);
+std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
+                                std::shared_ptr<frf::FrfSystem> assembly);
+
+/// Reads what the plan reads of its first line, for callers who want to know which FRFs that is.
+void read_first_line(Plan& plan);
 
 /// A further builder for the plan's equations, for a thread of its own. Reading stays one at a time: the systems are shared.
 std::unique_ptr<EquationBuilder> make_builder(Plan& plan);

@@ -70,7 +70,7 @@ class Predictor final : public ChunkWorker {
 
 DecibelError predict(Plan& plan, const std::vector<BandMatrices>& bands, const Control& control) {
   DecibelError total;
-  const std::size_t chunk = chunk_lines(plan.builder->entries_per_line());
+  const std::size_t chunk = chunk_lines(plan.entries_per_line);
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   for (std::size_t i = worker_count(plan.lines.size(), chunk, control.threads); i-- > 0;) {
     workers.push_back(std::make_unique<Predictor>(plan, bands, total));

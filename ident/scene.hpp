@@ -55,12 +55,20 @@ std::string name(Equation equation);
 Method parse_method(const std::string& text);
 Equation parse_equation(const std::string& text);
 
+/// Where the variances of the FRFs are taken from.
+enum class VarianceChoice {
+  automatic,  ///< what each file has; else the law of [noise]
+  file,       ///< variances or coherences of the files
+  noise       ///< the law of [noise], whatever the files have
+};
+
 struct IdentifySection {
   Method method = Method::one;
   std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
   weighting::Weighting weighting = weighting::Weighting::wb;
   double delta = 0.0;  ///< 0 ≤ Δ < 2
   std::string solver = "auto";
+  VarianceChoice variance = VarianceChoice::automatic;
   std::map<restrictions::Kind, Matrix> start;
 };
 

@@ -43,6 +43,7 @@ struct Fit {
   std::size_t lines = 0;
   std::size_t rank = 0;
   double condition = 0.0;                ///< of the column-scaled weighted system, 2-norm
+  std::size_t iterations = 0;            ///< of iterative methods
   std::optional<double> asm_frf_error;   ///< dB; empty when the scene's equations do not read what it needs
 };
 

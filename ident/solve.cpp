@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "ident/likelihood/likelihood.hpp"
 #include "ident/prediction.hpp"
 #include "ident/quality.hpp"
 
@@ -157,6 +158,12 @@ Solution solve(Plan& plan, const Control& control) {
   out.dofs = plan.coordinates.joint;
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
               plan.solver, 0};
+  if (plan.likelihood) {
+    solve_likelihood(plan, control, out);
+    if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+    out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
+    return out;
+  }
   Assembled system = assemble(plan, out.runtime_s, control);
   out.fit.equations_used = system.equations.used;
   out.fit.equations_dropped = system.equations.dropped;

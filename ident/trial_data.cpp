@@ -135,7 +135,7 @@ std::shared_ptr<const TrialData> prepare(const Scene& scene, Sources substructur
   for (const auto* recorders : {&sub.recorders, &joined.recorders}) {
     for (Recorder* recorder : *recorders) all_dofs ? recorder->want_all() : recorder->forget();
   }
-  plan->builder->read(std::array{plan->lines.front().substructures}, std::array{plan->lines.front().assembly});
+  read_first_line(*plan);
   const Excerpts excerpts{take(*plan, *plan->substructures, &Line::substructures, sub.recorders),
                           take(*plan, *plan->assembly, &Line::assembly, joined.recorders)};
   auto data = std::make_shared<TrialData>();

@@ -21,17 +21,26 @@ struct Facts {
   std::vector<std::pair<std::string, std::string>> rows;
 };
 
-struct Table {
-  std::vector<std::string> titles;
-  std::vector<std::vector<std::string>> rows;  ///< first cell of a row: its name
-};
-
 /// A square matrix over named coordinates, and how far each element is from the truth where that is known.
 struct MatrixTable {
   std::string title;
   std::vector<std::string> names;
   std::vector<std::vector<double>> values;
   std::vector<std::vector<double>> truth;  ///< empty, or as `values`
+};
+
+enum class Verdict { inside, outside, doubtful };
+
+/// A published number, what trials give for it, and whether it lies in their range.
+struct ComparedCell {
+  std::string published, ours, low, high;
+  Verdict verdict = Verdict::inside;
+};
+
+/// A published table beside ours; rows may be shorter than the titles.
+struct ComparedTable {
+  std::vector<std::string> titles;
+  std::vector<std::pair<std::string, std::vector<ComparedCell>>> rows;
 };
 
 /// One identified value.

@@ -77,6 +77,11 @@ function drawMark(plot, mark) {
   context.font = 12 * devicePixelRatio + "px system-ui, sans-serif";
   const right = x > box.left + box.width / 2;
   context.textAlign = right ? "right" : "left";
-  context.fillText(mark.name, x + (right ? -6 : 6) * devicePixelRatio, box.top + 14 * devicePixelRatio);
+  context.strokeStyle = colour("paper");
+  context.lineWidth = 4 * devicePixelRatio;
+  context.lineJoin = "round";
+  const place = [x + (right ? -6 : 6) * devicePixelRatio, box.top + 14 * devicePixelRatio];
+  context.strokeText(mark.name, ...place);
+  context.fillText(mark.name, ...place);
   context.restore();
 }

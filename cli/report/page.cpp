@@ -57,8 +57,9 @@ void ReportPage::append(const std::string& html) {
 
 void ReportPage::add(const Text& text) { append(to_html(text)); }
 void ReportPage::add(const Facts& facts) { append(to_html(facts)); }
-void ReportPage::add(const Table& table) { append(to_html(table)); }
+void ReportPage::add(const Table& table, const std::string& title) { append(to_html(table, title)); }
 void ReportPage::add(const MatrixTable& matrix) { append(to_html(matrix)); }
+void ReportPage::add(const ComparedTable& table) { append(to_html(table)); }
 void ReportPage::add(const Bars& bars) { append(to_html(bars)); }
 
 void ReportPage::add(const PlotGroup& group) {

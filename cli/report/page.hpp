@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/report/contents.hpp"
+#include "cli/table.hpp"
 
 namespace jointid::cli::report {
 
@@ -18,8 +19,10 @@ class ReportPage {
 
   void add(const Text& text);
   void add(const Facts& facts);
-  void add(const Table& table);
+  /// The first cell of a row is its name. Tables with a title stand beside each other where there is room.
+  void add(const Table& table, const std::string& title = "");
   void add(const MatrixTable& matrix);
+  void add(const ComparedTable& table);
   void add(const Bars& bars);
   /// Groups without plots are left out.
   void add(const PlotGroup& group);

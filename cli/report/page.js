@@ -19,7 +19,7 @@ class Group {
     this.plots = [];
     description.choices.forEach((choice) => withValues(choice.plots));
     if (description.choices.length > 1) element.append(this.menu());
-    this.figures = element.appendChild(make("div"));
+    this.figures = element.appendChild(make("div", "figures"));
   }
 
   menu() {
@@ -47,7 +47,7 @@ class Group {
   }
 
   figure(description, part) {
-    const figure = make("figure"), caption = make("figcaption"), element = make("div", "plot");
+    const figure = make("figure", description.kind), caption = make("figcaption"), element = make("div", "plot");
     figure.append(caption, element);
     this.figures.append(figure);
     const plot = drawPlot(description, element, "group" + this.index, part);

@@ -1,6 +1,7 @@
 "use strict";
 // With #selfcheck in its address the page uses itself: every choice of every group is drawn, zoomed with the mouse, hovered,
-// set back, and zoomed and set back by its buttons (with the plots over the same axis); the counts stand in <html data-selfcheck="…"> afterwards.
+// set back, and zoomed and set back by its buttons (with the plots over the same axis); points tell their names, and paper is
+// tried. The counts stand in <html data-selfcheck="…"> afterwards, the colour of the background in data-paper.
 
 function mouse(plot, kind, x, y) {
   const box = plot.over.getBoundingClientRect();
@@ -57,6 +58,28 @@ async function check(group, one, counts) {
   showAll.click();
   await settle();
   if (isWhole(plot, all)) counts.restored += 1;
+  if (one.description.kind === "scatter" && !await tellsName(one)) console.error("a point does not tell its name");
+}
+
+/// A point of a scatter plot tells its name when the pointer is on it.
+async function tellsName(one) {
+  const plot = one.plot, [x, y] = one.description.groups.at(-1).points.at(-1);
+  mouse(plot, "mousemove", plot.valToPos(x, "x") / plot.over.clientWidth, plot.valToPos(y, "y") / plot.over.clientHeight);
+  await settle();
+  const tip = plot.root.parentElement.querySelector(".tip");
+  const names = one.description.groups.flatMap((group) => group.points.map((point) => point[2]));
+  return !tip.hidden && names.some((name) => tip.textContent.startsWith(name + ":"));
+}
+
+/// On paper every plot is drawn in black on white, no wider than the page.
+async function fitsPaper() {
+  prepareForPaper(true);
+  await settle();
+  const fits = groups.every((group) => group.plots.every(({ plot }) => isDrawn(plot) && plot.width <= 680));
+  const white = colour("paper") === "#ffffff";
+  prepareForPaper(false);
+  await settle();
+  return fits && white;
 }
 
 /// A redraw, as for printing, leaves a zoomed plot as it was.
@@ -80,6 +103,9 @@ async function selfCheck() {
     }
   }
   for (const group of groups) if (!await keepsPart(group)) console.error("a redraw lost what was shown");
+  if (document.documentElement.scrollWidth > innerWidth) console.error("the page is wider than its window");
+  if (!await fitsPaper()) console.error("the plots do not fit on paper");
+  document.documentElement.dataset.paper = colour("paper");
   document.documentElement.dataset.selfcheck = Object.entries(counts).map(([name, count]) => name + "=" + count).join(" ");
 }
 

@@ -8,6 +8,7 @@
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
 #include "cli/table.hpp"
+#include "cli/words.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -16,25 +17,18 @@ constexpr std::size_t most_frfs = 16, most_points = 2400;
 /// More is no reading matter; the JSON has it.
 constexpr std::size_t most_bars = 1000, most_elements = 10000;
 
-std::string words(std::string key) {
-  for (char& c : key) c = c == '_' ? ' ' : c;
-  return key;
-}
-
 std::string duration(double seconds) {
   return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
 }
 
 void add_summary(const ident::Solution& solution, ReportPage& page) {
-  std::vector<std::string> equations;
-  for (const auto equation : solution.used.equations) equations.push_back(ident::name(equation));
   const ident::Fit& fit = solution.fit;
   const ident::RunTime& time = solution.runtime_s;
   page.section("Summary");
   if (!solution.message.empty()) page.add(Text{solution.message});
   page.add(Facts{{{"status", words(ident::name(solution.status))},
                   {"method", ident::name(solution.used.method)},
-                  {"equations", fmt::format("{}", fmt::join(equations, " "))},
+                  {"equations", equations_text(solution.used.equations)},
                   {"weighting", weighting::name(solution.used.weighting)},
                   {"delta", fmt::format("{:g}", solution.used.delta)},
                   {"solver", solution.used.solver},
@@ -99,10 +93,10 @@ std::size_t line_counts(std::size_t unknowns) {
 
 void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {
   if (solution.quality.empty()) return;
-  Table table{{"matrix", "RJCF", "ARVF", "rms relative error"}, {}};
+  Table table({{"matrix", Align::left}, {"RJCF"}, {"ARVF"}, {"rms relative error"}});
   for (const auto& [kind, figures] : solution.quality) {
-    table.rows.push_back({words(restrictions::key(kind)), number(figures.rjcf), number(figures.arvf),
-                          number(figures.rms_relative_error)});
+    table.add({words(restrictions::key(kind)), number(figures.rjcf), number(figures.arvf),
+               number(figures.rms_relative_error)});
   }
   page.section("Against the truth");
   page.add(table);

@@ -5,13 +5,15 @@
 #include <cmath>
 
 #include "cli/report/escape.hpp"
-#include "cli/table.hpp"
 
 namespace jointid::cli::report {
 namespace {
 
+/// Tables of more are written smaller.
+constexpr std::size_t most_columns = 8;
+
 /// Wide tables scroll by themselves, not the page.
-std::string scrolling(const std::string& table, const char* kind = "wide") {
+std::string scrolling(const std::string& table, const char* kind) {
   return fmt::format("<div class=\"{}\" tabindex=\"0\">{}</div>\n", kind, table);
 }
 
@@ -34,18 +36,24 @@ std::string to_html(const Facts& facts) {
   return out + "</dl>\n";
 }
 
-std::string to_html(const Table& table) {
-  std::string out = "<table><thead><tr>";
-  for (const std::string& title : table.titles) out += "<th scope=\"col\">" + html(title) + "</th>";
+std::string to_html(const Table& table, const std::string& title) {
+  const auto side = [&](std::size_t i) { return table.columns()[i].align == Align::left ? " class=\"left\"" : ""; };
+  std::string out = fmt::format("<table{}>", table.columns().size() > most_columns ? " class=\"many\"" : "");
+  if (!title.empty()) out += "<caption>" + html(title) + "</caption>";
+  out += "<thead><tr>";
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    out += fmt::format("<th scope=\"col\"{}>{}</th>", side(i), html(table.columns()[i].title));
+  }
   out += "</tr></thead><tbody>\n";
-  for (const auto& row : table.rows) {
+  for (const auto& row : table.rows()) {
     out += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i) {
-      out += i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>" : "<td>" + html(row[i]) + "</td>";
+      out += i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>"
+                    : fmt::format("<td{}>{}</td>", side(i), html(row[i]));
     }
     out += "</tr>\n";
   }
-  return scrolling(out + "</tbody></table>");
+  return scrolling(out + "</tbody></table>", title.empty() ? "wide" : "wide beside");
 }
 
 std::string to_html(const MatrixTable& matrix) {

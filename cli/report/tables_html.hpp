@@ -3,14 +3,16 @@
 #include <string>
 
 #include "cli/report/contents.hpp"
+#include "cli/table.hpp"
 
 /// What can be read without the page's program, as HTML.
 namespace jointid::cli::report {
 
 std::string to_html(const Text& text);
 std::string to_html(const Facts& facts);
-std::string to_html(const Table& table);
+std::string to_html(const Table& table, const std::string& title);
 std::string to_html(const MatrixTable& matrix);
+std::string to_html(const ComparedTable& table);
 std::string to_html(const Bars& bars);
 
 }  // namespace jointid::cli::report

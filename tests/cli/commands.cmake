@@ -33,6 +33,14 @@ command_test(study_clean CODE 0 MAKES study_data ARGS problem write A1 a1 --clea
 command_test(study CODE 0 OUT "median.*per second" AFTER study_data ARGS study a1/A1.toml --trials 20)
 command_test(study_json CODE 0 OUT "\"rms_error\":" AFTER study_data
   ARGS study a1/A1.toml --trials 20 --json - --out study_json.h5)
+command_test(study_report CODE 0 OUT "median.*per second" AFTER study_data MAKES study_reported
+  ARGS study a1/A1.toml --trials 200 --report study.html --out study_report.h5)
+command_test(study_report_stdout CODE 0 OUT "^<!DOCTYPE html>" AFTER study_data
+  ARGS study a1/A1.toml --trials 20 --report - --out study_stdout.h5)
+command_test(study_report_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER study_data
+  ARGS study a1/A1.toml --trials 1000000000 --report absent/a.html)
+command_test(study_report_is_result CODE 2 ERR "both want the same file" AFTER study_data
+  ARGS study a1/A1.toml --trials 1000000000 --report A1.study.h5)
 command_test(study_no_trials CODE 2 ERR "--trials" AFTER study_data ARGS study a1/A1.toml --trials 0)
 
 command_test(compare CODE 0 OUT "WBS .*Pareto" AFTER study_data
@@ -41,8 +49,13 @@ command_test(compare_methods CODE 0 OUT "\"method\": \"two\"" AFTER study_data
   ARGS compare a1/A1.toml --trials 2 --methods one,two --json -)
 command_test(compare_csv CODE 0 OUT "one,nn,WB,0,normal,stiffness," AFTER study_data
   ARGS compare a1/A1.toml --trials 2 --equations nn --weightings WB --solvers qr,normal --csv -)
+command_test(compare_report CODE 0 OUT "WBS .*Pareto" AFTER study_data MAKES compare_reported
+  ARGS compare a1/A1.toml --trials 3 --methods one,two --weightings WA,WBS --deltas 0,0.05 --report compare.html)
+command_test(compare_report_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER study_data
+  ARGS compare a1/A1.toml --trials 1000000000 --report absent/a.html)
 command_test(compare_list CODE 0 OUT "\n6.19 " ARGS compare --reproduce list)
 command_test(compare_reproduce CODE 0 OUT "of 100 entries of the print" ARGS compare --reproduce 6.3 --trials 2)
+command_test(compare_reproduce_report CODE 0 OUT "<title>Table 6.8.*✗.*doubtful print" ARGS compare --reproduce 6.8 --trials 2 --report -)
 command_test(compare_no_table CODE 2 ERR "6.15.*`list`" ARGS compare --reproduce 6.15)
 command_test(compare_nothing CODE 2 ERR "--reproduce" ARGS compare)
 command_test(compare_weighting CODE 2 ERR "--weightings: 'WX'" AFTER study_data ARGS compare a1/A1.toml --weightings WX)

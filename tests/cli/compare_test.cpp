@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/compare_arguments.hpp"
 #include "cli/comparison_text.hpp"
 #include "cli/reproduction_text.hpp"
+#include "comparison_sample.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::cli {
@@ -64,30 +64,8 @@ TEST(CompareArguments, NeedSomethingToCompareAndTrials) {
   EXPECT_THAT(message([&] { check(arguments); }), HasSubstr("--trials"));
 }
 
-ident::Combination combination(double delta, double error, bool front) {
-  ident::Combination out;
-  out.way = {ident::Method::one, {ident::Equation::nn}, weighting::Weighting::wbs, delta, "qr"};
-  out.matrices.push_back({.kind = restrictions::Kind::stiffness,
-                          .rjcf = {0.1, 0.9876, 1.0},
-                          .arvf = {0.5, 1.0123, 1.5},
-                          .rms_relative_error = {error, error, NAN},
-                          .bias = 0.25,
-                          .on_front = front});
-  out.statuses[ident::Status::ok] = 7;
-  out.solve_s = 0.002;
-  out.accumulator_bytes = 4000;
-  return out;
-}
-
-ComparisonReport sample() {
-  ComparisonReport report{"title", 7, 3, {}};
-  report.comparison.combinations = {combination(0.0, 0.5, false), combination(0.05, 0.3, true)};
-  report.comparison.left_out.push_back({{ident::Method::two, {}, weighting::Weighting::wb, 0.0, "qr"}, "no such block"});
-  return report;
-}
-
 TEST(ComparisonText, HasTheThesisTableAndOneRowPerCombination) {
-  const std::string text = comparison_text(sample());
+  const std::string text = comparison_text(sample_comparison());
   EXPECT_THAT(text, HasSubstr("7 trials of seed 3"));
   EXPECT_THAT(text, HasSubstr("  WBS  0.9876 1.0123  0.9876 1.0123\n"));
   EXPECT_THAT(text, testing::ContainsRegex("one +nn +WBS +0.05 +qr .*0.3 .*\\*\n"));
@@ -95,13 +73,22 @@ TEST(ComparisonText, HasTheThesisTableAndOneRowPerCombination) {
 }
 
 TEST(ComparisonText, OneDeltaNeedsNoTableOfDeltas) {
-  ComparisonReport report = sample();
+  ComparisonReport report = sample_comparison();
   report.comparison.combinations.pop_back();
   EXPECT_THAT(comparison_text(report), testing::Not(HasSubstr("medians of RJCF ARVF")));
 }
 
+TEST(ComparisonText, WaysLeftOutForOneReasonStandTogether) {
+  ComparisonReport report = sample_comparison();
+  auto& left_out = report.comparison.left_out;
+  left_out.push_back(left_out.front());
+  left_out.back().way.delta = 0.5;
+  left_out.push_back({left_out.front().way, "another reason"});
+  EXPECT_THAT(comparison_text(report), HasSubstr("left out\n  two all, 2 combinations: no such block\n  two all WB 0 qr: another reason\n"));
+}
+
 TEST(ComparisonJson, KeepsItsKeysAndHasNullForNoNumber) {
-  const auto json = nlohmann::json::parse(comparison_json(sample()));
+  const auto json = nlohmann::json::parse(comparison_json(sample_comparison()));
   const auto& second = json["combinations"][1];
   EXPECT_EQ(second["equations"][0], "nn");
   EXPECT_EQ(second["matrices"]["stiffness"]["pareto_front"], true);
@@ -111,7 +98,7 @@ TEST(ComparisonJson, KeepsItsKeysAndHasNullForNoNumber) {
 }
 
 TEST(ComparisonCsv, HasALinePerCombinationAndMatrix) {
-  const std::string csv = comparison_csv(sample());
+  const std::string csv = comparison_csv(sample_comparison());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 3);
   EXPECT_THAT(csv, HasSubstr("one,nn,WBS,0.05,qr,stiffness,0.9876,0.1,1,1.0123,0.5,1.5,0.3,0.3,,0.25,true,0.002,4000\n"));
 }

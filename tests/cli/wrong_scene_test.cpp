@@ -27,6 +27,8 @@ const Wrong scenes[] = {
      {"A1.toml: line 20, [identify] method: ", "'on' is not a valid word", "did you mean one?"}},
     {"SolverWord", scene("method = \"one\"", "solver = \"spqrr\""), solve(), 2,
      {"A1.toml: line 20, [identify] solver: ", "'spqrr' is not a valid word", "did you mean spqr?"}},
+    {"VarianceWord", scene("method = \"one\"", "variance = \"flie\""), solve(), 2,
+     {"A1.toml: line 20, [identify] variance: ", "'flie' is not a valid word", "did you mean file?"}},
     {"DeltaTwo", scene("weighting = \"WA\"", "delta = 2"), solve(), 2,
      {"A1.toml: line 22, [identify] delta: ", "delta = 2 is outside 0 <= delta < 2"}},
     {"StepZero", scene("[400.0, 1000.0]", "[400.0, 1000.0]\nstep = 0"), solve(), 2,

@@ -39,7 +39,14 @@ inline ReportPage sample_page() {
   page.section("Tables");
   page.add(Text{nasty});
   page.add(Facts{{{"status", "ok"}, {nasty, nasty}}});
-  page.add(Table{{"method", "error"}, {{"one", "0.1"}, {nasty, "0.2"}}});
+  Table table({{"method", Align::left}, {"remark", Align::left}, {"error"}});
+  table.add({"one", nasty, "0.1"});
+  table.add({nasty, "", "0.2"});
+  page.add(table);
+  page.add(table, nasty);
+  page.add(ComparedTable{{"K(1,1)", nasty},
+                         {{"A1", {{"1.006", "1.01", "0.9", "1.1", Verdict::inside}, {nasty, nasty, nasty, nasty, Verdict::outside}}},
+                          {nasty, {{"0.5", "–", "–", "–", Verdict::doubtful}}}}});
   page.add(MatrixTable{"stiffness K", {"4:+Y", "5:+Y"}, {{1e6, -1e6}, {-1e6, 1e6}}, {{1.1e6, -1e6}, {-1e6, 0.0}}});
   page.add(Bars{{{"K(1,1)", 1e6, "N/m", {{0.9e6, 1.1e6}}, 1.05e6, ""},
                  {"K(1,2)", -4e5, "N/m", {}, {}, nasty},

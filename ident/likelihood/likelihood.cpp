@@ -1,0 +1,95 @@
+#include "ident/likelihood/likelihood.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "ident/likelihood/estimator.hpp"
+#include "ident/likelihood/likelihood_plan.hpp"
+#include "ident/row_expander.hpp"
+#include "ident/scene_failure.hpp"
+#include "ident/true_values.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+void check_interrupt(const Control& control) {
+  if (control.interrupted && control.interrupted()) throw Interrupted();
+}
+
+double scale_of(const Plan& plan, std::size_t column) {
+  return unscale(plan.restriction.unknowns[plan.columns->unknown_of(column)].kind, plan.assembly_spec.omega0);
+}
+
+/// The scene's start, or empty where its matrices do not fix every unknown.
+std::vector<double> scene_start(const Plan& plan) {
+  const auto values = true_values(plan.restriction, plan.scene.identify.start);
+  std::vector<double> theta;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const auto& value = values[plan.columns->unknown_of(column)];
+    const auto kind = plan.restriction.unknowns[plan.columns->unknown_of(column)].kind;
+    if (!value && plan.scene.identify.start.contains(kind)) {
+      fail(plan.scene, "[identify] start", "its matrices do not fix " + plan.columns->name(column, plan.restriction),
+           "give matrices that follow the joint's pattern");
+    }
+    theta.push_back(value.value_or(0.0) / scale_of(plan, column));
+  }
+  return theta;
+}
+
+std::vector<double> linear_start(Plan& plan, const Control& control) {
+  Control quick = control;
+  quick.detail = Detail::estimates;
+  const Solution first = solve(*plan.likelihood->start, quick);
+  std::vector<double> theta(plan.columns->size(), 0.0);
+  for (std::size_t column = 0; column < first.unknowns.size(); ++column) {
+    const double value = first.unknowns[column].value;
+    theta[column] = std::isfinite(value) ? value / scale_of(plan, column) : 0.0;
+  }
+  return theta;
+}
+
+}  // namespace
+
+void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
+  const Clock::time_point start = Clock::now();
+  Observations& observations = *plan.likelihood->observations;
+  std::vector<double> theta = plan.likelihood->start ? linear_start(plan, control) : scene_start(plan);
+  const Clock::time_point reading = Clock::now();
+  observations.read(plan.lines, [&](std::size_t) { check_interrupt(control); });
+  out.runtime_s.read = seconds_since(reading);
+  LikelihoodEstimator estimator(observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, control.threads);
+  const LikelihoodFit fit = estimator.run(std::move(theta), [&](std::size_t) { check_interrupt(control); });
+  out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
+  const auto p = static_cast<Eigen::Index>(fit.theta.size());
+  const Eigen::VectorXd scale = fit.information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd covariance =
+      scale.asDiagonal() *
+      Eigen::LDLT<Eigen::MatrixXd>(scale.asDiagonal() * fit.information * scale.asDiagonal()).solve(Eigen::MatrixXd::Identity(p, p)) *
+      scale.asDiagonal();
+  LinearSolution linear;
+  linear.y = fit.theta;
+  linear.rank = fit.theta.size();
+  interpret(plan, linear, out);
+  for (std::size_t column = 0; column < fit.theta.size(); ++column) {
+    Estimate& estimate = out.unknowns[column];
+    const auto c = static_cast<Eigen::Index>(column);
+    const double error = std::sqrt(covariance(c, c)) * scale_of(plan, column);
+    estimate.std_error = error;
+    estimate.ci95 = {estimate.value - 1.959963984540054 * error, estimate.value + 1.959963984540054 * error};
+  }
+  if (!fit.converged) {
+    out.status = Status::not_converged;
+    out.message = "The likelihood did not settle.";
+  }
+  out.fit.lines = plan.lines.size();
+  for (const LineData& line : observations.lines()) out.fit.equations_used += line.measured / 2;
+  out.fit.iterations = fit.iterations;
+}
+
+}  // namespace jointid::ident

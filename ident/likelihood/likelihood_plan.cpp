@@ -1,0 +1,123 @@
+#include "ident/likelihood/likelihood_plan.hpp"
+
+#include <algorithm>
+
+#include "frf/error.hpp"
+#include "ident/scene_failure.hpp"
+
+namespace jointid::ident {
+namespace {
+
+bool has(const frf::FrfSystem& system, const frf::Dof& dof) {
+  return frf::find_coordinate(system.responses(), dof) != frf::npos || frf::find_coordinate(system.references(), dof) != frf::npos;
+}
+
+Dofs find_others(const Plan& plan) {
+  Dofs others;
+  for (const Dofs* dofs : {&plan.assembly->responses(), &plan.assembly->references()}) {
+    for (const frf::Dof& dof : *dofs) {
+      const bool known = frf::find_coordinate(others, dof) != frf::npos;
+      const bool of_joint = frf::find_coordinate(plan.coordinates.joint, dof) != frf::npos;
+      if (!known && !of_joint && has(*plan.substructures, dof)) others.push_back(dof);
+    }
+  }
+  return others;
+}
+
+/// Why an equation cannot be used, or empty.
+std::string lacks(const Plan& plan, Equation equation, bool joint_on_assembly) {
+  if (equation != Equation::jj && plan.likelihood->others.empty()) {
+    return "no non-joint coordinate is in both the substructures and the assembly";
+  }
+  return equation == Equation::nn || joint_on_assembly ? "" : "the assembly has none of the joint DOFs";
+}
+
+/// Equations in the order nn nj jj jn; without a choice nn, nj and jj, which read all that jn does.
+void choose_equations(Plan& plan, bool joint_on_assembly) {
+  const auto& named = plan.scene.identify.equations;
+  for (const Equation equation : {Equation::nn, Equation::nj, Equation::jj, Equation::jn}) {
+    const bool is_named = std::find(named.begin(), named.end(), equation) != named.end();
+    if (named.empty() ? equation == Equation::jn : !is_named) continue;
+    const std::string lack = lacks(plan, equation, joint_on_assembly);
+    if (lack.empty()) {
+      plan.equations.push_back(equation);
+    } else if (is_named) {
+      fail(plan.scene, "[identify] equations", "equation " + name(equation) + " cannot be used: " + lack,
+           "leave it out, or measure what it lacks");
+    }
+  }
+  if (plan.equations.empty()) {
+    fail(plan.scene, "[data]", "the data allow no equation: " + lacks(plan, Equation::nn, joint_on_assembly), "measure it");
+  }
+}
+
+void choose_blocks(Plan& plan, bool joint_on_assembly) {
+  const EquationSet use(plan.equations);
+  LikelihoodBlocks& blocks = plan.likelihood->blocks;
+  blocks.substructures = {.nn = use.nn, .jn = !plan.likelihood->others.empty(), .jj = use.nj || use.jj || use.jn || !joint_on_assembly};
+  blocks.assembly = {.nn = use.nn, .jn = joint_on_assembly && !plan.likelihood->others.empty() && (use.nn || use.nj || use.jn),
+                     .jj = use.jj || use.jn};
+}
+
+/// The linear estimate that the data allow: Method One, else the direct solution.
+std::unique_ptr<Plan> plan_start(const Plan& plan) {
+  Scene scene = plan.scene;
+  scene.identify.weighting = weighting::Weighting::wb;
+  scene.identify.delta = 0.0;
+  scene.identify.solver = "auto";
+  scene.identify.start.clear();
+  const std::vector<Equation> equations = scene.identify.equations;
+  for (const auto& [method, chosen] : {std::pair(Method::one, equations), std::pair(Method::one, std::vector<Equation>{}),
+                                       std::pair(Method::direct, std::vector<Equation>{})}) {
+    scene.identify.method = method;
+    scene.identify.equations = chosen;
+    try {
+      return make_plan(scene, plan.substructures, plan.assembly);
+    } catch (const InputError&) {
+      // The next method needs less.
+    }
+  }
+  fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
+}
+
+}  // namespace
+
+void plan_likelihood(Plan& plan) {
+  if (!plan.restriction.symmetric()) {
+    fail(plan.scene, "[joint]", "method \"likelihood\" takes FRFs as reciprocal, and the joint is not symmetric",
+         "use pattern = \"symmetric\" or a symmetric matrix");
+  }
+  plan.likelihood = std::make_shared<LikelihoodPlan>();
+  LikelihoodPlan& own = *plan.likelihood;
+  own.others = find_others(plan);
+  const Dofs& joint = plan.coordinates.joint;
+  const bool joint_on_assembly = std::any_of(joint.begin(), joint.end(), [&](const auto& dof) { return has(*plan.assembly, dof); });
+  choose_equations(plan, joint_on_assembly);
+  choose_blocks(plan, joint_on_assembly);
+  own.observations = std::make_unique<Observations>(plan.scene, joined(own.others, joint), own.others.size(), own.blocks,
+                                                    *plan.substructures, *plan.assembly);
+  if (plan.scene.identify.start.empty()) own.start = plan_start(plan);
+  plan.coordinates.responses = plan.coordinates.references = own.others;
+  plan.entries_per_line = own.observations->entries_per_line();
+  plan.solver = "likelihood";
+  const EquationSet use(plan.equations);
+  const std::size_t n = own.others.size(), j = joint.size();
+  plan.cost.lines = plan.lines.size();
+  plan.cost.columns = plan.columns->size();
+  plan.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
+                                 (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
+  plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
+}
+
+void plan_likelihood_prediction(Plan& plan) {
+  const LikelihoodPlan& own = *plan.likelihood;
+  if (!own.blocks.substructures.jj) {
+    plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
+    return;
+  }
+  const Blocks& blocks = own.blocks.assembly;
+  plan.predicted_responses = joined(blocks.nn || blocks.jn ? own.others : Dofs(), blocks.jj ? plan.coordinates.joint : Dofs());
+  plan.predicted_references = joined(blocks.nn ? own.others : Dofs(), blocks.jn || blocks.jj ? plan.coordinates.joint : Dofs());
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "ident/likelihood/observations.hpp"
+#include "ident/plan.hpp"
+
+namespace jointid::ident {
+
+/// What method "likelihood" needs beside the rest of a Plan.
+struct LikelihoodPlan {
+  Dofs others;  ///< non-joint coordinates that both systems have, in either role
+  LikelihoodBlocks blocks;
+  std::unique_ptr<Observations> observations;
+  std::unique_ptr<Plan> start;  ///< the linear estimate to start from; empty when the scene gives the start
+};
+
+/// Plans the likelihood on a plan whose scene, systems, restriction, lines and columns are there. The equations say which
+/// blocks are read, as they do for Method One; coordinates count in either role, and the assembly's joint coordinates may be
+/// missing (then only H_nn is used). Throws InputError for joints that are not symmetric (reciprocity) and for data without
+/// variances.
+void plan_likelihood(Plan& plan);
+
+/// Which assembly FRFs are predicted from its result.
+void plan_likelihood_prediction(Plan& plan);
+
+}  // namespace jointid::ident

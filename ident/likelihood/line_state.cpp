@@ -1,0 +1,66 @@
+#include "ident/likelihood/line_state.hpp"
+
+#include <Eigen/LU>
+
+namespace jointid::ident {
+namespace {
+
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+double square(const Channel& channel, std::size_t i, const Complex& predicted) {
+  const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
+  const double re = weight.real() == 0.0 ? 0.0 : residual.real() * weight.real();
+  const double im = weight.imag() == 0.0 ? 0.0 : residual.imag() * weight.imag();
+  return re * re + im * im;
+}
+
+double block_cost(const std::vector<Element>& elements, const Channel& channel, const ComplexMatrix& predicted) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    sum += square(channel, i, predicted(at(elements[i].row), at(elements[i].column)));
+  }
+  return sum;
+}
+
+}  // namespace
+
+void move(const LineLayout& layout, const LineStep& step, double scale, ComplexMatrix& x, ComplexMatrix& y) {
+  Eigen::Index v = 0;
+  const auto next = [&] {
+    const Complex change(step[v], step[v + 1]);
+    v += 2;
+    return scale * change;
+  };
+  for (const Element& e : layout.x) x(at(e.row), at(e.column)) += next();
+  for (const Element& e : layout.y) {
+    const Complex change = next();
+    y(at(e.row), at(e.column)) += change;
+    if (e.row != e.column) y(at(e.column), at(e.row)) += change;
+  }
+}
+
+void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
+  const auto n = at(layout.joint);
+  const Eigen::PartialPivLU<ComplexMatrix> factors(ComplexMatrix::Identity(n, n) + state.y * z);
+  state.a = factors.solve(state.x);
+  if (!layout.b.empty()) state.b = factors.solve(state.y);
+}
+
+Complex predicted_difference(const LineState& state, const ComplexMatrix& za, Element e) {
+  return (state.x.col(at(e.row)).transpose() * za.col(at(e.column))).value();
+}
+
+double line_cost(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, const ComplexMatrix& x,
+                 const ComplexMatrix& y) {
+  LineState state{x, y, {}, {}};
+  put_on_constraint(layout, z, state);
+  double cost = block_cost(layout.x, data.x, x) + block_cost(layout.y, data.y, y) + block_cost(layout.a, data.a, state.a);
+  if (!layout.b.empty()) cost += block_cost(layout.b, data.b, state.b);
+  const ComplexMatrix za = z * state.a;
+  for (std::size_t i = 0; i < layout.d.size(); ++i) {
+    cost += square(data.d, i, predicted_difference(state, za, layout.d[i]));
+  }
+  return cost;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "frf/block_pieces.hpp"
+#include "frf/frf_source.hpp"
+#include "frf/variance_law.hpp"
+#include "ident/variance_origin.hpp"
+
+namespace jointid::ident {
+
+using frf::Complex;
+
+/// Variances of the FRFs that one file contributes to a rectangle, in the order [line, response, reference] of the file.
+class VariancePiece {
+ public:
+  /// Throws as variance_origin(). `source` must live longer.
+  VariancePiece(frf::FrfSource& source, frf::BlockPiece piece, const Scene& scene);
+
+  const frf::BlockPiece& piece() const { return piece_; }
+  const frf::FrfSource& source() const { return source_; }
+  VarianceOrigin origin() const { return origin_; }
+  bool needs_prepare() const;
+
+  /// Finds what the law needs of the values at these lines of the file (the lines in use).
+  void prepare(std::span<const std::size_t> lines);
+
+  /// The measured values themselves.
+  void read_values(std::span<const std::size_t> lines, std::span<Complex> out);
+
+  /// Variances of the measured `values`: NaN where there is no value, no variance, or a coherence of 0.
+  void read(std::span<const std::size_t> lines, std::span<const Complex> values, std::span<Complex> out);
+
+ private:
+  frf::Block block(std::span<const std::size_t> lines) const { return {lines, piece_.responses, piece_.references}; }
+  void from_coherence(std::span<const std::size_t> lines, std::span<const Complex> values, std::span<Complex> out);
+  void from_law(std::span<const std::size_t> lines, std::span<const Complex> values, std::span<Complex> out) const;
+
+  frf::FrfSource& source_;
+  frf::BlockPiece piece_;
+  VarianceOrigin origin_;
+  frf::NoiseModel model_;
+  std::vector<frf::VarianceLaw> laws_;  ///< one per FRF of the piece
+  std::vector<double> coherence_;       ///< scratch
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,107 @@
+#include "cli/report/study_plots.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <limits>
+#include <numeric>
+
+#include "cli/report/study_report.hpp"
+#include "frf/table_file.hpp"
+
+namespace jointid::cli::report {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Trials of which number i has the values `base` + i of all unknowns, and one matrix with figures of merit.
+std::filesystem::path study_file(std::size_t unknowns, std::size_t trials, double base, double truth) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "study_plots.h5";
+  frf::TableHeader header{{{"unknowns", std::to_string(unknowns)}, {"judged", "stiffness"}, {"intervals", "no"}},
+                          {{"status", "", nan}}};
+  for (std::size_t u = 0; u < unknowns; ++u) header.columns.push_back({"K" + std::to_string(u), "N/m", truth});
+  for (const char* figure : {"rjcf", "arvf", "error"}) header.columns.push_back({figure, "", nan});
+  frf::TableWriter table(path, header, trials);
+  for (std::size_t i = 0; i < trials; ++i) {
+    std::vector<double> row(unknowns + 4, base + static_cast<double>(i));
+    row[0] = 0.0;
+    row[unknowns + 1] = 1.0 - 0.001 * static_cast<double>(i);
+    row[unknowns + 2] = 1.0 + 0.001 * static_cast<double>(i);
+    row[unknowns + 3] = 0.5;
+    table.append(row);
+  }
+  table.finish();
+  return path;
+}
+
+PlotGroup unknowns_of(const std::filesystem::path& file, std::size_t most) {
+  return unknown_histograms(file, ident::study_statistics(file), most);
+}
+
+const HistogramPlot& histogram(const PlotGroup& group, std::size_t choice, std::size_t plot) {
+  return std::get<HistogramPlot>(group.choices.at(choice).plots.at(plot));
+}
+
+double sum(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
+
+TEST(StudyPlots, CountEveryTrialAndMarkTheTruth) {
+  const PlotGroup group = unknowns_of(study_file(1, 100, 0.0, 40.0), 10);
+  const HistogramPlot& plot = histogram(group, 0, 0);
+  EXPECT_EQ(plot.title, "K0");
+  EXPECT_EQ(plot.x.label, "N/m");
+  EXPECT_EQ(sum(plot.counts), 100.0);
+  EXPECT_LT(plot.low, 0.0);
+  EXPECT_GT(plot.high, 99.0);
+  EXPECT_EQ(plot.mark, 40.0);
+}
+
+TEST(StudyPlots, ReachForATruthThatIsNearOnly) {
+  EXPECT_GT(histogram(unknowns_of(study_file(1, 100, 0.0, 200.0), 10), 0, 0).high, 200.0);
+  EXPECT_LT(histogram(unknowns_of(study_file(1, 100, 0.0, 2e6), 10), 0, 0).high, 200.0);
+}
+
+TEST(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
+  const PlotGroup group = unknowns_of(study_file(40, 30, 0.0, nan), 25);
+  ASSERT_EQ(group.choices.size(), 3U);
+  EXPECT_EQ(group.choices[0].name, "K0 … K11");
+  EXPECT_EQ(group.choices[0].plots.size(), 12U);
+  EXPECT_EQ(group.choices[2].name, "K24");
+  EXPECT_FALSE(histogram(group, 2, 0).mark.has_value());
+}
+
+TEST(StudyPlots, WhatDoesNotVaryIsLeftOut) {
+  EXPECT_TRUE(unknowns_of(study_file(2, 1, 5.0, 5.0), 10).choices.empty());
+  const auto file = study_file(1, 50, 0.0, nan);
+  const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
+  ASSERT_EQ(group.choices.size(), 1U);
+  EXPECT_EQ(group.choices[0].plots.size(), 2U) << "the rms error is always 0.5";
+}
+
+TEST(StudyPlots, RjcfEndsAtOne) {
+  const auto file = study_file(1, 50, 0.0, nan);
+  const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
+  EXPECT_EQ(histogram(group, 0, 0).high, 1.0);
+  EXPECT_EQ(sum(histogram(group, 0, 0).counts), 50.0);
+  EXPECT_GT(histogram(group, 0, 1).high, 1.0);
+}
+
+TEST(StudyReportPage, TellsTheSceneAndStaysSmall) {
+  const auto file = study_file(1000, 30, 0.0, 10.0);
+  const StudyReport report{"title", file.string(), 7, {}, ident::study_statistics(file)};
+  ident::Scene scene;
+  scene.title = "A <joint>";
+  scene.noise = ident::NoiseSection{"uniform", 0.05, {}};
+  const std::string page = study_report(report, scene);
+  EXPECT_THAT(page, HasSubstr("<h1>A &lt;joint&gt;</h1>"));
+  EXPECT_THAT(page, HasSubstr("<dd>30, 30 with an estimate</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dd>uniform, level 0.05</dd>"));
+  EXPECT_THAT(page, HasSubstr("The first 300 of 1000 unknowns"));
+  EXPECT_THAT(page, Not(HasSubstr("coverage")));
+  EXPECT_LT(page.size(), 500'000U);
+}
+
+}  // namespace
+}  // namespace jointid::cli::report
