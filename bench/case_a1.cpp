@@ -2,10 +2,9 @@
 // Exit code 1 when it is less than 20 times faster or the answers differ by more than 1e-9 of the largest element.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 
+#include "bench/measure.hpp"
 #include "bench/plain.hpp"
 #include "ident/row_expander.hpp"
 #include "ident/solve.hpp"
@@ -28,21 +27,6 @@ std::vector<double> solve_fast(ident::Plan& plan) {
   return ident::solve(plan, system.accumulator, ident::Condition::skip).y;
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
-/// Over elements [first, last), relative to the largest of them.
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b, std::size_t first, std::size_t last) {
-  double difference = 0.0, largest = 0.0;
-  for (std::size_t i = first; i < last; ++i) {
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-    largest = std::max(largest, std::abs(b[i]));
-  }
-  return difference / largest;
-}
-
 }  // namespace
 
 int main() {
@@ -58,14 +42,14 @@ int main() {
     ratios.push_back(pivoted_times.back() / fast_times.back());
     unpivoted_ratios.push_back(unpivoted_times.back() / fast_times.back());
   }
-  const double difference = std::max(largest_difference(fast, plain, 0, 10), largest_difference(fast, plain, 10, 20));
+  const double difference = bench::largest_difference_of_case_a1(fast, plain);
   fmt::print("case A1, 31 lines, nn + nj, WA, 5 % noise, one thread, median of 15 rounds in turns\n");
-  fmt::print("  all equations stacked, one dense QR with column pivoting  {:8.3f} ms\n", 1e3 * median(pivoted_times));
-  fmt::print("  the same without pivoting (tells no rank)                 {:8.3f} ms\n", 1e3 * median(unpivoted_times));
-  fmt::print("  jointid (tells the rank)                                  {:8.3f} ms\n", 1e3 * median(fast_times));
+  fmt::print("  all equations stacked, one dense QR with column pivoting  {:8.3f} ms\n", 1e3 * bench::median(pivoted_times));
+  fmt::print("  the same without pivoting (tells no rank)                 {:8.3f} ms\n", 1e3 * bench::median(unpivoted_times));
+  fmt::print("  jointid (tells the rank)                                  {:8.3f} ms\n", 1e3 * bench::median(fast_times));
   fmt::print("  ratio                                                     {:8.1f}     at least 20; without pivoting {:.1f}\n",
-             median(ratios), median(unpivoted_ratios));
+             bench::median(ratios), bench::median(unpivoted_ratios));
   fmt::print("  largest difference of the answers                         {:8.1e}     of the largest element, at most 1e-9\n",
              difference);
-  return median(ratios) >= 20.0 && difference <= 1e-9 ? 0 : 1;
+  return bench::median(ratios) >= 20.0 && difference <= 1e-9 ? 0 : 1;
 }

@@ -18,6 +18,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "bench/measure.hpp"
 #include "frf/hdf5_writer.hpp"
 
 namespace {
@@ -121,11 +122,6 @@ Run run(const std::vector<std::string>& command) {
           static_cast<double>(usage.ru_maxrss) / 1024.0, status};
 }
 
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
 /// Largest relative error of the twelve springs in the written result.
 double largest_error(const std::filesystem::path& json_file) {
   const auto result = nlohmann::json::parse(std::ifstream(json_file));
@@ -166,8 +162,8 @@ int main(int argc, char** argv) {
   const double error = largest_error(json), peak = *std::max_element(memory.begin(), memory.end());
   fmt::print("200 + 12 coordinates, {} lines, {:.2f} GB, nn + nj, WBS, 12 unknowns; median of 7 rounds in turns\n", lines,
              static_cast<double>(file_size(directory / "assembly.h5") + file_size(directory / "substructure.h5")) / 1e9);
-  fmt::print("  cat of both files   {:7.3f} s\n  jointid solve       {:7.3f} s\n", median(cat_times), median(solve_times));
-  fmt::print("  ratio               {:7.1f}     at most 5\n", median(ratios));
+  fmt::print("  cat of both files   {:7.3f} s\n  jointid solve       {:7.3f} s\n", bench::median(cat_times), bench::median(solve_times));
+  fmt::print("  ratio               {:7.1f}     at most 5\n", bench::median(ratios));
   fmt::print("  peak memory         {:7.0f} MB  below 300\n  largest error       {:7.1e}     at most 1e-6\n", peak, error);
-  return median(ratios) <= 5.0 && peak < 300.0 && error <= 1e-6 ? 0 : 1;
+  return bench::median(ratios) <= 5.0 && peak < 300.0 && error <= 1e-6 ? 0 : 1;
 }

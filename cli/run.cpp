@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/interrupt.hpp"
+#include "ident/team.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -14,11 +15,15 @@ int report(ExitCode code, const std::string& line) {
   return static_cast<int>(code);
 }
 
+/// For what all processes that mpirun started find alike: the first tells, the others end quietly, and with 0, as mpirun kills
+/// the rest when one fails.
+int report_once(ExitCode code, const std::string& line) { return ident::process_number() == 0 ? report(code, line) : 0; }
+
 /// The exit code, unless what was printed did not get through (a full disk, a closed file).
 int finish(ExitCode code) {
   std::cout.flush();
   if (!std::cout) return report(ExitCode::data, "cannot write to standard output");
-  if (interrupted()) return report(ExitCode::interrupted, "interrupted");
+  if (interrupted()) return report_once(ExitCode::interrupted, "interrupted");
   return static_cast<int>(code);
 }
 
@@ -27,7 +32,7 @@ int perform(const Arguments& arguments) {
 }
 
 int print(const Notice& notice) {
-  if (notice.code != ExitCode::done) return report(notice.code, notice.text);
+  if (notice.code != ExitCode::done) return report_once(notice.code, notice.text);
   std::cout << notice.text;
   return finish(notice.code);
 }
@@ -39,6 +44,8 @@ int run(int argc, const char* const* argv) {
     const auto parsed = parse(argc, argv);
     const auto* notice = std::get_if<Notice>(&parsed);
     return notice ? print(*notice) : perform(std::get<Arguments>(parsed));
+  } catch (const ident::ToldElsewhere&) {
+    return 0;
   } catch (...) {
     const Failure failure = explain(std::current_exception());
     return report(failure.code, failure.line);

@@ -65,33 +65,48 @@ class StudyProgress {
   std::optional<std::size_t> first_;
 };
 
-ident::StudyRun run_watched(const std::shared_ptr<const ident::TrialData>& data, const ident::StudyOptions& options,
-                            ident::Team& team) {
+/// What a study needs to run.
+struct Start {
+  ident::StudyOptions options;
+  std::shared_ptr<const ident::TrialData> data;
+};
+
+/// The same in every process of the team; a failure is told once.
+Start start_in(ident::Team& team, const StudyArguments& arguments) {
+  Start start;
+  ident::start_together(team, [&] {
+    check(arguments);
+    start.options = options_of(arguments, ident::read_text(arguments.scene));
+    start.data = ident::load_trial_data(ident::read_scene(arguments.scene));
+  });
+  return start;
+}
+
+ident::StudyRun run_watched(const Start& start, ident::Team& team) {
   StudyProgress progress;
   ident::StudyControl control{.progress = {}, .interrupted = interrupted};
   if (team.rank() == 0) control.progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
-  return ident::run_study(data, options, team, control);
+  return ident::run_study(start.data, start.options, team, control);
 }
 
 }  // namespace
 
 ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
-  check(arguments);
   const auto team = ident::join_team();
-  const ident::StudyOptions options = options_of(arguments, ident::read_text(arguments.scene));
   catch_interrupts();
-  const auto data = ident::load_trial_data(ident::read_scene(arguments.scene));
-  const ident::StudyRun run = run_watched(data, options, *team);
+  const Start start = start_in(*team, arguments);
+  const ident::StudyOptions& options = start.options;
+  const ident::StudyRun run = run_watched(start, *team);
   if (team->rank() != 0) return ExitCode::done;
   if (!run.complete) {
     throw ident::Interrupted(fmt::format("interrupted; {}.partial keeps {} of {} trials, the same command with --resume continues",
                                          options.out.string(), run.done, options.trials));
   }
-  const StudyReport report{data->scene.title, options.out.string(), options.seed, run,
+  const StudyReport report{start.data->scene.title, options.out.string(), options.seed, run,
                            ident::study_statistics(options.out)};
   if (arguments.json) write_target(*arguments.json, study_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, report::study_report(report, data->scene), out);
+  if (arguments.report) write_target(*arguments.report, report::study_report(report, start.data->scene), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << study_text(report);
   return report.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
 }

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 #include <string>
 #include <vector>
 
 #include "frf/error.hpp"
 #include "frf/hdf5_create.hpp"
-#include "frf/hdf5_disk.hpp"
 #include "frf/hdf5_object.hpp"
+#include "frf/hdf5_output.hpp"
 #include "frf/line_scale.hpp"
-#include "frf/temporary_file.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -43,13 +41,12 @@ void validate(const Hdf5WriteOptions& options) {
 class Hdf5Writer::File {
  public:
   File(const std::filesystem::path& path, const FrfHeader& header, const Hdf5WriteOptions& options)
-      : temporary_(path),
+      : output_(path),
         header_(header),
         quantity_(options.quantity.value_or(header.quantity)),
         lines_per_chunk_(choose_lines_per_chunk(header, options.lines_per_chunk)),
         written_(header.lines(), false) {
-    file_ = hdf5::create_file(temporary_.path(), disk_error_);
-    require(file_.is_open() && write_header() && create_datasets(options.compression));
+    output_.require(write_header() && create_datasets(options.compression));
   }
 
   std::size_t lines_per_chunk() const { return lines_per_chunk_; }
@@ -65,7 +62,7 @@ class Hdf5Writer::File {
                    [](const LineScale& s, Complex v) { return s.variance(v); });
     }
     if (!coherence.empty()) {
-      require(write_slab(noise_, Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), first, count, coherence.data()));
+      output_.require(write_slab(noise_, Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), first, count, coherence.data()));
     }
     std::fill_n(written_.begin() + static_cast<std::ptrdiff_t>(first), count, true);
   }
@@ -73,26 +70,20 @@ class Hdf5Writer::File {
   void finish() {
     const auto missing = std::find(written_.begin(), written_.end(), false);
     if (missing != written_.end()) {
-      temporary_.fail("line " + std::to_string(missing - written_.begin() + 1) + " was never written");
+      output_.fail("line " + std::to_string(missing - written_.begin() + 1) + " was never written");
     }
-    const bool closed = frf_.close() && noise_.close() && file_.close();
-    require(closed);
-    temporary_.commit();
+    const bool closed = frf_.close() && noise_.close();
+    output_.finish(closed);
   }
 
  private:
-  void require(bool ok) const {
-    if (disk_error_ != 0) temporary_.fail(std::strerror(disk_error_));
-    if (!ok) temporary_.fail(hdf5::last_failure());
-  }
-
   bool write_header() const {
-    return hdf5::write_text_attribute(file_, "format", "jointid-frf") &&
-           hdf5::write_integer_attribute(file_, "version", 1) &&
-           hdf5::write_axis(file_, header_.frequency_hz) &&
-           hdf5::write_dofs(file_, "response_dof", header_.response) &&
-           hdf5::write_dofs(file_, "reference_dof", header_.reference) &&
-           hdf5::write_nodes(file_, header_.nodes);
+    return hdf5::write_text_attribute(output_.file(), "format", "jointid-frf") &&
+           hdf5::write_integer_attribute(output_.file(), "version", 1) &&
+           hdf5::write_axis(output_.file(), header_.frequency_hz) &&
+           hdf5::write_dofs(output_.file(), "response_dof", header_.response) &&
+           hdf5::write_dofs(output_.file(), "reference_dof", header_.reference) &&
+           hdf5::write_nodes(output_.file(), header_.nodes);
   }
 
   bool create_datasets(int compression) {
@@ -100,14 +91,14 @@ class Hdf5Writer::File {
                                              header_.reference.size()};
     const Handle complex = hdf5::complex_type();
     const Handle real(H5Tcopy(H5T_NATIVE_DOUBLE));
-    frf_ = hdf5::create_lines(file_, "frf", complex, dims, lines_per_chunk_, compression);
+    frf_ = hdf5::create_lines(output_.file(), "frf", complex, dims, lines_per_chunk_, compression);
     bool ok = frf_.is_open() && hdf5::write_text_attribute(frf_, "quantity", name(quantity_)) &&
               hdf5::write_text_attribute(frf_, "unit", unit(quantity_));
     if (ok && header_.noise == NoiseRecord::variance) {
-      noise_ = hdf5::create_lines(file_, "variance", complex, dims, lines_per_chunk_, compression);
+      noise_ = hdf5::create_lines(output_.file(), "variance", complex, dims, lines_per_chunk_, compression);
       ok = noise_.is_open();
     } else if (ok && header_.noise == NoiseRecord::coherence) {
-      noise_ = hdf5::create_lines(file_, "coherence", real, dims, lines_per_chunk_, compression);
+      noise_ = hdf5::create_lines(output_.file(), "coherence", real, dims, lines_per_chunk_, compression);
       ok = noise_.is_open() &&
            (header_.averages == 0.0 || hdf5::write_number_attribute(noise_, "averages", header_.averages));
     }
@@ -129,7 +120,7 @@ class Hdf5Writer::File {
       }
       data = scaled_.data();
     }
-    require(write_slab(dataset, hdf5::complex_type(), first, count, data));
+    output_.require(write_slab(dataset, hdf5::complex_type(), first, count, data));
   }
 
   bool write_slab(const Handle& dataset, const Handle& type, std::size_t first, std::size_t count,
@@ -143,13 +134,11 @@ class Hdf5Writer::File {
            H5Dwrite(dataset.get(), type.get(), in_memory.get(), in_file.get(), H5P_DEFAULT, data) >= 0;
   }
 
-  TemporaryFile temporary_;
+  hdf5::Output output_;
   FrfHeader header_;
   Quantity quantity_;
   std::size_t lines_per_chunk_;
   std::vector<bool> written_;
-  int disk_error_ = 0;  ///< before the file, which reports to it until closed
-  Handle file_;
   Handle frf_;
   Handle noise_;
   std::vector<Complex> scaled_;

@@ -118,14 +118,18 @@ bool RecordJournal::is_whole(std::size_t index, const double* slot) const {
          std::bit_cast<std::uint64_t>(record_checksum(index, {slot, columns_}));
 }
 
-std::vector<bool> RecordJournal::present(std::size_t count) const {
-  std::vector<bool> whole(count, false);
+std::vector<IndexRange> RecordJournal::missing(std::size_t count) const {
+  std::vector<IndexRange> missing;
   std::vector<double> slots(std::min(count, records_at_a_time) * (columns_ + 1));
-  for (std::size_t first = 0; first < count; first += records_at_a_time) {
-    const std::size_t loaded = std::min(load(first, slots), count - first);
-    for (std::size_t i = 0; i < loaded; ++i) whole[first + i] = is_whole(first + i, slots.data() + i * (columns_ + 1));
+  std::size_t loaded = 0;
+  for (std::size_t index = 0; index < count; ++index) {
+    const std::size_t at = index % records_at_a_time;
+    if (at == 0) loaded = load(index, slots);
+    if (at < loaded && is_whole(index, slots.data() + at * (columns_ + 1))) continue;
+    if (missing.empty() || missing.back().end < index) missing.push_back({index, index});
+    ++missing.back().end;
   }
-  return whole;
+  return missing;
 }
 
 std::vector<double> RecordJournal::read(std::size_t first, std::size_t count) const {

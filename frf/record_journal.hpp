@@ -8,6 +8,13 @@
 
 namespace jointid::frf {
 
+/// Indices first … end−1.
+struct IndexRange {
+  std::size_t first = 0, end = 0;
+
+  bool operator==(const IndexRange&) const = default;
+};
+
 /// Records of C numbers, each at the place of its index in a plain file and with a checksum: whoever dies at any moment
 /// leaves every record that was put whole, and a record that was cut short counts as not there. put() may be called from
 /// several threads at once; two processes on one journal keep each other out.
@@ -27,8 +34,8 @@ class RecordJournal {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Which of the records [0, count) are whole.
-  std::vector<bool> present(std::size_t count) const;
+  /// Which of the records [0, count) are not there or not whole, ascending, with records between any two ranges.
+  std::vector<IndexRange> missing(std::size_t count) const;
 
   /// Throws InputError when the disk does not take it.
   void put(std::size_t index, std::span<const double> record);

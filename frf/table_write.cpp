@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 
 #include "frf/hdf5_create.hpp"
-#include "frf/hdf5_disk.hpp"
+#include "frf/hdf5_output.hpp"
 #include "frf/table_file.hpp"
-#include "frf/temporary_file.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -62,11 +60,10 @@ Handle create_rows(const Handle& file, std::size_t rows, std::size_t columns) {
 class TableWriter::File {
  public:
   File(const std::filesystem::path& path, const TableHeader& header, std::size_t rows)
-      : temporary_(path), columns_(header.columns.size()), total_(rows) {
-    file_ = hdf5::create_file(temporary_.path(), disk_error_);
-    require(file_.is_open() && write_header(header));
-    rows_ = create_rows(file_, rows, columns_);
-    require(rows_.is_open());
+      : output_(path), columns_(header.columns.size()), total_(rows) {
+    output_.require(write_header(header));
+    rows_ = create_rows(output_.file(), rows, columns_);
+    output_.require(rows_.is_open());
   }
 
   /// Whole chunks reach HDF5, so that none is read back.
@@ -81,18 +78,12 @@ class TableWriter::File {
   void finish() {
     put(waiting_);
     assert(written_ == total_);
-    const bool closed = rows_.close() && file_.close();
-    require(closed);
-    temporary_.commit();
+    output_.finish(rows_.close());
   }
 
  private:
-  void require(bool ok) const {
-    if (disk_error_ != 0) temporary_.fail(std::strerror(disk_error_));
-    if (!ok) temporary_.fail(hdf5::last_failure());
-  }
-
   bool write_header(const TableHeader& header) const {
+    const Handle& file = output_.file();
     std::vector<std::string> names, units;
     std::vector<double> truths;
     for (const TableColumn& column : header.columns) {
@@ -100,11 +91,11 @@ class TableWriter::File {
       units.push_back(column.unit);
       truths.push_back(column.truth);
     }
-    bool ok = hdf5::write_text_attribute(file_, "format", "jointid-table") &&
-              hdf5::write_integer_attribute(file_, "version", 1);
-    for (const auto& [name, text] : header.texts) ok = ok && hdf5::write_text_attribute(file_, name.c_str(), text);
-    return ok && write_texts(file_, "column", names) && write_texts(file_, "unit", units) &&
-           write_numbers(file_, "truth", truths);
+    bool ok = hdf5::write_text_attribute(file, "format", "jointid-table") &&
+              hdf5::write_integer_attribute(file, "version", 1);
+    for (const auto& [name, text] : header.texts) ok = ok && hdf5::write_text_attribute(file, name.c_str(), text);
+    return ok && write_texts(file, "column", names) && write_texts(file, "unit", units) &&
+           write_numbers(file, "truth", truths);
   }
 
   void put(std::span<const double> rows) {
@@ -112,16 +103,16 @@ class TableWriter::File {
     const std::array<hsize_t, 2> start = {written_, 0}, extent = {rows.size() / columns_, columns_};
     const Handle in_file(H5Dget_space(rows_.get()));
     const Handle in_memory(H5Screate_simple(2, extent.data(), nullptr));
-    require(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr) >= 0 &&
-            H5Dwrite(rows_.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(), H5P_DEFAULT, rows.data()) >= 0);
+    output_.require(
+        H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr) >= 0 &&
+        H5Dwrite(rows_.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(), H5P_DEFAULT, rows.data()) >= 0);
     written_ += extent[0];
   }
 
-  TemporaryFile temporary_;
+  hdf5::Output output_;
   std::size_t columns_, total_, written_ = 0;
   std::vector<double> waiting_;
-  int disk_error_ = 0;  ///< before the file, which reports to it until closed
-  Handle file_, rows_;
+  Handle rows_;
 };
 
 TableWriter::TableWriter(const std::filesystem::path& path, const TableHeader& header, std::size_t rows) {

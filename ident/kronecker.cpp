@@ -76,11 +76,19 @@ JOINTID_KERNEL void project_left(const double* d_re, const double* d_im, std::si
   }
 }
 
-JOINTID_KERNEL bool finite(const double* values, std::size_t count) {
+/// Whether all elements of a block are finite, its rows `stride` numbers apart.
+JOINTID_KERNEL bool finite(const double* block, std::size_t rows, std::size_t columns, std::size_t stride) {
   double sum = 0.0;  // stays 0 unless some x·0 is NaN
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double* row = block + i * stride;
 #pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < count; ++i) sum += values[i] * 0.0;
+    for (std::size_t j = 0; j < columns; ++j) sum += row[j] * 0.0;
+  }
   return sum == 0.0;
+}
+
+bool finite(const View& view) {
+  return finite(reinterpret_cast<const double*>(view.data), view.rows, 2 * view.columns, 2 * view.stride);
 }
 
 void scale_columns(std::vector<double>& re, std::vector<double>& im, std::size_t rows, std::size_t columns,
@@ -131,13 +139,7 @@ void copy_triangle(const std::vector<double>& re, const std::vector<double>& im,
 
 }  // namespace
 
-bool right_side_is_finite(const LineProduct& line) {
-  for (std::size_t m = 0; m < line.c1.rows; ++m) {
-    if (!finite(reinterpret_cast<const double*>(line.c1.data + m * line.c1.stride), 2 * line.c1.columns)) return false;
-    if (!finite(reinterpret_cast<const double*>(line.c2.data + m * line.c2.stride), 2 * line.c2.columns)) return false;
-  }
-  return true;
-}
+bool right_side_is_finite(const LineProduct& line) { return finite(line.c1) && finite(line.c2); }
 
 void SplitMatrix::resize(std::size_t r, std::size_t c) {
   rows = r;
@@ -146,32 +148,26 @@ void SplitMatrix::resize(std::size_t r, std::size_t c) {
   im.resize(r * c);
 }
 
-void KroneckerCompressor::factor_a(const LineProduct& line, const SubProduct& part, SplitMatrix& r) {
-  const std::size_t m = part.rows.size(), n = part.a_dofs.size(), steps = std::min(m, n);
-  load(a_re_, a_im_, m, n, [&](std::size_t i, std::size_t k) { return weighted_a(line, part, i, k); });
-  qa_re_.resize(m * steps);
-  qa_im_.resize(m * steps);
+/// Thin QR of the m×n matrix of `element`, m weights that are in it already.
+template <class Element>
+void KroneckerCompressor::factor(const Element& element, std::span<const double> weight, std::size_t n, Factor& factor,
+                                 SplitMatrix& r) {
+  const std::size_t m = weight.size(), steps = std::min(m, n);
+  load(factor.re, factor.im, m, n, element);
+  factor.q_re.resize(m * steps);
+  factor.q_im.resize(m * steps);
   tau_.resize(steps);
-  thin_qr(a_re_.data(), a_im_.data(), m, n, qa_re_.data(), qa_im_.data(), tau_.data());
-  copy_triangle(a_re_, a_im_, m, n, r);
+  thin_qr(factor.re.data(), factor.im.data(), m, n, factor.q_re.data(), factor.q_im.data(), tau_.data());
+  copy_triangle(factor.re, factor.im, m, n, r);
   // The weights of C go into Q_A and Q_B, so that C itself is read once and never copied.
-  scale_columns(qa_re_, qa_im_, m, steps, part.row_weight);
-}
-
-void KroneckerCompressor::factor_b(const LineProduct& line, const SubProduct& part, SplitMatrix& r) {
-  const std::size_t l = part.columns.size(), n = part.b_dofs.size(), steps = std::min(l, n);
-  load(b_re_, b_im_, l, n, [&](std::size_t i, std::size_t k) { return weighted_b(line, part, i, k); });
-  qb_re_.resize(l * steps);
-  qb_im_.resize(l * steps);
-  tau_.resize(steps);
-  thin_qr(b_re_.data(), b_im_.data(), l, n, qb_re_.data(), qb_im_.data(), tau_.data());
-  copy_triangle(b_re_, b_im_, l, n, r);
-  scale_columns(qb_re_, qb_im_, l, steps, part.column_weight);
+  scale_columns(factor.q_re, factor.q_im, m, steps, weight);
 }
 
 void KroneckerCompressor::compress(const LineProduct& line, const SubProduct& part, bool same_a, Compressed& out) {
-  if (!same_a) factor_a(line, part, out.ra);
-  factor_b(line, part, out.rb);
+  const auto a = [&](std::size_t i, std::size_t k) { return weighted_a(line, part, i, k); };
+  const auto b = [&](std::size_t i, std::size_t k) { return weighted_b(line, part, i, k); };
+  if (!same_a) factor(a, part.row_weight, part.a_dofs.size(), a_, out.ra);
+  factor(b, part.column_weight, part.b_dofs.size(), b_, out.rb);
   const std::size_t m = part.rows.size(), l = part.columns.size();
   const std::size_t stride = (l + width - 1) / width * width;
   d_re_.resize(out.ra.rows * stride);
@@ -180,10 +176,10 @@ void KroneckerCompressor::compress(const LineProduct& line, const SubProduct& pa
   panel_im_.resize(m * width);
   project_right_side(reinterpret_cast<const double*>(line.c1.data), line.c1.stride,
                      reinterpret_cast<const double*>(line.c2.data), line.c2.stride, part.rows.data(), m,
-                     part.columns.data(), l, qa_re_.data(), qa_im_.data(), out.ra.rows, d_re_.data(), d_im_.data(),
+                     part.columns.data(), l, a_.q_re.data(), a_.q_im.data(), out.ra.rows, d_re_.data(), d_im_.data(),
                      stride, panel_re_.data(), panel_im_.data());
   out.c.resize(out.ra.rows, out.rb.rows);
-  project_left(d_re_.data(), d_im_.data(), out.ra.rows, stride, qb_re_.data(), qb_im_.data(), l, out.rb.rows,
+  project_left(d_re_.data(), d_im_.data(), out.ra.rows, stride, b_.q_re.data(), b_.q_im.data(), l, out.rb.rows,
                out.c.re.data(), out.c.im.data());
 }
 

@@ -50,14 +50,18 @@ class KroneckerCompressor {
   static void copy(const LineProduct& line, const SubProduct& part, Compressed& out);
 
  private:
-  void factor_a(const LineProduct& line, const SubProduct& part, SplitMatrix& r);
-  void factor_b(const LineProduct& line, const SubProduct& part, SplitMatrix& r);
+  /// A weighted matrix and the Q of its thin QR, columns contiguous.
+  struct Factor {
+    std::vector<double> re, im, q_re, q_im;
+  };
+
+  template <class Element>
+  void factor(const Element& element, std::span<const double> weight, std::size_t n, Factor& factor, SplitMatrix& r);
 
   std::vector<double> tau_;
-  std::vector<double> a_re_, a_im_, b_re_, b_im_;      ///< factors, columns contiguous
-  std::vector<double> qa_re_, qa_im_, qb_re_, qb_im_;  ///< Q_A, Q_B, columns contiguous
-  std::vector<double> panel_re_, panel_im_;            ///< a few columns of C
-  std::vector<double> d_re_, d_im_;                    ///< Q_Aᴴ W_r C
+  Factor a_, b_;
+  std::vector<double> panel_re_, panel_im_;  ///< a few columns of C
+  std::vector<double> d_re_, d_im_;          ///< Q_Aᴴ W_r C
 };
 
 }  // namespace jointid::ident

@@ -22,11 +22,22 @@ constexpr Index svd_limit = 300;
 
 Index index(std::size_t i) { return static_cast<Index>(i); }
 
+MatrixXd dense(const Triangle& triangle) {
+  const std::size_t n = triangle.unknowns();
+  MatrixXd system = MatrixXd::Zero(index(n + 1), index(n + 1));
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = i; j <= n; ++j) system(index(i), index(j)) = triangle(i, j);
+  }
+  return system;
+}
+
 /// The triangles reduced to one over all columns, as rows [R | Qᵀp], with the residual norm as last diagonal element.
 MatrixXd reduce(const Accumulator& accumulator) {
   const std::size_t n = accumulator.columns();
+  const auto& triangles = accumulator.triangles();
+  if (triangles.size() == 1 && triangles.begin()->first.size() == n) return dense(triangles.begin()->second);
   Triangle whole(n);
-  for (const auto& [columns, triangle] : accumulator.triangles()) {
+  for (const auto& [columns, triangle] : triangles) {
     for (std::size_t i = 0; i <= columns.size(); ++i) {
       double* row = whole.append(1);
       for (std::size_t j = i; j < columns.size(); ++j) row[columns[j]] = triangle(i, j);
@@ -34,11 +45,7 @@ MatrixXd reduce(const Accumulator& accumulator) {
     }
   }
   whole.flush();
-  MatrixXd system = MatrixXd::Zero(index(n + 1), index(n + 1));
-  for (std::size_t i = 0; i <= n; ++i) {
-    for (std::size_t j = i; j <= n; ++j) system(index(i), index(j)) = whole(i, j);
-  }
-  return system;
+  return dense(whole);
 }
 
 void judge(const MatrixXd& triangle, LinearSolution& out) {

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "frf/error.hpp"
-#include "frf/record_journal.hpp"
+#include "ident/outbox.hpp"
+#include "ident/study_records.hpp"
 #include "ident/study_workers.hpp"
 
 namespace jointid::ident {
@@ -34,110 +35,37 @@ bool has_intervals(const std::shared_ptr<const TrialData>& data, std::uint64_t s
   return std::any_of(first.ci95.begin(), first.ci95.end(), [](const auto& interval) { return interval.has_value(); });
 }
 
-std::string key_of(const frf::TableHeader& header) {
-  std::string key;
-  for (const auto& [name, text] : header.texts) key += name + "=" + text + "\n";
-  for (const frf::TableColumn& column : header.columns) key += column.name + "\n";
-  return key;
-}
-
-Path journal_path(const StudyOptions& options) { return options.out.string() + ".partial"; }
-
-/// What the leader has and the others have not: the files.
-class Records {
- public:
-  Records(const StudyOptions& options, frf::TableHeader header) : options_(options), header_(std::move(header)) {
-    if (options.resume && !std::filesystem::exists(journal_path(options)) && is_complete()) return;
-    using Start = frf::RecordJournal::Start;
-    journal_.emplace(journal_path(options), key_of(header_), header_.columns.size(),
-                     options.resume ? Start::resume : Start::fresh);
-  }
-
-  std::vector<bool> present() const {
-    return journal_ ? journal_->present(options_.trials) : std::vector<bool>(options_.trials, true);
-  }
-  void put(std::size_t trial, std::span<const double> row) { journal_->put(trial, row); }
-  void sync() const { journal_->sync(); }
-
-  /// The journal in the order of the trials, as a file of its own.
-  void finish() {
-    if (!journal_) return;
-    constexpr std::size_t block = 4096;
-    frf::TableWriter table(options_.out, header_, options_.trials);
-    for (std::size_t first = 0; first < options_.trials; first += block) {
-      table.append(journal_->read(first, std::min(block, options_.trials - first)));
-    }
-    table.finish();
-    journal_->remove();
-  }
-
- private:
-  /// Whether OUT is this very study. Throws InputError when it is another.
-  bool is_complete() const {
-    if (!std::filesystem::exists(options_.out)) return false;
-    const frf::TableReader table(options_.out);
-    if (key_of(table.header()) == key_of(header_) && table.rows() == options_.trials) return true;
-    throw InputError({.kind = ErrorKind::usage,
-                      .file = options_.out.string(),
-                      .place = "--resume",
-                      .problem = "it is complete and belongs to another scene, seed, version or number of trials",
-                      .remedy = "repeat that run, or give another --out"});
-  }
-
-  const StudyOptions& options_;
-  frf::TableHeader header_;
-  std::optional<frf::RecordJournal> journal_;
-};
-
-/// Rows on their way to the leader: trial number and row, one after the other.
-class Outbox {
- public:
-  void put(std::size_t trial, std::span<const double> row) {
-    const std::lock_guard lock(mutex_);
-    numbers_.push_back(static_cast<double>(trial));
-    numbers_.insert(numbers_.end(), row.begin(), row.end());
-  }
-  std::vector<double> take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(numbers_, {});
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<double> numbers_;
-};
-
 class Study {
  public:
   Study(const std::shared_ptr<const TrialData>& data, const StudyOptions& options, Team& team, const StudyControl& control)
-      : data_(data), options_(options), team_(team), control_(control), columns_(columns_of(*data, has_intervals(data, options.seed))) {}
+      : data_(data), options_(options), team_(team), control_(control) {}
 
   StudyRun lead() {
-    frf::TableHeader header = header_of(*data_, columns_);
-    header.texts.insert(options_.texts.begin(), options_.texts.end());
-    header.texts["seed"] = std::to_string(options_.seed);
-    header.texts["data_hash"] = hash_of(*data_);
-    Records records(options_, std::move(header));
-    const std::vector<bool> present = records.present();
-    require_agreement();
+    std::optional<StudyRecords> opened;
+    std::vector<frf::IndexRange> missing;
+    start_together(team_, [&] {
+      choose_columns();
+      opened.emplace(options_, header());
+      missing = opened->missing();
+    });
+    StudyRecords& records = *opened;
     StudyRun run;
-    run.done = static_cast<std::size_t>(std::count(present.begin(), present.end(), true));
-    std::vector<std::uint8_t> bytes(present.begin(), present.end());
-    team_.share(bytes);
-    supervise(records, present, run);
+    run.done = options_.trials - count(missing);
+    share(missing);
+    supervise(records, missing, run);
     run.complete = run.done == options_.trials;
     if (run.complete) records.finish();
     return run;
   }
 
   StudyRun follow() {
-    require_agreement();
-    std::vector<std::uint8_t> bytes;
-    team_.share(bytes);
+    start_together(team_, [&] { choose_columns(); });
+    std::vector<frf::IndexRange> missing;
+    share(missing);
     Outbox outbox;
     StudyRun run;
     {
-      TrialQueue queue({bytes.begin(), bytes.end()}, team_.rank(), team_.size());
+      TrialQueue queue(part_of(missing, team_.rank(), team_.size()));
       StudyWorkers workers(data_, columns_, options_.seed, threads(), queue,
                            [&](std::size_t trial, std::span<const double> row) { outbox.put(trial, row); }, state_);
       for (bool ended = false; !ended;) {
@@ -158,19 +86,29 @@ class Study {
   }
   bool is_interrupted() const { return control_.interrupted && control_.interrupted(); }
 
-  void require_agreement() {
-    if (team_.agree(true)) return;
-    throw InputError({.kind = ErrorKind::data,
-                      .file = {},
-                      .place = "mpirun",
-                      .problem = "another process could not start",
-                      .remedy = "see what it says"});
+  void choose_columns() { columns_ = columns_of(*data_, has_intervals(data_, options_.seed)); }
+
+  frf::TableHeader header() const {
+    frf::TableHeader header = header_of(*data_, columns_);
+    header.texts.insert(options_.texts.begin(), options_.texts.end());
+    header.texts["seed"] = std::to_string(options_.seed);
+    header.texts["data_hash"] = hash_of(*data_);
+    return header;
   }
 
-  void supervise(Records& records, const std::vector<bool>& present, StudyRun& run) {
+  /// Gives the leader's ranges to all.
+  void share(std::vector<frf::IndexRange>& ranges) {
+    std::vector<std::uint64_t> ends;
+    for (const frf::IndexRange& range : ranges) ends.insert(ends.end(), {range.first, range.end});
+    team_.share(ends);
+    ranges.clear();
+    for (std::size_t i = 0; i < ends.size(); i += 2) ranges.push_back({ends[i], ends[i + 1]});
+  }
+
+  void supervise(StudyRecords& records, std::span<const frf::IndexRange> missing, StudyRun& run) {
     const std::size_t done_before = run.done;
     std::size_t received = 0, others = team_.size() - 1;
-    TrialQueue queue(present, 0, team_.size());
+    TrialQueue queue(part_of(missing, 0, team_.size()));
     StudyWorkers workers(data_, columns_, options_.seed, threads(), queue,
                          [&](std::size_t trial, std::span<const double> row) { records.put(trial, row); }, state_);
     Clock::time_point synced = Clock::now();
@@ -198,7 +136,7 @@ class Study {
     if (state_.failure) std::rethrow_exception(state_.failure);
   }
 
-  std::size_t store(std::span<const double> numbers, Records& records) const {
+  std::size_t store(std::span<const double> numbers, StudyRecords& records) const {
     const std::size_t step = 1 + columns_.count();
     for (std::size_t at = 0; at < numbers.size(); at += step) {
       records.put(static_cast<std::size_t>(numbers[at]), numbers.subspan(at + 1, columns_.count()));

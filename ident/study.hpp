@@ -36,7 +36,8 @@ struct StudyRun {
 /// Runs the trials that OUT lacks on all threads of all processes of the team. One row per trial goes to OUT (frf/table_file.hpp):
 /// status, unknowns, per judged matrix RJCF, ARVF and rms relative error, and both ends of the 95 % intervals when the method
 /// has them (trial 0 tells). The file has the same bytes for any number of threads, processes and interruptions.
-/// Only the leader of a team writes, and only its StudyRun tells of all. Throws InputError.
+/// Only the leader of a team writes, and only its StudyRun tells of all. Throws InputError, and ToldElsewhere where another
+/// process of the team throws it.
 StudyRun run_study(const std::shared_ptr<const TrialData>& data, const StudyOptions& options, Team& team,
                    const StudyControl& control = {});
 

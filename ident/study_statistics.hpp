@@ -38,8 +38,8 @@ struct StudyStatistics {
   std::vector<QualityStatistics> quality;
 };
 
-/// What the result file of a study says. Takes 8 bytes of memory per trial, one column at a time. Sums run in the order of the
-/// trials, so equal files give equal statistics. Throws InputError when it is no such file.
+/// What the result file of a study says, by passes over its columns: memory does not grow with the number of trials. Sums run in
+/// the order of the trials, so equal files give equal statistics; quantiles are exact. Throws InputError when it is no such file.
 StudyStatistics study_statistics(const Path& file);
 
 }  // namespace jointid::ident

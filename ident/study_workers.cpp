@@ -8,23 +8,6 @@
 
 namespace jointid::ident {
 
-TrialQueue::TrialQueue(std::vector<bool> done, std::size_t rank, std::size_t size)
-    : done_(std::move(done)), skip_(rank), size_(size) {}
-
-std::optional<std::size_t> TrialQueue::next() {
-  const std::lock_guard lock(mutex_);
-  for (; at_ < done_.size(); ++at_) {
-    if (done_[at_]) continue;
-    if (skip_ > 0) {
-      --skip_;
-      continue;
-    }
-    skip_ = size_ - 1;
-    return at_++;
-  }
-  return std::nullopt;
-}
-
 /// The caller watches and takes no part, so the arena has no place for it.
 struct StudyWorkers::Threads {
   explicit Threads(std::size_t count)

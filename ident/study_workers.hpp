@@ -6,24 +6,11 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <vector>
 
 #include "ident/study_row.hpp"
+#include "ident/trial_queue.hpp"
 
 namespace jointid::ident {
-
-/// Hands out the trials of one process: every size-th of those that are not done, from the rank-th on.
-class TrialQueue {
- public:
-  TrialQueue(std::vector<bool> done, std::size_t rank, std::size_t size);
-  std::optional<std::size_t> next();
-
- private:
-  std::mutex mutex_;
-  std::vector<bool> done_;
-  std::size_t at_ = 0, skip_, size_;
-};
 
 /// What the workers of a process are told and tell.
 struct WorkerState {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,10 +24,10 @@ class Team {
   virtual std::size_t rank() const = 0;
   virtual std::size_t size() const = 0;
 
-  /// Everybody says once whether it is ready; true when all are. A team that is left before says no.
-  virtual bool agree(bool ready) = 0;
-  /// Gives the leader's bytes to all.
-  virtual void share(std::vector<std::uint8_t>& bytes) = 0;
+  /// Everybody says whether it failed; the number of the first that did, size() when none.
+  virtual std::size_t first_failed(bool failed) = 0;
+  /// Gives the leader's numbers to all.
+  virtual void share(std::vector<std::uint64_t>& numbers) = 0;
   /// To the leader.
   virtual void send(const std::vector<double>& numbers) = 0;
   virtual void send_end(const std::string& failure) = 0;
@@ -36,6 +38,15 @@ class Team {
   virtual bool stopped() = 0;
 };
 
+/// Another process of the team tells what went wrong.
+struct ToldElsewhere final : std::exception {
+  const char* what() const noexcept override { return "another process could not start"; }
+};
+
+/// Runs `start`, which every process of the team does for itself, and returns when all have done it. When it fails somewhere, the
+/// first process where it did throws that failure and all others ToldElsewhere: an error is told once.
+void start_together(Team& team, const std::function<void()>& start);
+
 /// The processes that mpirun started together; without mpirun a team of one, and MPI is not touched. Throws InputError when
 /// mpirun started several processes of a build without MPI.
 std::unique_ptr<Team> join_team();
@@ -45,5 +56,8 @@ std::unique_ptr<Team> make_team_of_one();
 
 /// How many processes mpirun says it started, 1 without it.
 std::size_t processes_started();
+
+/// The number that mpirun gave this process, from 0; 0 without it.
+std::size_t process_number();
 
 }  // namespace jointid::ident

@@ -1,8 +1,6 @@
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 
-#include <algorithm>
-
 #include "ident/team.hpp"
 
 namespace jointid::ident {
@@ -30,29 +28,22 @@ class MpiTeam final : public Team {
     size_ = static_cast<std::size_t>(size);
     told_.resize(size_, false);
   }
-  ~MpiTeam() override {
-    if (!agreed_) agree(false);
-    MPI_Finalize();
-  }
+  ~MpiTeam() override { MPI_Finalize(); }
 
   std::size_t rank() const override { return rank_; }
   std::size_t size() const override { return size_; }
 
-  bool agree(bool ready) override {
-    agreed_ = true;
-    int mine = ready ? 1 : 0, all = 0;
-    MPI_Allreduce(&mine, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-    return all == 1;
+  std::size_t first_failed(bool failed) override {
+    std::uint64_t mine = failed ? rank_ : size_, first = 0;
+    MPI_Allreduce(&mine, &first, 1, MPI_UINT64_T, MPI_MIN, MPI_COMM_WORLD);
+    return first;
   }
 
-  void share(std::vector<std::uint8_t>& bytes) override {
-    std::uint64_t count = bytes.size();
+  void share(std::vector<std::uint64_t>& numbers) override {
+    std::uint64_t count = numbers.size();
     MPI_Bcast(&count, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
-    bytes.resize(count);
-    constexpr std::uint64_t most = 1u << 30;
-    for (std::uint64_t first = 0; first < count; first += most) {
-      MPI_Bcast(bytes.data() + first, static_cast<int>(std::min(most, count - first)), MPI_UINT8_T, 0, MPI_COMM_WORLD);
-    }
+    numbers.resize(count);
+    MPI_Bcast(numbers.data(), static_cast<int>(count), MPI_UINT64_T, 0, MPI_COMM_WORLD);
   }
 
   void send(const std::vector<double>& numbers) override {
@@ -104,7 +95,7 @@ class MpiTeam final : public Team {
   }
 
   std::size_t rank_ = 0, size_ = 1;
-  bool agreed_ = false, stopping_ = false;
+  bool stopping_ = false;
   std::vector<bool> told_;
 };
 

@@ -5,6 +5,7 @@ namespace jointid::ident {
 
 std::unique_ptr<Team> join_team() {
   if (processes_started() == 1) return make_team_of_one();
+  if (process_number() > 0) throw ToldElsewhere();
   throw InputError({.kind = ErrorKind::usage,
                     .file = {},
                     .place = "mpirun",

@@ -26,6 +26,7 @@ UnknownColumns::UnknownColumns(const restrictions::Restriction& restriction,
 
 std::vector<std::size_t> UnknownColumns::at(double frequency_hz) const {
   std::vector<std::size_t> columns;
+  columns.reserve(places_.size());
   for (const Place& place : places_) {
     const auto band = std::find_if(place.bands.begin(), place.bands.end(), [&](const Range& range) {
       return frequency_hz >= range[0] && frequency_hz < range[1];

@@ -13,20 +13,15 @@ using restrictions::EntryMatrix;
 using restrictions::Kind;
 using restrictions::Pattern;
 
-/// A random system: two substructures and an assembly without any physical sense, 7 lines.
-struct RandomSystem {
-  std::vector<frf::FrfSet> substructures, assembly;
-  Scene scene;
-};
-
 std::vector<double> seven_lines() { return {10.0, 25.0, 31.0, 44.0, 52.0, 75.0, 90.0}; }
 
-/// Non-square data: more responses than references, joint coordinates in both roles.
-RandomSystem random_system(unsigned seed) {
+/// Two substructures and an assembly without any physical sense. Non-square data: more responses than references, joint
+/// coordinates in both roles.
+MemoryScene random_system(unsigned seed) {
   std::mt19937_64 random(seed);
   const Dofs a_responses = dofs({"1:+Y", "2:+Y", "3:+X", "4:+Y", "4:+RZ"}), a_references = dofs({"4:+RZ", "1:+Y", "4:+Y"});
   const Dofs b_responses = dofs({"5:+RZ", "6:+Y", "5:+Y"}), b_references = dofs({"5:+Y", "6:+Y", "5:+RZ", "7:+Y"});
-  RandomSystem system;
+  MemoryScene system;
   system.substructures = {random_set("a", seven_lines(), a_responses, a_references, 1e-6, random),
                           random_set("b", seven_lines(), b_responses, b_references, 1e-6, random)};
   system.assembly = {random_set("assembly", seven_lines(), joined(a_responses, b_responses),
@@ -60,7 +55,7 @@ void expect_plain(const Plan& plan, const Solution& solution, const PlainEstimat
 }
 
 /// Solves with every weighting and two Δ and compares with the plain route.
-void expect_plain_for_all(RandomSystem& system, const std::vector<std::vector<Equation>>& equations) {
+void expect_plain_for_all(MemoryScene& system, const std::vector<std::vector<Equation>>& equations) {
   for (const std::vector<Equation>& subset : equations) {
     for (const weighting::Weighting weighting : all_weightings) {
       for (const double delta : {0.0, 1.1}) {
@@ -69,7 +64,7 @@ void expect_plain_for_all(RandomSystem& system, const std::vector<std::vector<Eq
         system.scene.identify.equations = subset;
         system.scene.identify.weighting = weighting;
         system.scene.identify.delta = delta;
-        const auto plan = memory_plan(system.scene, system.substructures, system.assembly);
+        const auto plan = system.plan();
         const Solution solution = solve(*plan);
         const PlainEstimate plain(*plan, system.substructures, system.assembly);
         expect_plain(*plan, solution, plain);
@@ -90,13 +85,13 @@ void set_nan(frf::FrfSet& set, std::size_t line, std::size_t r, std::size_t c) {
 
 TEST(LeastSquares, EqualsStackedEquationsOfNonSquareData) {
   for (const unsigned seed : {1u, 2u}) {
-    RandomSystem system = random_system(seed);
+    MemoryScene system = random_system(seed);
     expect_plain_for_all(system, some_subsets);
   }
 }
 
 TEST(LeastSquares, EqualsStackedEquationsWithMissingFrfs) {
-  RandomSystem system = random_system(3);
+  MemoryScene system = random_system(3);
   set_nan(system.assembly[0], 0, 0, 1);       // one right-hand side
   set_nan(system.assembly[0], 1, 2, 0);       // in A: a whole row of equations
   set_nan(system.substructures[0], 2, 3, 1);  // in B: a whole column
@@ -108,7 +103,7 @@ TEST(LeastSquares, EqualsStackedEquationsWithMissingFrfs) {
 }
 
 TEST(LeastSquares, EqualsStackedEquationsWithFlippedAndPermutedDofs) {
-  RandomSystem system = random_system(4);
+  MemoryScene system = random_system(4);
   const Dofs flipped = dofs({"5:-Y", "4:+RZ", "2:-Y", "1:+Y", "5:+RZ", "6:-Y", "4:-Y"});
   system.assembly[0] = part_of(system.assembly[0], flipped, dofs({"7:-Y", "4:+Y", "1:-Y", "5:+RZ", "4:-RZ", "5:+Y"}));
   system.scene.joints[0].dofs = dofs({"5:-RZ", "4:+Y", "4:-RZ", "5:+Y"});
@@ -117,10 +112,10 @@ TEST(LeastSquares, EqualsStackedEquationsWithFlippedAndPermutedDofs) {
 }
 
 TEST(LeastSquares, OneFileOfBothSubstructuresGivesTheSameAsTwo) {
-  RandomSystem two = random_system(5);
+  MemoryScene two = random_system(5);
   const Dofs responses = joined(two.substructures[0].header.response, two.substructures[1].header.response);
   const Dofs references = joined(two.substructures[0].header.reference, two.substructures[1].header.reference);
-  RandomSystem one = two;
+  MemoryScene one = two;
   one.substructures.resize(1);
   one.substructures[0].header.response = responses;
   one.substructures[0].header.reference = references;
@@ -135,15 +130,15 @@ TEST(LeastSquares, OneFileOfBothSubstructuresGivesTheSameAsTwo) {
   for (const weighting::Weighting weighting : all_weightings) {
     one.scene.identify.weighting = two.scene.identify.weighting = weighting;
     one.scene.identify.delta = two.scene.identify.delta = 0.9;
-    const auto plan_one = memory_plan(one.scene, one.substructures, one.assembly);
-    const auto plan_two = memory_plan(two.scene, two.substructures, two.assembly);
+    const auto plan_one = one.plan();
+    const auto plan_two = two.plan();
     expect_plain(*plan_two, solve(*plan_two), PlainEstimate(*plan_one, one.substructures, one.assembly));
     expect_plain(*plan_one, solve(*plan_one), PlainEstimate(*plan_two, two.substructures, two.assembly));
   }
 }
 
 TEST(LeastSquares, AnAssemblyInSeveralFilesIsOneMatrix) {
-  RandomSystem system = random_system(6);
+  MemoryScene system = random_system(6);
   const frf::FrfSet whole = system.assembly[0];
   const Dofs references = whole.header.reference;
   const Dofs first(references.begin(), references.begin() + 3), rest(references.begin() + 3, references.end());
@@ -152,13 +147,13 @@ TEST(LeastSquares, AnAssemblyInSeveralFilesIsOneMatrix) {
 }
 
 TEST(LeastSquares, ReciprocityOnRequestFillsWhatIsMissing) {
-  RandomSystem system = random_system(7);
+  MemoryScene system = random_system(7);
   // H_bb(4:+Y, 4:+RZ) lacks in the file; its transpose is there.
   set_nan(system.substructures[0], 0, 3, 0);
-  const auto without = memory_plan(system.scene, system.substructures, system.assembly);
+  const auto without = system.plan();
   const std::size_t used_without = solve(*without).fit.equations_used;
   system.scene.data.reciprocity = true;
-  const auto with = memory_plan(system.scene, system.substructures, system.assembly);
+  const auto with = system.plan();
   const Solution solution = solve(*with);
   EXPECT_GT(solution.fit.equations_used, used_without);
   // The plain route gets the transposes written out.
@@ -186,15 +181,15 @@ TEST(LeastSquares, ReciprocityOnRequestFillsWhatIsMissing) {
 }
 
 TEST(LeastSquares, RescaledLinesLeaveWbAloneAndRescaledRowsWbs) {
-  const RandomSystem original = random_system(8);
-  const auto estimate = [](RandomSystem system, weighting::Weighting weighting) {
+  const MemoryScene original = random_system(8);
+  const auto estimate = [](MemoryScene system, weighting::Weighting weighting) {
     system.scene.identify.weighting = weighting;
     system.scene.identify.equations = {Equation::nn, Equation::nj};
-    const auto plan = memory_plan(system.scene, system.substructures, system.assembly);
+    const auto plan = system.plan();
     return solve(*plan);
   };
   // nn and nj are linear in the rows of [H_nj H_nn] with H_aa and H_ab scaled alike.
-  const auto scale_row = [](RandomSystem system, std::size_t line, const std::string& row, double factor) {
+  const auto scale_row = [](MemoryScene system, std::size_t line, const std::string& row, double factor) {
     const frf::Dof dof = frf::Dof::parse(row);
     for (auto* sets : {&system.substructures, &system.assembly}) {
       for (frf::FrfSet& set : *sets) {
@@ -206,10 +201,10 @@ TEST(LeastSquares, RescaledLinesLeaveWbAloneAndRescaledRowsWbs) {
     }
     return system;
   };
-  RandomSystem one_row = scale_row(original, 2, "2:+Y", 1e3);
-  RandomSystem whole_line = original;
+  MemoryScene one_row = scale_row(original, 2, "2:+Y", 1e3);
+  MemoryScene whole_line = original;
   for (const char* row : {"1:+Y", "2:+Y", "3:+X", "6:+Y"}) whole_line = scale_row(whole_line, 4, row, 1e-3);
-  const auto change = [&](const RandomSystem& scaled, weighting::Weighting weighting) {
+  const auto change = [&](const MemoryScene& scaled, weighting::Weighting weighting) {
     const Solution one = estimate(original, weighting), two = estimate(scaled, weighting);
     double largest = 0.0;
     for (std::size_t u = 0; u < 10; ++u) {

@@ -93,6 +93,15 @@ inline std::unique_ptr<Plan> memory_plan(const Scene& scene, const std::vector<f
       memory_system("assembly", assembly, frf::Composition::merged, scene.data.reciprocity));
 }
 
+/// The sets of both systems, and a scene for them.
+struct MemoryScene {
+  std::vector<frf::FrfSet> substructures, assembly;
+  Scene scene = {};
+
+  std::unique_ptr<Plan> plan() const { return plan(scene); }
+  std::unique_ptr<Plan> plan(const Scene& other) const { return memory_plan(other, substructures, assembly); }
+};
+
 /// A joint with one matrix.
 inline restrictions::JointSpec joint_of(const Dofs& joint, restrictions::Kind kind, restrictions::MatrixSpec spec) {
   restrictions::JointSpec result;

@@ -14,19 +14,12 @@ using restrictions::Pattern;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-struct Input {
-  std::vector<frf::FrfSet> substructures, assembly;
-  Scene scene;
-
-  std::unique_ptr<Plan> plan() const { return memory_plan(scene, substructures, assembly); }
-};
-
 /// Two parts with every DOF in both roles, joint 4:+Y 5:+Y.
-Input input() {
+MemoryScene input() {
   std::mt19937_64 random(1);
   const std::vector<double> lines = {10.0, 20.0, 30.0, 40.0};
   const Dofs a = dofs({"1:+Y", "4:+Y"}), b = dofs({"5:+Y", "9:+Y"});
-  Input input;
+  MemoryScene input;
   input.substructures = {random_set("a", lines, a, a, 1.0, random), random_set("b", lines, b, b, 1.0, random)};
   input.assembly = {random_set("assembly", lines, joined(a, b), joined(a, b), 1.0, random)};
   input.scene.file = "scene.toml";
@@ -55,20 +48,20 @@ void expect_error(const std::function<void()>& act, ErrorKind kind, const std::v
   }
 }
 
-void expect_usage(const Input& input, const std::vector<std::string>& parts) {
+void expect_usage(const MemoryScene& input, const std::vector<std::string>& parts) {
   expect_error([&] { input.plan(); }, ErrorKind::usage, parts);
 }
 
 TEST(PlanError, TheInputItselfIsFine) { EXPECT_EQ(input().plan()->equations.size(), 4u); }
 
 TEST(PlanError, ADofThatNoSubstructureHasIsNamedWithTheNearest) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   wrong.scene.joints[0].dofs = dofs({"4:+Y", "5:+Z"});
   expect_usage(wrong, {"scene.toml", "[joint] dofs", "no substructure file has the DOF 5:+Z", "did you mean 5:+Y?"});
 }
 
 TEST(PlanError, ADofThatTheAssemblyLacksIsSaidByTheEquation) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   keep(wrong.assembly, false, {"1:+Y", "4:+Y", "9:+Y"});
   wrong.scene.identify.equations = {Equation::nn};
   expect_usage(wrong, {"[identify] equations", "equation nn cannot be used: the assembly has no reference 5:+Y",
@@ -102,7 +95,7 @@ TEST(PlanError, EachEquationSaysWhatItLacks) {
       {Equation::jn, false, true, no_four, "the substructures have no response 4:+Y"},
   };
   for (const Lack& lack : lacks) {
-    Input wrong = input();
+    MemoryScene wrong = input();
     wrong.scene.identify.equations = {lack.equation};
     keep(lack.assembly ? wrong.assembly : wrong.substructures, lack.responses, lack.kept);
     expect_usage(wrong, {"equation " + name(lack.equation) + " cannot be used", lack.message});
@@ -117,7 +110,7 @@ TEST(PlanError, EachEquationSaysWhatItLacks) {
 }
 
 TEST(PlanError, EquationsAreInOrderAndThoseTheDataAllow) {
-  Input fine = input();
+  MemoryScene fine = input();
   fine.scene.identify.equations = {Equation::jn, Equation::nn};
   EXPECT_THAT(fine.plan()->equations, ElementsAre(Equation::nn, Equation::jn));
   fine.scene.identify.equations.clear();
@@ -126,7 +119,7 @@ TEST(PlanError, EquationsAreInOrderAndThoseTheDataAllow) {
 }
 
 TEST(PlanError, MethodTwoHasTwoEquationsAndSaysWhatTheyLack) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   wrong.scene.identify.method = Method::two;
   EXPECT_THAT(wrong.plan()->equations, ElementsAre(Equation::jj, Equation::jn));
   wrong.scene.identify.equations = {Equation::nj};
@@ -137,7 +130,7 @@ TEST(PlanError, MethodTwoHasTwoEquationsAndSaysWhatTheyLack) {
 }
 
 TEST(PlanError, TheDirectSolutionNeedsReferencesAndNnOnly) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   wrong.scene.identify.method = Method::direct;
   EXPECT_THAT(wrong.plan()->equations, ElementsAre(Equation::nn));
   wrong.scene.identify.equations = {Equation::jj};
@@ -148,14 +141,14 @@ TEST(PlanError, TheDirectSolutionNeedsReferencesAndNnOnly) {
 }
 
 TEST(PlanError, WithoutJointCoordinatesOnTheAssemblyTheRemedyIsTheDirectSolution) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   keep(wrong.assembly, true, {"1:+Y", "9:+Y"});
   keep(wrong.assembly, false, {"1:+Y", "9:+Y"});
   expect_usage(wrong, {"the data allow no equation", "use method = \"direct\""});
 }
 
 TEST(PlanError, ARangeWithoutLinesNamesTheAxes) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   wrong.scene.frequency.range_hz = {{11.0, 19.0}};
   expect_usage(wrong, {"[frequency]", "the selection leaves no line", "10 to 40 Hz in 4 lines"});
   wrong.scene.frequency.range_hz.reset();
@@ -164,16 +157,16 @@ TEST(PlanError, ARangeWithoutLinesNamesTheAxes) {
 }
 
 TEST(PlanError, AxesWithoutACommonLineAreAnErrorOfTheData) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   wrong.assembly[0].header.frequency_hz = {12.0, 22.0, 32.0, 42.0};
   expect_error([&] { wrong.plan(); }, ErrorKind::data, {"no selected line is common to substructures and assembly"});
-  Input parts = input();
+  MemoryScene parts = input();
   parts.substructures[1].header.frequency_hz = {12.0, 22.0, 32.0, 42.0};
   expect_error([&] { parts.plan(); }, ErrorKind::data, {"no frequency line is common to all files"});
 }
 
 TEST(PlanError, AxesWithRoundedIncrementsAreTheSameLines) {
-  Input rounded = input();
+  MemoryScene rounded = input();
   rounded.assembly[0].header.frequency_hz = {10.0, 20.004, 30.009, 40.013};
   const auto plan = rounded.plan();
   ASSERT_EQ(plan->lines.size(), 4u);
@@ -182,7 +175,7 @@ TEST(PlanError, AxesWithRoundedIncrementsAreTheSameLines) {
 }
 
 TEST(PlanError, LinesWithoutAPartnerAreLeftOutWithANote) {
-  Input fewer = input();
+  MemoryScene fewer = input();
   fewer.substructures = {lines_of(fewer.substructures[0], {0, 2, 3}), lines_of(fewer.substructures[1], {0, 2})};
   const auto plan = fewer.plan();
   ASSERT_EQ(plan->lines.size(), 2u);
@@ -193,30 +186,30 @@ TEST(PlanError, LinesWithoutAPartnerAreLeftOutWithANote) {
 }
 
 TEST(PlanError, ACoordinateInTwoSubstructures) {
-  Input wrong = input();
+  MemoryScene wrong = input();
   wrong.substructures[1].header.response[1] = frf::Dof::parse("1:-Y");
   expect_error([&] { wrong.plan(); }, ErrorKind::data, {"DOF 1:-Y is also in a", "two substructures share no coordinate"});
-  Input reference = input();
+  MemoryScene reference = input();
   reference.substructures[1].header.reference[1] = frf::Dof::parse("1:+Y");
   expect_error([&] { reference.plan(); }, ErrorKind::data, {"DOF 1:+Y is also in a"});
-  Input frf = input();
+  MemoryScene frf = input();
   frf.assembly.push_back(part_of(frf.assembly[0], dofs({"4:+Y"}), dofs({"4:+Y"})));
   expect_error([&] { frf.plan(); }, ErrorKind::data, {"FRF 4:+Y / 4:+Y is also in assembly"});
 }
 
 TEST(PlanError, MethodsSolversAndKeysThatThisBuildLacks) {
   for (const Method method : {Method::newton, Method::likelihood}) {
-    Input wrong = input();
+    MemoryScene wrong = input();
     wrong.scene.identify.method = method;
     expect_usage(wrong, {"[identify] method", "no method \"" + name(method) + "\"", "use one, two or direct"});
   }
-  Input solver = input();
+  MemoryScene solver = input();
   solver.scene.identify.solver = "ceres";
   expect_usage(solver, {"has no solver \"ceres\"", "use auto, qr, normal or spqr"});
-  Input start = input();
+  MemoryScene start = input();
   start.scene.identify.start[Kind::stiffness] = {{1.0, 0.0}, {0.0, 1.0}};
   expect_usage(start, {"[identify] start", "needs no start"});
-  Input known = input();
+  MemoryScene known = input();
   known.scene.joints[0].matrices[Kind::stiffness] = restrictions::EntryMatrix{{1.0, 2.0}, {2.0, 4.0}};
   expect_usage(known, {"nothing to identify"});
 }

@@ -20,12 +20,8 @@ std::vector<double> some_lines(std::size_t count) {
   return lines;
 }
 
-struct Data {
-  std::vector<frf::FrfSet> substructures, assembly;
-};
-
 /// Two rigidly known FRF sets over 1:+X, 2:+X (joint) and 3:+X, 4:+X of random numbers.
-Data random_data(std::size_t lines, unsigned seed) {
+MemoryScene random_data(std::size_t lines, unsigned seed) {
   std::mt19937_64 random(seed);
   const Dofs all = dofs({"1:+X", "2:+X", "3:+X", "4:+X"});
   return {{random_set("parts", some_lines(lines), all, all, 1.0, random)},
@@ -58,10 +54,10 @@ std::vector<std::string> undetermined(const Solution& solution) {
 
 TEST(Rank, UnknownsThatMoveTogetherAreNamedAndShareTheirSum) {
   for (const char* solver : {"qr", "spqr"}) {
-    Data data = random_data(5, 1);
+    MemoryScene data = random_data(5, 1);
     tie_joint_references(data.assembly[0]);
     const std::vector<Equation> nn = {Equation::nn};
-    const auto plan = memory_plan(scene_with(Pattern::full, solver, nn), data.substructures, data.assembly);
+    const auto plan = data.plan(scene_with(Pattern::full, solver, nn));
     const Solution solution = solve(*plan);
     EXPECT_EQ(solution.status, Status::rank_deficient) << solver;
     EXPECT_EQ(solution.fit.rank, 2u);
@@ -77,19 +73,19 @@ TEST(Rank, UnknownsThatMoveTogetherAreNamedAndShareTheirSum) {
 
 TEST(Rank, WhatTheDataFixStaysDeterminedAndRight) {
   for (const char* solver : {"qr", "spqr"}) {
-    Data data = random_data(5, 2);
+    MemoryScene data = random_data(5, 2);
     tie_joint_references(data.assembly[0]);
     // y1 stands in one column with y2 in the other; k1 + k2 alone is seen of them, k3 is seen alone.
     const restrictions::EntryMatrix entries = {{"k1", "k3"}, {"k2", 0.0}};
     const std::vector<Equation> nn = {Equation::nn};
-    const auto plan = memory_plan(scene_with(entries, solver, nn), data.substructures, data.assembly);
+    const auto plan = data.plan(scene_with(entries, solver, nn));
     const Solution solution = solve(*plan);
     EXPECT_EQ(solution.status, Status::rank_deficient);
     EXPECT_THAT(undetermined(solution), ElementsAre("K.k1", "K.k2")) << solver;
     EXPECT_THAT(solution.message, HasSubstr("move together"));
     // The same with k1 and k2 as one unknown is well posed.
     const restrictions::EntryMatrix tied = {{"k", "k3"}, {0.0, 0.0}};
-    const auto tied_plan = memory_plan(scene_with(tied, solver, nn), data.substructures, data.assembly);
+    const auto tied_plan = data.plan(scene_with(tied, solver, nn));
     const Solution sum = solve(*tied_plan);
     ASSERT_EQ(sum.status, Status::ok);
     EXPECT_NEAR(solution.unknowns[0].value + solution.unknowns[2].value, sum.unknowns[0].value, 1e-12) << solver;
@@ -98,24 +94,24 @@ TEST(Rank, WhatTheDataFixStaysDeterminedAndRight) {
 }
 
 TEST(Rank, ASmallShareInAFreeDirectionIsNotDeterminedEither) {
-  Data data = random_data(6, 3);
+  MemoryScene data = random_data(6, 3);
   tie_joint_references(data.assembly[0]);
   // Only k1 + 0.01·k2 is seen: k1 is not fixed although the free direction is nearly k2.
   const restrictions::EntryMatrix entries = {{"k1", "k3"}, {"0.01*k2", 0.0}};
   Scene scene = scene_with(entries, "qr", {Equation::nn});
   scene.identify.weighting = weighting::Weighting::none;
-  const auto plan = memory_plan(scene, data.substructures, data.assembly);
+  const auto plan = data.plan(scene);
   EXPECT_THAT(undetermined(solve(*plan)), ElementsAre("K.k1", "K.k2"));
 }
 
 TEST(Rank, AColumnWithoutCoefficientsIsFree) {
   for (const char* solver : {"qr", "spqr"}) {
-    Data data = random_data(3, 4);
+    MemoryScene data = random_data(3, 4);
     for (std::size_t line = 0; line < 3; ++line) {
       for (std::size_t c = 0; c < 4; ++c) data.substructures[0].values[data.substructures[0].index(line, 1, c)] = 0.0;
     }
     const std::vector<Equation> nn = {Equation::nn};
-    const auto plan = memory_plan(scene_with(Pattern::diagonal, solver, nn), data.substructures, data.assembly);
+    const auto plan = data.plan(scene_with(Pattern::diagonal, solver, nn));
     const Solution solution = solve(*plan);
     EXPECT_EQ(solution.status, Status::rank_deficient);
     EXPECT_THAT(undetermined(solution), ElementsAre("K(2,2)"));
@@ -125,13 +121,13 @@ TEST(Rank, AColumnWithoutCoefficientsIsFree) {
 }
 
 TEST(Rank, NormalEquationsSayThatTheyFailed) {
-  Data data = random_data(3, 4);
+  MemoryScene data = random_data(3, 4);
   tie_joint_references(data.assembly[0]);
   for (std::size_t line = 0; line < 3; ++line) {
     for (std::size_t c = 0; c < 4; ++c) data.substructures[0].values[data.substructures[0].index(line, 1, c)] = 0.0;
   }
   const std::vector<Equation> nn = {Equation::nn};
-  const auto plan = memory_plan(scene_with(Pattern::full, "normal", nn), data.substructures, data.assembly);
+  const auto plan = data.plan(scene_with(Pattern::full, "normal", nn));
   const Solution solution = solve(*plan);
   EXPECT_EQ(solution.status, Status::rank_deficient);
   EXPECT_EQ(undetermined(solution).size(), 4u);
@@ -156,9 +152,9 @@ TEST(Rank, ALoneLineOfFewCoordinatesCannotFixTwentyUnknowns) {
 }
 
 TEST(NoEquations, AllMissingAllZeroOrAllDropped) {
-  const Data good = random_data(4, 5);
-  const auto status = [](const Scene& scene, const Data& data) {
-    const auto plan = memory_plan(scene, data.substructures, data.assembly);
+  const MemoryScene good = random_data(4, 5);
+  const auto status = [](const Scene& scene, const MemoryScene& data) {
+    const auto plan = data.plan(scene);
     const Solution solution = solve(*plan);
     EXPECT_EQ(solution.fit.equations_used, 0u);
     EXPECT_EQ(solution.fit.equations_dropped, 4u * 16u);
@@ -167,7 +163,7 @@ TEST(NoEquations, AllMissingAllZeroOrAllDropped) {
     return solution.status;
   };
   const Scene scene = scene_with(Pattern::full, "qr");
-  Data missing = good, zero = good, same = good;
+  MemoryScene missing = good, zero = good, same = good;
   for (Complex& value : missing.assembly[0].values) value = std::numeric_limits<double>::quiet_NaN();
   for (Complex& value : zero.assembly[0].values) value = 0.0;
   same.assembly = same.substructures;
@@ -179,25 +175,25 @@ TEST(NoEquations, AllMissingAllZeroOrAllDropped) {
 }
 
 TEST(NoEquations, WithZerosInTheAssemblyOfMethodTwo) {
-  Data data = random_data(2, 6);
+  MemoryScene data = random_data(2, 6);
   for (Complex& value : data.substructures[0].values) value = 0.0;
   Scene scene = scene_with(Pattern::full, "qr");
   scene.identify.method = Method::two;
-  const auto plan = memory_plan(scene, data.substructures, data.assembly);
+  const auto plan = data.plan(scene);
   const Solution solution = solve(*plan);
   EXPECT_EQ(solution.status, Status::no_equations);
   EXPECT_EQ(solution.fit.equations_dropped, 2u * 8u);
 }
 
 TEST(ZeroHertz, AnAccelerancesLineThatCannotBeConvertedIsDroppedAndCounted) {
-  Data data = random_data(5, 7);
+  MemoryScene data = random_data(5, 7);
   for (auto* set : {&data.substructures[0], &data.assembly[0]}) {
     set->header.frequency_hz = {0.0, 5.0, 10.0, 15.0, 20.0};
     set->header.quantity = frf::Quantity::accelerance;
     // What a file of accelerances hands out at 0 Hz.
     for (std::size_t i = 0; i < 16; ++i) set->values[i] = std::numeric_limits<double>::quiet_NaN();
   }
-  const auto plan = memory_plan(scene_with(Pattern::full, "qr"), data.substructures, data.assembly);
+  const auto plan = data.plan(scene_with(Pattern::full, "qr"));
   ASSERT_EQ(plan->lines.size(), 5u);
   const Solution solution = solve(*plan);
   EXPECT_EQ(solution.status, Status::ok);

@@ -16,16 +16,11 @@ using restrictions::Pattern;
 
 /// Substructures 0 … count in a chain: structure s has the DOFs 10s+1 (non-joint), 10s+2 and 10s+3 (to s−1 and s+1), random
 /// FRFs, and between neighbours a joint of two DOFs.
-struct Chain {
-  std::vector<frf::FrfSet> substructures, assembly;
-  Scene scene;
-};
-
-Chain chain(std::size_t joints, const restrictions::MatrixSpec& spec, unsigned seed) {
+MemoryScene chain(std::size_t joints, const restrictions::MatrixSpec& spec, unsigned seed) {
   std::mt19937_64 random(seed);
   std::vector<double> lines;
   for (int i = 1; i <= 8; ++i) lines.push_back(7.0 * i);
-  Chain chain;
+  MemoryScene chain;
   Dofs all;
   const auto dof = [](std::size_t node) { return frf::Dof{.node = static_cast<std::int64_t>(node), .direction = frf::Direction::x}; };
   for (std::size_t s = 0; s <= joints; ++s) {
@@ -41,10 +36,10 @@ Chain chain(std::size_t joints, const restrictions::MatrixSpec& spec, unsigned s
   return chain;
 }
 
-Solution solved(const Chain& chain, const std::string& solver) {
+Solution solved(const MemoryScene& chain, const std::string& solver) {
   Scene scene = chain.scene;
   scene.identify.solver = solver;
-  const auto plan = memory_plan(scene, chain.substructures, chain.assembly);
+  const auto plan = chain.plan(scene);
   return solve(*plan);
 }
 
@@ -60,7 +55,7 @@ void expect_equal(const Solution& one, const Solution& two, double tolerance) {
 
 TEST(Solvers, AChainOfTwentyJointsIsTheSameForAllSolvers) {
   const restrictions::MatrixSpec full = Pattern::full;
-  const Chain parts = chain(20, full, 1);
+  const MemoryScene parts = chain(20, full, 1);
   const Solution qr = solved(parts, "qr"), spqr = solved(parts, "spqr"), normal = solved(parts, "normal");
   EXPECT_EQ(qr.used.solver + spqr.used.solver + normal.used.solver, "qrspqrnormal");
   for (const Solution* each : {&qr, &spqr, &normal}) EXPECT_EQ(each->status, Status::ok) << each->message;
@@ -70,11 +65,11 @@ TEST(Solvers, AChainOfTwentyJointsIsTheSameForAllSolvers) {
 }
 
 TEST(Solvers, AChainOfTwentyJointsEqualsThePlainRoute) {
-  Chain parts = chain(20, Pattern::full, 1);
+  MemoryScene parts = chain(20, Pattern::full, 1);
   parts.scene.identify.equations = {Equation::nj};  // the plain route takes 1600 coefficients per equation
   parts.scene.identify.solver = "spqr";
   parts.scene.frequency.range_hz = {{14.0, 35.0}};
-  const auto plan = memory_plan(parts.scene, parts.substructures, parts.assembly);
+  const auto plan = parts.plan();
   ASSERT_GT(plan->assembly_spec.supports.size(), 1u);  // split by substructure
   const Solution spqr = solve(*plan);
   const std::vector<double> plain = PlainEstimate(*plan, parts.substructures, parts.assembly).solve();
@@ -84,7 +79,7 @@ TEST(Solvers, AChainOfTwentyJointsEqualsThePlainRoute) {
 }
 
 TEST(Solvers, ManyJointsAreSolvedBySpqrWithoutBeingAsked) {
-  const Chain parts = chain(60, Pattern::full, 2);
+  const MemoryScene parts = chain(60, Pattern::full, 2);
   const Solution chosen = solved(parts, "auto");
   EXPECT_EQ(chosen.used.solver, "spqr");
   EXPECT_EQ(chosen.unknowns.size(), 240u);
@@ -93,13 +88,13 @@ TEST(Solvers, ManyJointsAreSolvedBySpqrWithoutBeingAsked) {
 }
 
 TEST(Solvers, TheSplitPlanCostsLessAndFindsSpringsOfAChain) {
-  Chain parts = chain(24, Pattern::diagonal, 3);
+  MemoryScene parts = chain(24, Pattern::diagonal, 3);
   parts.scene.identify.equations = {Equation::nj};
   parts.scene.frequency.range_hz = {{14.0, 28.0}};
   for (auto& joint : parts.scene.joints) {
     joint.matrices[Kind::stiffness] = std::vector<restrictions::Spring>{{joint.dofs[0], joint.dofs[1]}};
   }
-  const auto plan = memory_plan(parts.scene, parts.substructures, parts.assembly);
+  const auto plan = parts.plan();
   EXPECT_LT(plan->cost.assemble_flops, plan->cost.stacked_flops);
   expect_equal(solved(parts, "qr"), solved(parts, "spqr"), 1e-10);
   const std::vector<double> plain = PlainEstimate(*plan, parts.substructures, parts.assembly).solve();

@@ -6,8 +6,6 @@
 #include <filesystem>
 #include <limits>
 
-#include "frf/error.hpp"
-#include "frf/record_journal.hpp"
 #include "frf/table_file.hpp"
 #include "ident/study.hpp"
 #include "ident/trial_runner.hpp"
@@ -62,24 +60,6 @@ TEST(StudyStatistics, OfAStudyAreThoseOfItsTrials) {
     EXPECT_DOUBLE_EQ(s.unknowns[i].mean, sum / 40.0);
     EXPECT_EQ(s.unknowns[i].truth, data->unknowns[i].truth);
   }
-}
-
-TEST(RecordJournal, KnowsWhatIsWhole) {
-  const Path path = scratch("journal");
-  using Start = frf::RecordJournal::Start;
-  {
-    frf::RecordJournal journal(path, "key", 2, Start::fresh);
-    journal.put(3, std::vector<double>{1.0, 2.0});
-    journal.put(0, std::vector<double>{0.0, 0.0});
-    EXPECT_THROW(frf::RecordJournal(path, "key", 2, Start::resume), InputError) << "two on one journal";
-  }
-  EXPECT_THROW(frf::RecordJournal(path, "key", 2, Start::fresh), InputError);
-  EXPECT_THROW(frf::RecordJournal(path, "other", 2, Start::resume), InputError);
-  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
-  frf::RecordJournal journal(path, "key", 2, Start::resume);
-  EXPECT_EQ(journal.present(5), (std::vector<bool>{true, false, false, false, false}));
-  journal.put(1, std::vector<double>{5.0, 6.0});
-  EXPECT_EQ(journal.read(0, 2), (std::vector<double>{0.0, 0.0, 5.0, 6.0}));
 }
 
 }  // namespace

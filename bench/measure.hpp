@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace jointid::bench {
+
+/// The upper of the two middle ones of an even number.
+inline double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Of elements [first, last), relative to the largest of b's.
+inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b, std::size_t first, std::size_t last) {
+  double difference = 0.0, largest = 0.0;
+  for (std::size_t i = first; i < last; ++i) {
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+    largest = std::max(largest, std::abs(b[i]));
+  }
+  return difference / largest;
+}
+
+/// The same of 20 unknowns in the order K, D: stiffness and damping each against their own largest element.
+inline double largest_difference_of_case_a1(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::max(largest_difference(a, b, 0, 10), largest_difference(a, b, 10, 20));
+}
+
+}  // namespace jointid::bench
