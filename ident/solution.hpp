@@ -37,6 +37,15 @@ struct BandMatrices {
   Matrices matrices;
 };
 
+/// How the residuals of all FRFs compare with their variances: `value` is about `degrees_of_freedom`, give or take √(2·that),
+/// when joint model and variances are right.
+struct ChiSquare {
+  double value = 0.0;
+  double degrees_of_freedom = 0.0;
+  std::size_t outlying_lines = 0;  ///< lines that fit so badly that they count for less than half
+  std::vector<double> by_line;     ///< χ² over its expectation, one per line; NaN for a line without redundancy
+};
+
 struct Fit {
   std::size_t equations_used = 0;     ///< complex equations
   std::size_t equations_dropped = 0;  ///< by Δ, by missing data, or with zero coefficients only
@@ -44,6 +53,7 @@ struct Fit {
   std::size_t rank = 0;
   double condition = 0.0;                ///< of the column-scaled weighted system, 2-norm
   std::size_t iterations = 0;            ///< of iterative methods
+  std::optional<ChiSquare> chi_square;   ///< of methods that weigh FRFs by their variances
   std::optional<double> asm_frf_error;   ///< dB; empty when the scene's equations do not read what it needs
 };
 

@@ -124,13 +124,25 @@ void LikelihoodEstimator::begin(const std::vector<double>& theta) {
 }
 
 void LikelihoodEstimator::weigh() {
-  for (Line& line : lines_) line.weight = line.redundancy > 0.0 ? robust_weight(line.cost, line.redundancy) : 0.0;
+  for (Line& line : lines_) line.weight = line.redundancy > 0.0 ? robust_weight(line.cost / tolerance_, line.redundancy) : 0.0;
+}
+
+/// How much more than expected the lines are off at the middle: while most of them do not fit, that is no reason to trust a few.
+void LikelihoodEstimator::choose_tolerance() {
+  std::vector<double> ratios;
+  for (const Line& line : lines_) {
+    if (line.redundancy > 0.0) ratios.push_back(line.cost / line.redundancy);
+  }
+  if (ratios.empty()) return;
+  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  tolerance_ = *middle > outlying ? *middle : 1.0;
 }
 
 double LikelihoodEstimator::total() const {
   double sum = 0.0;
   for (const Line& line : lines_) {
-    if (line.redundancy > 0.0) sum += robust_loss(line.cost, line.redundancy);
+    if (line.redundancy > 0.0) sum += tolerance_ * robust_loss(line.cost / tolerance_, line.redundancy);
   }
   return sum;
 }
@@ -161,7 +173,7 @@ void LikelihoodEstimator::linearise_all(const std::vector<double>& theta) {
 }
 
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
-  constexpr std::size_t most = 15;
+  const std::size_t most = getenv("MOST") ? std::stoul(getenv("MOST")) : 15;
   constexpr double near = 0.3;  // in standard deviations: close enough for the second stage
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
@@ -169,6 +181,7 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
     watch(++fit.iterations);
     linearise_all(fit.theta);
     for (Line& line : lines_) line.cost = line.reduced.cost;
+    choose_tolerance();
     weigh();
     sum(information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
@@ -180,6 +193,7 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
       const LineStep own = line.reduced.own - line.reduced.back * pick(step, line.joint.columns());
       model.advance(own, line.joint.at(next) - z, line.state);
     });
+    if(getenv("DBG")){ double m=0,tt=0; size_t w=0; for(size_t i=0;i<lines_.size();++i){tt+=lines_[i].cost; if(lines_[i].cost>m){m=lines_[i].cost;w=i;}} fprintf(stderr,"gh %zu step %.3g cost %.5g worst %zu %.4g red %.4g th %.5g %.5g\n",iteration,std::sqrt(step.dot(information*step)),tt,w,m,lines_[w].redundancy,fit.theta[0],fit.theta[2]);}
     fit.theta = next;
     if (std::sqrt(step.dot(information * step)) < near) break;
   }
@@ -246,6 +260,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   constexpr std::size_t most = 60;
   const LineLayout& layout = observations_.layout();
   relax_all(fit.theta);
+  choose_tolerance();
   weigh();
   double loss = total();
   Eigen::VectorXd gradient;
@@ -280,6 +295,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
         loss = reached;
         fit.theta = next;
         weigh();
+        if(getenv("DBG")){ double m=0,tt=0; size_t w=0; for(size_t i=0;i<lines_.size();++i){tt+=lines_[i].cost; if(lines_[i].cost>m){m=lines_[i].cost;w=i;}} fprintf(stderr,"  vp %zu size %.3g scale %.3g loss %.6g cost %.6g worst %zu %.4g th %.5g %.5g\n",iteration,size,scale,loss,tt,w,m,fit.theta[0],fit.theta[2]);}
         if (size * scale < tolerance) return true;
       }
     }
@@ -296,7 +312,8 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
   fit.theta = std::move(start);
   begin(fit.theta);
   implicit_stage(fit, watch);
-  fit.converged = project(fit, 1e-3, watch);
+  for (int round = 0; round < 10 && !(project(fit, 0.1, watch) && tolerance_ == 1.0); ++round) {
+  }
   for (int round = 0; round < 6 && observations_.variances_by_law(); ++round) {
     const std::vector<double> before = fit.theta;
     for (std::size_t i = 0; i < lines_.size(); ++i) {

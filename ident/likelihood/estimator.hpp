@@ -52,6 +52,7 @@ class LikelihoodEstimator {
 
   void for_lines(const std::function<void(std::size_t, LineModel&)>& work) const;
   void begin(const std::vector<double>& theta);
+  void choose_tolerance();
   void weigh();
   void sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total() const;
@@ -64,6 +65,7 @@ class LikelihoodEstimator {
   Observations& observations_;
   std::size_t unknowns_, threads_;
   std::vector<Line> lines_;
+  double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
 };
 
 }  // namespace jointid::ident

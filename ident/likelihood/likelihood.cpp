@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/estimator.hpp"
@@ -49,6 +50,20 @@ std::vector<double> linear_start(Plan& plan, const Control& control) {
   return theta;
 }
 
+ChiSquare chi_square_of(const Observations& observations, const LikelihoodFit& fit) {
+  ChiSquare out;
+  for (std::size_t i = 0; i < fit.line_cost.size(); ++i) {
+    const double redundancy = observations.lines()[i].redundancy(observations.layout());
+    out.by_line.push_back(redundancy > 0.0 ? fit.line_cost[i] / redundancy : std::numeric_limits<double>::quiet_NaN());
+    if (redundancy <= 0.0) continue;
+    out.value += fit.line_cost[i];
+    out.degrees_of_freedom += redundancy;
+    if (fit.line_weight[i] < 0.5) ++out.outlying_lines;
+  }
+  out.degrees_of_freedom -= static_cast<double>(fit.theta.size());
+  return out;
+}
+
 }  // namespace
 
 void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
@@ -80,6 +95,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   out.fit.lines = plan.lines.size();
   for (const LineData& line : observations.lines()) out.fit.equations_used += line.measured / 2;
   out.fit.iterations = fit.iterations;
+  out.fit.chi_square = chi_square_of(observations, fit);
 }
 
 }  // namespace jointid::ident
