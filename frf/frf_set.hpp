@@ -31,6 +31,7 @@ struct FrfHeader {
   Quantity quantity = Quantity::receptance;  ///< as stored; values are handed out as receptance
   NoiseRecord noise = NoiseRecord::none;
   double averages = 0.0;  ///< number of averages behind a coherence, 0 if none
+  std::size_t repeats = 0;  ///< runs whose scatter gave the variances, 0 if none
   std::vector<Node> nodes;
 
   std::size_t lines() const { return frequency_hz.size(); }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ident/coordinates.hpp"
+#include "ident/data_source.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/line_choice.hpp"
 #include "ident/scene_failure.hpp"
@@ -14,13 +15,6 @@
 
 namespace jointid::ident {
 namespace {
-
-std::unique_ptr<frf::FrfSystem> open_system(const std::string& name, const std::vector<DataFile>& files,
-                                            frf::Composition composition, bool reciprocity) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  for (const DataFile& file : files) sources.push_back(frf::open(file.path, file.options));
-  return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, reciprocity);
-}
 
 void require_method(const Scene& scene) {
   const IdentifySection& identify = scene.identify;
@@ -191,9 +185,11 @@ std::unique_ptr<EquationBuilder> make_builder(Plan& plan) {
 }
 
 std::unique_ptr<Plan> make_plan(const Scene& scene) {
-  auto substructures =
-      open_system("substructures", scene.data.substructures, frf::Composition::uncoupled, scene.data.reciprocity);
-  auto assembly = open_system("assembly", scene.data.assembly, frf::Composition::merged, scene.data.reciprocity);
+  const auto open_system = [&](const char* name, const std::vector<DataFile>& files, frf::Composition composition) {
+    return std::make_unique<frf::FrfSystem>(name, open_all(files), composition, scene.data.reciprocity);
+  };
+  auto substructures = open_system("substructures", scene.data.substructures, frf::Composition::uncoupled);
+  auto assembly = open_system("assembly", scene.data.assembly, frf::Composition::merged);
   return make_plan(scene, std::move(substructures), std::move(assembly));
 }
 

@@ -2,6 +2,7 @@
 
 #include "ident/scene_sections.hpp"
 #include "ident/scene_text.hpp"
+#include "ident/variance_origin.hpp"
 
 namespace jointid::ident {
 
@@ -19,6 +20,7 @@ Scene parse_scene(const std::string& text, const Path& file) {
   scene.joints = read_joints(table);
   if (const auto identify = table.find("identify")) scene.identify = read_identify(*identify, scene.joints);
   if (const auto noise = table.find("noise")) scene.noise = read_noise(*noise);
+  if (scene.identify.variance == VarianceChoice::noise) require_noise_law(scene);
   if (const auto truth = table.find("truth")) scene.truth = read_matrices(*truth, joint_size(scene.joints));
   return scene;
 }

@@ -22,6 +22,7 @@ using Range = std::array<double, 2>;  ///< Hz, both ends included
 struct DataFile {
   Path path;  ///< resolved against the folder of the scene
   frf::OpenOptions options;
+  std::vector<DataFile> repeats{};  ///< further runs of the same measurement
 };
 
 struct DataSection {
@@ -57,9 +58,10 @@ Equation parse_equation(const std::string& text);
 
 /// Where the variances of the FRFs are taken from.
 enum class VarianceChoice {
-  automatic,  ///< what each file has; else the law of [noise]
+  automatic,  ///< what each file has; else the law of [noise]; else the scatter of the data
   file,       ///< variances or coherences of the files
-  noise       ///< the law of [noise], whatever the files have
+  noise,      ///< the law of [noise], whatever the files have
+  local       ///< estimated from the scatter of the data about smooth local models
 };
 
 struct IdentifySection {
@@ -69,6 +71,7 @@ struct IdentifySection {
   double delta = 0.0;  ///< 0 ≤ Δ < 2
   std::string solver = "auto";
   VarianceChoice variance = VarianceChoice::automatic;
+  bool smooth_variance = false;  ///< of files: σ² = a|H|² + b fitted to each FRF
   std::map<restrictions::Kind, Matrix> start;
 };
 

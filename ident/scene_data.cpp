@@ -7,18 +7,43 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Reads a list of files; `names` collects them as written, none twice.
+/// `names` collects the files as written, none twice.
+DataFile read_file(const SceneItem& item, const Path& folder, Names& names) {
+  const std::string name = item.text_not_empty();
+  if (std::find(names.begin(), names.end(), name) != names.end()) {
+    item.fail("the file '" + name + "' is named twice", "a file holds either a substructure or the assembly, once");
+  }
+  names.push_back(name);
+  return {folder / name, {}};
+}
+
+/// Repeats of one measurement: the first run with the others.
+DataFile read_repeats(const SceneItem& list, const Path& folder, Names& names) {
+  const std::vector<SceneItem> runs = list.list_not_empty();
+  if (runs.size() < 2) list.fail("a list of one file: one run has no scatter", "name the file without the list, or more runs");
+  DataFile first = read_file(runs.front(), folder, names);
+  for (std::size_t i = 1; i < runs.size(); ++i) first.repeats.push_back(read_file(runs[i], folder, names));
+  return first;
+}
+
 std::vector<DataFile> read_files(const SceneItem& list, const Path& folder, Names& names) {
   std::vector<DataFile> files;
   for (const SceneItem& item : list.list_not_empty()) {
-    const std::string name = item.text_not_empty();
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-      item.fail("the file '" + name + "' is named twice", "a file holds either a substructure or the assembly, once");
-    }
-    names.push_back(name);
-    files.push_back({folder / name, {}});
+    files.push_back(item.is_list() ? read_repeats(item, folder, names) : read_file(item, folder, names));
   }
   return files;
+}
+
+/// The files in the order of their names.
+std::vector<DataFile*> all_files(DataSection& data) {
+  std::vector<DataFile*> all;
+  for (auto* files : {&data.substructures, &data.assembly}) {
+    for (DataFile& file : *files) {
+      all.push_back(&file);
+      for (DataFile& run : file.repeats) all.push_back(&run);
+    }
+  }
+  return all;
 }
 
 frf::OpenOptions read_options(const SceneItem& item) {
@@ -39,12 +64,9 @@ frf::OpenOptions read_options(const SceneItem& item) {
 
 void read_all_options(const SceneItem& item, const Names& names, DataSection& data) {
   const SceneTable table = item.table(names);
+  const std::vector<DataFile*> files = all_files(data);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto options = table.find(names[i]);
-    if (!options) continue;
-    const bool is_substructure = i < data.substructures.size();
-    DataFile& file = is_substructure ? data.substructures[i] : data.assembly[i - data.substructures.size()];
-    file.options = read_options(*options);
+    if (const auto options = table.find(names[i])) files[i]->options = read_options(*options);
   }
 }
 

@@ -14,7 +14,7 @@ const std::vector<std::string> equations = {"nn", "nj", "jj", "jn"};
 const std::vector<std::string> weightings = {"none", "WA", "WB", "WBG", "WBS"};
 const std::vector<std::string> solvers = {"auto", "qr", "normal", "spqr", "ceres", "nlopt", "ipopt", "pattern"};
 
-const std::vector<std::string> variances = {"auto", "file", "noise"};
+const std::vector<std::string> variances = {"auto", "file", "noise", "local"};
 
 /// The enumerator whose name stands at its place in `words`.
 template <class Enum>
@@ -97,7 +97,8 @@ std::map<Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size) {
 }
 
 IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec>& joints) {
-  const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "variance"});
+  const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "variance",
+                                       "smooth_variance"});
   IdentifySection identify;
   if (const auto method = table.find("method")) identify.method = read_enum<Method>(*method, methods);
   if (const auto list = table.find("equations")) identify.equations = read_equations(*list);
@@ -105,6 +106,7 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   if (const auto delta = table.find("delta")) identify.delta = read_delta(*delta);
   if (const auto solver = table.find("solver")) identify.solver = solver->word(solvers);
   if (const auto word = table.find("variance")) identify.variance = read_enum<VarianceChoice>(*word, variances);
+  if (const auto flag = table.find("smooth_variance")) identify.smooth_variance = flag->boolean();
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);
   return identify;
 }

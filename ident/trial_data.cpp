@@ -1,11 +1,14 @@
 #include "ident/trial_data.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 #include "frf/error.hpp"
 #include "frf/polluter.hpp"
+#include "ident/data_source.hpp"
 #include "ident/quality.hpp"
+#include "ident/trial_noise.hpp"
 #include "ident/true_values.hpp"
 
 namespace jointid::ident {
@@ -79,12 +82,25 @@ struct Excerpts {
   std::vector<frf::Excerpt> substructures, assembly;
 };
 
+std::vector<std::size_t> all_lines(const frf::FrfHeader& header) {
+  std::vector<std::size_t> lines(header.lines());
+  std::iota(lines.begin(), lines.end(), std::size_t{0});
+  return lines;
+}
+
+/// The scatter of an FRF is seen on lines next to each other, those not in use as well.
+bool needs_all_lines(const Scene& scene) { return scene.identify.variance == VarianceChoice::local; }
+
 std::vector<frf::Excerpt> take(const Plan& plan, const frf::FrfSystem& system, std::size_t Line::*line_of,
                                const std::vector<Recorder*>& recorders) {
   std::vector<double> axis;
   for (const Line& line : plan.lines) axis.push_back(line.frequency_hz);
   std::vector<frf::Excerpt> excerpts;
   for (std::size_t s = 0; s < recorders.size(); ++s) {
+    if (needs_all_lines(plan.scene)) {
+      excerpts.push_back(recorders[s]->excerpt(all_lines(recorders[s]->header())));
+      continue;
+    }
     std::vector<std::size_t> lines;
     for (const Line& line : plan.lines) lines.push_back(system.source_line(s, line.*line_of));
     excerpts.push_back(recorders[s]->excerpt(lines));
@@ -100,10 +116,10 @@ Measurements sets_of(const Excerpts& excerpts) {
   return out;
 }
 
-/// The scene for the excerpt: what was chosen on the whole data is not chosen again.
+/// The scene for the excerpt: what was chosen on the whole data is not chosen again unless it has all lines.
 Scene scene_of_excerpt(const Plan& plan) {
   Scene scene = plan.scene;
-  scene.frequency = {};
+  if (!needs_all_lines(scene)) scene.frequency = {};
   scene.identify.equations = plan.equations;
   return scene;
 }
@@ -126,7 +142,7 @@ void describe(const Plan& plan, TrialData& out) {
 
 /// Plans on the whole data, takes what the plan reads, and hands it to `make_pollution`.
 template <class MakePollution>
-std::shared_ptr<const TrialData> prepare(const Scene& scene, Sources substructures, Sources assembly, bool all_dofs,
+std::shared_ptr<TrialData> prepare(const Scene& scene, Sources substructures, Sources assembly, bool all_dofs,
                                          const MakePollution& make_pollution) {
   const bool reciprocity = scene.data.reciprocity;
   Recorded sub = record("substructures", std::move(substructures), frf::Composition::uncoupled, reciprocity);
@@ -196,12 +212,6 @@ Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model) {
   };
 }
 
-Sources open_all(const std::vector<DataFile>& files) {
-  Sources sources;
-  for (const DataFile& file : files) sources.push_back(frf::open(file.path, file.options));
-  return sources;
-}
-
 /// Sources that refer to sets which outlive them.
 Sources refer_to(const std::vector<frf::FrfSet>& sets) {
   Sources sources;
@@ -214,8 +224,10 @@ Sources refer_to(const std::vector<frf::FrfSet>& sets) {
 std::shared_ptr<const TrialData> prepare(const Scene& scene, Sources substructures, Sources assembly,
                                          const frf::NoiseModel& noise) {
   frf::validate(noise);
-  return prepare(scene, std::move(substructures), std::move(assembly), noise.position_errors > 0.0,
-                 [&](const Excerpts& excerpts) { return pollution_of(excerpts, noise); });
+  const auto data = prepare(scene, std::move(substructures), std::move(assembly), noise.position_errors > 0.0,
+                            [&](const Excerpts& excerpts) { return pollution_of(excerpts, noise); });
+  declare_noise(noise, *data);
+  return data;
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ struct TrialUnknown {
   std::optional<double> truth;  ///< when the scene's [truth] fixes it
 };
 
-/// What the runners of a study share: base data (just the lines and DOFs that the plan needs) and what is put on them.
+/// What the runners of a study share: base data (just the lines and DOFs that the plan needs; all lines when variances are
+/// estimated from the scatter) and what is put on them. Sets and scene say the noise of the trials, see declare_noise().
 struct TrialData {
   Scene scene;  ///< for the excerpt: all its lines, the equations that the whole data allow
   Measurements base;

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "frf/h1.hpp"
+#include "ident/scatter.hpp"
+#include "ident/variance_smoothing.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -15,16 +17,38 @@ constexpr std::size_t lines_at_once = 64;
 }  // namespace
 
 VariancePiece::VariancePiece(frf::FrfSource& source, frf::BlockPiece piece, const Scene& scene)
-    : source_(source), piece_(std::move(piece)), origin_(variance_origin(scene, source.header())) {
+    : source_(source),
+      piece_(std::move(piece)),
+      origin_(variance_origin(scene, source.header())),
+      smooth_(scene.identify.smooth_variance) {
   if (origin_ != VarianceOrigin::noise_model) return;
   model_ = scene.noise->frf_model;
   if (!needs_prepare()) laws_.assign(piece_.size(), frf::variance_law(model_, 0.0));
 }
 
-bool VariancePiece::needs_prepare() const { return origin_ == VarianceOrigin::noise_model && model_.floor > 0.0; }
+bool VariancePiece::is_recorded() const {
+  return origin_ != VarianceOrigin::noise_model && origin_ != VarianceOrigin::scatter;
+}
+
+bool VariancePiece::needs_prepare() const {
+  if (origin_ == VarianceOrigin::noise_model) return model_.floor > 0.0;
+  return origin_ == VarianceOrigin::scatter || smooth_;
+}
 
 void VariancePiece::prepare(std::span<const std::size_t> lines) {
   if (!needs_prepare()) return;
+  if (origin_ == VarianceOrigin::noise_model) {
+    laws_ = laws_with_floor(lines);
+  } else if (origin_ == VarianceOrigin::scatter) {
+    Scatter found = estimate_scatter(source_, piece_, lines);
+    laws_ = std::move(found.laws);
+    unresolved_ = found.unresolved;
+  } else {
+    laws_ = smoothed_laws(*this, lines);
+  }
+}
+
+std::vector<frf::VarianceLaw> VariancePiece::laws_with_floor(std::span<const std::size_t> lines) {
   const frf::FrfHeader& header = source_.header();
   const std::size_t entries = piece_.size();
   std::vector<double> squares(entries, 0.0), counts(entries, 0.0);
@@ -41,26 +65,23 @@ void VariancePiece::prepare(std::span<const std::size_t> lines) {
       counts[i % entries] += 1.0;
     }
   }
-  laws_.clear();
+  std::vector<frf::VarianceLaw> laws;
   for (std::size_t i = 0; i < entries; ++i) {
-    laws_.push_back(frf::variance_law(model_, counts[i] > 0.0 ? squares[i] / counts[i] : 0.0));
+    laws.push_back(frf::variance_law(model_, counts[i] > 0.0 ? squares[i] / counts[i] : 0.0));
   }
+  return laws;
 }
 
 void VariancePiece::read_values(std::span<const std::size_t> lines, std::span<Complex> out) { source_.read(block(lines), out); }
 
 void VariancePiece::read(std::span<const std::size_t> lines, std::span<const Complex> values, std::span<Complex> out) {
-  switch (origin_) {
-    case VarianceOrigin::variance:
-      source_.read_variance(block(lines), out);
-      break;
-    case VarianceOrigin::coherence:
-      from_coherence(lines, values, out);
-      break;
-    case VarianceOrigin::noise_model:
-      from_law(lines, values, out);
-      break;
-  }
+  is_recorded() && !smooth_ ? read_recorded(lines, values, out) : from_law(lines, values, out);
+}
+
+void VariancePiece::read_recorded(std::span<const std::size_t> lines, std::span<const Complex> values,
+                                  std::span<Complex> out) {
+  assert(is_recorded());
+  origin_ == VarianceOrigin::coherence ? from_coherence(lines, values, out) : source_.read_variance(block(lines), out);
 }
 
 void VariancePiece::from_coherence(std::span<const std::size_t> lines, std::span<const Complex> values,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace jointid::ident {
@@ -87,11 +88,21 @@ void Variances::read(std::span<const std::size_t> lines, std::span<const Complex
 
 std::vector<FileVariances> Variances::origins() const {
   std::vector<FileVariances> all;
-  std::set<std::size_t> told;
+  std::map<std::size_t, FileVariances> by_source;
   for (const VariancePiece& part : parts_) {
-    if (told.insert(part.piece().source).second) all.push_back({part.source().header().file, part.origin()});
+    FileVariances& file = by_source[part.piece().source];
+    file.file = part.source().header().file;
+    file.origin = part.origin();
+    file.unresolved += part.unresolved();
   }
+  for (auto& [source, file] : by_source) all.push_back(std::move(file));
   return all;
+}
+
+std::string note(const FileVariances& file) {
+  if (file.unresolved == 0) return {};
+  return file.file + ": between its lines " + std::to_string(file.unresolved) +
+         " FRFs change too much to see their noise; their variances are upper bounds (measure more lines, or give [noise])";
 }
 
 }  // namespace jointid::ident

@@ -13,9 +13,14 @@ namespace jointid::ident {
 struct FileVariances {
   std::string file;
   VarianceOrigin origin = VarianceOrigin::variance;
+  std::size_t unresolved = 0;  ///< FRFs whose scatter is more than noise: their variances are upper bounds (after prepare())
 };
 
-/// Variances of the measured FRFs rows × columns of one system: what its files say, or the scene's [noise] (variance_origin()).
+/// A sentence for the user when the lines of a file are too coarse to see its noise; empty otherwise.
+std::string note(const FileVariances& file);
+
+/// Variances of the measured FRFs rows × columns of one system: what its files say, by the scene's [noise], or estimated from
+/// the scatter of the data (variance_origin()); with [identify] smooth_variance, smooth laws fitted to what files say.
 /// They hold for a measured value, so FRFs and variances may change between reads (studies); nothing of them is kept but what
 /// prepare() finds. Nothing is read before it is asked for.
 class Variances {
@@ -27,7 +32,9 @@ class Variances {
   /// Whether prepare() has anything to do; it must then be called before read(), and again when the FRFs have changed.
   bool needs_prepare() const;
 
-  /// Finds what the laws need of the FRFs; `lines`: the common lines in use. Reads them, some at a time.
+  /// Finds the laws that depend on the FRFs (floor, scatter, smoothing); `lines`: the common lines in use, ascending. Reads
+  /// FRFs some lines at a time; for the scatter, lines of the files between those in use as well, and some milliseconds
+  /// per FRF. Throws InputError (data) for a file with too few lines to see a scatter.
   void prepare(std::span<const std::size_t> lines);
 
   /// `frf`: what frf::BlockReader::read() gave for the same rectangle and common lines (ascending). `out` gets the variances

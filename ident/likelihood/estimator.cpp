@@ -172,8 +172,27 @@ void LikelihoodEstimator::linearise_all(const std::vector<double>& theta) {
   });
 }
 
+/// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
+/// covariance that the last joint gives them.
+void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& watch) {
+  constexpr std::size_t most = 4;
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+  for (std::size_t iteration = 0; iteration < most; ++iteration) {
+    watch(++fit.iterations);
+    linearise_all(fit.theta);
+    for (Line& line : lines_) line.cost = line.reduced.cost;
+    choose_tolerance();
+    weigh();
+    sum(information, gradient);
+    const Eigen::VectorXd step = solve_step(information, gradient);
+    fit.theta = added(fit.theta, step, 1.0);
+    if (std::sqrt(step.dot(information * step)) < 1.0) break;
+  }
+}
+
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
-  const std::size_t most = getenv("MOST") ? std::stoul(getenv("MOST")) : 15;
+  constexpr std::size_t most = 15;
   constexpr double near = 0.3;  // in standard deviations: close enough for the second stage
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
@@ -193,7 +212,6 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
       const LineStep own = line.reduced.own - line.reduced.back * pick(step, line.joint.columns());
       model.advance(own, line.joint.at(next) - z, line.state);
     });
-    if(getenv("DBG")){ double m=0,tt=0; size_t w=0; for(size_t i=0;i<lines_.size();++i){tt+=lines_[i].cost; if(lines_[i].cost>m){m=lines_[i].cost;w=i;}} fprintf(stderr,"gh %zu step %.3g cost %.5g worst %zu %.4g red %.4g th %.5g %.5g\n",iteration,std::sqrt(step.dot(information*step)),tt,w,m,lines_[w].redundancy,fit.theta[0],fit.theta[2]);}
     fit.theta = next;
     if (std::sqrt(step.dot(information * step)) < near) break;
   }
@@ -295,7 +313,6 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
         loss = reached;
         fit.theta = next;
         weigh();
-        if(getenv("DBG")){ double m=0,tt=0; size_t w=0; for(size_t i=0;i<lines_.size();++i){tt+=lines_[i].cost; if(lines_[i].cost>m){m=lines_[i].cost;w=i;}} fprintf(stderr,"  vp %zu size %.3g scale %.3g loss %.6g cost %.6g worst %zu %.4g th %.5g %.5g\n",iteration,size,scale,loss,tt,w,m,fit.theta[0],fit.theta[2]);}
         if (size * scale < tolerance) return true;
       }
     }
@@ -311,6 +328,7 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
   LikelihoodFit fit;
   fit.theta = std::move(start);
   begin(fit.theta);
+  whitened_stage(fit, watch);
   implicit_stage(fit, watch);
   for (int round = 0; round < 10 && !(project(fit, 0.1, watch) && tolerance_ == 1.0); ++round) {
   }

@@ -56,6 +56,7 @@ class LikelihoodEstimator {
   void weigh();
   void sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total() const;
+  void whitened_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);

@@ -50,6 +50,11 @@ const Wrong hdf5_files[] = {
      {"a.h5: ", "frf: ", "is a link to somewhere else", "copy the data into this file"}},
     {"Coherence", hdf5_coherence("a.h5", {1.0, 0.5, 1.5, 0.5, 0.5, 0.5}), convert("a.h5"), 3,
      {"a.h5: ", "coherence of 1:+Y/1:+Y, line 2: ", "1.5 is not between 0 and 1", "export the coherences again"}},
+    {"VarianceBelowZero", with_set("a.h5", [](frf::FrfSet& set) {
+       set.header.noise = frf::NoiseRecord::variance;
+       set.variance.assign(6, {1.0, -2.0});
+     }), convert("a.h5"), 3,
+     {"a.h5: ", "variance of 1:+Y/1:+Y, line 1: ", "-2 is below 0", "export the variances again"}},
     {"TruncatedInAScene", cut("A1_assembly.h5", 60000), solve(), 3, {"A1_assembly.h5: ", "truncated"}},
 };
 INSTANTIATE_TEST_SUITE_P(Hdf5, WrongInput, testing::ValuesIn(hdf5_files), name_of);

@@ -13,6 +13,28 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
+TEST(Scene, AListInPlaceOfAFileIsRepeatsWithTheirOptions) {
+  const Scene scene = parse_scene(R"(
+data.substructures = [["run1.h5", "run2.h5", "run3.h5"], "other.h5"]
+data.assembly = ["whole.h5"]
+[data.files."run3.h5"]
+quantity = "mobility"
+[data.files."other.h5"]
+quantity = "accelerance"
+[joint]
+dofs = ["1:+X"]
+stiffness.pattern = "full"
+)", "scene.toml");
+  ASSERT_THAT(scene.data.substructures, SizeIs(2));
+  const DataFile& first = scene.data.substructures[0];
+  EXPECT_EQ(first.path, Path("run1.h5"));
+  ASSERT_THAT(first.repeats, SizeIs(2));
+  EXPECT_EQ(first.repeats[1].path, Path("run3.h5"));
+  EXPECT_EQ(first.repeats[1].options.quantity, frf::Quantity::mobility);
+  EXPECT_EQ(scene.data.substructures[1].options.quantity, frf::Quantity::accelerance);
+  EXPECT_TRUE(scene.data.substructures[1].repeats.empty());
+}
+
 TEST(Scene, EveryKeyArrives) {
   const Scene scene = parse_scene(full_scene, "some/where/scene.toml");
   EXPECT_EQ(scene.file, Path("some/where/scene.toml"));

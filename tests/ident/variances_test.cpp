@@ -1,10 +1,14 @@
 #include "ident/variances.hpp"
 
 #include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
 
 #include "frf/error.hpp"
 #include "frf/h1.hpp"
+#include "frf/repeats.hpp"
+#include "ident/trial_runner.hpp"
 #include "memory_systems.hpp"
+#include "problems/in_memory.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -200,6 +204,118 @@ TEST(Variances, ReadNothingBeforeTheyAreAsked) {
   variances.prepare(lines);
   variances.read(lines, std::vector<Complex>{1.0}, out);
   EXPECT_EQ(system->source(0).count().calls, 0u);
+}
+
+TEST(Variances, OfRepeatsAreThoseOfTheirMean) {
+  frf::FrfSet run = sample("a", dofs({"1:+X"}), dofs({"1:+X"}));
+  std::vector<std::unique_ptr<frf::FrfSource>> runs, sources;
+  for (const double shift : {-1.0, 0.0, 1.0}) {
+    frf::FrfSet other = run;
+    for (Complex& value : other.values) value += Complex(shift, 2.0 * shift);
+    runs.push_back(frf::from_memory(other));
+  }
+  sources.push_back(frf::mean_of_repeats(std::move(runs)));
+  frf::FrfSystem system("assembly", std::move(sources), Composition::merged, false);
+  const auto read = read_all(system, run.header.response, run.header.reference, {});
+  EXPECT_NEAR(read.variance[0].real(), 1.0 / 3.0, 1e-12);
+  EXPECT_NEAR(read.variance[0].imag(), 4.0 / 3.0, 1e-12);
+  EXPECT_EQ(Variances(system, run.header.response, run.header.reference, {}).origins()[0].origin, VarianceOrigin::repeats);
+}
+
+TEST(Variances, AreSmoothedOnRequest) {
+  std::mt19937_64 random(3);
+  std::vector<double> lines;
+  for (int i = 1; i <= 200; ++i) lines.push_back(i);
+  frf::FrfSet set = random_set("a", lines, dofs({"1:+X"}), dofs({"1:+X"}), 1.0, random);
+  set.header.noise = NoiseRecord::coherence;
+  set.header.averages = 5.0;
+  const double a = 1e-3, b = 1e-4;
+  std::gamma_distribution<double> gamma(4.0);
+  for (const Complex value : set.values) {
+    const double residual = (a * std::norm(value) + b) * gamma(random);  // (n_d − 1)σ̂² of four degrees of freedom
+    set.coherence.push_back(std::norm(value) / (std::norm(value) + residual));
+  }
+  const auto system = memory_system("assembly", {set}, Composition::merged);
+  Scene scene;
+  scene.identify.smooth_variance = true;
+  const auto read = read_all(*system, set.header.response, set.header.reference, scene);
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    EXPECT_NEAR(2.0 * read.variance[line].real() / (a * std::norm(set.values[line]) + b), 1.0, 0.25);
+  }
+}
+
+TEST(Variances, FromTheScatterNeedNothingElse) {
+  const problems::Problem problem = problems::make("A1");
+  const frf::FrfSet noisy = frf::polluted(problem.assembly, {.kind = frf::NoiseKind::circular, .level = 0.02}, 1, 1);
+  const auto system = memory_system("assembly", {noisy}, Composition::merged);
+  const Dofs some = dofs({"1:+Y", "7:+Y"});
+  const auto read = read_all(*system, some, some, {});
+  std::vector<double> relative;
+  for (std::size_t i = 0; i < read.frf.size(); ++i) {
+    relative.push_back(std::sqrt(2.0 * read.variance[i].real()) / std::abs(read.frf[i]));
+  }
+  std::nth_element(relative.begin(), relative.begin() + 62, relative.end());
+  EXPECT_NEAR(relative[62] / 0.02, 1.0, 0.4);
+  Variances variances(*system, some, some, {});
+  EXPECT_EQ(variances.origins()[0].origin, VarianceOrigin::scatter);
+  EXPECT_TRUE(note(variances.origins()[0]).empty());
+}
+
+/// The law holds on average over the noise: the mean of the variances found is the scatter of the polluted values.
+RC_GTEST_PROP(Variances, AgreeWithTheScatterOverSeeds, ()) {
+  const auto kind = *rc::gen::element(frf::NoiseKind::uniform, frf::NoiseKind::gaussian, frf::NoiseKind::circular,
+                                      frf::NoiseKind::hammer);
+  const frf::NoiseModel model{.kind = kind, .level = 0.05, .coherence = 0.99, .averages = 6,
+                              .floor = kind == frf::NoiseKind::hammer ? 0.0 : *rc::gen::element(0.0, 0.03)};
+  frf::FrfSet clean;
+  clean.header.frequency_hz.resize(4000);
+  for (std::size_t i = 0; i < 4000; ++i) clean.header.frequency_hz[i] = 1.0 + static_cast<double>(i);
+  clean.header.response = clean.header.reference = dofs({"1:+X"});
+  clean.values.assign(4000, Complex(1.0, -2.0));
+  const frf::FrfSet noisy = frf::polluted(clean, model, static_cast<std::uint64_t>(*rc::gen::inRange(0, 1000)), 1);
+  const auto system = memory_system("assembly", {noisy}, Composition::merged);
+  const auto read = read_all(*system, clean.header.response, clean.header.reference, with_noise(model));
+  double real = 0.0, imag = 0.0, found_real = 0.0, found_imag = 0.0;
+  for (std::size_t i = 0; i < 4000; ++i) {
+    real += std::pow(noisy.values[i].real() - 1.0, 2);
+    imag += std::pow(noisy.values[i].imag() + 2.0, 2);
+    found_real += read.variance[i].real();
+    found_imag += read.variance[i].imag();
+  }
+  RC_ASSERT(std::abs(found_real / real - 1.0) < 0.15);
+  RC_ASSERT(std::abs(found_imag / imag - 1.0) < 0.15);
+}
+
+/// Origins of the assembly's variances in a trial of the study of a problem.
+VarianceOrigin origin_in_study(const std::string& name, const std::optional<frf::NoiseModel>& noise, VarianceChoice choice) {
+  const problems::Problem problem = problems::make(name);
+  Scene scene = problems::scene(problem);
+  scene.identify.variance = choice;
+  const Measurements clean{problem.substructures, {problem.assembly}};
+  const auto data = noise ? make_trial_data(scene, clean, *noise) : problems::trial_data(scene, problem);
+  TrialRunner runner(data);
+  runner.run(1, 1);
+  const Plan& plan = runner.plan();
+  const Dofs some = {plan.assembly->responses().front()};
+  Variances variances(*plan.assembly, some, some, plan.scene);
+  const std::vector<std::size_t> lines = {plan.lines.front().assembly, plan.lines.back().assembly};
+  std::vector<Complex> values(2), found(2);
+  frf::BlockReader(*plan.assembly, some, some).read(lines, values);
+  variances.prepare(lines);
+  variances.read(lines, values, found);
+  for (const Complex variance : found) EXPECT_GT(variance.real(), 0.0);
+  return variances.origins()[0].origin;
+}
+
+TEST(Variances, OfATrialAreThoseOfItsNoise) {
+  using enum VarianceOrigin;
+  const frf::NoiseModel uniform{.level = 0.05}, hammer{.kind = frf::NoiseKind::hammer};
+  EXPECT_EQ(origin_in_study("A1", {}, VarianceChoice::automatic), noise_model);
+  EXPECT_EQ(origin_in_study("A1", {}, VarianceChoice::local), scatter);
+  EXPECT_EQ(origin_in_study("A1", hammer, VarianceChoice::automatic), coherence);
+  EXPECT_EQ(origin_in_study("rig1", {}, VarianceChoice::automatic), coherence);
+  EXPECT_EQ(origin_in_study("rig1", uniform, VarianceChoice::automatic), noise_model);
+  EXPECT_EQ(origin_in_study("rig1", uniform, VarianceChoice::file), noise_model);
 }
 
 }  // namespace
