@@ -49,6 +49,15 @@ double norm_of(const Eigen::VectorXd& step, const Eigen::MatrixXd& information) 
   return std::sqrt(std::max(0.0, step.dot(information * step)));
 }
 
+/// The part of a step that changes no unknown by more than half of itself.
+double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta) {
+  double scale = 1.0;
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    if (theta[i] != 0.0 && step[at(i)] != 0.0) scale = std::min(scale, 0.5 * std::abs(theta[i] / step[at(i)]));
+  }
+  return scale;
+}
+
 /// Fit of the joint's unknowns ends when a step is shorter than this, in standard deviations.
 constexpr double settled = 1e-3;
 constexpr std::size_t most_iterations = 60;
@@ -224,8 +233,9 @@ void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& w
 }
 
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
-  constexpr std::size_t most = 15;
-  constexpr double near = 0.3;  // in standard deviations: close enough for the second stage
+  const bool poor = observations_.layout().a.empty();  // without H_jn of the assembly the start may be far off
+  const std::size_t most = poor ? 30 : 15;
+  constexpr double near = 0.3;  // in standard deviations: close enough for the last stage
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
@@ -236,12 +246,13 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
     weigh();
     sum(information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
-    const std::vector<double> next = added(fit.theta, step, 1.0);
+    const double scale = poor ? half_of(step, fit.theta) : 1.0;
+    const std::vector<double> next = added(fit.theta, step, scale);
     for_lines([&](std::size_t i, LineModel& model) {
       Line& line = lines_[i];
       const ComplexMatrix z = line.joint.at(fit.theta);
       model.linearise(observations_.lines()[i], line.joint, z, line.state, false);
-      const LineStep own = line.reduced.own - line.reduced.back * pick(step, line.joint.columns());
+      const LineStep own = line.reduced.own - line.reduced.back * (scale * pick(step, line.joint.columns()));
       model.advance(own, line.joint.at(next) - z, line.state);
     });
     fit.theta = next;
@@ -363,7 +374,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   fit.theta = std::move(start);
   observations_.weigh_as_measured();
   begin(fit.theta);
-  whitened_stage(fit, watch);
+  if (!observations_.layout().a.empty()) whitened_stage(fit, watch);
   implicit_stage(fit, watch);
   do {
     fit.converged = project(fit, 0.1, watch);
