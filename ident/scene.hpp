@@ -71,7 +71,8 @@ struct IdentifySection {
   double delta = 0.0;  ///< 0 ≤ Δ < 2
   std::string solver = "auto";
   VarianceChoice variance = VarianceChoice::automatic;
-  bool smooth_variance = false;  ///< of files: σ² = a|H|² + b fitted to each FRF
+  /// Of files: σ² = a|H|² + b fitted to each FRF. Empty: where they come from few averages or repeats, over enough lines.
+  std::optional<bool> smooth_variance;
   std::map<restrictions::Kind, Matrix> start;
 };
 

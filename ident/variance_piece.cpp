@@ -14,13 +14,22 @@ namespace {
 
 constexpr std::size_t lines_at_once = 64;
 
+/// Variances from few averages or repeats are uncertain themselves: as weights they cost up to half of the accuracy and make
+/// intervals too narrow. A law fitted over enough lines does not.
+bool worth_smoothing(VarianceOrigin origin, const frf::FrfHeader& header) {
+  constexpr std::size_t enough_lines = 30;
+  constexpr double many_averages = 30.0;
+  const bool uncertain = origin == VarianceOrigin::repeats || (origin == VarianceOrigin::coherence && header.averages < many_averages);
+  return uncertain && header.lines() >= enough_lines;
+}
+
 }  // namespace
 
 VariancePiece::VariancePiece(frf::FrfSource& source, frf::BlockPiece piece, const Scene& scene)
     : source_(source),
       piece_(std::move(piece)),
       origin_(variance_origin(scene, source.header())),
-      smooth_(scene.identify.smooth_variance) {
+      smooth_(scene.identify.smooth_variance.value_or(worth_smoothing(origin_, source.header()))) {
   if (origin_ != VarianceOrigin::noise_model) return;
   model_ = scene.noise->frf_model;
   if (!needs_prepare()) laws_.assign(piece_.size(), frf::variance_law(model_, 0.0));
