@@ -316,7 +316,10 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
   begin(fit.theta);
   whitened_stage(fit, watch);
   implicit_stage(fit, watch);
-  for (int round = 0; round < 10 && !(project(fit, 0.1, watch) && tolerance_ == 1.0); ++round) {
+  const double coarse = observations_.variances_by_law() ? 0.1 : 1e-3;
+  for (int round = 0; round < 10; ++round) {
+    fit.converged = project(fit, coarse, watch);
+    if (fit.converged && tolerance_ == 1.0) break;
   }
   for (int round = 0; round < 6 && observations_.variances_by_law(); ++round) {
     const std::vector<double> before = fit.theta;
