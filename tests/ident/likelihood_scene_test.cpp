@@ -51,7 +51,7 @@ TEST(LikelihoodScene, AnFrfThatSomeLinesLackIsLeftOutThere) {
   const auto solve_it = [&] { return solve(*problems::plan(a1.scene, noisy)); };
   const Solution whole = solve_it();
   for (std::size_t line = 5; line < 12; ++line) {
-    for (const auto [r, c] : {std::pair(0u, 1u), std::pair(1u, 0u), std::pair(2u, 2u)}) {
+    for (const auto& [r, c] : {std::pair(0u, 1u), std::pair(1u, 0u), std::pair(2u, 2u)}) {
       noisy.assembly.values[noisy.assembly.index(line, r, c)] = std::numeric_limits<double>::quiet_NaN();
     }
   }
