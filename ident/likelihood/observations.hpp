@@ -30,6 +30,9 @@ class Observations {
   /// Whether some variances follow a law of the value.
   bool variances_by_law() const { return substructures_.variances_by_law() || assembly_.variances_by_law(); }
 
+  /// Weights from the variances at the measured values, as after read().
+  void weigh_as_measured();
+
   /// Weights of line `line` from the law at the values of `state` instead of the measured ones, at most a factor of two off
   /// what they were at first.
   void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z);
