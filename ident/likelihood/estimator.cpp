@@ -4,9 +4,10 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+
+#include "ident/likelihood/guess_y.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -85,22 +86,6 @@ class StepLength {
   double last_size_ = 0.0, last_scale_ = 1.0;
 };
 
-/// Where H_sub(j,j) is not measured: what A = (I + Y Z)⁻¹ X makes of the measured A and X, Y = (X − A)(Z A)⁺.
-void guess_y(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, LineState& state) {
-  const auto unknown = [](const Complex& weight) { return weight == Complex(0.0); };
-  if (std::none_of(data.y.weight.begin(), data.y.weight.end(), unknown)) return;
-  ComplexMatrix a = ComplexMatrix::Zero(state.x.rows(), state.x.cols());
-  for (std::size_t v = 0; v < layout.a.size(); ++v) a(at(layout.a[v].row), at(layout.a[v].column)) = data.a.value[v];
-  const ComplexMatrix za = z * a, rest = state.x - a;
-  const Eigen::BDCSVD<ComplexMatrix> svd(za.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const ComplexMatrix guess = svd.solve(ComplexMatrix(rest.transpose())).transpose();
-  for (std::size_t v = 0; v < layout.y.size(); ++v) {
-    if (!unknown(data.y.weight[v])) continue;
-    const auto p = at(layout.y[v].row), q = at(layout.y[v].column);
-    state.y(p, q) = state.y(q, p) = 0.5 * (guess(p, q) + guess(q, p));
-  }
-}
-
 std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step, double scale) {
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] += scale * step[at(i)];
   return theta;
@@ -112,7 +97,8 @@ LikelihoodEstimator::LikelihoodEstimator(Observations& observations, const restr
                                          const UnknownColumns& columns, double omega0, std::size_t threads)
     : observations_(observations), unknowns_(columns.size()), threads_(threads) {
   for (const LineData& data : observations.lines()) {
-    Line line{JointImpedance(restriction, columns, omega0, data.omega), {}, data.redundancy(observations.layout()), 0.0, 1.0, {}};
+    Line line{JointImpedance(restriction, columns, omega0, data.omega), {}, 0.0, 0.0, 1.0, {}};
+    if (!line.joint.columns().empty()) line.redundancy = data.redundancy(observations.layout());
     lines_.push_back(std::move(line));
   }
 }

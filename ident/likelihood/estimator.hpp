@@ -13,7 +13,7 @@ struct LikelihoodFit {
   std::vector<double> theta;
   Eigen::MatrixXd information;    ///< Σ weighted reduced information at theta: its inverse is the Cramér–Rao covariance
   std::vector<double> line_cost;  ///< χ² per line
-  std::vector<double> line_weight;  ///< robust weight, 1 for a line that fits
+  std::vector<double> line_weight;  ///< robust weight, 1 for a line that fits, 0 for one that says nothing of the joint
   std::size_t iterations = 0;       ///< steps of the joint's unknowns
   std::size_t starts = 0;           ///< how many starts were tried
   double loss = 0.0;                ///< Σ L

@@ -68,8 +68,9 @@ ChiSquare chi_square_of(const Observations& observations, const LikelihoodFit& f
   ChiSquare out;
   for (std::size_t i = 0; i < fit.line_cost.size(); ++i) {
     const double redundancy = observations.lines()[i].redundancy(observations.layout());
-    out.by_line.push_back(redundancy > 0.0 ? fit.line_cost[i] / redundancy : std::numeric_limits<double>::quiet_NaN());
-    if (redundancy <= 0.0) continue;
+    const bool used = fit.line_weight[i] > 0.0;
+    out.by_line.push_back(used ? fit.line_cost[i] / redundancy : std::numeric_limits<double>::quiet_NaN());
+    if (!used) continue;
     out.value += fit.line_cost[i];
     out.degrees_of_freedom += redundancy;
     if (fit.line_weight[i] < 0.5) ++out.outlying_lines;
@@ -106,7 +107,9 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
     out.message = "The likelihood did not settle.";
   }
   out.fit.lines = plan.lines.size();
-  for (const LineData& line : observations.lines()) out.fit.equations_used += line.measured / 2;
+  for (std::size_t i = 0; i < fit.line_weight.size(); ++i) {
+    if (fit.line_weight[i] > 0.0) out.fit.equations_used += observations.lines()[i].measured / 2;
+  }
   out.fit.iterations = fit.iterations;
   out.fit.chi_square = chi_square_of(observations, fit);
 }

@@ -93,6 +93,7 @@ void plan_likelihood(Plan& plan) {
   const Dofs& joint = plan.coordinates.joint;
   const bool joint_on_assembly = std::any_of(joint.begin(), joint.end(), [&](const auto& dof) { return has(*plan.assembly, dof); });
   choose_equations(plan, joint_on_assembly);
+  if (plan.equations == std::vector{Equation::jj}) own.others.clear();
   choose_blocks(plan, joint_on_assembly);
   own.observations = std::make_unique<Observations>(plan.scene, joined(own.others, joint), own.others.size(), own.blocks,
                                                     *plan.substructures, *plan.assembly);

@@ -2,9 +2,7 @@
 
 #include <functional>
 
-#include "ident/likelihood/line_data.hpp"
-#include "ident/likelihood/line_state.hpp"
-#include "ident/likelihood/symmetric_frfs.hpp"
+#include "ident/likelihood/estimated_frfs.hpp"
 #include "ident/line.hpp"
 
 namespace jointid::ident {
@@ -42,26 +40,18 @@ class Observations {
   std::vector<FileVariances> origins() const;
 
  private:
-  struct Entry {
-    Measured measured;
-    bool averaged = false;
-  };
-  /// What was measured at one line, for all elements of the symmetric blocks.
-  struct Raw {
-    std::vector<Entry> x, y, a, b, sub_nn, asm_nn;
-  };
+  using Raw = BothSystems<Measured>;
 
-  void append(const SymmetricFrfs& from, std::size_t i, bool substructures, Raw& raw) const;
-  void choose_layout();
+  void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   LineData data_of(const Raw& raw, double omega) const;
+  void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
+               const Symmetric<Measured>& measured, const Symmetric<Complex>& values, Channel& channel) const;
+  void reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const;
 
   SymmetricFrfs substructures_, assembly_;
-  LikelihoodBlocks blocks_;
   LineLayout layout_;
   std::vector<Line> plan_lines_;
   std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
-  std::vector<Element> all_jn_, all_jj_, all_nn_;
-  std::vector<std::size_t> x_of_, y_of_, a_of_, b_of_, d_of_;  ///< element of the layout → of all_*
   std::vector<Raw> raw_;
   std::vector<LineData> data_;
 };

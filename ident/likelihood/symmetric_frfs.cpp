@@ -91,6 +91,12 @@ void SymmetricFrfs::scatter(const Part& part, std::size_t lines, const std::vect
   }
 }
 
+void SymmetricFrfs::prepare(std::span<const std::size_t> lines) {
+  for (Part& part : parts_) {
+    if (part.variances->needs_prepare()) part.variances->prepare(lines);
+  }
+}
+
 void SymmetricFrfs::read(std::span<const std::size_t> lines) {
   values_.assign(lines.size() * size_ * size_, nan);
   variances_.assign(values_.size(), nan);
@@ -98,7 +104,6 @@ void SymmetricFrfs::read(std::span<const std::size_t> lines) {
     scratch_.resize(lines.size() * part.rows.size() * part.columns.size());
     scratch_variance_.resize(scratch_.size());
     part.reader->read(lines, scratch_);
-    if (part.variances->needs_prepare()) part.variances->prepare(lines);
     part.variances->read(lines, scratch_, scratch_variance_);
     scatter(part, lines.size(), scratch_, values_);
     scatter(part, lines.size(), scratch_variance_, variances_);
@@ -112,22 +117,17 @@ Measured SymmetricFrfs::at(std::size_t i, std::size_t row, std::size_t column) c
   if (!a.known() || copies(a, b)) return b;
   return {{averaged_part(a.value.real(), a.variance.real(), b.value.real(), b.variance.real()),
            averaged_part(a.value.imag(), a.variance.imag(), b.value.imag(), b.variance.imag())},
-          {averaged_variance(a.variance.real(), b.variance.real()), averaged_variance(a.variance.imag(), b.variance.imag())}};
+          {averaged_variance(a.variance.real(), b.variance.real()), averaged_variance(a.variance.imag(), b.variance.imag())},
+          true};
 }
 
-bool SymmetricFrfs::averaged(std::size_t i, std::size_t row, std::size_t column) const {
-  const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
-  const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
-  return a.known() && b.known() && !copies(a, b);
-}
-
-void SymmetricFrfs::variances_of(std::size_t line, std::span<const Complex> values) {
+void SymmetricFrfs::variances_of(std::size_t line, const Symmetric<Complex>& values) {
   variances_.assign(size_ * size_, nan);
   const std::array<std::size_t, 1> lines = {line};
   for (Part& part : parts_) {
     scratch_.clear();
     for (const std::size_t row : part.rows) {
-      for (const std::size_t column : part.columns) scratch_.push_back(values[row * size_ + column]);
+      for (const std::size_t column : part.columns) scratch_.push_back(values.at(row, column));
     }
     scratch_variance_.resize(scratch_.size());
     part.variances->read(lines, scratch_, scratch_variance_);

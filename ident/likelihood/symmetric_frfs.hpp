@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ident/equation_builder.hpp"
+#include "ident/likelihood/symmetric.hpp"
 #include "ident/variances.hpp"
 
 namespace jointid::ident {
@@ -12,9 +13,16 @@ namespace jointid::ident {
 /// A measured FRF with the variances of its real and imaginary part; NaN where not measured.
 struct Measured {
   Complex value, variance;
+  bool averaged = false;  ///< of two measurements that differ
 
   bool known() const { return !std::isnan(value.real()) && !std::isnan(variance.real()); }
+  bool is_zero() const { return known() && value == Complex(0.0); }
 };
+
+/// The difference of two independent measurements; not known unless both are.
+inline Measured operator-(const Measured& a, const Measured& b) {
+  return {a.value - b.value, a.variance + b.variance};
+}
 
 /// Which blocks of a system are read, with n non-joint and j joint coordinates.
 struct Blocks {
@@ -36,21 +44,21 @@ class SymmetricFrfs {
 
   std::vector<FileVariances> origins() const;
 
-  /// Reads common lines of the system (ascending); `first`: lines of the whole problem before them.
+  /// Finds the laws of the variances that depend on the FRFs of all `lines` in use (common lines, ascending): before read(),
+  /// and again when the FRFs have changed.
+  void prepare(std::span<const std::size_t> lines);
+
+  /// Reads some common lines of the system (ascending).
   void read(std::span<const std::size_t> lines);
 
   /// The i-th line read, in the role (row, column) or (column, row).
   Measured at(std::size_t i, std::size_t row, std::size_t column) const;
 
-  /// The variance that line `line` of the system would have at (row, column) for other values: `values` is the symmetric
-  /// matrix of all coordinates, NaN where not measured; `pattern` tells how often an FRF was measured (see times()).
-  void variances_of(std::size_t line, std::span<const Complex> values);
+  /// Works out the variances that line `line` of the system would have for other values; NaN where not measured.
+  void variances_of(std::size_t line, const Symmetric<Complex>& values);
 
   /// After variances_of(): half of it where two measurements were averaged.
   Complex variance(std::size_t row, std::size_t column, bool averaged) const;
-
-  /// Whether the i-th line read has two measurements that differ at (row, column).
-  bool averaged(std::size_t i, std::size_t row, std::size_t column) const;
 
  private:
   struct Part {

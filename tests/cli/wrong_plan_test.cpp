@@ -30,6 +30,25 @@ Spoil axis(const std::string& file, double shift) {
   });
 }
 
+/// Method "likelihood" with what the files say about their noise.
+Spoil likelihood_by_file() { return scene("method = \"one\"", "method = \"likelihood\"\nvariance = \"file\""); }
+
+/// Gives all files variances but `file`, which gets coherences of 1.
+Spoil coherence(const std::string& file, double averages) {
+  Spoil spoil = with_set(file, [averages](frf::FrfSet& set) {
+    set.header.noise = frf::NoiseRecord::coherence;
+    set.header.averages = averages;
+    set.coherence.assign(set.values.size(), 1.0);
+  });
+  for (const std::string part : {"A1_substructure_1.h5", "A1_substructure_2.h5"}) {
+    spoil = both(spoil, with_set(part, [](frf::FrfSet& set) {
+                   set.header.noise = frf::NoiseRecord::variance;
+                   set.variance.assign(set.values.size(), {1e-20, 1e-20});
+                 }));
+  }
+  return spoil;
+}
+
 /// What shows when the scene meets its data.
 const Wrong plans[] = {
     {"DofThatNoFileHas", scene("\"5:+Y\"", "\"5:+Z\""), solve(), 2,
@@ -47,8 +66,17 @@ const Wrong plans[] = {
      both(both(keep_positions_out("A1_substructure_1.h5"), keep_positions_out("A1_substructure_2.h5")),
           scene("pattern = \"symmetric\"", "pattern = \"free\"")),
      solve(), 2, {"A1.toml: ", "stiffness", "needs the position of node 4", "[nodes]"}},
-    {"MethodOfAnotherBuild", scene("method = \"one\"", "method = \"likelihood\""), solve(), 2,
-     {"A1.toml: ", "[identify] method: ", "no method \"likelihood\"", "use one, two or direct"}},
+    {"MethodOfAnotherBuild", scene("method = \"one\"", "method = \"newton\""), solve(), 2,
+     {"A1.toml: ", "[identify] method: ", "no method \"newton\"", "use one, two, direct or likelihood"}},
+    {"LinearSolverOfTheLikelihood", scene("method = \"one\"", "method = \"likelihood\"\nsolver = \"qr\""), solve(), 2,
+     {"A1.toml: ", "[identify] solver: ", "method \"likelihood\" has no solver \"qr\"", "use auto"}},
+    {"LikelihoodOfAJointThatIsNotSymmetric",
+     both(scene("method = \"one\"", "method = \"likelihood\""), scene("pattern = \"symmetric\"", "pattern = \"full\"")),
+     solve(), 2, {"A1.toml: ", "[joint]: ", "the joint is not symmetric", "use pattern = \"symmetric\""}},
+    {"CoherenceOfOneAverage", both(likelihood_by_file(), coherence("A1_assembly.h5", 1.0)), solve(), 3,
+     {"A1_assembly.h5: ", "coherences of 1 average(s) are 1 whatever the noise is", "take more averages", "[noise]"}},
+    {"FileWithoutVariances", likelihood_by_file(), solve(), 3,
+     {"A1_substructure_1.h5: ", "neither variances nor coherences", "take more averages", "[noise]"}},
     {"SolverOfAnotherMethod", scene("method = \"one\"", "solver = \"ceres\""), solve(), 2,
      {"A1.toml: ", "[identify] solver: ", "no solver \"ceres\"", "use auto, qr, normal or spqr"}},
     {"NothingUnknown",

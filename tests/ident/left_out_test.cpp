@@ -55,10 +55,13 @@ struct Run {
 };
 
 /// Case A1 with some equations; both substructures write into one list.
-std::unique_ptr<Run> run(const std::vector<Equation>& equations, bool carry_out = true) {
+std::unique_ptr<Run> run(const std::vector<Equation>& equations, bool carry_out = true, Method method = Method::one) {
   const problems::Problem a1 = problems::make("A1");
   Scene scene = problems::scene(a1);
+  scene.identify.method = method;
   scene.identify.equations = equations;
+  const frf::NoiseModel noise{.level = 0.01};
+  scene.noise = NoiseSection{.model = frf::name(noise.kind), .level = noise.level, .frf_model = noise};
   auto run = std::make_unique<Run>();
   std::vector<std::unique_ptr<frf::FrfSource>> parts, whole;
   for (const frf::FrfSet& set : a1.substructures) parts.push_back(std::make_unique<Recorder>(set, run->substructures));
@@ -123,6 +126,26 @@ TEST(LeftOut, JnAloneReadsNoNonJointResponse) {
     EXPECT_FALSE(read(*asked, false, false) || read(*asked, false, true));
   }
   EXPECT_FALSE(read(done->substructures, true, true));
+}
+
+TEST(LeftOut, LinearMethodsPrepareNoLikelihood) {
+  for (const Method method : {Method::one, Method::direct}) EXPECT_EQ(run({}, false, method)->plan->likelihood, nullptr);
+  const auto planned = run({Equation::nn}, false, Method::likelihood);
+  EXPECT_NE(planned->plan->likelihood, nullptr);
+  EXPECT_EQ(planned->plan->builder, nullptr);
+  EXPECT_TRUE(planned->substructures.frfs.empty() && planned->assembly.frfs.empty());
+}
+
+TEST(LeftOut, TheLikelihoodReadsWhatItsEquationsRead) {
+  const auto nn = run({Equation::nn}, true, Method::likelihood);
+  EXPECT_FALSE(read(nn->substructures, true, true));  // H_bb
+  EXPECT_FALSE(read(nn->assembly, true, true));       // H_jj
+  EXPECT_TRUE(read(nn->assembly, false, false) && read(nn->assembly, false, true));
+  const auto nj = run({Equation::nj}, true, Method::likelihood);
+  EXPECT_FALSE(read(nj->substructures, false, false));
+  EXPECT_FALSE(read(nj->assembly, false, false) || read(nj->assembly, true, true));
+  const auto jj = run({Equation::jj}, true, Method::likelihood);
+  EXPECT_FALSE(read(jj->assembly, false, false) || read(jj->assembly, false, true) || read(jj->assembly, true, false));
 }
 
 TEST(LeftOut, ThePlanSaysWhatItLeavesOutAndHasNoColumnsForIt) {

@@ -198,11 +198,9 @@ TEST(PlanError, ACoordinateInTwoSubstructures) {
 }
 
 TEST(PlanError, MethodsSolversAndKeysThatThisBuildLacks) {
-  for (const Method method : {Method::newton, Method::likelihood}) {
-    MemoryScene wrong = input();
-    wrong.scene.identify.method = method;
-    expect_usage(wrong, {"[identify] method", "no method \"" + name(method) + "\"", "use one, two or direct"});
-  }
+  MemoryScene wrong = input();
+  wrong.scene.identify.method = Method::newton;
+  expect_usage(wrong, {"[identify] method", "no method \"newton\"", "use one, two, direct or likelihood"});
   MemoryScene solver = input();
   solver.scene.identify.solver = "ceres";
   expect_usage(solver, {"has no solver \"ceres\"", "use auto, qr, normal or spqr"});

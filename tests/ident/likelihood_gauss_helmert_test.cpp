@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "ident/likelihood/line_model.hpp"
+#include "likelihood_line_sample.hpp"
+
+namespace jointid::ident {
+namespace {
+
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+/// The step of the theory's implicit problem, with every FRF of both systems as a variable and dense matrices throughout:
+/// conditions C = H_s − H_a − H_s Z H_a on full matrices over n + N coordinates.
+class DenseStep {
+ public:
+  /// `state`: X, Y, A, B anywhere, not on the constraint.
+  DenseStep(const LineSample& s, const LineState& state) : s_(s), n_(state.x.cols()), j_(state.x.rows()) {
+    const auto size = n_ + j_;
+    hs_ = ha_ = z_ = ComplexMatrix::Zero(size, size);
+    hs_.bottomLeftCorner(j_, n_) = state.x;
+    hs_.topRightCorner(n_, j_) = state.x.transpose();
+    hs_.bottomRightCorner(j_, j_) = state.y;
+    ha_.bottomLeftCorner(j_, n_) = state.a;
+    if (!s.layout.b.empty()) ha_.bottomRightCorner(j_, j_) = state.b;
+    z_.bottomRightCorner(j_, j_) = s.joint.at(s.theta);
+    list_conditions();
+    b_.resize(2 * at(rows_.size()), 0);
+    add_variables(state);
+    solve();
+  }
+
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient, step, frf_step;  ///< of θ; of X and Y
+
+ private:
+  void list_conditions() {
+    for (std::size_t i = 0; i < s_.layout.d.size(); ++i) {
+      if (s_.data.d.weight[i] != Complex(0.0)) rows_.push_back(s_.layout.d[i]);
+    }
+    for (Eigen::Index p = 0; p < j_; ++p) {
+      const auto last = s_.layout.b.empty() ? n_ : n_ + j_;
+      for (Eigen::Index k = 0; k < last; ++k) rows_.push_back({std::size_t(n_ + p), std::size_t(k)});
+    }
+  }
+
+  Eigen::VectorXd of_rows(const ComplexMatrix& c) const {
+    Eigen::VectorXd out(2 * at(rows_.size()));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Complex value = c(at(rows_[i].row), at(rows_[i].column));
+      out.segment<2>(2 * at(i)) << value.real(), value.imag();
+    }
+    return out;
+  }
+
+  /// δC of a change of one FRF in the substructures or the assembly.
+  ComplexMatrix effect(const ComplexMatrix& dh, bool substructures) const {
+    const ComplexMatrix one = ComplexMatrix::Identity(dh.rows(), dh.cols());
+    if (substructures) return dh * (one - z_ * ha_);
+    return -(one + hs_ * z_) * dh;
+  }
+
+  void add(Eigen::Index row, Eigen::Index column, bool symmetric, bool substructures, Complex weight, Complex residual, double wide) {
+    for (const bool imaginary : {false, true}) {
+      ComplexMatrix dh = ComplexMatrix::Zero(hs_.rows(), hs_.cols());
+      dh(row, column) = imaginary ? Complex(0.0, 1.0) : Complex(1.0);
+      if (symmetric) dh(column, row) = dh(row, column);
+      b_.conservativeResize(Eigen::NoChange, b_.cols() + 1);
+      b_.rightCols(1) = of_rows(effect(dh, substructures));
+      const double w = imaginary ? weight.imag() : weight.real();
+      variance_.push_back(w > 0.0 ? 1.0 / (w * w) : wide * wide);
+      measured_minus_current_.push_back(w > 0.0 ? (imaginary ? residual.imag() : residual.real()) : 0.0);
+    }
+  }
+
+  void add_variables(const LineState& state) {
+    const LineLayout& layout = s_.layout;
+    const double x_wide = 1e3 * state.x.cwiseAbs().maxCoeff(), y_wide = 1e3 * state.y.cwiseAbs().maxCoeff(), free = 0.0;
+    for (std::size_t i = 0; i < layout.x.size(); ++i) {
+      const auto r = at(layout.x[i].row), c = at(layout.x[i].column);
+      add(n_ + r, c, true, true, s_.data.x.weight[i], s_.data.x.value[i] - state.x(r, c), x_wide);
+    }
+    for (std::size_t i = 0; i < layout.y.size(); ++i) {
+      const auto r = at(layout.y[i].row), c = at(layout.y[i].column);
+      add(n_ + r, n_ + c, true, true, s_.data.y.weight[i], s_.data.y.value[i] - state.y(r, c), y_wide);
+    }
+    for (std::size_t i = 0; i < layout.a.size(); ++i) {
+      const auto r = at(layout.a[i].row), c = at(layout.a[i].column);
+      add(n_ + r, c, false, false, s_.data.a.weight[i], s_.data.a.value[i] - state.a(r, c), free);
+    }
+    for (std::size_t i = 0; i < layout.b.size(); ++i) {
+      const auto r = at(layout.b[i].row), c = at(layout.b[i].column);
+      add(n_ + r, n_ + c, false, false, s_.data.b.weight[i], s_.data.b.value[i] - state.b(r, c), free);
+      if (r != c) add(n_ + c, n_ + r, false, false, 0.0, 0.0, free);  // its reciprocal, as far as conditions mention it
+    }
+    for (std::size_t i = 0; i < layout.d.size(); ++i) {
+      if (s_.data.d.weight[i] == Complex(0.0)) continue;
+      add(at(layout.d[i].row), at(layout.d[i].column), false, true, s_.data.d.weight[i], s_.data.d.value[i], free);
+    }
+  }
+
+  /// w = C − B(x − x₀), M = B Q Bᵀ, N = AᵀM⁻¹A, g = AᵀM⁻¹w over θ and the FRFs without any variance, which join θ.
+  void solve() {
+    const auto unknowns = at(s_.theta.size());
+    Eigen::MatrixXd a(b_.rows(), unknowns);
+    for (Eigen::Index t = 0; t < unknowns; ++t) {
+      std::vector<double> more = s_.theta;
+      more[std::size_t(t)] += 1.0;
+      ComplexMatrix dz = -z_;
+      dz.bottomRightCorner(j_, j_) += s_.joint.at(more);
+      a.col(t) = of_rows(-hs_ * dz * ha_);
+    }
+    const Eigen::Map<Eigen::VectorXd> q(variance_.data(), b_.cols()), off(measured_minus_current_.data(), b_.cols());
+    for (Eigen::Index i = 0; i < b_.cols(); ++i) {
+      if (q[i] > 0.0) continue;
+      a.conservativeResize(Eigen::NoChange, a.cols() + 1);
+      a.rightCols(1) = b_.col(i);
+    }
+    const Eigen::VectorXd w = of_rows(hs_ - ha_ - hs_ * z_ * ha_) + b_ * off;
+    const Eigen::FullPivLU<Eigen::MatrixXd> m(b_ * q.asDiagonal() * b_.transpose());
+    const Eigen::MatrixXd normal = a.transpose() * m.solve(a);
+    const Eigen::VectorXd right = -a.transpose() * m.solve(w);
+    const Eigen::VectorXd all = normal.fullPivLu().solve(right);
+    information = normal.topLeftCorner(unknowns, unknowns);
+    gradient = right.head(unknowns);
+    if (const auto free = a.cols() - unknowns; free > 0) {
+      const Eigen::MatrixXd across = normal.topRightCorner(unknowns, free);
+      const Eigen::FullPivLU<Eigen::MatrixXd> own(normal.bottomRightCorner(free, free));
+      information -= across * own.solve(across.transpose());
+      gradient -= across * own.solve(right.tail(free));
+    }
+    step = all.head(unknowns);
+    const Eigen::VectorXd v = -(q.asDiagonal() * b_.transpose() * m.solve(w + a * all));
+    frf_step = (v + off).head(at(2 * s_.layout.variables()));
+  }
+
+  const LineSample& s_;
+  Eigen::Index n_, j_;
+  ComplexMatrix hs_, ha_, z_;
+  std::vector<Element> rows_;
+  Eigen::MatrixXd b_;
+  std::vector<double> variance_, measured_minus_current_;
+};
+
+void compare(const LineShape& shape, double tolerance, std::mt19937_64& random) {
+  LineSample s(shape, random);
+  LineState state = s.exact;
+  LineStep step(at(2 * s.layout.variables()));
+  for (double& value : step) value = s.normal();
+  move(s.layout, step, 0.05, state.x, state.y);
+  state.a += 0.05 * s.any(state.a);
+  if (shape.with_b) state.b += 0.05 * s.any(state.b);
+  LineModel model(s.layout);
+  model.linearise(s.data, s.joint, s.joint.at(s.theta), state, true);
+  const auto reduced = model.reduce(0.0);
+  RC_PRE(reduced.has_value());
+  const Eigen::LDLT<Eigen::MatrixXd> factors(reduced->information);
+  RC_PRE(factors.rcond() > 1e-6);
+  const DenseStep dense(s, state);
+  const Eigen::VectorXd theta = factors.solve(reduced->gradient);
+  RC_ASSERT((reduced->information - dense.information).norm() <= tolerance * dense.information.norm());
+  RC_ASSERT((reduced->gradient - dense.gradient).norm() <= tolerance * dense.gradient.norm());
+  RC_ASSERT((theta - dense.step).norm() <= tolerance * dense.step.norm() / factors.rcond());
+  const LineStep frfs = reduced->own - reduced->back * theta;
+  RC_ASSERT((frfs - dense.frf_step).norm() <= tolerance * dense.frf_step.norm() / factors.rcond());
+}
+
+RC_GTEST_PROP(LikelihoodLine, StepIsThatOfGaussHelmert, (unsigned seed, bool with_b, bool uncoupled)) {
+  std::mt19937_64 random(seed);
+  const auto n = *rc::gen::inRange<std::size_t>(4, 7), joint = *rc::gen::inRange<std::size_t>(1, 4);
+  compare({.others = n, .joint = joint, .with_b = with_b, .uncoupled = uncoupled}, 1e-8, random);
+}
+
+RC_GTEST_PROP(LikelihoodLine, StepIsThatOfGaussHelmertWithUnmeasuredFrfs, (unsigned seed, bool with_b)) {
+  std::mt19937_64 random(seed);
+  compare({.others = 6, .joint = 2, .with_b = with_b, .missing = 0.1}, 1e-5, random);  // variances 10⁸ apart
+}
+
+}  // namespace
+}  // namespace jointid::ident

@@ -1,0 +1,165 @@
+#include "ident/likelihood/line_model.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+#include "likelihood_line_sample.hpp"
+
+namespace jointid::ident {
+namespace {
+
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+/// Weighted residuals measured − predicted of a line, with the assembly as that of the coupled FRF matrix, (I + H Z)⁻¹ H.
+Eigen::VectorXd residuals(const LineSample& s, const std::vector<double>& theta, const ComplexMatrix& x, const ComplexMatrix& y) {
+  const auto n = x.cols(), j = x.rows();
+  ComplexMatrix h = ComplexMatrix::Zero(n + j, n + j), z = h;
+  h.bottomLeftCorner(j, n) = x;
+  h.topRightCorner(n, j) = x.transpose();
+  h.bottomRightCorner(j, j) = y;
+  z.bottomRightCorner(j, j) = s.joint.at(theta);
+  const ComplexMatrix coupled = (ComplexMatrix::Identity(n + j, n + j) + h * z).inverse() * h, difference = h - coupled;
+  std::vector<double> all;
+  const auto add = [&](const std::vector<Element>& elements, const Channel& channel, const ComplexMatrix& predicted) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Complex off = channel.value[i] - predicted(at(elements[i].row), at(elements[i].column));
+      all.push_back(off.real() * channel.weight[i].real());
+      all.push_back(off.imag() * channel.weight[i].imag());
+    }
+  };
+  add(s.layout.x, s.data.x, x);
+  add(s.layout.y, s.data.y, y);
+  add(s.layout.a, s.data.a, coupled.bottomLeftCorner(j, n));
+  add(s.layout.b, s.data.b, coupled.bottomRightCorner(j, j));
+  add(s.layout.d, s.data.d, difference.topLeftCorner(n, n));
+  return Eigen::Map<Eigen::VectorXd>(all.data(), at(all.size()));
+}
+
+/// ∂residuals/∂(X, Y, θ) at a state by central differences.
+Eigen::MatrixXd jacobian(const LineSample& s, const LineState& state) {
+  constexpr double h = 1e-6;
+  const auto v = at(2 * s.layout.variables()), p = at(s.theta.size());
+  const auto moved = [&](Eigen::Index i, double by) {
+    ComplexMatrix x = state.x, y = state.y;
+    std::vector<double> theta = s.theta;
+    if (i < v) move(s.layout, Eigen::VectorXd::Unit(v, i), by, x, y);
+    if (i >= v) theta[static_cast<std::size_t>(i - v)] += by;
+    return residuals(s, theta, x, y);
+  };
+  Eigen::MatrixXd out(residuals(s, s.theta, state.x, state.y).size(), v + p);
+  for (Eigen::Index i = 0; i < v + p; ++i) out.col(i) = (moved(i, h) - moved(i, -h)) / (2.0 * h);
+  return out;
+}
+
+LineShape any_shape(std::mt19937_64& random) {
+  const auto up_to = [&](std::size_t most) { return std::uniform_int_distribution<std::size_t>(1, most)(random); };
+  std::bernoulli_distribution coin;
+  return {.others = up_to(6), .joint = up_to(4), .with_b = coin(random), .uncoupled = coin(random), .missing = coin(random) ? 0.15 : 0.0};
+}
+
+/// The FRFs of the sample somewhat off, on the constraint.
+LineState nearby(LineSample& s) {
+  LineState state = s.exact;
+  LineStep step(at(2 * s.layout.variables()));
+  for (double& value : step) value = s.normal();
+  move(s.layout, step, 0.05, state.x, state.y);
+  put_on_constraint(s.layout, s.joint.at(s.theta), state);
+  return state;
+}
+
+void expect_close(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b, double tolerance) {
+  RC_ASSERT((a - b).norm() <= tolerance * (1e-3 + b.norm()));
+}
+
+RC_GTEST_PROP(LikelihoodLine, CostIsTheSumOfSquares, (unsigned seed)) {
+  std::mt19937_64 random(seed);
+  LineSample s(any_shape(random), random);
+  const LineState state = nearby(s);
+  const double plain = residuals(s, s.theta, state.x, state.y).squaredNorm();
+  RC_ASSERT(std::abs(line_cost(s.layout, s.data, s.joint.at(s.theta), state.x, state.y) - plain) <= 1e-10 * plain);
+}
+
+/// On the constraint the linearised line is the plain least-squares problem in (X, Y, θ) with X and Y eliminated. What was
+/// not measured gets a row 1/(10³ · the largest) δ.
+RC_GTEST_PROP(LikelihoodLine, ReducesToTheSchurComplementOfDifferences, (unsigned seed)) {
+  std::mt19937_64 random(seed);
+  LineSample s(any_shape(random), random);
+  const LineState state = nearby(s);
+  LineModel model(s.layout);
+  model.linearise(s.data, s.joint, s.joint.at(s.theta), state, true);
+  const auto reduced = model.reduce(0.0);
+  RC_PRE(reduced.has_value());
+  Eigen::MatrixXd j = -jacobian(s, state);
+  const Eigen::VectorXd r = residuals(s, s.theta, state.x, state.y);
+  const auto v = at(2 * s.layout.variables()), p = j.cols() - v;
+  const double x_size = state.x.cwiseAbs().maxCoeff(), y_size = state.y.cwiseAbs().maxCoeff();
+  Eigen::MatrixXd rows(j.rows() + v, v + p + 1);
+  rows.setZero();
+  rows.topRows(j.rows()) << j, r;
+  for (Eigen::Index i = 0; i < v; ++i) {
+    const bool is_x = i < at(2 * s.layout.x.size());
+    if (j.col(i)[i] == 0.0) rows(j.rows() + i, i) = 1e-3 / (is_x ? x_size : y_size);
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows.leftCols(v));
+  const Eigen::MatrixXd rotated = qr.householderQ().transpose() * rows.rightCols(p + 1);
+  const Eigen::MatrixXd solved = qr.matrixQR().topRows(v).triangularView<Eigen::Upper>().solve(rotated.topRows(v));
+  const Eigen::MatrixXd rest = rotated.bottomRows(rows.rows() - v);
+  const Eigen::MatrixXd schur = rest.transpose() * rest;
+  expect_close(reduced->information, schur.topLeftCorner(p, p), 1e-5);
+  expect_close(reduced->gradient, schur.topRightCorner(p, 1), 1e-5);
+  expect_close(Eigen::MatrixXd::Constant(1, 1, reduced->cost), schur.bottomRightCorner(1, 1), 1e-5);
+  expect_close(reduced->back, solved.leftCols(p), 1e-4);
+  expect_close(reduced->own, solved.rightCols(1), 1e-4);
+}
+
+/// The sample's FRFs at their best for a joint: Gauss–Newton to the end. Empty where it does not settle.
+std::optional<LineState> settled(const LineSample& s, const std::vector<double>& theta) {
+  LineState state = s.exact;
+  LineModel model(s.layout);
+  const ComplexMatrix z = s.joint.at(theta);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    put_on_constraint(s.layout, z, state);
+    model.linearise(s.data, s.joint, z, state, false);
+    const auto reduced = model.reduce(0.0);
+    if (!reduced || !reduced->own.allFinite()) return std::nullopt;
+    move(s.layout, reduced->own, 1.0, state.x, state.y);
+    if (reduced->own.norm() < 1e-13) {
+      put_on_constraint(s.layout, z, state);
+      return state;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The cost with the FRFs at their best falls along θ by twice the reduced gradient (variable projection).
+RC_GTEST_PROP(LikelihoodLine, GradientIsThatOfTheMinimisedCost, (unsigned seed)) {
+  constexpr double h = 1e-5;
+  std::mt19937_64 random(seed);
+  LineShape shape = any_shape(random);
+  shape.noise = 1e-3;
+  shape.missing = 0.0;
+  LineSample s(shape, random);
+  const auto best = settled(s, s.theta);
+  RC_PRE(best.has_value());
+  LineModel model(s.layout);
+  model.linearise(s.data, s.joint, s.joint.at(s.theta), *best, true);
+  const auto reduced = model.reduce(0.0);
+  for (std::size_t t = 0; t < s.theta.size(); ++t) {
+    std::array<double, 2> cost{};
+    for (const int side : {0, 1}) {
+      std::vector<double> theta = s.theta;
+      theta[t] += side == 0 ? -h : h;
+      const auto state = settled(s, theta);
+      RC_PRE(state.has_value());
+      cost[static_cast<std::size_t>(side)] = line_cost(s.layout, s.data, s.joint.at(theta), state->x, state->y);
+    }
+    const double slope = (cost[1] - cost[0]) / (2.0 * h), scale = std::sqrt(reduced->information(at(t), at(t)));
+    RC_ASSERT(std::abs(slope + 2.0 * reduced->gradient[at(t)]) <= 1e-3 * (std::abs(slope) + scale));
+  }
+}
+
+}  // namespace
+}  // namespace jointid::ident

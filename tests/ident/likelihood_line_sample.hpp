@@ -1,0 +1,117 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <random>
+#include <string>
+
+#include "ident/likelihood/joint_impedance.hpp"
+#include "ident/likelihood/line_data.hpp"
+#include "ident/likelihood/line_state.hpp"
+
+namespace jointid::ident {
+
+/// What a random line looks like.
+struct LineShape {
+  std::size_t others = 3, joint = 2;
+  bool with_b = true;
+  bool uncoupled = false;  ///< two parts, whose cross FRFs are zero by construction
+  double missing = 0.0;    ///< share of the FRFs that are not measured
+  double noise = 0.1;      ///< standard deviation of the errors and of the weights
+};
+
+/// A small problem of one line with FRFs and impedances of order one; K is symmetric, C diagonal.
+class LineSample {
+ public:
+  LineSample(const LineShape& shape, std::mt19937_64& random)
+      : layout(layout_of(shape, random)),
+        restriction(restrictions::build({spec(shape.joint)})),
+        columns(restriction, {spec(shape.joint)}),
+        joint(restriction, columns, 3.0, 2.0),
+        random_(random) {
+    const auto n = index(shape.others), j = index(shape.joint);
+    for (std::size_t i = 0; i < columns.size(); ++i) theta.push_back(0.4 * normal());
+    exact = {ComplexMatrix::Zero(j, n), ComplexMatrix::Zero(j, j), {}, {}};
+    for (const Element& e : layout.x) exact.x(index(e.row), index(e.column)) = any();
+    for (const Element& e : layout.y) exact.y(index(e.row), index(e.column)) = exact.y(index(e.column), index(e.row)) = any();
+    const ComplexMatrix z = joint.at(theta);
+    put_on_constraint(layout, z, exact);
+    const ComplexMatrix d = exact.x.transpose() * z * exact.a;
+    data.omega = 2.0;
+    measure(layout.x, exact.x, shape, data.x);
+    measure(layout.y, exact.y, shape, data.y);
+    measure(layout.a, exact.a, shape, data.a);
+    measure(layout.b, exact.b, shape, data.b);
+    measure(layout.d, d, shape, data.d);
+  }
+
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+  double normal() { return std::normal_distribution<double>()(random_); }
+  Complex any() { return {normal(), normal()}; }
+  ComplexMatrix any(const ComplexMatrix& like) {
+    return like.unaryExpr([this](const Complex&) { return any(); });
+  }
+
+  LineLayout layout;
+  restrictions::Restriction restriction;
+  UnknownColumns columns;
+  JointImpedance joint;
+  std::vector<double> theta;
+  LineState exact;
+  LineData data;
+
+ private:
+  static restrictions::JointSpec spec(std::size_t joint) {
+    restrictions::JointSpec spec;
+    for (std::size_t i = 1; i <= joint; ++i) spec.dofs.push_back(frf::Dof::parse(std::to_string(i) + ":+X"));
+    spec.matrices = {{restrictions::Kind::stiffness, restrictions::Pattern::symmetric},
+                     {restrictions::Kind::viscous_damping, restrictions::Pattern::diagonal}};
+    return spec;
+  }
+
+  static LineLayout layout_of(const LineShape& shape, std::mt19937_64& random) {
+    std::bernoulli_distribution coin;
+    const auto part = [&](std::size_t count) {
+      std::vector<bool> second;
+      for (std::size_t i = 0; i < count; ++i) second.push_back(shape.uncoupled && coin(random));
+      return second;
+    };
+    const std::vector<bool> other = part(shape.others), joint = part(shape.joint);
+    LineLayout layout;
+    layout.others = shape.others;
+    layout.joint = shape.joint;
+    layout.x_first = {0};
+    for (std::size_t k = 0; k < shape.others; ++k) {
+      for (std::size_t p = 0; p < shape.joint; ++p) {
+        if (other[k] == joint[p]) layout.x.push_back({p, k});
+        layout.a.push_back({p, k});
+      }
+      for (std::size_t r = 0; r <= k; ++r) layout.d.push_back({r, k});
+      layout.x_first.push_back(layout.x.size());
+    }
+    for (std::size_t q = 0; q < shape.joint; ++q) {
+      for (std::size_t p = 0; p <= q; ++p) {
+        if (joint[p] == joint[q]) layout.y.push_back({p, q});
+        if (shape.with_b) layout.b.push_back({p, q});
+      }
+    }
+    return layout;
+  }
+
+  void measure(const std::vector<Element>& elements, const ComplexMatrix& exact_values, const LineShape& shape, Channel& out) {
+    std::bernoulli_distribution missing(shape.missing);
+    std::uniform_real_distribution<double> size(0.5, 2.0);
+    for (const Element& e : elements) {
+      const Complex sigma = shape.noise * Complex(size(random_), size(random_)), error = any();
+      out.value.push_back(exact_values(index(e.row), index(e.column)) +
+                          Complex(sigma.real() * error.real(), sigma.imag() * error.imag()));
+      const bool absent = missing(random_);
+      if (absent) out.value.back() = 0.0;
+      out.weight.push_back(absent ? Complex(0.0) : Complex(1.0 / sigma.real(), 1.0 / sigma.imag()));
+      data.measured += absent ? 0 : 2;
+    }
+  }
+
+  std::mt19937_64& random_;
+};
+
+}  // namespace jointid::ident
