@@ -237,7 +237,7 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
     for_lines([&](std::size_t i, LineModel& model) {
       Line& line = lines_[i];
       const ComplexMatrix z = line.joint.at(fit.theta);
-      model.linearise(observations_.lines()[i], line.joint, z, line.state, false);
+      model.prepare(z, line.state);
       const LineStep own = line.reduced.own - line.reduced.back * (scale * pick(step, line.joint.columns()));
       model.advance(own, line.joint.at(next) - z, line.state);
     });

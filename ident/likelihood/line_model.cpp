@@ -70,27 +70,30 @@ void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, N
   rows_.add({first, second, tail()});
 }
 
-void LineModel::linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
-                          bool with_joint) {
+void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
   const auto n = at(layout_.joint);
   const ComplexMatrix identity = ComplexMatrix::Identity(n, n);
-  unknowns_ = with_joint ? joint.columns().size() : 0;
-  sensitivity_.resize(unknowns_);
   p_ = Eigen::PartialPivLU<ComplexMatrix>(identity + state.y * z).inverse();
   py_ = p_ * state.y;
   za_ = z * state.a;
-  h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
-  yh_ = state.x - state.y.transpose() * h_;
   r_ = state.x - state.a - state.y * za_;
   pr_ = p_ * r_;
+  if (layout_.b.empty()) return;
+  c_ = identity - z * state.b;
+  pr_b_ = p_ * (state.y * c_ - state.b);
+}
+
+void LineModel::linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
+                          bool with_joint) {
+  prepare(z, state);
+  unknowns_ = with_joint ? joint.columns().size() : 0;
+  sensitivity_.resize(unknowns_);
+  h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
+  yh_ = state.x - state.y.transpose() * h_;
   rows_.reset(2 * layout_.variables() + unknowns_ + 1);
   add_priors(data, state);
   add_a(data, joint, state);
-  if (!layout_.b.empty()) {
-    c_ = identity - z * state.b;
-    pr_b_ = p_ * (state.y * c_ - state.b);
-    add_b(data, joint, state);
-  }
+  if (!layout_.b.empty()) add_b(data, joint, state);
   add_d(data, joint, state);
 }
 

@@ -30,11 +30,14 @@ class LineModel {
   void linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
                  bool with_joint);
 
+  /// What advance() needs of linearise().
+  void prepare(const ComplexMatrix& z, const LineState& state);
+
   /// Eliminates the FRFs, with damping · weight² added for measured X and Y (relative to a wide guess for those not measured).
   /// Empty when the FRFs are not determined without more damping.
   std::optional<ReducedLine> reduce(double damping);
 
-  /// Moves all of the state that linearise() got, A and B along the linearised constraint, by a step of X and Y and by δZ.
+  /// Moves all of the state that linearise() or prepare() got, A and B along the linearised constraint, by a step of X and Y and by δZ.
   void advance(const LineStep& step, const ComplexMatrix& dz, LineState& state) const;
 
  private:
