@@ -41,7 +41,7 @@ TEST(LikelihoodAccuracy, LinesWithGrossErrorsCostLittle) {
   LikelihoodCase a1("A1");
   const std::vector<double> bound = a1.at(0.01).bound();
   std::get<frf::NoiseModel>(a1.problem.noise).gross = {.share = 0.05, .factor = 10.0};
-  const Accuracy found = accuracy_of(a1, bound, 40);
+  const Accuracy found = accuracy_of(a1, bound, 20);
   RecordProperty("found", text(found));
   const double fewer_lines = std::sqrt(1.0 / std::pow(0.95, 3.0));  // three sets, each with bad lines of its own
   EXPECT_LE(found.mean / fewer_lines, 1.2) << text(found);
