@@ -67,7 +67,7 @@ std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step
 
 }  // namespace
 
-LikelihoodEstimator::LikelihoodEstimator(Observations& observations, const restrictions::Restriction& restriction,
+LikelihoodEstimator::LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction,
                                          const UnknownColumns& columns, double omega0, std::size_t threads)
     : observations_(observations), unknowns_(columns.size()), threads_(threads) {
   for (const LineData& data : observations.lines()) {
@@ -139,17 +139,22 @@ void LikelihoodEstimator::choose_tolerance() {
   tolerance_ = *middle > outlying ? *middle : 1.0;
 }
 
-double LikelihoodEstimator::total() const {
+double LikelihoodEstimator::total(const std::vector<double>& theta) const {
   double sum = 0.0;
+  for (const auto& [column, value, weight] : priors_) sum += weight * weight * (value - theta[column]) * (value - theta[column]);
   for (const Line& line : lines_) {
     if (line.redundancy > 0.0) sum += tolerance_ * robust_loss(line.cost / tolerance_, line.redundancy);
   }
   return sum;
 }
 
-void LikelihoodEstimator::sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
+void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
   information = Eigen::MatrixXd::Zero(at(unknowns_), at(unknowns_));
   gradient = Eigen::VectorXd::Zero(at(unknowns_));
+  for (const auto& [column, value, weight] : priors_) {
+    information(at(column), at(column)) += weight * weight;
+    gradient[at(column)] += weight * weight * (value - theta[column]);
+  }
   for (const Line& line : lines_) {
     const auto& columns = line.joint.columns();
     if (line.redundancy <= 0.0) continue;
@@ -184,7 +189,7 @@ void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& w
     for (Line& line : lines_) line.cost = line.reduced.cost;
     choose_tolerance();
     weigh();
-    sum(information, gradient);
+    sum(fit.theta, information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
     fit.theta = added(fit.theta, step, 1.0);
     if (std::sqrt(step.dot(information * step)) < 1.0) break;
@@ -202,7 +207,7 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
     for (Line& line : lines_) line.cost = line.reduced.cost;
     choose_tolerance();
     weigh();
-    sum(information, gradient);
+    sum(fit.theta, information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
     const std::vector<double> next = added(fit.theta, step, 1.0);
     for_lines([&](std::size_t i, LineModel& model) {
@@ -280,12 +285,12 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   relax_all(fit.theta);
   choose_tolerance();
   weigh();
-  double loss = total();
+  double loss = total(fit.theta);
   Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
     linearise_all(fit.theta);
-    sum(fit.information, gradient);
+    sum(fit.theta, fit.information, gradient);
     const Eigen::VectorXd step = solve_step(fit.information, gradient);
     const double size = std::sqrt(std::max(0.0, step.dot(fit.information * step)));
     const std::vector<Line> before = lines_;
@@ -307,7 +312,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
         }
       });
       relax_all(next);
-      const double reached = total();
+      const double reached = total(next);
       if (reached <= loss * (1.0 + 1e-9)) {
         better = true;
         loss = reached;
@@ -332,6 +337,7 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
   implicit_stage(fit, watch);
   for (int round = 0; round < 10 && !(project(fit, 0.1, watch) && tolerance_ == 1.0); ++round) {
   }
+  if (!observations_.variances_by_law()) fit.converged = project(fit, 1e-3, watch);
   for (int round = 0; round < 6 && observations_.variances_by_law(); ++round) {
     const std::vector<double> before = fit.theta;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -349,6 +355,14 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
   return fit;
 }
 
+LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWatcher& watch) {
+  LikelihoodFit fit;
+  fit.theta = std::move(start);
+  begin(fit.theta);
+  fit.converged = project(fit, 1e-2, watch);
+  return fit;
+}
+
 Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {
   begin(theta);
   relax_all(theta);
@@ -356,7 +370,19 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& t
   for (Line& line : lines_) line.weight = 1.0;
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
-  sum(information, gradient);
+  sum(theta, information, gradient);
+  return information;
+}
+
+Eigen::MatrixXd LikelihoodEstimator::information_of(std::size_t line) const {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(at(unknowns_), at(unknowns_));
+  const auto& columns = lines_[line].joint.columns();
+  if (lines_[line].redundancy <= 0.0) return information;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      information(at(columns[i]), at(columns[j])) = lines_[line].reduced.information(at(i), at(j));
+    }
+  }
   return information;
 }
 

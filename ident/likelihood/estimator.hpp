@@ -3,8 +3,9 @@
 #include <functional>
 #include <vector>
 
+#include "ident/likelihood/likelihood_data.hpp"
 #include "ident/likelihood/line_model.hpp"
-#include "ident/likelihood/observations.hpp"
+#include "ident/likelihood/scaled_prior.hpp"
 
 namespace jointid::ident {
 
@@ -32,13 +33,28 @@ using FitWatcher = std::function<void(std::size_t iteration)>;
 /// stays: weights at measured values bias the estimate.
 class LikelihoodEstimator {
  public:
-  LikelihoodEstimator(Observations& observations, const restrictions::Restriction& restriction, const UnknownColumns& columns,
+  LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction, const UnknownColumns& columns,
                       double omega0, std::size_t threads);
+
+  /// Normal priors count like measurements: information += 1/σ², gradient += (value − θ)/σ², cost += ((value − θ)/σ)².
+  void set_priors(std::vector<ScaledPrior> priors) { priors_ = std::move(priors); }
 
   LikelihoodFit run(std::vector<double> start, const FitWatcher& watch);
 
+  /// The second stage alone, from a start that is nearly right.
+  LikelihoodFit refine(std::vector<double> start, const FitWatcher& watch);
+
   /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(const std::vector<double>& theta);
+
+  /// What one line contributes to the information that was worked out last, without its robust weight.
+  Eigen::MatrixXd information_of(std::size_t line) const;
+
+  /// The estimated true FRFs of a line; empty matrices for a line that is not used.
+  const LineState& state_of(std::size_t line) const { return lines_[line].state; }
+
+  /// Z_j of a line.
+  ComplexMatrix impedance_of(std::size_t line, const std::vector<double>& theta) const { return lines_[line].joint.at(theta); }
 
  private:
   struct Line {
@@ -54,8 +70,8 @@ class LikelihoodEstimator {
   void begin(const std::vector<double>& theta);
   void choose_tolerance();
   void weigh();
-  void sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
-  double total() const;
+  void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
+  double total(const std::vector<double>& theta) const;
   void whitened_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void linearise_all(const std::vector<double>& theta);
@@ -63,9 +79,10 @@ class LikelihoodEstimator {
   void relax_all(const std::vector<double>& theta);
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
 
-  Observations& observations_;
+  LikelihoodData& observations_;
   std::size_t unknowns_, threads_;
   std::vector<Line> lines_;
+  std::vector<ScaledPrior> priors_;
   double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
 };
 

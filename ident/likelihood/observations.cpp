@@ -131,13 +131,18 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
       append(assembly_, i, false, raw);
     }
   }
-  choose_layout();
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    data_.push_back(data_of(raw_[i], 2.0 * std::numbers::pi * lines[i].frequency_hz));
+  leave_out({});
+}
+
+void Observations::leave_out(const std::vector<std::size_t>& coordinates) {
+  choose_layout(coordinates);
+  data_.clear();
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    data_.push_back(data_of(raw_[i], 2.0 * std::numbers::pi * plan_lines_[i].frequency_hz));
   }
 }
 
-void Observations::choose_layout() {
+void Observations::choose_layout(const std::vector<std::size_t>& absent) {
   const std::size_t n = layout_.others, size = layout_.coordinates.size();
   const auto unless_apart = [&](const Measured& m, std::size_t row, std::size_t column) {
     return background_[row * size + column] == Complex(0.0) ? Measured{0.0, 0.0} : m;
@@ -153,6 +158,11 @@ void Observations::choose_layout() {
   d_of_ = present(raw_, all_nn_.size(), false, [](const Raw& raw, std::size_t i) {
     return raw.sub_nn[i].measured.known() ? raw.asm_nn[i].measured : Measured{nan, nan};
   });
+  const auto lacks = [&](std::size_t coordinate) { return std::ranges::find(absent, coordinate) != absent.end(); };
+  std::erase_if(x_of_, [&](std::size_t i) { return lacks(all_jn_[i].column); });
+  std::erase_if(a_of_, [&](std::size_t i) { return lacks(all_jn_[i].column) || lacks(n + all_jn_[i].row); });
+  std::erase_if(b_of_, [&](std::size_t i) { return lacks(n + all_jj_[i].row) || lacks(n + all_jj_[i].column); });
+  std::erase_if(d_of_, [&](std::size_t i) { return lacks(all_nn_[i].row) || lacks(all_nn_[i].column); });
   layout_.x = pick(all_jn_, x_of_);
   layout_.y = pick(all_jj_, y_of_);
   layout_.a = pick(all_jn_, a_of_);

@@ -2,8 +2,7 @@
 
 #include <functional>
 
-#include "ident/likelihood/line_data.hpp"
-#include "ident/likelihood/line_state.hpp"
+#include "ident/likelihood/likelihood_data.hpp"
 #include "ident/likelihood/symmetric_frfs.hpp"
 #include "ident/line.hpp"
 
@@ -16,7 +15,7 @@ struct LikelihoodBlocks {
 };
 
 /// All measured FRFs of a problem with their variances, brought into the form of the likelihood.
-class Observations {
+class Observations final : public LikelihoodData {
  public:
   Observations(const Scene& scene, const Dofs& coordinates, std::size_t others, const LikelihoodBlocks& blocks,
                frf::FrfSystem& substructures, frf::FrfSystem& assembly);
@@ -26,15 +25,12 @@ class Observations {
   /// Reads the lines of a plan, replacing what was read before; `between` is called between chunks of lines.
   void read(const std::vector<Line>& lines, const std::function<void(std::size_t done)>& between);
 
-  const LineLayout& layout() const { return layout_; }
-  const std::vector<LineData>& lines() const { return data_; }
+  /// Takes what was read as if some coordinates (numbers in LineLayout::coordinates) had not been measured: non-joint ones at
+  /// all, joint ones on the assembly. Replaces what was left out before.
+  void leave_out(const std::vector<std::size_t>& coordinates);
 
-  /// Whether some variances follow a law of the value.
-  bool variances_by_law() const { return substructures_.variances_by_law() || assembly_.variances_by_law(); }
-
-  /// Weights of line `line` from the law at the values of `state` instead of the measured ones, at most a factor of two off
-  /// what they were at first.
-  void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z);
+  bool variances_by_law() const override { return substructures_.variances_by_law() || assembly_.variances_by_law(); }
+  void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) override;
 
   std::vector<FileVariances> origins() const;
 
@@ -49,18 +45,16 @@ class Observations {
   };
 
   void append(const SymmetricFrfs& from, std::size_t i, bool substructures, Raw& raw) const;
-  void choose_layout();
+  void choose_layout(const std::vector<std::size_t>& absent);
   LineData data_of(const Raw& raw, double omega) const;
 
   SymmetricFrfs substructures_, assembly_;
   LikelihoodBlocks blocks_;
-  LineLayout layout_;
   std::vector<Line> plan_lines_;
   std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
   std::vector<Element> all_jn_, all_jj_, all_nn_;
   std::vector<std::size_t> x_of_, y_of_, a_of_, b_of_, d_of_;  ///< element of the layout → of all_*
   std::vector<Raw> raw_;
-  std::vector<LineData> data_;
 };
 
 }  // namespace jointid::ident
