@@ -37,8 +37,8 @@ std::vector<std::pair<std::string, std::string>> visibility_rows(const ident::So
   const ident::Identifiability& found = *solution.identifiability;
   return {{"standard errors and intervals", interval_words(solution.intervals)},
           {"largest relative standard error", ident::percent(found.largest_relative_error)},
-          {"H_sub - H_asm, times its error", times(found.joint.effect)},
-          {"least moved combination of joint DOFs, times its error", times(found.joint.deformation)}};
+          {"median of |H_sub - H_asm| over its error", times(found.joint.effect)},
+          {"work of the combination fixed worst, assembled over free parts", times(found.joint.deformation)}};
 }
 
 std::string identifiability_text(const ident::Solution& solution) {

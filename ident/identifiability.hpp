@@ -22,10 +22,10 @@ struct WeakCombination {
   std::optional<double> correlation;  ///< of the first two unknowns
 };
 
-/// How far a joint can be seen in the data, in standard deviations of the measurement errors; medians over the lines.
+/// How far a joint can be seen in the data; medians.
 struct JointVisibility {
-  std::optional<double> effect;       ///< rms of H_sub − H_asm: about 1 when the joint changes nothing that can be seen
-  std::optional<double> deformation;  ///< the least moved combination of the joint's coordinates on the assembly
+  std::optional<double> effect;       ///< |H_sub − H_asm| over its standard deviation; 0.7 when the joint changes nothing
+  std::optional<double> deformation;  ///< work of the combination fixed worst on the assembly's motion over that on the free parts'
 };
 
 enum class FindingKind { weak_combination, soft_joint, stiff_joint, nonlinear, misfit };

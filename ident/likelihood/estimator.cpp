@@ -348,11 +348,15 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (std::sqrt(std::max(0.0, moved.dot(fit.information * moved))) < 1e-2) break;
   }
+  tell_lines(fit);
+  return fit;
+}
+
+void LikelihoodEstimator::tell_lines(LikelihoodFit& fit) const {
   for (const Line& line : lines_) {
     fit.line_cost.push_back(line.cost);
     fit.line_weight.push_back(line.weight);
   }
-  return fit;
 }
 
 LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWatcher& watch) {
@@ -360,6 +364,7 @@ LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWa
   fit.theta = std::move(start);
   begin(fit.theta);
   fit.converged = project(fit, 1e-2, watch);
+  tell_lines(fit);
   return fit;
 }
 

@@ -77,6 +77,7 @@ class LikelihoodEstimator {
   void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);
   void relax_all(const std::vector<double>& theta);
+  void tell_lines(LikelihoodFit& fit) const;
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
 
   LikelihoodData& observations_;

@@ -10,7 +10,7 @@ namespace jointid::ident {
 namespace {
 
 constexpr double bad = 0.1, nonlinear = 0.3;  ///< relative errors
-constexpr double soft = 2.0, stiff = 1.0;     ///< see JointVisibility
+constexpr double hardly_seen = 5.0, loose = 0.5, held = 0.01;  ///< effect, deformation: see JointVisibility
 constexpr std::size_t most_lines = 3;
 
 std::string digits(double value, const char* format) {
@@ -37,18 +37,19 @@ void add_weak(const Identifiability& found, std::vector<Finding>& out) {
 void add_joint(const Identifiability& found, std::vector<Finding>& out) {
   if (found.largest_relative_error < bad) return;
   const auto [effect, deformation] = found.joint;
-  if (effect && *effect < soft) {
+  if (effect && *effect < hardly_seen && deformation && *deformation > loose) {
     out.push_back({FindingKind::soft_joint,
-                   "The joint is soft: assembly and substructures differ by only " + digits(*effect, "%.2g") +
-                       " times the errors of their FRFs (median over the lines). Use lower frequencies, or more exact FRFs, or "
+                   "The joint is soft: half of the FRFs of assembly and substructures differ by no more than " +
+                       digits(*effect, "%.2g") + " times their errors. Use lower frequencies, or more exact FRFs, or "
                        "another support or less mass so that the joint takes part in the motion. Where the assembly's FRFs are "
                        "all that is wanted, such a joint can be left out."});
   }
-  if (deformation && *deformation < stiff) {
+  if (deformation && *deformation < held) {
     out.push_back({FindingKind::stiff_joint,
-                   "The joint is stiff: its coordinates move in a way that makes one of them nearly dependent on the others (" +
-                       digits(*deformation, "%.2g") +
-                       " times the errors of their FRFs, median over the lines). Use higher frequencies, add mass or a support "
+                   "The joint is stiff: it holds the parts so that their responses at the joint are nearly dependent, and what is "
+                   "fixed worst does only " +
+                       digits(*deformation, "%.1g") +
+                       " times the work that it would do on the free parts. Use higher frequencies, add mass or a support "
                        "so that the joint deforms, tie unknowns, or couple the coordinates that move together rigidly and "
                        "identify the rest."});
   }

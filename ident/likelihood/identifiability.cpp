@@ -25,6 +25,23 @@ Eigen::MatrixXd relative_covariance(const Plan& plan, const Eigen::MatrixXd& cov
   return out;
 }
 
+namespace {
+
+/// The combination that is fixed worst as a change of the scaled unknowns.
+std::vector<double> weakest_direction(const Plan& plan, const Solution& solution, const WeakCombination& weak) {
+  std::vector<double> values, direction(solution.unknowns.size(), 0.0);
+  for (const Estimate& estimate : solution.unknowns) values.push_back(estimate.value);
+  const std::vector<double> scales = relative_scales(plan, values);
+  for (std::size_t column = 0; column < direction.size(); ++column) {
+    const auto found = std::ranges::find(weak.worst.names, solution.unknowns[column].name);
+    if (found == weak.worst.names.end()) continue;
+    direction[column] = weak.worst.factors[static_cast<std::size_t>(found - weak.worst.names.begin())] * scales[column] / plan.unscale(column);
+  }
+  return direction;
+}
+
+}  // namespace
+
 Identifiability identifiability_of(const Plan& plan, const LikelihoodEstimator& estimator, const Eigen::MatrixXd& covariance,
                                    const Solution& out) {
   std::vector<double> values, frequency_hz;
@@ -40,7 +57,9 @@ Identifiability identifiability_of(const Plan& plan, const LikelihoodEstimator& 
   const Eigen::MatrixXd relative = relative_covariance(plan, covariance, values, determined);
   Identifiability found;
   found.weakest = weak_combinations(relative, names);
-  found.joint = joint_visibility(*plan.likelihood->observations, estimator);
+  if (!found.weakest.empty()) {
+    found.joint = joint_visibility(*plan.likelihood->observations, estimator, weakest_direction(plan, out, found.weakest.front()));
+  }
   for (Eigen::Index i = 0; i < relative.rows(); ++i) {
     found.largest_relative_error = std::max(found.largest_relative_error, std::sqrt(relative(i, i)));
   }

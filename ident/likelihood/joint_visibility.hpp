@@ -5,10 +5,12 @@
 
 namespace jointid::ident {
 
-/// How far the joint can be seen (thesis §6.8.1), in standard deviations of the FRFs, as medians over the lines:
-///   effect: rms over real and imaginary parts of (H_sub − H_asm)/√(σ²_sub + σ²_asm), measured values;
-///   deformation: √λ_min of S⁻¹ A Aᴴ S⁻¹, A = H_asm(j,n) estimated, S² = diag of the sums of the variances of the rows of A:
-///   the combination of joint coordinates that moves least. Below 1 the rows cannot be told from dependent ones.
-JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEstimator& estimator);
+/// How far the joint can be seen (thesis §6.8), as medians over coordinates and lines:
+///   effect: |H_sub − H_asm| of a real or imaginary part over its standard deviation, measured values;
+///   deformation: |aᵀ δZ a| / |xᵀ δZ x|, the work that a change δZ of the joint in `direction` (scaled unknowns) does on the motion
+///   of the joint's coordinates in the assembly, a = H_asm(j,k), and on that of the free parts, x = H_sub(j,k). About 1 for a
+///   joint that does not hold the parts together, and small where it holds them so that it does not deform.
+JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEstimator& estimator,
+                                 const std::vector<double>& direction);
 
 }  // namespace jointid::ident

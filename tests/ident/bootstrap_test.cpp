@@ -15,8 +15,8 @@ Solution bootstrapped(LikelihoodCase of, std::size_t threads, std::uint64_t seed
 }
 
 TEST(Bootstrap, AgreesWithTheBoundWhereTheProblemIsLinear) {
-  const LikelihoodCase c2("C2", 0.001);
-  const Solution bound = solve(*c2.polluted()), boot = bootstrapped(c2, 1);
+  const LikelihoodCase c1("C1", 0.001);
+  const Solution bound = solve(*c1.polluted()), boot = bootstrapped(c1, 0);
   EXPECT_EQ(boot.intervals, IntervalKind::bootstrap);
   for (std::size_t i = 0; i < bound.unknowns.size(); ++i) {
     EXPECT_EQ(boot.unknowns[i].value, bound.unknowns[i].value);
@@ -28,8 +28,8 @@ TEST(Bootstrap, AgreesWithTheBoundWhereTheProblemIsLinear) {
 }
 
 TEST(Bootstrap, DoesNotDependOnTheThreads) {
-  const LikelihoodCase c2("C2", 0.01);
-  const Solution one = bootstrapped(c2, 1), two = bootstrapped(c2, 2), other = bootstrapped(c2, 1, 2);
+  const LikelihoodCase e2("E2", 0.01);
+  const Solution one = bootstrapped(e2, 1), two = bootstrapped(e2, 2), other = bootstrapped(e2, 2, 2);
   for (std::size_t i = 0; i < one.unknowns.size(); ++i) {
     EXPECT_EQ(*one.unknowns[i].ci95, *two.unknowns[i].ci95);
     EXPECT_NE(*one.unknowns[i].ci95, *other.unknowns[i].ci95);
