@@ -44,6 +44,47 @@ Eigen::VectorXd pick(const Eigen::VectorXd& all, const std::vector<std::size_t>&
   return out;
 }
 
+/// How long a step is in standard deviations.
+double norm_of(const Eigen::VectorXd& step, const Eigen::MatrixXd& information) {
+  return std::sqrt(std::max(0.0, step.dot(information * step)));
+}
+
+/// The part of a step that changes no unknown by more than half of itself.
+double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta) {
+  double scale = 1.0;
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    if (theta[i] != 0.0 && step[at(i)] != 0.0) scale = std::min(scale, 0.5 * std::abs(theta[i] / step[at(i)]));
+  }
+  return scale;
+}
+
+/// Fit of the joint's unknowns ends when a step is shorter than this, in standard deviations.
+constexpr double settled = 1e-3;
+constexpr std::size_t most_iterations = 60;
+
+/// Length of Gauss–Newton steps: where one step runs along the last, forward or backward, both tell the true curvature.
+class StepLength {
+ public:
+  double next(const Eigen::VectorXd& step, const Eigen::MatrixXd& information) {
+    double scale = 1.0;
+    const double size = norm_of(step, information);
+    if (last_.size() > 0 && last_size_ > 0.0 && size > 0.0) {
+      const double along = step.dot(information * last_);
+      if (std::abs(along) > 0.8 * size * last_size_) {
+        scale = std::clamp(last_scale_ / std::max(1e-3, 1.0 - along / (last_size_ * last_size_)), 0.2, 3.0);
+      }
+    }
+    last_ = step;
+    last_size_ = size;
+    return scale;
+  }
+  void taken(double scale) { last_scale_ = scale; }
+
+ private:
+  Eigen::VectorXd last_;
+  double last_size_ = 0.0, last_scale_ = 1.0;
+};
+
 /// Where H_sub(j,j) is not measured: what A = (I + Y Z)⁻¹ X makes of the measured A and X, Y = (X − A)(Z A)⁺.
 void guess_y(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, LineState& state) {
   const auto unknown = [](const Complex& weight) { return weight == Complex(0.0); };
@@ -197,8 +238,9 @@ void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& w
 }
 
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
-  constexpr std::size_t most = 15;
-  constexpr double near = 0.3;  // in standard deviations: close enough for the second stage
+  const bool poor = observations_.layout().a.empty();  // without H_jn of the assembly the start may be far off
+  const std::size_t most = poor ? 30 : 15;
+  constexpr double near = 0.3;  // in standard deviations: close enough for the last stage
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
@@ -209,12 +251,13 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
     weigh();
     sum(fit.theta, information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
-    const std::vector<double> next = added(fit.theta, step, 1.0);
+    const double scale = poor ? half_of(step, fit.theta) : 1.0;
+    const std::vector<double> next = added(fit.theta, step, scale);
     for_lines([&](std::size_t i, LineModel& model) {
       Line& line = lines_[i];
       const ComplexMatrix z = line.joint.at(fit.theta);
       model.linearise(observations_.lines()[i], line.joint, z, line.state, false);
-      const LineStep own = line.reduced.own - line.reduced.back * pick(step, line.joint.columns());
+      const LineStep own = line.reduced.own - line.reduced.back * (scale * pick(step, line.joint.columns()));
       model.advance(own, line.joint.at(next) - z, line.state);
     });
     fit.theta = next;
@@ -279,75 +322,79 @@ void LikelihoodEstimator::relax_all(const std::vector<double>& theta) {
   });
 }
 
-bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
-  constexpr std::size_t most = 60;
+/// Follows a step of the joint's unknowns with the FRFs of every line, as far as that helps, and optimises them there.
+void LikelihoodEstimator::follow(const std::vector<Line>& before, const std::vector<double>& theta, const Eigen::VectorXd& step) {
   const LineLayout& layout = observations_.layout();
+  for_lines([&](std::size_t i, LineModel&) {
+    Line& line = lines_[i];
+    line.state = before[i].state;
+    const ComplexMatrix z = line.joint.at(theta);
+    ComplexMatrix x = line.state.x, y = line.state.y;
+    move(layout, -(before[i].reduced.back * pick(step, line.joint.columns())), 1.0, x, y);
+    const LineData& data = observations_.lines()[i];
+    if (line_cost(layout, data, z, x, y) > line_cost(layout, data, z, line.state.x, line.state.y)) return;
+    line.state.x = std::move(x);
+    line.state.y = std::move(y);
+  });
+  relax_all(theta);
+}
+
+bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
   relax_all(fit.theta);
   choose_tolerance();
   weigh();
   double loss = total(fit.theta);
+  StepLength length;
   Eigen::VectorXd gradient;
-  for (std::size_t iteration = 0; iteration < most; ++iteration) {
+  while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
     linearise_all(fit.theta);
     sum(fit.theta, fit.information, gradient);
     const Eigen::VectorXd step = solve_step(fit.information, gradient);
-    const double size = std::sqrt(std::max(0.0, step.dot(fit.information * step)));
+    const double size = norm_of(step, fit.information);
     const std::vector<Line> before = lines_;
-    double scale = 1.0;
-    bool better = false;
-    for (int attempt = 0; attempt < 8 && !better; ++attempt, scale *= 0.25) {
-      const std::vector<double> next = added(fit.theta, step, scale);
-      for_lines([&](std::size_t i, LineModel&) {
-        Line& line = lines_[i];
-        line.state = before[i].state;
-        const ComplexMatrix z = line.joint.at(next);
-        ComplexMatrix x = line.state.x, y = line.state.y;
-        const LineStep follow = -(before[i].reduced.back * pick(step, line.joint.columns()));
-        move(layout, follow, scale, x, y);
-        const LineData& data = observations_.lines()[i];
-        if (line_cost(layout, data, z, x, y) <= line_cost(layout, data, z, line.state.x, line.state.y)) {
-          line.state.x = std::move(x);
-          line.state.y = std::move(y);
-        }
-      });
-      relax_all(next);
-      const double reached = total(next);
-      if (reached <= loss * (1.0 + 1e-9)) {
-        better = true;
-        loss = reached;
-        fit.theta = next;
-        weigh();
-        if (size * scale < tolerance) return true;
+    double scale = length.next(step, fit.information);
+    for (int attempt = 0;; ++attempt, scale *= 0.25) {
+      if (attempt == 8) {
+        lines_ = before;
+        return size < tolerance;
       }
+      const std::vector<double> next = added(fit.theta, step, scale);
+      follow(before, next, scale * step);
+      const double reached = total(next);
+      if (reached > loss * (1.0 + 1e-9)) continue;
+      loss = reached;
+      fit.theta = next;
+      break;
     }
-    if (!better) {
-      lines_ = before;
-      return size < tolerance;
-    }
+    length.taken(scale);
+    weigh();
+    if (size < tolerance) return true;
   }
   return false;
 }
 
-LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatcher& watch) {
+LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch) {
   LikelihoodFit fit;
   fit.theta = std::move(start);
+  observations_.weigh_as_measured();
   begin(fit.theta);
-  whitened_stage(fit, watch);
+  if (!observations_.layout().a.empty()) whitened_stage(fit, watch);
   implicit_stage(fit, watch);
-  for (int round = 0; round < 10 && !(project(fit, 0.1, watch) && tolerance_ == 1.0); ++round) {
-  }
-  if (!observations_.variances_by_law()) fit.converged = project(fit, 1e-3, watch);
-  for (int round = 0; round < 6 && observations_.variances_by_law(); ++round) {
+  do {
+    fit.converged = project(fit, 0.1, watch);
+  } while (fit.converged && tolerance_ > 1.0 && fit.iterations < most_iterations);
+  if (!observations_.variances_by_law()) fit.converged = project(fit, settled, watch);
+  while (observations_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (lines_[i].redundancy > 0.0) observations_.weigh_at(i, lines_[i].state, lines_[i].joint.at(fit.theta));
-    }
-    fit.converged = project(fit, 1e-3, watch);
+    weigh_at_states(fit.theta);
+    fit.converged = project(fit, settled, watch);
     Eigen::VectorXd moved(at(unknowns_));
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
-    if (std::sqrt(std::max(0.0, moved.dot(fit.information * moved))) < 1e-2) break;
+    if (norm_of(moved, fit.information) < 10.0 * settled) break;
+    fit.converged = false;
   }
+  fit.loss = total(fit.theta);
   tell_lines(fit);
   return fit;
 }
@@ -366,6 +413,40 @@ LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWa
   fit.converged = project(fit, 1e-2, watch);
   tell_lines(fit);
   return fit;
+}
+
+void LikelihoodEstimator::weigh_at_states(const std::vector<double>& theta) {
+  if (!observations_.variances_by_law()) return;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].redundancy > 0.0) observations_.weigh_at(i, lines_[i].state, lines_[i].joint.at(theta));
+  }
+}
+
+bool LikelihoodEstimator::fits(const LikelihoodFit& fit) const {
+  double expected = -static_cast<double>(unknowns_);
+  for (const Line& line : lines_) expected += std::max(0.0, line.redundancy);
+  return fit.converged && fit.loss <= expected + 5.0 * std::sqrt(2.0 * std::max(0.0, expected));
+}
+
+LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch) {
+  LikelihoodFit best;
+  std::vector<Line> lines;  // of the best
+  bool any = false;
+  for (std::size_t k = 0;; ++k) {
+    const auto start = starts(k);
+    if (!start) break;
+    LikelihoodFit fit = run_from(*start, watch);
+    if (!any || (fit.loss < best.loss && fit.converged >= best.converged)) {
+      best = std::move(fit);
+      lines = lines_;
+    }
+    any = true;
+    best.starts = k + 1;
+    if (fits(best)) break;
+  }
+  lines_ = std::move(lines);
+  weigh_at_states(best.theta);
+  return best;
 }
 
 Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {

@@ -16,20 +16,26 @@ struct LikelihoodFit {
   std::vector<double> line_cost;  ///< χ² per line
   std::vector<double> line_weight;  ///< robust weight, 1 for a line that fits
   std::size_t iterations = 0;       ///< steps of the joint's unknowns
-  bool converged = false;           ///< the last step was below the tolerance and no line could be improved
+  std::size_t starts = 0;           ///< how many starts were tried
+  double loss = 0.0;                ///< Σ L
+  bool converged = false;           ///< the last step was below 10⁻³ standard deviations
 };
+
+/// The k-th start, or empty when there is no other.
+using Starts = std::function<std::optional<std::vector<double>>(std::size_t k)>;
 
 /// Watches a fit; called once per iteration, may throw to stop it.
 using FitWatcher = std::function<void(std::size_t iteration)>;
 
 /// Maximum-likelihood estimate of the joint with all FRFs taken as noisy (formulas §11): minimises Σ_lines L(χ²) over the
 /// joint's unknowns and the true substructure FRFs of every line; L is χ² for lines that fit, and bounded for those with gross
-/// errors. Two stages:
-///  1. the implicit iteration (Gauss–Helmert), which corrects the FRFs of both systems off the constraint and so comes near from
+/// errors. Three stages:
+///  1. a few steps of iterative quadratic maximum likelihood;
+///  2. the implicit iteration (Gauss–Helmert), which corrects the FRFs of both systems off the constraint and so comes near from
 ///     poor starts;
-///  2. variable projection: per line the FRFs are optimised to the end for the current joint (Levenberg–Marquardt of each line
+///  3. variable projection: per line the FRFs are optimised to the end for the current joint (Levenberg–Marquardt of each line
 ///     on its own), then a Gauss–Newton step of the joint, shortened until Σ L falls. The cost never rises.
-/// Where variances follow a law of the value they are then taken at the estimated values and stage 2 is repeated until the joint
+/// Where variances follow a law of the value they are then taken at the estimated values and stage 3 is repeated until the joint
 /// stays: weights at measured values bias the estimate.
 class LikelihoodEstimator {
  public:
@@ -39,7 +45,8 @@ class LikelihoodEstimator {
   /// Normal priors count like measurements: information += 1/σ², gradient += (value − θ)/σ², cost += ((value − θ)/σ)².
   void set_priors(std::vector<ScaledPrior> priors) { priors_ = std::move(priors); }
 
-  LikelihoodFit run(std::vector<double> start, const FitWatcher& watch);
+  /// From the first start, and from the next while χ² tells that the fit is not the right minimum; the best of them.
+  LikelihoodFit run(const Starts& starts, const FitWatcher& watch);
 
   /// The second stage alone, from a start that is nearly right.
   LikelihoodFit refine(std::vector<double> start, const FitWatcher& watch);
@@ -78,6 +85,10 @@ class LikelihoodEstimator {
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);
   void relax_all(const std::vector<double>& theta);
   void tell_lines(LikelihoodFit& fit) const;
+  void follow(const std::vector<Line>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
+  LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
+  void weigh_at_states(const std::vector<double>& theta);
+  bool fits(const LikelihoodFit& fit) const;
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
 
   LikelihoodData& observations_;

@@ -1,9 +1,11 @@
 #include "ident/likelihood/likelihood.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "ident/likelihood/bootstrap.hpp"
 #include "ident/likelihood/bound_of.hpp"
@@ -42,14 +44,26 @@ std::vector<double> scene_start(const Plan& plan) {
   return theta;
 }
 
-std::vector<double> linear_start(Plan& plan, const Control& control) {
-  Control quick = control;
-  quick.detail = Detail::estimates;
-  const Solution first = solve(*plan.likelihood->start, quick);
-  std::vector<double> theta(plan.columns->size(), 0.0);
-  for (std::size_t column = 0; column < first.unknowns.size(); ++column) {
-    const double value = first.unknowns[column].value;
-    theta[column] = std::isfinite(value) ? value / plan.unscale(column) : 0.0;
+/// Linear estimates with one weighting after the other, then the scene's start scaled.
+std::optional<std::vector<double>> start_number(Plan& plan, std::size_t k, const Control& control) {
+  using enum weighting::Weighting;
+  constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear = {{{wb, 0.0}, {wbg, 0.0}, {wbs, 0.1}, {wa, 0.0}}};
+  constexpr std::array<double, 5> factors = {1.0, 0.3, 3.0, 0.1, 10.0};
+  std::vector<double> theta;
+  if (Plan* start = plan.likelihood->start.get()) {
+    if (k >= linear.size()) return std::nullopt;
+    std::tie(start->assembly_spec.weighting, start->assembly_spec.delta) = linear[k];
+    Control quick = control;
+    quick.detail = Detail::estimates;
+    const Solution first = solve(*start, quick);
+    for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+      const double value = column < first.unknowns.size() ? first.unknowns[column].value : 0.0;
+      theta.push_back(std::isfinite(value) ? value / plan.unscale(column) : 0.0);
+    }
+  } else {
+    if (k >= factors.size()) return std::nullopt;
+    theta = scene_start(plan);
+    for (double& value : theta) value *= factors[k];
   }
   return theta;
 }
@@ -122,12 +136,12 @@ void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const Li
 void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   const Clock::time_point start = Clock::now();
   Observations& observations = *plan.likelihood->observations;
-  std::vector<double> theta = plan.likelihood->start ? linear_start(plan, control) : scene_start(plan);
   const Clock::time_point reading = Clock::now();
   read_observations(plan, control);
   out.runtime_s.read = seconds_since(reading);
   LikelihoodEstimator estimator = make_estimator(plan, control);
-  const LikelihoodFit fit = estimator.run(std::move(theta), [&](std::size_t) { check_interrupt(control); });
+  const LikelihoodFit fit = estimator.run([&](std::size_t k) { return start_number(plan, k, control); },
+                                          [&](std::size_t) { check_interrupt(control); });
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   interpret(plan, with_rank(fit), out);
   const Eigen::MatrixXd covariance = covariance_of(fit.information);

@@ -16,6 +16,9 @@ class LikelihoodData {
   /// Whether some variances follow a law of the value.
   virtual bool variances_by_law() const = 0;
 
+  /// Weights from the variances at the measured values.
+  virtual void weigh_as_measured() = 0;
+
   /// Weights of line `line` from the law at the values of `state` instead of the measured ones, at most a factor of two off
   /// what they were at first.
   virtual void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) = 0;

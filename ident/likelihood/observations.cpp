@@ -190,6 +190,10 @@ LineData Observations::data_of(const Raw& raw, double omega) const {
   return data;
 }
 
+void Observations::weigh_as_measured() {
+  for (std::size_t i = 0; i < data_.size(); ++i) data_[i] = data_of(raw_[i], data_[i].omega);
+}
+
 void Observations::weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) {
   const Raw& raw = raw_[line];
   const LineData first = data_of(raw, data_[line].omega);

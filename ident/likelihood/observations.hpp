@@ -30,6 +30,7 @@ class Observations final : public LikelihoodData {
   void leave_out(const std::vector<std::size_t>& coordinates);
 
   bool variances_by_law() const override { return substructures_.variances_by_law() || assembly_.variances_by_law(); }
+  void weigh_as_measured() override;
   void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) override;
 
   std::vector<FileVariances> origins() const;

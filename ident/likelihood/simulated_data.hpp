@@ -26,6 +26,7 @@ class SimulatedData final : public LikelihoodData {
 
   /// The weights stay as they are: they belong to the exact values already.
   bool variances_by_law() const override { return false; }
+  void weigh_as_measured() override {}
   void weigh_at(std::size_t, const LineState&, const ComplexMatrix&) override {}
 };
 

@@ -29,6 +29,12 @@ double averaged_part(double a, double va, double b, double vb) {
 
 double averaged_variance(double va, double vb) { return va == 0.0 || vb == 0.0 ? 0.0 : va * vb / (va + vb); }
 
+/// Whether two measurements agree far better than their noise lets independent ones: one is a copy of the other.
+bool copies(const Measured& a, const Measured& b) {
+  const double variance = a.variance.real() + a.variance.imag() + b.variance.real() + b.variance.imag();
+  return std::norm(a.value - b.value) <= 1e-8 * variance || a.value == b.value;
+}
+
 }  // namespace
 
 SymmetricFrfs::SymmetricFrfs(frf::FrfSystem& system, const Scene& scene, const Dofs& coordinates, std::size_t others,
@@ -102,8 +108,8 @@ void SymmetricFrfs::read(std::span<const std::size_t> lines) {
 Measured SymmetricFrfs::at(std::size_t i, std::size_t row, std::size_t column) const {
   const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
   const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
-  if (!b.known() || a.value == b.value) return a.known() ? a : b;
-  if (!a.known()) return b;
+  if (!b.known()) return a;
+  if (!a.known() || copies(a, b)) return b;
   return {{averaged_part(a.value.real(), a.variance.real(), b.value.real(), b.variance.real()),
            averaged_part(a.value.imag(), a.variance.imag(), b.value.imag(), b.variance.imag())},
           {averaged_variance(a.variance.real(), b.variance.real()), averaged_variance(a.variance.imag(), b.variance.imag())}};
@@ -112,7 +118,7 @@ Measured SymmetricFrfs::at(std::size_t i, std::size_t row, std::size_t column) c
 bool SymmetricFrfs::averaged(std::size_t i, std::size_t row, std::size_t column) const {
   const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
   const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
-  return a.known() && b.known() && a.value != b.value;
+  return a.known() && b.known() && !copies(a, b);
 }
 
 void SymmetricFrfs::variances_of(std::size_t line, std::span<const Complex> values) {

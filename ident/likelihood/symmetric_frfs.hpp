@@ -22,7 +22,7 @@ struct Blocks {
 };
 
 /// The FRFs of one system as a symmetric matrix over some coordinates (reciprocity). Where (r,c) and (c,r) are both measured
-/// they are one measurement when they agree to the last bit, and otherwise averaged by their variances.
+/// they are one measurement when they agree far better than their variances allow, and otherwise averaged.
 class SymmetricFrfs {
  public:
   /// `coordinates`: n non-joint ones, then joint ones. Throws InputError when variances are asked for that the data do not have.
