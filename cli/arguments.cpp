@@ -115,7 +115,21 @@ void add_plan(CLI::App& app, Chosen& chosen) {
       app, chosen, "plan", "Say what solving a scene reads, computes and leaves out, without doing it");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write the plan as JSON to a file, or - for stdout");
-  command->footer("Example:\n  jointid plan joint.toml");
+  CLI::Option* bound = command->add_flag("--bound", arguments->bound,
+                                         "Predict standard errors from the FRFs of a model or an earlier test, the noise and "
+                                         "[truth] or [identify] start, and what other data would change");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--candidates",
+          [arguments = arguments](const std::vector<std::string>& texts) {
+            arguments->candidates = of_option("--candidates", [&] { return parse_dofs(texts); });
+          },
+          "Coordinates of the files that are not measured yet, e.g. 3:+Y,4:+RZ: what would each of them bring?")
+      ->delimiter(',')
+      ->needs(bound);
+  command->footer(
+      "Examples:\n  jointid plan joint.toml\n  jointid plan joint.toml --bound\n"
+      "  jointid plan joint.toml --bound --candidates 3:+Y,4:+RZ");
 }
 
 /// --trials, --seed and --threads of commands that draw noise.

@@ -42,6 +42,8 @@ struct SolveArguments {
 
 struct PlanArguments {
   std::filesystem::path scene;
+  bool bound = false;                ///< predict standard errors
+  std::vector<frf::Dof> candidates;  ///< coordinates that are not there yet; only with `bound`
   Target json;
 };
 

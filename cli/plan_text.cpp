@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/bound_json.hpp"
 #include "cli/dof_list.hpp"
 #include "cli/table.hpp"
 
@@ -85,7 +86,7 @@ std::string plan_text(const ident::Plan& plan) {
          phrases("left out", plan.left_out) + phrases("notes", plan.notes);
 }
 
-std::string plan_json(const ident::Plan& plan) {
+std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundReport>& bound) {
   const auto& identify = plan.scene.identify;
   Json json = {{"title", plan.scene.title},
                {"method", ident::name(identify.method)},
@@ -106,6 +107,7 @@ std::string plan_json(const ident::Plan& plan) {
   json["cost"] = cost_json(plan.cost);
   json["left_out"] = plan.left_out;
   json["notes"] = plan.notes;
+  if (bound) json["bound"] = bound_json(*bound);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "ident/likelihood/bound_report.hpp"
 #include "ident/plan.hpp"
 
 namespace jointid::cli {
@@ -9,7 +11,7 @@ namespace jointid::cli {
 /// What a plan will read, compute and leave out, for reading.
 std::string plan_text(const ident::Plan& plan);
 
-/// The same as JSON.
-std::string plan_json(const ident::Plan& plan);
+/// The same as JSON, with the predicted bounds where they were asked for.
+std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundReport>& bound = std::nullopt);
 
 }  // namespace jointid::cli

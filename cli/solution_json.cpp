@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/identifiability_json.hpp"
+
 namespace jointid::cli {
 namespace {
 
@@ -89,6 +91,7 @@ std::string solution_json(const ident::Solution& solution) {
   json["dofs"] = Json::array();
   for (const auto& dof : solution.dofs) json["dofs"].push_back(dof.name());
   json["fit"] = fit(solution.fit);
+  if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);
   const auto& time = solution.runtime_s;
   json["runtime_s"] = {

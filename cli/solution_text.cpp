@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/identifiability_text.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
 
@@ -98,7 +99,7 @@ std::string time_text(const ident::RunTime& time) {
 }  // namespace
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
-  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + fit_text(solution.fit) +
+  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + identifiability_text(solution) + fit_text(solution.fit) +
          quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 

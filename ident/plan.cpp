@@ -16,6 +16,17 @@
 namespace jointid::ident {
 namespace {
 
+/// Linear methods have no errors that a prior or a bootstrap could be weighed against.
+void refuse_priors(const Scene& scene) {
+  const std::string method = "method \"" + name(scene.identify.method) + "\"";
+  if (!scene.identify.priors.empty()) {
+    fail(scene, "[identify] priors", method + " has no use for priors", "use method \"likelihood\" or remove the key");
+  }
+  if (scene.identify.bootstrap > 0) {
+    fail(scene, "[identify] bootstrap", method + " has no bootstrap", "use method \"likelihood\", or jointid study");
+  }
+}
+
 void require_method(const Scene& scene) {
   const IdentifySection& identify = scene.identify;
   if (identify.method == Method::newton) {
@@ -27,6 +38,7 @@ void require_method(const Scene& scene) {
     }
     return;
   }
+  refuse_priors(scene);
   const std::set<std::string> linear = {"auto", "qr", "normal", "spqr"};
   if (!linear.contains(identify.solver)) {
     fail(scene, "[identify] solver", "method \"" + name(identify.method) + "\" has no solver \"" + identify.solver + "\"",

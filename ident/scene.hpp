@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -64,6 +65,13 @@ enum class VarianceChoice {
   local       ///< estimated from the scatter of the data about smooth local models
 };
 
+/// What is known of an unknown beside the data: a normal distribution.
+struct Prior {
+  std::string unknown;     ///< its name as printed, "K(1,1)"
+  double value = 0.0;      ///< SI
+  double deviation = 1.0;  ///< standard deviation, SI, > 0
+};
+
 struct IdentifySection {
   Method method = Method::one;
   std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
@@ -74,6 +82,9 @@ struct IdentifySection {
   /// Of files: σ² = a|H|² + b fitted to each FRF. Empty: where they come from few averages or repeats, over enough lines.
   std::optional<bool> smooth_variance;
   std::map<restrictions::Kind, Matrix> start;
+  std::vector<Prior> priors;  ///< of method likelihood
+  std::size_t bootstrap = 0;  ///< replicates of the parametric bootstrap of method likelihood; 0: none
+  std::uint64_t bootstrap_seed = 1;
 };
 
 struct NoiseSection {

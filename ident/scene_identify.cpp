@@ -98,7 +98,7 @@ std::map<Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size) {
 
 IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec>& joints) {
   const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "variance",
-                                       "smooth_variance"});
+                                       "smooth_variance", "priors", "bootstrap", "bootstrap_seed"});
   IdentifySection identify;
   if (const auto method = table.find("method")) identify.method = read_enum<Method>(*method, methods);
   if (const auto list = table.find("equations")) identify.equations = read_equations(*list);
@@ -108,6 +108,8 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   if (const auto word = table.find("variance")) identify.variance = read_enum<VarianceChoice>(*word, variances);
   if (const auto flag = table.find("smooth_variance")) identify.smooth_variance = flag->boolean();
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);
+  if (const auto priors = table.find("priors")) identify.priors = read_priors(*priors);
+  read_bootstrap(table, identify);
   return identify;
 }
 

@@ -17,6 +17,12 @@ std::vector<restrictions::JointSpec> read_joints(const SceneTable& scene);
 /// [identify]; `joints` are needed to check the start values.
 IdentifySection read_identify(const SceneItem& item, const std::vector<restrictions::JointSpec>& joints);
 
+/// [identify] priors: a table of [value, standard deviation]; the names are checked against the unknowns by the plan.
+std::vector<Prior> read_priors(const SceneItem& item);
+
+/// The keys bootstrap and bootstrap_seed of [identify].
+void read_bootstrap(const SceneTable& table, IdentifySection& identify);
+
 /// [noise]
 NoiseSection read_noise(const SceneItem& item);
 

@@ -16,4 +16,32 @@ std::string name(Status status) {
   return "ok";
 }
 
+std::string name(IntervalKind kind) {
+  switch (kind) {
+    case IntervalKind::cramer_rao:
+      return "cramer_rao";
+    case IntervalKind::bootstrap:
+      return "bootstrap";
+    case IntervalKind::none:
+      break;
+  }
+  return "none";
+}
+
+std::string name(FindingKind kind) {
+  switch (kind) {
+    case FindingKind::weak_combination:
+      return "weak_combination";
+    case FindingKind::soft_joint:
+      return "soft_joint";
+    case FindingKind::stiff_joint:
+      return "stiff_joint";
+    case FindingKind::nonlinear:
+      return "nonlinear";
+    case FindingKind::misfit:
+      break;
+  }
+  return "misfit";
+}
+
 }  // namespace jointid::ident

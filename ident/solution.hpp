@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ident/identifiability.hpp"
 #include "ident/scene.hpp"
 
 namespace jointid::ident {
@@ -19,6 +20,11 @@ enum class Status {
 };
 
 std::string name(Status status);
+
+/// How the intervals of a solution were found.
+enum class IntervalKind { none, cramer_rao, bootstrap };
+
+std::string name(IntervalKind kind);
 
 struct Estimate {
   std::string name;
@@ -86,7 +92,9 @@ struct Solution {
   std::vector<frf::Dof> dofs;
   std::vector<BandMatrices> bands;  ///< at least one
   Fit fit;
-  std::map<restrictions::Kind, Quality> quality;  ///< where the scene tells the truth
+  IntervalKind intervals = IntervalKind::none;
+  std::optional<Identifiability> identifiability;  ///< of methods that know the covariance of their estimates
+  std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth
   RunTime runtime_s;
   Used used;
 };

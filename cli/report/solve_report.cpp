@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cli/identifiability_text.hpp"
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
 #include "cli/table.hpp"
@@ -61,6 +62,14 @@ void add_unknowns(const ident::Solution& solution, ReportPage& page) {
   page.add(Text{intervals ? "Bars of one matrix and unit share a scale; the brackets are 95 % intervals."
                           : "Bars of one matrix and unit share a scale. This method states no intervals.",
                 true});
+}
+
+void add_identifiability(const ident::Solution& solution, ReportPage& page) {
+  if (!solution.identifiability) return;
+  page.section("Identifiability");
+  for (const ident::Finding& finding : solution.identifiability->findings) page.add(Text{finding.text});
+  page.add(Facts{visibility_rows(solution)});
+  page.add(weakest_table(solution.identifiability->weakest), "Weakest combinations, in parts of the estimates");
 }
 
 void add_matrices(const ident::Plan& plan, const ident::Solution& solution, ReportPage& page) {
@@ -147,6 +156,7 @@ std::string solve_report(ident::Plan& plan, const ident::Solution& solution, con
   ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);
   add_summary(solution, page);
   add_unknowns(solution, page);
+  add_identifiability(solution, page);
   add_matrices(plan, solution, page);
   add_quality(plan, solution, control, page);
   add_frfs(plan, solution, first, control, page);

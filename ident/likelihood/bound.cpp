@@ -1,28 +1,50 @@
 #include "ident/likelihood/bound.hpp"
 
 #include <cmath>
+#include <limits>
 
+#include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/covariance.hpp"
-#include "ident/likelihood/estimator.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
+#include "ident/null_space.hpp"
 
 namespace jointid::ident {
 
-std::vector<double> cramer_rao_bound(Plan& plan, const std::vector<double>& values, const Control& control) {
-  Observations& observations = *plan.likelihood->observations;
-  observations.read(plan.lines, [&](std::size_t) {
-    if (control.interrupted && control.interrupted()) throw Interrupted();
-  });
-  std::vector<double> theta;
-  for (std::size_t column = 0; column < values.size(); ++column) theta.push_back(values[column] / plan.unscale(column));
-  LikelihoodEstimator estimator(observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, control.threads);
-  const Eigen::MatrixXd covariance = covariance_of(estimator.information_at(theta));
+std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& information) {
+  const Eigen::MatrixXd covariance = covariance_of(information), free = null_space_of(information);
   std::vector<double> bound;
-  for (std::size_t column = 0; column < values.size(); ++column) {
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const auto c = static_cast<Eigen::Index>(column);
     bound.push_back(std::sqrt(covariance(c, c)) * plan.unscale(column));
   }
+  LinearSolution fixed;
+  if (free.cols() > 0) tell_null_space(free, fixed);
+  for (const std::size_t column : fixed.undetermined) bound[column] = std::numeric_limits<double>::infinity();
   return bound;
+}
+
+std::vector<double> scaled(const Plan& plan, const std::vector<double>& values) {
+  std::vector<double> theta;
+  for (std::size_t column = 0; column < values.size(); ++column) theta.push_back(values[column] / plan.unscale(column));
+  return theta;
+}
+
+void read_observations(Plan& plan, const Control& control) {
+  plan.likelihood->observations->read(plan.lines, [&](std::size_t) {
+    if (control.interrupted && control.interrupted()) throw Interrupted();
+  });
+}
+
+LikelihoodEstimator make_estimator(Plan& plan, const Control& control) {
+  LikelihoodEstimator estimator(*plan.likelihood->observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0,
+                                control.threads);
+  estimator.set_priors(plan.likelihood->priors);
+  return estimator;
+}
+
+std::vector<double> cramer_rao_bound(Plan& plan, const std::vector<double>& values, const Control& control) {
+  read_observations(plan, control);
+  return bound_of(plan, make_estimator(plan, control).information_at(scaled(plan, values)));
 }
 
 }  // namespace jointid::ident

@@ -42,6 +42,12 @@ auto block(Symmetric<Measured> BothSystems<Measured>::*system, Element origin) {
   };
 }
 
+void count_columns(LineLayout& layout) {
+  layout.x_first.assign(layout.others + 1, 0);
+  for (const Element& e : layout.x) ++layout.x_first[e.column + 1];
+  for (std::size_t k = 0; k < layout.others; ++k) layout.x_first[k + 1] += layout.x_first[k];
+}
+
 }  // namespace
 
 LineLayout choose_layout(const Dofs& coordinates, std::size_t others, const Lines& lines) {
@@ -55,14 +61,24 @@ LineLayout choose_layout(const Dofs& coordinates, std::size_t others, const Line
                  .others = n,
                  .joint = joint,
                  .x = without_zeros(jn, lines, block(sub, {n, 0})),
-                 .x_first = std::vector<std::size_t>(n + 1, 0),
+                 .x_first = {},
                  .y = without_zeros(jj, lines, block(sub, {n, n})),
                  .a = measured(jn, lines, block(whole, {n, 0})),
                  .b = measured(jj, lines, block(whole, {n, n})),
                  .d = measured(nn, lines, difference)};
-  for (const Element& e : out.x) ++out.x_first[e.column + 1];
-  for (std::size_t k = 0; k < n; ++k) out.x_first[k + 1] += out.x_first[k];
+  count_columns(out);
   return out;
+}
+
+LineLayout without(LineLayout layout, const std::vector<std::size_t>& coordinates) {
+  const std::size_t n = layout.others;
+  const auto absent = [&](std::size_t coordinate) { return std::ranges::find(coordinates, coordinate) != coordinates.end(); };
+  std::erase_if(layout.x, [&](const Element& e) { return absent(e.column); });
+  std::erase_if(layout.a, [&](const Element& e) { return absent(e.column) || absent(n + e.row); });
+  std::erase_if(layout.b, [&](const Element& e) { return absent(n + e.row) || absent(n + e.column); });
+  std::erase_if(layout.d, [&](const Element& e) { return absent(e.row) || absent(e.column); });
+  count_columns(layout);
+  return layout;
 }
 
 }  // namespace jointid::ident

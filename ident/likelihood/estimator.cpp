@@ -93,7 +93,7 @@ std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step
 
 }  // namespace
 
-LikelihoodEstimator::LikelihoodEstimator(Observations& observations, const restrictions::Restriction& restriction,
+LikelihoodEstimator::LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction,
                                          const UnknownColumns& columns, double omega0, std::size_t threads)
     : observations_(observations), unknowns_(columns.size()), threads_(threads) {
   for (const LineData& data : observations.lines()) {
@@ -166,17 +166,22 @@ void LikelihoodEstimator::choose_tolerance() {
   tolerance_ = *middle > outlying ? *middle : 1.0;
 }
 
-double LikelihoodEstimator::total() const {
+double LikelihoodEstimator::total(const std::vector<double>& theta) const {
   double sum = 0.0;
+  for (const auto& [column, value, weight] : priors_) sum += weight * weight * (value - theta[column]) * (value - theta[column]);
   for (const Line& line : lines_) {
     if (line.redundancy > 0.0) sum += tolerance_ * robust_loss(line.cost / tolerance_, line.redundancy);
   }
   return sum;
 }
 
-void LikelihoodEstimator::sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
+void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
   information = Eigen::MatrixXd::Zero(at(unknowns_), at(unknowns_));
   gradient = Eigen::VectorXd::Zero(at(unknowns_));
+  for (const auto& [column, value, weight] : priors_) {
+    information(at(column), at(column)) += weight * weight;
+    gradient[at(column)] += weight * weight * (value - theta[column]);
+  }
   for (const Line& line : lines_) {
     const auto& columns = line.joint.columns();
     if (line.redundancy <= 0.0) continue;
@@ -211,7 +216,7 @@ void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& w
     for (Line& line : lines_) line.cost = line.reduced.cost;
     choose_tolerance();
     weigh();
-    sum(information, gradient);
+    sum(fit.theta, information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
     fit.theta = added(fit.theta, step, 1.0);
     if (std::sqrt(step.dot(information * step)) < 1.0) break;
@@ -230,7 +235,7 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
     for (Line& line : lines_) line.cost = line.reduced.cost;
     choose_tolerance();
     weigh();
-    sum(information, gradient);
+    sum(fit.theta, information, gradient);
     const Eigen::VectorXd step = solve_step(information, gradient);
     const double scale = poor ? half_of(step, fit.theta) : 1.0;
     const std::vector<double> next = added(fit.theta, step, scale);
@@ -324,13 +329,13 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   relax_all(fit.theta);
   choose_tolerance();
   weigh();
-  double loss = total();
+  double loss = total(fit.theta);
   StepLength length;
   Eigen::VectorXd gradient;
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
     linearise_all(fit.theta);
-    sum(fit.information, gradient);
+    sum(fit.theta, fit.information, gradient);
     const Eigen::VectorXd step = solve_step(fit.information, gradient);
     const double size = norm_of(step, fit.information);
     const std::vector<Line> before = lines_;
@@ -342,7 +347,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       }
       const std::vector<double> next = added(fit.theta, step, scale);
       follow(before, next, scale * step);
-      const double reached = total();
+      const double reached = total(next);
       if (reached > loss * (1.0 + 1e-9)) continue;
       loss = reached;
       fit.theta = next;
@@ -368,21 +373,39 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   if (!observations_.variances_by_law()) fit.converged = project(fit, settled, watch);
   while (observations_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (lines_[i].redundancy > 0.0) observations_.weigh_at(i, lines_[i].state, lines_[i].joint.at(fit.theta));
-    }
+    weigh_at_states(fit.theta);
     fit.converged = project(fit, settled, watch);
     Eigen::VectorXd moved(at(unknowns_));
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled) break;
     fit.converged = false;
   }
-  fit.loss = total();
+  fit.loss = total(fit.theta);
+  tell_lines(fit);
+  return fit;
+}
+
+void LikelihoodEstimator::tell_lines(LikelihoodFit& fit) const {
   for (const Line& line : lines_) {
     fit.line_cost.push_back(line.cost);
     fit.line_weight.push_back(line.weight);
   }
+}
+
+LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWatcher& watch) {
+  LikelihoodFit fit;
+  fit.theta = std::move(start);
+  begin(fit.theta);
+  fit.converged = project(fit, 1e-2, watch);
+  tell_lines(fit);
   return fit;
+}
+
+void LikelihoodEstimator::weigh_at_states(const std::vector<double>& theta) {
+  if (!observations_.variances_by_law()) return;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].redundancy > 0.0) observations_.weigh_at(i, lines_[i].state, lines_[i].joint.at(theta));
+  }
 }
 
 bool LikelihoodEstimator::fits(const LikelihoodFit& fit) const {
@@ -393,16 +416,22 @@ bool LikelihoodEstimator::fits(const LikelihoodFit& fit) const {
 
 LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch) {
   LikelihoodFit best;
+  std::vector<Line> lines;  // of the best
   bool any = false;
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
     LikelihoodFit fit = run_from(*start, watch);
-    if (!any || (fit.loss < best.loss && fit.converged >= best.converged)) best = std::move(fit);
+    if (!any || (fit.loss < best.loss && fit.converged >= best.converged)) {
+      best = std::move(fit);
+      lines = lines_;
+    }
     any = true;
     best.starts = k + 1;
     if (fits(best)) break;
   }
+  lines_ = std::move(lines);
+  weigh_at_states(best.theta);
   return best;
 }
 
@@ -413,7 +442,19 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& t
   for (Line& line : lines_) line.weight = 1.0;
   Eigen::MatrixXd information;
   Eigen::VectorXd gradient;
-  sum(information, gradient);
+  sum(theta, information, gradient);
+  return information;
+}
+
+Eigen::MatrixXd LikelihoodEstimator::information_of(std::size_t line) const {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(at(unknowns_), at(unknowns_));
+  const auto& columns = lines_[line].joint.columns();
+  if (lines_[line].redundancy <= 0.0) return information;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      information(at(columns[i]), at(columns[j])) = lines_[line].reduced.information(at(i), at(j));
+    }
+  }
   return information;
 }
 

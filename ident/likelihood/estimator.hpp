@@ -3,8 +3,9 @@
 #include <functional>
 #include <vector>
 
+#include "ident/likelihood/likelihood_data.hpp"
 #include "ident/likelihood/line_model.hpp"
-#include "ident/likelihood/observations.hpp"
+#include "ident/likelihood/scaled_prior.hpp"
 
 namespace jointid::ident {
 
@@ -38,14 +39,29 @@ using FitWatcher = std::function<void(std::size_t iteration)>;
 /// stays: weights at measured values bias the estimate.
 class LikelihoodEstimator {
  public:
-  LikelihoodEstimator(Observations& observations, const restrictions::Restriction& restriction, const UnknownColumns& columns,
+  LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction, const UnknownColumns& columns,
                       double omega0, std::size_t threads);
+
+  /// Normal priors count like measurements: information += 1/σ², gradient += (value − θ)/σ², cost += ((value − θ)/σ)².
+  void set_priors(std::vector<ScaledPrior> priors) { priors_ = std::move(priors); }
 
   /// From the first start, and from the next while χ² tells that the fit is not the right minimum; the best of them.
   LikelihoodFit run(const Starts& starts, const FitWatcher& watch);
 
+  /// The second stage alone, from a start that is nearly right.
+  LikelihoodFit refine(std::vector<double> start, const FitWatcher& watch);
+
   /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(const std::vector<double>& theta);
+
+  /// What one line contributes to the information that was worked out last, without its robust weight.
+  Eigen::MatrixXd information_of(std::size_t line) const;
+
+  /// The estimated true FRFs of a line; empty matrices for a line that is not used.
+  const LineState& state_of(std::size_t line) const { return lines_[line].state; }
+
+  /// Z_j of a line.
+  ComplexMatrix impedance_of(std::size_t line, const std::vector<double>& theta) const { return lines_[line].joint.at(theta); }
 
  private:
   struct Line {
@@ -61,21 +77,24 @@ class LikelihoodEstimator {
   void begin(const std::vector<double>& theta);
   void choose_tolerance();
   void weigh();
-  void sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
-  double total() const;
+  void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
+  double total(const std::vector<double>& theta) const;
   void whitened_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);
   void relax_all(const std::vector<double>& theta);
+  void tell_lines(LikelihoodFit& fit) const;
   void follow(const std::vector<Line>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
   LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
+  void weigh_at_states(const std::vector<double>& theta);
   bool fits(const LikelihoodFit& fit) const;
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
 
-  Observations& observations_;
+  LikelihoodData& observations_;
   std::size_t unknowns_, threads_;
   std::vector<Line> lines_;
+  std::vector<ScaledPrior> priors_;
   double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
 };
 

@@ -7,10 +7,14 @@
 #include <limits>
 #include <tuple>
 
+#include "ident/likelihood/bootstrap.hpp"
+#include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/estimator.hpp"
+#include "ident/likelihood/identifiability.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/scene_failure.hpp"
+#include "ident/null_space.hpp"
 #include "ident/true_values.hpp"
 
 namespace jointid::ident {
@@ -64,7 +68,7 @@ std::optional<std::vector<double>> start_number(Plan& plan, std::size_t k, const
   return theta;
 }
 
-ChiSquare chi_square_of(const Observations& observations, const LikelihoodFit& fit) {
+ChiSquare chi_square_of(const Observations& observations, const std::vector<ScaledPrior>& priors, const LikelihoodFit& fit) {
   ChiSquare out;
   for (std::size_t i = 0; i < fit.line_cost.size(); ++i) {
     const double redundancy = observations.lines()[i].redundancy(observations.layout());
@@ -75,8 +79,57 @@ ChiSquare chi_square_of(const Observations& observations, const LikelihoodFit& f
     out.degrees_of_freedom += redundancy;
     if (fit.line_weight[i] < 0.5) ++out.outlying_lines;
   }
+  for (const auto& [column, value, weight] : priors) {
+    out.value += weight * weight * (value - fit.theta[column]) * (value - fit.theta[column]);
+    out.degrees_of_freedom += 1.0;
+  }
   out.degrees_of_freedom -= static_cast<double>(fit.theta.size());
   return out;
+}
+
+/// The estimates and what of them the information fixes.
+LinearSolution with_rank(const LikelihoodFit& fit) {
+  LinearSolution linear;
+  linear.y = fit.theta;
+  const Eigen::MatrixXd free = null_space_of(fit.information);
+  linear.rank = fit.theta.size() - static_cast<std::size_t>(free.cols());
+  if (free.cols() > 0) tell_null_space(free, linear);
+  return linear;
+}
+
+/// Cramér–Rao standard errors and intervals of the determined unknowns.
+void state_errors(const Plan& plan, const Eigen::MatrixXd& covariance, Solution& out) {
+  constexpr double normal = 1.959963984540054;
+  out.intervals = IntervalKind::cramer_rao;
+  for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
+    Estimate& estimate = out.unknowns[column];
+    if (!estimate.determined) continue;
+    const auto c = static_cast<Eigen::Index>(column);
+    const double error = std::sqrt(covariance(c, c)) * plan.unscale(column);
+    estimate.std_error = error;
+    estimate.ci95 = {estimate.value - normal * error, estimate.value + normal * error};
+  }
+}
+
+/// Replaces the Cramér–Rao errors by those of a bootstrap; keeps them, and says so, when too many replicates fail.
+void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const Control& control,
+                      Solution& out) {
+  const std::vector<Replicate> replicates = bootstrap(plan, estimator, fit, control);
+  const auto usable = static_cast<std::size_t>(std::ranges::count_if(replicates, &Replicate::usable));
+  if (10 * usable < 9 * replicates.size()) {
+    out.message += "Only " + std::to_string(usable) + " of " + std::to_string(replicates.size()) +
+                   " bootstrap replicates settled: the intervals are those of the Cramér–Rao bound.";
+    return;
+  }
+  out.intervals = IntervalKind::bootstrap;
+  for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
+    Estimate& estimate = out.unknowns[column];
+    if (!estimate.determined) continue;
+    const double scale = plan.unscale(column);
+    const auto [error, ci95] = bootstrap_error(replicates, column, fit.theta[column], *estimate.std_error / scale);
+    estimate.std_error = error * scale;
+    estimate.ci95 = {ci95[0] * scale, ci95[1] * scale};
+  }
 }
 
 }  // namespace
@@ -85,23 +138,16 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   const Clock::time_point start = Clock::now();
   Observations& observations = *plan.likelihood->observations;
   const Clock::time_point reading = Clock::now();
-  observations.read(plan.lines, [&](std::size_t) { check_interrupt(control); });
+  read_observations(plan, control);
   out.runtime_s.read = seconds_since(reading);
-  LikelihoodEstimator estimator(observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, control.threads);
-  const LikelihoodFit fit = estimator.run([&](std::size_t k) { return start_number(plan, k, control); }, [&](std::size_t) { check_interrupt(control); });
+  LikelihoodEstimator estimator = make_estimator(plan, control);
+  const LikelihoodFit fit = estimator.run([&](std::size_t k) { return start_number(plan, k, control); },
+                                          [&](std::size_t) { check_interrupt(control); });
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
+  interpret(plan, with_rank(fit), out);
   const Eigen::MatrixXd covariance = covariance_of(fit.information);
-  LinearSolution linear;
-  linear.y = fit.theta;
-  linear.rank = fit.theta.size();
-  interpret(plan, linear, out);
-  for (std::size_t column = 0; column < fit.theta.size(); ++column) {
-    Estimate& estimate = out.unknowns[column];
-    const auto c = static_cast<Eigen::Index>(column);
-    const double error = std::sqrt(covariance(c, c)) * plan.unscale(column);
-    estimate.std_error = error;
-    estimate.ci95 = {estimate.value - 1.959963984540054 * error, estimate.value + 1.959963984540054 * error};
-  }
+  state_errors(plan, covariance, out);
+  if (plan.scene.identify.bootstrap > 0) bootstrap_errors(plan, estimator, fit, control, out);
   if (!fit.converged) {
     out.status = Status::not_converged;
     out.message = "The likelihood did not settle.";
@@ -111,7 +157,8 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
     if (fit.line_weight[i] > 0.0) out.fit.equations_used += observations.lines()[i].measured / 2;
   }
   out.fit.iterations = fit.iterations;
-  out.fit.chi_square = chi_square_of(observations, fit);
+  out.fit.chi_square = chi_square_of(observations, plan.likelihood->priors, fit);
+  if (control.detail == Detail::full) out.identifiability = identifiability_of(plan, estimator, covariance, out);
 }
 
 }  // namespace jointid::ident

@@ -66,6 +66,8 @@ std::unique_ptr<Plan> plan_start(const Plan& plan) {
   scene.identify.delta = 0.0;
   scene.identify.solver = "auto";
   scene.identify.start.clear();
+  scene.identify.priors.clear();
+  scene.identify.bootstrap = 0;
   const std::vector<Equation> equations = scene.identify.equations;
   for (const auto& [method, chosen] : {std::pair(Method::one, equations), std::pair(Method::one, std::vector<Equation>{}),
                                        std::pair(Method::direct, std::vector<Equation>{})}) {
@@ -80,6 +82,26 @@ std::unique_ptr<Plan> plan_start(const Plan& plan) {
   fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
 }
 
+/// The scene's priors as of the columns they name.
+std::vector<ScaledPrior> plan_priors(const Plan& plan) {
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    names.push_back(plan.columns->name(column, plan.restriction));
+  }
+  std::vector<ScaledPrior> priors;
+  for (const Prior& prior : plan.scene.identify.priors) {
+    const auto found = std::ranges::find(names, prior.unknown);
+    if (found == names.end()) {
+      const std::string near = nearest_word(prior.unknown, names);
+      fail(plan.scene, "[identify] priors", "the joint has no unknown " + prior.unknown,
+           near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
+    }
+    const auto column = static_cast<std::size_t>(found - names.begin());
+    priors.push_back({column, prior.value / plan.unscale(column), plan.unscale(column) / prior.deviation});
+  }
+  return priors;
+}
+
 }  // namespace
 
 void plan_likelihood(Plan& plan) {
@@ -90,6 +112,7 @@ void plan_likelihood(Plan& plan) {
   plan.likelihood = std::make_shared<LikelihoodPlan>();
   LikelihoodPlan& own = *plan.likelihood;
   own.others = find_others(plan);
+  own.priors = plan_priors(plan);
   const Dofs& joint = plan.coordinates.joint;
   const bool joint_on_assembly = std::any_of(joint.begin(), joint.end(), [&](const auto& dof) { return has(*plan.assembly, dof); });
   choose_equations(plan, joint_on_assembly);

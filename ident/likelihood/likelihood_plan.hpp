@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ident/likelihood/observations.hpp"
+#include "ident/likelihood/scaled_prior.hpp"
 #include "ident/plan.hpp"
 
 namespace jointid::ident {
@@ -9,6 +10,7 @@ namespace jointid::ident {
 struct LikelihoodPlan {
   Dofs others;  ///< non-joint coordinates that both systems have, in either role
   LikelihoodBlocks blocks;
+  std::vector<ScaledPrior> priors;
   std::unique_ptr<Observations> observations;
   std::unique_ptr<Plan> start;  ///< the linear estimate to start from; empty when the scene gives the start
 };

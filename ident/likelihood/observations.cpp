@@ -57,10 +57,12 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
     const std::size_t count = std::min(chunk, lines.size() - first);
     read_chunk(std::span(substructure_lines).subspan(first, count), std::span(assembly_lines).subspan(first, count));
   }
-  layout_ = choose_layout(layout_.coordinates, layout_.others, raw_);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    data_.push_back(data_of(raw_[i], 2.0 * std::numbers::pi * lines[i].frequency_hz));
-  }
+  leave_out({});
+}
+
+void Observations::leave_out(const std::vector<std::size_t>& coordinates) {
+  layout_ = without(choose_layout(layout_.coordinates, layout_.others, raw_), coordinates);
+  weigh_as_measured();
 }
 
 void Observations::read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) {
@@ -93,7 +95,10 @@ LineData Observations::data_of(const Raw& raw, double omega) const {
 }
 
 void Observations::weigh_as_measured() {
-  for (std::size_t i = 0; i < data_.size(); ++i) data_[i] = data_of(raw_[i], data_[i].omega);
+  data_.clear();
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    data_.push_back(data_of(raw_[i], 2.0 * std::numbers::pi * plan_lines_[i].frequency_hz));
+  }
 }
 
 void Observations::weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) {

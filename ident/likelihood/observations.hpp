@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "ident/likelihood/estimated_frfs.hpp"
+#include "ident/likelihood/likelihood_data.hpp"
 #include "ident/line.hpp"
 
 namespace jointid::ident {
@@ -14,7 +15,7 @@ struct LikelihoodBlocks {
 };
 
 /// All measured FRFs of a problem with their variances, brought into the form of the likelihood.
-class Observations {
+class Observations final : public LikelihoodData {
  public:
   Observations(const Scene& scene, const Dofs& coordinates, std::size_t others, const LikelihoodBlocks& blocks,
                frf::FrfSystem& substructures, frf::FrfSystem& assembly);
@@ -24,18 +25,13 @@ class Observations {
   /// Reads the lines of a plan, replacing what was read before; `between` is called between chunks of lines.
   void read(const std::vector<Line>& lines, const std::function<void(std::size_t done)>& between);
 
-  const LineLayout& layout() const { return layout_; }
-  const std::vector<LineData>& lines() const { return data_; }
+  /// Takes what was read as if some coordinates (numbers in LineLayout::coordinates) had not been measured: non-joint ones at
+  /// all, joint ones on the assembly. Replaces what was left out before.
+  void leave_out(const std::vector<std::size_t>& coordinates);
 
-  /// Whether some variances follow a law of the value.
-  bool variances_by_law() const { return substructures_.variances_by_law() || assembly_.variances_by_law(); }
-
-  /// Weights from the variances at the measured values, as after read().
-  void weigh_as_measured();
-
-  /// Weights of line `line` from the law at the values of `state` instead of the measured ones, at most a factor of two off
-  /// what they were at first.
-  void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z);
+  bool variances_by_law() const override { return substructures_.variances_by_law() || assembly_.variances_by_law(); }
+  void weigh_as_measured() override;
+  void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) override;
 
   std::vector<FileVariances> origins() const;
 
@@ -49,11 +45,9 @@ class Observations {
   void reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const;
 
   SymmetricFrfs substructures_, assembly_;
-  LineLayout layout_;
   std::vector<Line> plan_lines_;
   std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
   std::vector<Raw> raw_;
-  std::vector<LineData> data_;
 };
 
 }  // namespace jointid::ident

@@ -10,6 +10,11 @@ command_test(problem_unknown CODE 2 ERR "rig1" ARGS problem write rig_1 rig1)
 command_test(problem_unwritable CODE 3 ERR "/dev/null" ARGS problem write A1 /dev/null/a1)
 
 command_test(plan CODE 0 OUT "stiffness|K\\(1,1\\)" AFTER written ARGS plan rig1/rig1.toml)
+command_test(plan_bound CODE 0 OUT "smallest standard errors.*without a coordinate.*with more data" AFTER study_data
+  ARGS plan a1/A1.toml --bound --candidates 1:+Y)
+command_test(plan_bound_json CODE 0 OUT "\"without_lines\":" AFTER study_data ARGS plan a1/A1.toml --bound --json -)
+command_test(plan_candidate_unknown CODE 2 ERR "--candidates.*9:.Z" AFTER study_data ARGS plan a1/A1.toml --bound --candidates 9:+Z)
+command_test(plan_candidates_alone CODE 2 ERR "--bound" AFTER study_data ARGS plan a1/A1.toml --candidates 1:+Y)
 command_test(plan_json CODE 0 OUT "\"left_out\":" AFTER written ARGS plan rig1/rig1.toml --json -)
 command_test(solve CODE 0 OUT "against the truth" AFTER written ARGS solve rig1/rig1.toml)
 command_test(solve_json CODE 0 OUT "^{\n  \"status\": \"ok\"" AFTER written ARGS solve rig1/rig1.toml --json -)

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace jointid::ident {
+
+/// Σ factors[i]·δ(names[i])/scale, where scale is the estimate, or the largest estimate of the same matrix and unit where the
+/// estimate is nearly zero; Σ factors² = 1. `deviation` is its standard deviation.
+struct LinearCombination {
+  std::vector<std::string> names;
+  std::vector<double> factors;
+  double deviation = 0.0;
+};
+
+/// Unknowns that the data know badly together: the combination of them known worst and, when there are several, the one known
+/// best.
+struct WeakCombination {
+  LinearCombination worst;
+  std::optional<LinearCombination> best;
+  std::optional<double> correlation;  ///< of the first two unknowns
+};
+
+/// How far a joint can be seen in the data; medians.
+struct JointVisibility {
+  std::optional<double> effect;       ///< |H_sub − H_asm| over its standard deviation; 0.7 when the joint changes nothing
+  std::optional<double> deformation;  ///< work of the combination fixed worst on the assembly's motion over that on the free parts'
+};
+
+enum class FindingKind { weak_combination, soft_joint, stiff_joint, nonlinear, misfit };
+
+std::string name(FindingKind kind);
+
+/// What the user should know or do, in sentences.
+struct Finding {
+  FindingKind kind;
+  std::string text;
+};
+
+/// What the data say about the unknowns, and what would help.
+struct Identifiability {
+  std::vector<WeakCombination> weakest;  ///< worst first, at most three
+  JointVisibility joint;
+  double largest_relative_error = 0.0;   ///< of the determined unknowns
+  std::vector<Finding> findings;
+};
+
+}  // namespace jointid::ident

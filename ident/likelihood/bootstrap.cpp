@@ -1,0 +1,76 @@
+#include "ident/likelihood/bootstrap.hpp"
+
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ident/likelihood/covariance.hpp"
+#include "ident/likelihood/likelihood_plan.hpp"
+#include "ident/likelihood/simulated_data.hpp"
+#include "ident/spread.hpp"
+
+namespace jointid::ident {
+namespace {
+
+Replicate replicate_of(const LikelihoodFit& fit) {
+  Replicate out{.theta = fit.theta, .error = {}, .usable = fit.converged};
+  const Eigen::MatrixXd covariance = covariance_of(fit.information);
+  for (std::size_t column = 0; column < fit.theta.size(); ++column) {
+    const auto c = static_cast<Eigen::Index>(column);
+    out.error.push_back(std::sqrt(covariance(c, c)));
+    out.usable = out.usable && std::isfinite(fit.theta[column]) && out.error[column] > 0.0;
+  }
+  return out;
+}
+
+/// Priors as the bootstrap draws them: what was believed of the joint has errors, too.
+std::vector<ScaledPrior> drawn(std::vector<ScaledPrior> priors, const std::vector<double>& theta, const frf::RandomStream& stream) {
+  for (std::size_t i = 0; i < priors.size(); ++i) {
+    priors[i].value = theta[priors[i].column] + frf::normal_numbers(stream, 0, i)[0] / priors[i].weight;
+  }
+  return priors;
+}
+
+}  // namespace
+
+std::vector<Replicate> bootstrap(Plan& plan, const LikelihoodEstimator& fitted, const LikelihoodFit& fit, const Control& control) {
+  const LikelihoodPlan& own = *plan.likelihood;
+  const std::vector<ExactLine> exact = exact_lines(*own.observations, fitted, fit.theta);
+  const IdentifySection& identify = plan.scene.identify;
+  std::vector<Replicate> replicates(identify.bootstrap);
+  oneapi::tbb::enumerable_thread_specific<SimulatedData> simulated([&] { return SimulatedData(*own.observations, fit.line_weight); });
+  const auto watch = [&](std::size_t) {
+    if (control.interrupted && control.interrupted()) throw Interrupted();
+  };
+  const auto run_one = [&](std::size_t b) {
+    SimulatedData& data = simulated.local();
+    data.draw(exact, {identify.bootstrap_seed, b, 0});
+    LikelihoodEstimator estimator(data, plan.restriction, *plan.columns, plan.assembly_spec.omega0, 1);
+    estimator.set_priors(drawn(own.priors, fit.theta, {identify.bootstrap_seed, b, 1}));
+    replicates[b] = replicate_of(estimator.refine(fit.theta, watch));
+  };
+  const int threads = control.threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(control.threads);
+  oneapi::tbb::task_arena(threads).execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, replicates.size(), run_one); });
+  return replicates;
+}
+
+BootstrapError bootstrap_error(const std::vector<Replicate>& replicates, std::size_t column, double estimate, double error) {
+  std::vector<double> values, studentized;
+  for (const Replicate& replicate : replicates) {
+    if (!replicate.usable) continue;
+    values.push_back(replicate.theta[column]);
+    studentized.push_back((replicate.theta[column] - estimate) / replicate.error[column]);
+  }
+  double sum = 0.0, squares = 0.0;
+  const auto n = static_cast<double>(values.size());
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
+  std::ranges::sort(studentized);
+  return {std::sqrt(squares / (n - 1.0)),
+          {estimate - quantile(studentized, 0.975) * error, estimate - quantile(studentized, 0.025) * error}};
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ident/likelihood/estimator.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::ident {
+
+/// √diag of the inverse of an information on the scaled unknowns of a plan, in SI; infinite where it fixes nothing.
+std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& information);
+
+/// Scaled unknowns of a plan from values in SI.
+std::vector<double> scaled(const Plan& plan, const std::vector<double>& values);
+
+/// Reads all lines of a plan with method "likelihood".
+void read_observations(Plan& plan, const Control& control);
+
+/// An estimator on what was read, with the priors of the plan.
+LikelihoodEstimator make_estimator(Plan& plan, const Control& control);
+
+}  // namespace jointid::ident

@@ -1,0 +1,40 @@
+#include "ident/likelihood/joint_guess.hpp"
+
+#include "ident/scene_failure.hpp"
+#include "ident/true_values.hpp"
+
+namespace jointid::ident {
+
+std::vector<double> joint_guess(const Plan& plan) {
+  const Scene& scene = plan.scene;
+  const bool truth = !scene.truth.empty();
+  const auto& matrices = truth ? scene.truth : scene.identify.start;
+  const std::string place = truth ? "[truth]" : "[identify] start";
+  if (matrices.empty()) {
+    fail(scene, place, "a bound needs a joint to assume, and the scene has neither [truth] nor [identify] start",
+         "add [truth] with the matrices you expect");
+  }
+  const auto values = true_values(plan.restriction, matrices);
+  std::vector<double> guess;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const std::size_t unknown = plan.columns->unknown_of(column);
+    if (!values[unknown] && matrices.contains(plan.restriction.unknowns[unknown].kind)) {
+      fail(scene, place, "its matrices do not fix " + plan.columns->name(column, plan.restriction),
+           "give matrices that follow the joint's pattern");
+    }
+    guess.push_back(values[unknown].value_or(0.0));
+  }
+  return guess;
+}
+
+std::size_t find_candidate(const Scene& scene, const Dofs& coordinates, const frf::Dof& dof) {
+  const std::size_t found = frf::find_coordinate(coordinates, dof);
+  if (found != frf::npos) return found;
+  std::vector<std::string> names;
+  for (const frf::Dof& known : coordinates) names.push_back(known.name());
+  const std::string near = nearest_word(dof.name(), names);
+  fail(scene, "--candidates", dof.name() + " is no coordinate of both the substructures and the assembly",
+       near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
+}
+
+}  // namespace jointid::ident
