@@ -174,9 +174,7 @@ void LikelihoodEstimator::linearise_all(const std::vector<double>& theta) {
 
 /// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
 /// covariance that the last joint gives them.
-void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& watch) {
-  constexpr std::size_t most = 4;
-  Eigen::MatrixXd information;
+bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch) {
   Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
@@ -184,11 +182,12 @@ void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& w
     for (Line& line : lines_) line.cost = line.reduced.cost;
     choose_tolerance();
     weigh();
-    sum(information, gradient);
-    const Eigen::VectorXd step = solve_step(information, gradient);
+    sum(fit.information, gradient);
+    const Eigen::VectorXd step = solve_step(fit.information, gradient);
     fit.theta = added(fit.theta, step, 1.0);
-    if (std::sqrt(step.dot(information * step)) < 1.0) break;
+    if (std::sqrt(step.dot(fit.information * step)) < tolerance) return true;
   }
+  return false;
 }
 
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
@@ -328,10 +327,11 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
   LikelihoodFit fit;
   fit.theta = std::move(start);
   begin(fit.theta);
-  whitened_stage(fit, watch);
+  whitened_stage(fit, 4, 1.0, watch);
   implicit_stage(fit, watch);
   for (int round = 0; round < 10 && !(project(fit, 0.1, watch) && tolerance_ == 1.0); ++round) {
   }
+  if (!observations_.variances_by_law()) fit.converged = project(fit, 1e-3, watch);
   for (int round = 0; round < 6 && observations_.variances_by_law(); ++round) {
     const std::vector<double> before = fit.theta;
     for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -342,11 +342,29 @@ LikelihoodFit LikelihoodEstimator::run(std::vector<double> start, const FitWatch
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (std::sqrt(std::max(0.0, moved.dot(fit.information * moved))) < 1e-2) break;
   }
+  finish(fit);
+  return fit;
+}
+
+LikelihoodFit LikelihoodEstimator::run_whitened(std::vector<double> start, const FitWatcher& watch) {
+  LikelihoodFit fit;
+  fit.theta = std::move(start);
+  begin(fit.theta);
+  fit.converged = whitened_stage(fit, 50, 1e-3, watch);
+  finish(fit);
+  return fit;
+}
+
+void LikelihoodEstimator::finish(LikelihoodFit& fit) const {
   for (const Line& line : lines_) {
     fit.line_cost.push_back(line.cost);
     fit.line_weight.push_back(line.weight);
+    const LineState& state = line.state;
+    const ReducedLine& reduced = line.reduced;
+    fit.bytes += sizeof(Line) + sizeof(Complex) * static_cast<std::size_t>(state.x.size() + state.y.size() + state.a.size() + state.b.size()) +
+                 sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.back.size() +
+                                                           reduced.own.size());
   }
-  return fit;
 }
 
 Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {

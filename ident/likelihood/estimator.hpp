@@ -16,6 +16,7 @@ struct LikelihoodFit {
   std::vector<double> line_weight;  ///< robust weight, 1 for a line that fits
   std::size_t iterations = 0;       ///< steps of the joint's unknowns
   bool converged = false;           ///< the last step was below the tolerance and no line could be improved
+  std::size_t bytes = 0;            ///< of the lines' states and what was linearised about them
 };
 
 /// Watches a fit; called once per iteration, may throw to stop it.
@@ -37,6 +38,11 @@ class LikelihoodEstimator {
 
   LikelihoodFit run(std::vector<double> start, const FitWatcher& watch);
 
+  /// Only iterative quadratic maximum likelihood, to its end: the conditions between the measured FRFs, which are linear in the
+  /// joint, whitened by the covariance that the last joint gives them. Each step costs as much as one of the Gauss–Helmert
+  /// iteration and no line can get stuck, but errors of the coefficients bias it: for small noise only as good as run().
+  LikelihoodFit run_whitened(std::vector<double> start, const FitWatcher& watch);
+
   /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(const std::vector<double>& theta);
 
@@ -56,7 +62,8 @@ class LikelihoodEstimator {
   void weigh();
   void sum(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total() const;
-  void whitened_stage(LikelihoodFit& fit, const FitWatcher& watch);
+  bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch);
+  void finish(LikelihoodFit& fit) const;
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);

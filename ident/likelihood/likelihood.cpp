@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "ident/likelihood/bundle.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/estimator.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
+#include "ident/likelihood/variance_sources.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/true_values.hpp"
 
@@ -50,6 +52,19 @@ std::vector<double> linear_start(Plan& plan, const Control& control) {
   return theta;
 }
 
+LikelihoodFit fit_by_solver(Plan& plan, std::vector<double> theta, const Control& control) {
+  Observations& observations = *plan.likelihood->observations;
+  const double omega0 = plan.assembly_spec.omega0;
+  const FitWatcher watch = [&](std::size_t) { check_interrupt(control); };
+  LikelihoodEstimator estimator(observations, plan.restriction, *plan.columns, omega0, control.threads);
+  if (plan.solver == "gauss-helmert") return estimator.run(std::move(theta), watch);
+  LikelihoodFit whitened = estimator.run_whitened(std::move(theta), watch);
+  if constexpr (JOINTID_HAVE_CERES) {
+    if (plan.solver == "ceres") return adjust_bundle(observations, plan.restriction, *plan.columns, omega0, whitened, watch);
+  }
+  return whitened;
+}
+
 ChiSquare chi_square_of(const Observations& observations, const LikelihoodFit& fit) {
   ChiSquare out;
   for (std::size_t i = 0; i < fit.line_cost.size(); ++i) {
@@ -73,8 +88,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   const Clock::time_point reading = Clock::now();
   observations.read(plan.lines, [&](std::size_t) { check_interrupt(control); });
   out.runtime_s.read = seconds_since(reading);
-  LikelihoodEstimator estimator(observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, control.threads);
-  const LikelihoodFit fit = estimator.run(std::move(theta), [&](std::size_t) { check_interrupt(control); });
+  const LikelihoodFit fit = fit_by_solver(plan, std::move(theta), control);
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   const Eigen::MatrixXd covariance = covariance_of(fit.information);
   LinearSolution linear;
@@ -92,9 +106,11 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
     out.status = Status::not_converged;
     out.message = "The likelihood did not settle.";
   }
+  out.variances = variance_sources(plan);
   out.fit.lines = plan.lines.size();
   for (const LineData& line : observations.lines()) out.fit.equations_used += line.measured / 2;
   out.fit.iterations = fit.iterations;
+  out.used.accumulator_bytes = observations.bytes() + fit.bytes;
   out.fit.chi_square = chi_square_of(observations, fit);
 }
 

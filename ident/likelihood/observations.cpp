@@ -94,6 +94,19 @@ std::vector<FileVariances> Observations::origins() const {
   return all;
 }
 
+std::size_t Observations::bytes() const {
+  std::size_t total = 0;
+  for (const Raw& raw : raw_) {
+    for (const auto* part : {&raw.x, &raw.y, &raw.a, &raw.b, &raw.sub_nn, &raw.asm_nn}) total += part->capacity() * sizeof(Entry);
+  }
+  for (const LineData& line : data_) {
+    for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+      total += (channel->value.capacity() + channel->weight.capacity()) * sizeof(Complex);
+    }
+  }
+  return total;
+}
+
 void Observations::append(const SymmetricFrfs& from, std::size_t i, bool substructures, Raw& raw) const {
   const std::size_t n = layout_.others;
   const auto entry = [&](std::size_t row, std::size_t column) {

@@ -38,6 +38,9 @@ class Observations {
 
   std::vector<FileVariances> origins() const;
 
+  /// Of the measured FRFs and their weights.
+  std::size_t bytes() const;
+
  private:
   struct Entry {
     Measured measured;

@@ -33,4 +33,16 @@ inline ident::Solution sample_solution() {
   return solution;
 }
 
+/// The same as method "likelihood" would give it.
+inline ident::Solution sample_likelihood() {
+  ident::Solution solution = sample_solution();
+  solution.used.method = ident::Method::likelihood;
+  solution.used.solver = "gauss-helmert";
+  solution.fit.iterations = 9;
+  solution.fit.chi_square = {.value = 812.25, .degrees_of_freedom = 800.0, .outlying_lines = 2,
+                             .by_line = {1.5, std::numeric_limits<double>::quiet_NaN()}};
+  solution.variances = {{"a.uff", "the law of [noise]", ""}, {"b.uff", "estimated", "b.uff: too few lines"}};
+  return solution;
+}
+
 }  // namespace jointid::cli
