@@ -130,10 +130,8 @@ bool Bundle::relax_stuck(double above) {
     if (line.cost <= above * line.redundancy) continue;
     const LineLayout& layout = observations_.layout();
     const LineData& data = observations_.lines()[line.number];
-    better = relax_from(line, assembly_start(layout, data, line.explicit_line.impedance(theta()))) || better;
-    if (std::ranges::all_of(data.y.weight, [](const Complex& weight) { return weight != Complex(0.0); })) {
-      better = relax_from(line, measured_start(layout, data)) || better;
-    }
+    better = relax_from(line, lifted_start(layout, data, line.explicit_line.impedance(theta()))) || better;
+    if (line.cost > suspicious * line.redundancy) better = relax_from(line, measured_start(layout, data)) || better;
   }
   return better;
 }

@@ -125,7 +125,7 @@ TEST(LineStart, FromExactDataIsExactEitherWay) {
   for (const LineData& data : observations.lines()) {
     const JointImpedance joint(plan->restriction, *plan->columns, plan->assembly_spec.omega0, data.omega);
     const LineState measured = measured_start(observations.layout(), data);
-    const LineState found = assembly_start(observations.layout(), data, joint.at(theta));
+    const LineState found = lifted_start(observations.layout(), data, joint.at(theta));
     EXPECT_LT((found.x - measured.x).norm(), 1e-8 * measured.x.norm());
     EXPECT_LT((found.y - measured.y).norm(), 1e-8 * measured.y.norm());
   }
