@@ -27,7 +27,6 @@ ceres::Solver::Options tight_options() {
   ceres::Solver::Options options;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
-  options.max_num_iterations = 300;
   options.function_tolerance = 1e-14;
   options.parameter_tolerance = 1e-10;
   options.gradient_tolerance = 1e-8;
@@ -49,16 +48,20 @@ class Bundle {
     ExplicitLine explicit_line;
     std::vector<double> u;
     double cost = 0.0;
+    bool settled = false;  ///< the last time it was relaxed
   };
 
   ceres::Problem::Options borrowing() const;
   void choose(Line& line, const LineState& state) const;
-  double relax(Line& line);
-  bool relax_from(Line& line, const LineState& start);
+  void relax(Line& line, int iterations);
+  bool relax_from(Line& line, const LineState& start, int iterations);
   bool relax_stuck(double above);
   void choose_tolerance();
   double limit(const Line& line) const { return outlying * tolerance_ * line.redundancy; }
-  bool solve();
+  void solve();
+  void reduce();
+  double total() const;
+  void step_over();
   void settle();
   void weigh();
   std::vector<double> theta() const { return scale_.theta(t_.data()); }
@@ -70,6 +73,7 @@ class Bundle {
   std::vector<double> t_;
   std::vector<Line> lines_;
   double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
+  Eigen::VectorXd step_;  ///< of theta, see reduce()
   LikelihoodFit fit_;
 };
 
@@ -83,7 +87,7 @@ Bundle::Bundle(Observations& observations, const restrictions::Restriction& rest
     const JointImpedance joint(restriction, columns, omega0, data.omega);
     const double redundancy = data.redundancy(observations.layout());
     if (redundancy <= 0.0 || joint.columns().empty()) continue;
-    lines_.push_back({i, redundancy, joint, ExplicitLine(observations.layout(), data, joint), {}, 0.0});
+    lines_.push_back({i, redundancy, joint, ExplicitLine(observations.layout(), data, joint), {}, 0.0, false});
   }
   fit_.iterations = start.iterations;
 }
@@ -101,23 +105,25 @@ void Bundle::choose(Line& line, const LineState& state) const {
 }
 
 /// Minimises the line's χ² over its FRFs for the current joint.
-double Bundle::relax(Line& line) {
+void Bundle::relax(Line& line, int iterations) {
   LineCost cost(line.explicit_line, scale_);
   ceres::Problem problem(borrowing());
   problem.AddResidualBlock(&cost, nullptr, t_.data(), line.u.data());
   problem.SetParameterBlockConstant(t_.data());
   ceres::Solver::Options options = tight_options();
   options.linear_solver_type = ceres::DENSE_QR;
+  options.max_num_iterations = iterations;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  return 2.0 * summary.final_cost;
+  line.cost = 2.0 * summary.final_cost;
+  line.settled = summary.termination_type == ceres::CONVERGENCE;
 }
 
 /// Keeps what `start` leads to if it is better.
-bool Bundle::relax_from(Line& line, const LineState& start) {
+bool Bundle::relax_from(Line& line, const LineState& start, int iterations) {
   const Line before = line;
   choose(line, start);
-  line.cost = relax(line);
+  relax(line, iterations);
   if (line.cost < before.cost * (1.0 - 1e-6)) return true;
   line = before;
   return false;
@@ -130,8 +136,9 @@ bool Bundle::relax_stuck(double above) {
     if (line.cost <= above * line.redundancy) continue;
     const LineLayout& layout = observations_.layout();
     const LineData& data = observations_.lines()[line.number];
-    better = relax_from(line, lifted_start(layout, data, line.explicit_line.impedance(theta()))) || better;
-    if (line.cost > suspicious * line.redundancy) better = relax_from(line, measured_start(layout, data)) || better;
+    better = relax_from(line, measured_start(layout, data), 50) || better;
+    if (line.settled && line.cost <= suspicious * line.redundancy) continue;
+    better = relax_from(line, lifted_start(layout, data, line.explicit_line.impedance(theta())), 300) || better;
   }
   return better;
 }
@@ -146,13 +153,14 @@ void Bundle::choose_tolerance() {
   tolerance_ = *middle > outlying ? *middle : 1.0;
 }
 
-bool Bundle::solve() {
+void Bundle::solve() {
   choose_tolerance();
   std::deque<LineCost> costs;
   std::deque<LineLoss> losses;
   ceres::Problem problem(borrowing());
   ceres::Solver::Options options = tight_options();
   options.linear_solver_type = ceres::DENSE_SCHUR;
+  options.max_num_iterations = 150;
   options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
   options.linear_solver_ordering->AddElementToGroup(t_.data(), 1);
   for (Line& line : lines_) {
@@ -170,13 +178,65 @@ bool Bundle::solve() {
     costs[i].Evaluate(parameters, residuals.data(), nullptr);
     lines_[i].cost = Eigen::Map<const Eigen::VectorXd>(residuals.data(), at(residuals.size())).squaredNorm();
   }
-  return summary.termination_type == ceres::CONVERGENCE;
+}
+
+/// Information and gradient of the joint with the lines' FRFs projected out: Fᵀ(I − QQᵀ)F and −Fᵀ(I − QQᵀ)r of the Jacobian
+/// [E F] and the residuals r, E = QR.
+void Bundle::reduce() {
+  const auto p = at(t_.size());
+  fit_.information = Eigen::MatrixXd::Zero(p, p);
+  step_ = Eigen::VectorXd::Zero(p);
+  for (const Line& line : lines_) {
+    RowMajor by_theta, by_own;
+    Eigen::VectorXd residuals(at(line.explicit_line.residuals()));
+    line.explicit_line.evaluate(theta(), line.u.data(), residuals.data(), &by_theta, &by_own);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(by_own);
+    const Eigen::MatrixXd rotated = factors.householderQ().transpose() * by_theta;
+    const Eigen::VectorXd right = factors.householderQ().transpose() * residuals;
+    const auto left = rotated.rows() - factors.rank();
+    double rho[3];
+    LineLoss(limit(line)).Evaluate(line.cost, rho);
+    fit_.information += rho[1] * rotated.bottomRows(left).transpose() * rotated.bottomRows(left);
+    step_ -= rho[1] * rotated.bottomRows(left).transpose() * right.tail(left);
+  }
+  const Eigen::VectorXd gradient = step_;
+  step_ = covariance_of(fit_.information) * gradient;
+  fit_.converged = std::sqrt(std::max(0.0, step_.dot(gradient))) < 1e-3;
+}
+
+double Bundle::total() const {
+  double sum = 0.0;
+  for (const Line& line : lines_) {
+    double rho[3];
+    LineLoss(limit(line)).Evaluate(line.cost, rho);
+    sum += rho[0];
+  }
+  return sum;
+}
+
+/// Where a line that must follow the joint exactly holds up the common steps: the step that the joint would take with its lines
+/// projected out, and the lines after it.
+void Bundle::step_over() {
+  const auto lines = lines_;
+  const std::vector<double> t = t_;
+  const double before = total();
+  for (std::size_t i = 0; i < t_.size(); ++i) t_[i] += step_[at(i)] / scale_.scale[i];
+  for (Line& line : lines_) relax(line, 100);
+  relax_stuck(suspicious);
+  if (total() < before) return;
+  lines_ = lines;
+  t_ = t;
 }
 
 void Bundle::settle() {
-  constexpr int most = 20;
-  fit_.converged = solve();
-  for (int round = 0; round < most && relax_stuck(suspicious); ++round) fit_.converged = solve();
+  constexpr int most = 8;
+  for (int round = 0; round < most; ++round) {
+    solve();
+    const bool better = relax_stuck(suspicious);
+    reduce();
+    if (fit_.converged && !better) return;
+    if (!fit_.converged) step_over();
+  }
 }
 
 /// Weights at the estimated values.
@@ -189,27 +249,17 @@ void Bundle::weigh() {
   }
 }
 
-/// Information of the joint with the lines' FRFs projected out: Fᵀ(I − QQᵀ)F of the Jacobian [E F], E = QR.
 void Bundle::finish() {
-  const std::size_t p = t_.size();
   fit_.theta = theta();
-  fit_.bytes = 0;
-  fit_.information = Eigen::MatrixXd::Zero(at(p), at(p));
   fit_.line_cost.assign(observations_.lines().size(), 0.0);
   fit_.line_weight.assign(observations_.lines().size(), 0.0);
-  for (Line& line : lines_) {
-    RowMajor by_theta, by_own;
-    std::vector<double> residuals(line.explicit_line.residuals());
-    line.explicit_line.evaluate(fit_.theta, line.u.data(), residuals.data(), &by_theta, &by_own);
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(by_own);
-    const Eigen::MatrixXd rotated = factors.householderQ().transpose() * by_theta;
-    const Eigen::MatrixXd rest = rotated.bottomRows(rotated.rows() - factors.rank());
+  for (const Line& line : lines_) {
+    const std::size_t rows = line.explicit_line.residuals(), own = line.u.size();
     double rho[3];
     LineLoss(limit(line)).Evaluate(line.cost, rho);
-    fit_.information += rho[1] * rest.transpose() * rest;
     fit_.line_cost[line.number] = line.cost;
     fit_.line_weight[line.number] = rho[1];
-    fit_.bytes += sizeof(double) * (residuals.size() * (1 + p + line.u.size()) + line.u.size() * line.u.size());
+    fit_.bytes += sizeof(double) * (rows * (1 + t_.size() + own) + own * own);
   }
 }
 
@@ -222,7 +272,6 @@ LikelihoodFit Bundle::run() {
     const std::vector<double> before = t_;
     weigh();
     settle();
-    finish();
     Eigen::VectorXd moved(at(t_.size()));
     for (std::size_t i = 0; i < t_.size(); ++i) moved[at(i)] = (t_[i] - before[i]) * scale_.scale[i];
     if (std::sqrt(moved.dot(fit_.information * moved)) < 1e-2) break;

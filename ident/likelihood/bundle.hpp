@@ -10,8 +10,8 @@ namespace jointid::ident {
 /// block of the joint). An independent check, and slower.
 ///
 /// The explicit cost has local minima on lines near resonances, and a line that is in one stays there. Therefore the joint starts
-/// at `start` (IQML) and every line is first relaxed for that joint alone, from where lifted_start() puts it and, if it still
-/// does not fit, from the measured FRFs. After each solution lines that do not fit are relaxed again in this way, and where that
+/// at `start` (IQML) and every line is first relaxed for that joint alone, from the measured FRFs and, if it does not fit
+/// then, from where lifted_start() puts it. After each solution lines that do not fit are relaxed again in this way, and where that
 /// helps all is solved again.
 /// Variances that follow a law of the value are then taken at the estimated values, and so on until the joint stays.
 ///
