@@ -16,10 +16,11 @@ Json value(double number) { return std::isfinite(number) ? Json(number) : Json(n
 Json way(const ident::Way& chosen) {
   Json equations = Json::array();
   for (const auto equation : chosen.equations) equations.push_back(ident::name(equation));
+  const bool weighs = ident::weighs_equations(chosen.method);
   return {{"method", ident::name(chosen.method)},
           {"equations", equations},
-          {"weighting", weighting::name(chosen.weighting)},
-          {"delta", chosen.delta},
+          {"weighting", weighs ? Json(weighting::name(chosen.weighting)) : Json(nullptr)},
+          {"delta", weighs ? Json(chosen.delta) : Json(nullptr)},
           {"solver", chosen.solver}};
 }
 
@@ -49,8 +50,9 @@ std::string field(double number) { return std::isfinite(number) ? fmt::format("{
 std::vector<std::string> csv_cells(const ident::Combination& each, const ident::MatrixFigures& figures) {
   std::string equations;
   for (const auto equation : each.way.equations) equations += (equations.empty() ? "" : " ") + ident::name(equation);
-  std::vector<std::string> cells = {ident::name(each.way.method), equations, weighting::name(each.way.weighting),
-                                    field(each.way.delta), each.way.solver, restrictions::key(figures.kind)};
+  const bool weighs = ident::weighs_equations(each.way.method);
+  std::vector<std::string> cells = {ident::name(each.way.method), equations, weighs ? weighting::name(each.way.weighting) : "",
+                                    weighs ? field(each.way.delta) : "", each.way.solver, restrictions::key(figures.kind)};
   for (const ident::Spread& s : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
     cells.insert(cells.end(), {field(s.median), field(s.low), field(s.high)});
   }

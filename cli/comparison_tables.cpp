@@ -65,8 +65,8 @@ std::optional<PairTable> pair_table(const std::vector<const Combination*>& frame
 }  // namespace
 
 std::vector<std::string> way_cells(const ident::Way& way) {
-  return {ident::name(way.method), equations_text(way.equations), weighting::name(way.weighting), fmt::format("{:g}", way.delta),
-          way.solver};
+  return {ident::name(way.method), equations_text(way.equations), weighting_text(way.method, way.weighting),
+          delta_text(way.method, way.delta), way.solver};
 }
 
 std::vector<PairTable> pair_tables(const std::vector<Combination>& all, std::size_t matrix) {

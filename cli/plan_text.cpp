@@ -8,6 +8,8 @@
 #include "cli/bound_json.hpp"
 #include "cli/dof_list.hpp"
 #include "cli/table.hpp"
+#include "cli/words.hpp"
+#include "ident/likelihood/variance_sources.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -18,13 +20,6 @@ std::vector<std::string> equation_names(const ident::Plan& plan) {
   std::vector<std::string> names;
   for (const auto equation : plan.equations) names.push_back(ident::name(equation));
   return names;
-}
-
-std::string method_text(const ident::Plan& plan) {
-  const auto& identify = plan.scene.identify;
-  return fmt::format("{}, equations {}, weighting {}, delta {:g}, solver {}", ident::name(identify.method),
-                     fmt::join(equation_names(plan), " "), weighting::name(identify.weighting), identify.delta,
-                     plan.solver);
 }
 
 std::string lines_text(const std::vector<ident::Line>& lines) {
@@ -47,6 +42,19 @@ std::string cost_text(const ident::Cost& cost) {
   table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
   table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
   return "\ncost\n" + table.text();
+}
+
+std::string variances_text(const std::vector<ident::VarianceSource>& files) {
+  if (files.empty()) return "";
+  Table table({{"", Align::left}, {"", Align::left}});
+  for (const auto& file : files) table.add({file.file, file.origin});
+  return "\nvariances of the FRFs\n" + table.text();
+}
+
+Json variances_json(const std::vector<ident::VarianceSource>& files) {
+  Json all = Json::array();
+  for (const auto& file : files) all.push_back({{"file", file.file}, {"origin", file.origin}});
+  return all;
 }
 
 std::string phrases(const char* title, const std::vector<std::string>& list) {
@@ -75,7 +83,8 @@ Json cost_json(const ident::Cost& cost) {
 
 std::string plan_text(const ident::Plan& plan) {
   Table table({{"", Align::left}, {"", Align::left}});
-  table.add({"method", method_text(plan)});
+  const auto& identify = plan.scene.identify;
+  table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
   table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
   table.add({"other responses", dof_list(plan.coordinates.responses)});
   table.add({"other references", dof_list(plan.coordinates.references)});
@@ -83,16 +92,17 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"unknowns", unknowns_text(plan)});
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() + cost_text(plan.cost) +
-         phrases("left out", plan.left_out) + phrases("notes", plan.notes);
+         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("notes", plan.notes);
 }
 
 std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundReport>& bound) {
   const auto& identify = plan.scene.identify;
+  const bool weighs = ident::weighs_equations(identify.method);
   Json json = {{"title", plan.scene.title},
                {"method", ident::name(identify.method)},
                {"equations", equation_names(plan)},
-               {"weighting", weighting::name(identify.weighting)},
-               {"delta", identify.delta},
+               {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
+               {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
                {"solver", plan.solver},
                {"dofs", names(plan.coordinates.joint)},
                {"responses", names(plan.coordinates.responses)},
@@ -105,6 +115,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundR
   }
   json["predicts_assembly"] = !plan.predicted_responses.empty();
   json["cost"] = cost_json(plan.cost);
+  json["variances"] = variances_json(ident::variance_sources(plan));
   json["left_out"] = plan.left_out;
   json["notes"] = plan.notes;
   if (bound) json["bound"] = bound_json(*bound);

@@ -50,13 +50,31 @@ Json bands(const std::vector<ident::BandMatrices>& list) {
   return all;
 }
 
+Json chi_square(const std::optional<ident::ChiSquare>& found) {
+  if (!found) return nullptr;
+  Json by_line = Json::array();
+  for (const double line : found->by_line) by_line.push_back(value(line));
+  return {{"value", value(found->value)},
+          {"degrees_of_freedom", found->degrees_of_freedom},
+          {"outlying_lines", found->outlying_lines},
+          {"by_line", by_line}};
+}
+
+Json variances(const std::vector<ident::VarianceSource>& files) {
+  Json all = Json::array();
+  for (const auto& [file, origin, note] : files) all.push_back({{"file", file}, {"origin", origin}, {"note", note}});
+  return all;
+}
+
 Json fit(const ident::Fit& fit) {
   return {{"equations_used", fit.equations_used},
           {"equations_dropped", fit.equations_dropped},
           {"lines", fit.lines},
           {"rank", fit.rank},
           {"condition", value(fit.condition)},
-          {"asm_frf_error", value(fit.asm_frf_error)}};
+          {"asm_frf_error", value(fit.asm_frf_error)},
+          {"iterations", fit.iterations},
+          {"chi_square", chi_square(fit.chi_square)}};
 }
 
 Json quality(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
@@ -70,12 +88,13 @@ Json quality(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
 }
 
 Json used(const ident::Used& used) {
+  const bool weighs = ident::weighs_equations(used.method);
   Json equations = Json::array();
   for (const auto equation : used.equations) equations.push_back(ident::name(equation));
   return {{"method", ident::name(used.method)},
           {"equations", equations},
-          {"weighting", weighting::name(used.weighting)},
-          {"delta", value(used.delta)},
+          {"weighting", weighs ? Json(weighting::name(used.weighting)) : Json(nullptr)},
+          {"delta", weighs ? value(used.delta) : Json(nullptr)},
           {"solver", used.solver}};
 }
 
@@ -97,6 +116,7 @@ std::string solution_json(const ident::Solution& solution) {
   json["runtime_s"] = {
       {"read", time.read}, {"assemble", time.assemble}, {"solve", time.solve}, {"total", time.total}};
   json["used"] = used(solution.used);
+  json["variances"] = variances(solution.variances);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -20,9 +20,7 @@ std::string head(const ident::Solution& solution, const std::string& title) {
   Table table({{"", Align::left}, {"", Align::left}});
   table.add({"status", words(ident::name(solution.status))});
   if (!solution.message.empty()) table.add({"message", solution.message});
-  table.add({"method", fmt::format("{}, equations {}, weighting {}, delta {:g}, solver {}", ident::name(used.method),
-                                   equations_text(used.equations), weighting::name(used.weighting), used.delta,
-                                   used.solver)});
+  table.add({"method", method_text(used.method, used.equations, used.weighting, used.delta, used.solver)});
   return (title.empty() ? "" : title + "\n") + table.text();
 }
 
@@ -76,9 +74,25 @@ std::string fit_text(const ident::Fit& fit) {
   table.add({"equations used", fmt::format("{}", fit.equations_used)});
   table.add({"equations dropped", fmt::format("{}", fit.equations_dropped)});
   table.add({"rank", fmt::format("{}", fit.rank)});
-  table.add({"condition", number(fit.condition)});
+  if (!fit.chi_square) table.add({"condition", number(fit.condition)});
+  if (fit.iterations > 0) table.add({"iterations", fmt::format("{}", fit.iterations)});
+  if (fit.chi_square) {
+    table.add({"χ² / degrees of freedom", chi_square_text(*fit.chi_square)});
+    table.add({"outlying lines", fmt::format("{}", fit.chi_square->outlying_lines)});
+  }
   table.add({"assembly FRF error, dB", number_or_dash(fit.asm_frf_error)});
   return "\nfit\n" + table.text();
+}
+
+std::string variances_text(const std::vector<ident::VarianceSource>& files) {
+  if (files.empty()) return "";
+  Table table({{"file", Align::left}, {"", Align::left}});
+  std::string notes;
+  for (const auto& [file, origin, note] : files) {
+    table.add({file, origin});
+    if (!note.empty()) notes += "  " + note + "\n";
+  }
+  return "\nvariances of the FRFs\n" + table.text() + notes;
 }
 
 std::string quality_text(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
@@ -99,8 +113,8 @@ std::string time_text(const ident::RunTime& time) {
 }  // namespace
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
-  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + identifiability_text(solution) + fit_text(solution.fit) +
-         quality_text(solution.quality) + time_text(solution.runtime_s);
+  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + identifiability_text(solution) +
+         fit_text(solution.fit) + variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 
 std::string unknowns_csv(const ident::Solution& solution) {

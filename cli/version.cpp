@@ -7,8 +7,9 @@ std::string version_number() { return JOINTID_VERSION; }
 std::string version_text() {
   const std::string matio = JOINTID_HAVE_MATIO ? "yes" : "no, this build lacks matio";
   const std::string mpi = JOINTID_HAVE_MPI ? "yes" : "no, this build lacks MPI";
+  const std::string ceres = JOINTID_HAVE_CERES ? "yes" : "no, this build lacks Ceres";
   return "jointid " + version_number() + "\nUFF 58 and 58b, HDF5, MATLAB v7.3 and CSV files: yes\nMATLAB v5 to v7 files: " + matio +
-         "\nStudies under mpirun: " + mpi;
+         "\nSolver ceres of method likelihood: " + ceres + "\nStudies under mpirun: " + mpi;
 }
 
 }  // namespace jointid::cli

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace jointid::cli {
 
@@ -16,6 +17,27 @@ std::string equations_text(const std::vector<ident::Equation>& equations) {
   std::vector<std::string> names;
   for (const auto equation : equations) names.push_back(ident::name(equation));
   return names.empty() ? "all" : fmt::format("{}", fmt::join(names, " "));
+}
+
+std::string chi_square_text(const ident::ChiSquare& chi_square) {
+  const auto [value, freedom] = std::pair(chi_square.value, chi_square.degrees_of_freedom);
+  return fmt::format("{:.4g} / {:g} = {:.4g}", value, freedom, value / freedom);
+}
+
+std::string weighting_text(ident::Method method, weighting::Weighting weighting) {
+  return ident::weighs_equations(method) ? weighting::name(weighting) : "–";
+}
+
+std::string delta_text(ident::Method method, double delta) {
+  return ident::weighs_equations(method) ? fmt::format("{:g}", delta) : "–";
+}
+
+std::string method_text(ident::Method method, const std::vector<ident::Equation>& equations, weighting::Weighting weighting,
+                        double delta, const std::string& solver) {
+  const std::string weights = ident::weighs_equations(method)
+                                  ? fmt::format("weighting {}, delta {:g}, ", weighting::name(weighting), delta)
+                                  : std::string();
+  return fmt::format("{}, equations {}, {}solver {}", ident::name(method), equations_text(equations), weights, solver);
 }
 
 }  // namespace jointid::cli

@@ -7,6 +7,11 @@ if(TARGET PkgConfig::matio)
   set(JOINTID_HAS_MATIO ON)
 endif()
 
+set(JOINTID_HAS_CERES OFF)
+if(TARGET jointid::ceres)
+  set(JOINTID_HAS_CERES ON)
+endif()
+
 set(JOINTID_HAS_MPI OFF)
 if(TARGET MPI::MPI_C)
   set(JOINTID_HAS_MPI ON)
@@ -18,6 +23,7 @@ write_basic_package_version_file(jointid-config-version.cmake COMPATIBILITY Same
 install(FILES
   "${PROJECT_BINARY_DIR}/jointid-config.cmake"
   "${PROJECT_BINARY_DIR}/jointid-config-version.cmake"
+  cmake/FindJointidCeres.cmake
   cmake/FindJointidSuiteSparse.cmake
   DESTINATION "${_destination}")
 install(FILES LICENSE docs/licences.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -121,6 +121,10 @@ std::vector<Way> combinations(const IdentifySection& identify, const Alternative
     const auto own = method == identify.method ? identify.equations : std::vector<Equation>();
     for (const auto& equations : or_own(alternatives.equations, own)) {
       for (const std::string& solver : or_own(alternatives.solvers, identify.solver)) {
+        if (!weighs_equations(method)) {
+          ways.push_back({method, equations, identify.weighting, identify.delta, solver});
+          continue;
+        }
         for (const auto weighting : or_own(alternatives.weightings, identify.weighting)) {
           for (const double delta : or_own(alternatives.deltas, identify.delta)) {
             ways.push_back({method, equations, weighting, delta, solver});

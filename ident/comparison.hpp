@@ -30,7 +30,7 @@ struct Alternatives {
   std::vector<std::string> solvers;
 };
 
-/// Every combination, Δ fastest, then weighting, solver, equations, method.
+/// Every combination, Δ fastest, then weighting, solver, equations, method; one weighting and Δ for methods that have neither.
 std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives);
 
 /// How well one joint matrix was found, over the trials with status ok; NaN when there is none.

@@ -33,8 +33,13 @@ void require_method(const Scene& scene) {
     fail(scene, "[identify] method", "this build has no method \"newton\"", "use one, two, direct or likelihood");
   }
   if (identify.method == Method::likelihood) {
-    if (identify.solver != "auto") {
-      fail(scene, "[identify] solver", "method \"likelihood\" has no solver \"" + identify.solver + "\"", "use auto");
+    const std::set<std::string> own = {"auto", "gauss-helmert", "iqml", "ceres"};
+    if (!own.contains(identify.solver)) {
+      fail(scene, "[identify] solver", "method \"likelihood\" has no solver \"" + identify.solver + "\"",
+           "use auto, gauss-helmert, iqml or ceres");
+    }
+    if (identify.solver == "ceres" && !JOINTID_HAVE_CERES) {
+      fail(scene, "[identify] solver", "this build lacks Ceres", "use auto, or build with libceres-dev");
     }
     return;
   }

@@ -40,7 +40,7 @@ struct Plan {
   std::shared_ptr<LikelihoodPlan> likelihood;  ///< of that method
   std::size_t entries_per_line = 0;            ///< FRFs read
   AssemblySpec assembly_spec;
-  std::string solver;                 ///< "qr", "normal" or "spqr"
+  std::string solver;                 ///< "qr", "normal" or "spqr"; of the likelihood "gauss-helmert", "iqml" or "ceres"
   /// Assembly FRFs that are predicted from the result for asm_frf_error; empty when the equations do not read what it needs.
   Dofs predicted_responses, predicted_references;
   Cost cost;

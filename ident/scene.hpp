@@ -53,6 +53,9 @@ enum class Equation { nn, nj, jj, jn };
 std::string name(Method method);
 std::string name(Equation equation);
 
+/// Whether weighting and Δ apply: the likelihood weighs FRFs by their variances instead.
+bool weighs_equations(Method method);
+
 /// The methods and equations by name; throw InputError (usage) with the nearest valid word.
 Method parse_method(const std::string& text);
 Equation parse_equation(const std::string& text);

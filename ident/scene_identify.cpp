@@ -12,7 +12,7 @@ using restrictions::Kind;
 const std::vector<std::string> methods = {"one", "two", "direct", "newton", "likelihood"};
 const std::vector<std::string> equations = {"nn", "nj", "jj", "jn"};
 const std::vector<std::string> weightings = {"none", "WA", "WB", "WBG", "WBS"};
-const std::vector<std::string> solvers = {"auto", "qr", "normal", "spqr", "ceres", "nlopt", "ipopt", "pattern"};
+const std::vector<std::string> solvers = {"auto", "qr", "normal", "spqr", "gauss-helmert", "iqml", "ceres", "nlopt", "ipopt", "pattern"};
 
 const std::vector<std::string> variances = {"auto", "file", "noise", "local"};
 
@@ -72,6 +72,8 @@ Method parse_method(const std::string& text) { return static_cast<Method>(find_w
 Equation parse_equation(const std::string& text) { return static_cast<Equation>(find_word(text, equations, "equation")); }
 
 std::string name(Method method) { return methods[static_cast<std::size_t>(method)]; }
+
+bool weighs_equations(Method method) { return method != Method::likelihood; }
 
 std::string name(Equation equation) { return equations[static_cast<std::size_t>(equation)]; }
 

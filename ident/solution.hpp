@@ -75,6 +75,13 @@ struct RunTime {
   double read = 0.0, assemble = 0.0, solve = 0.0, total = 0.0;  ///< s
 };
 
+/// Where the variances of a file's FRFs came from, in words for the user.
+struct VarianceSource {
+  std::string file;
+  std::string origin;  ///< phrase() of the VarianceOrigin
+  std::string note;    ///< a sentence, empty when there is nothing to say
+};
+
 /// What was really done; a silent fall-back would show here.
 struct Used {
   Method method = Method::one;
@@ -82,7 +89,7 @@ struct Used {
   weighting::Weighting weighting = weighting::Weighting::none;
   double delta = 0.0;
   std::string solver;
-  std::size_t accumulator_bytes = 0;  ///< of the reduced system and its row buffers
+  std::size_t accumulator_bytes = 0;  ///< of the reduced system and its row buffers; of the likelihood, of its data and states
 };
 
 struct Solution {
@@ -97,6 +104,7 @@ struct Solution {
   std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth
   RunTime runtime_s;
   Used used;
+  std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };
 
 }  // namespace jointid::ident

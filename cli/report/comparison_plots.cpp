@@ -16,11 +16,12 @@ using ident::Combination;
 
 constexpr std::size_t method = 0, equations = 1, weighting = 2, delta = 3, solver = 4;  ///< of way_cells()
 
-/// way_cells(), to be read without titles.
+/// way_cells(), to be read without titles; empty for what a method does not have.
 std::vector<std::string> choices_of(const Combination& combination) {
   std::vector<std::string> cells = way_cells(combination.way);
   cells[method] = "method " + cells[method];
   cells[delta] = "Δ " + cells[delta];
+  if (!ident::weighs_equations(combination.way.method)) cells[weighting] = cells[delta] = "";
   return cells;
 }
 
@@ -39,7 +40,9 @@ std::vector<std::size_t> differing(const std::vector<Combination>& combinations)
 std::string label_of(const Combination& combination, const std::vector<std::size_t>& named) {
   const std::vector<std::string> choices = choices_of(combination);
   std::vector<std::string> words;
-  for (const std::size_t choice : named) words.push_back(choices[choice]);
+  for (const std::size_t choice : named) {
+    if (!choices[choice].empty()) words.push_back(choices[choice]);
+  }
   return fmt::format("{}", fmt::join(words, ", "));
 }
 

@@ -24,8 +24,8 @@ void add_summary(const StudyReport& report, const ident::Scene& scene, ReportPag
                   {"noise", noise_text(scene.noise)},
                   {"method", ident::name(identify.method)},
                   {"equations", equations_text(identify.equations)},
-                  {"weighting", weighting::name(identify.weighting)},
-                  {"delta", fmt::format("{:g}", identify.delta)},
+                  {"weighting", weighting_text(identify.method, identify.weighting)},
+                  {"delta", delta_text(identify.method, identify.delta)},
                   {"solver", identify.solver},
                   {"all results", report.file}}});
   page.add(Text{speed_text(report.run) + ".", true});

@@ -206,9 +206,7 @@ void LikelihoodEstimator::linearise_all(const std::vector<double>& theta) {
 
 /// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
 /// covariance that the last joint gives them.
-void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& watch) {
-  constexpr std::size_t most = 4;
-  Eigen::MatrixXd information;
+bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch) {
   Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
@@ -216,11 +214,12 @@ void LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, const FitWatcher& w
     for (Line& line : lines_) line.cost = line.reduced.cost;
     choose_tolerance();
     weigh();
-    sum(fit.theta, information, gradient);
-    const Eigen::VectorXd step = solve_step(information, gradient);
+    sum(fit.theta, fit.information, gradient);
+    const Eigen::VectorXd step = solve_step(fit.information, gradient);
     fit.theta = added(fit.theta, step, 1.0);
-    if (std::sqrt(step.dot(information * step)) < 1.0) break;
+    if (std::sqrt(step.dot(fit.information * step)) < tolerance) return true;
   }
+  return false;
 }
 
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
@@ -365,7 +364,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   fit.theta = std::move(start);
   observations_.weigh_as_measured();
   begin(fit.theta);
-  if (!observations_.layout().a.empty()) whitened_stage(fit, watch);
+  if (!observations_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
   implicit_stage(fit, watch);
   do {
     fit.converged = project(fit, 0.1, watch);
@@ -381,14 +380,30 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
     fit.converged = false;
   }
   fit.loss = total(fit.theta);
-  tell_lines(fit);
+  finish(fit);
   return fit;
 }
 
-void LikelihoodEstimator::tell_lines(LikelihoodFit& fit) const {
+LikelihoodFit LikelihoodEstimator::run_whitened(std::vector<double> start, const FitWatcher& watch) {
+  LikelihoodFit fit;
+  fit.theta = std::move(start);
+  observations_.weigh_as_measured();
+  begin(fit.theta);
+  fit.converged = whitened_stage(fit, 50, 1e-3, watch);
+  fit.loss = total(fit.theta);
+  finish(fit);
+  return fit;
+}
+
+void LikelihoodEstimator::finish(LikelihoodFit& fit) const {
   for (const Line& line : lines_) {
     fit.line_cost.push_back(line.cost);
     fit.line_weight.push_back(line.weight);
+    const LineState& state = line.state;
+    const ReducedLine& reduced = line.reduced;
+    fit.bytes += sizeof(Line) + sizeof(Complex) * static_cast<std::size_t>(state.x.size() + state.y.size() + state.a.size() + state.b.size()) +
+                 sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.back.size() +
+                                                           reduced.own.size());
   }
 }
 
@@ -397,7 +412,7 @@ LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWa
   fit.theta = std::move(start);
   begin(fit.theta);
   fit.converged = project(fit, 1e-2, watch);
-  tell_lines(fit);
+  finish(fit);
   return fit;
 }
 

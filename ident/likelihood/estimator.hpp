@@ -19,6 +19,7 @@ struct LikelihoodFit {
   std::size_t starts = 0;           ///< how many starts were tried
   double loss = 0.0;                ///< Σ L
   bool converged = false;           ///< the last step was below 10⁻³ standard deviations
+  std::size_t bytes = 0;            ///< of the lines' states and what was linearised about them
 };
 
 /// The k-th start, or empty when there is no other.
@@ -51,6 +52,11 @@ class LikelihoodEstimator {
   /// The second stage alone, from a start that is nearly right.
   LikelihoodFit refine(std::vector<double> start, const FitWatcher& watch);
 
+  /// Only iterative quadratic maximum likelihood, to its end: the conditions between the measured FRFs, which are linear in the
+  /// joint, whitened by the covariance that the last joint gives them. Each step costs as much as one of the Gauss–Helmert
+  /// iteration and no line can get stuck, but errors of the coefficients bias it: for small noise only as good as run().
+  LikelihoodFit run_whitened(std::vector<double> start, const FitWatcher& watch);
+
   /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(const std::vector<double>& theta);
 
@@ -79,7 +85,8 @@ class LikelihoodEstimator {
   void weigh();
   void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total(const std::vector<double>& theta) const;
-  void whitened_stage(LikelihoodFit& fit, const FitWatcher& watch);
+  bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch);
+  void finish(LikelihoodFit& fit) const;
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);

@@ -9,10 +9,12 @@
 
 #include "ident/likelihood/bootstrap.hpp"
 #include "ident/likelihood/bound_of.hpp"
+#include "ident/likelihood/bundle.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/estimator.hpp"
 #include "ident/likelihood/identifiability.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
+#include "ident/likelihood/variance_sources.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/null_space.hpp"
 #include "ident/true_values.hpp"
@@ -66,6 +68,19 @@ std::optional<std::vector<double>> start_number(Plan& plan, std::size_t k, const
     for (double& value : theta) value *= factors[k];
   }
   return theta;
+}
+
+LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+  const FitWatcher watch = [&](std::size_t) { check_interrupt(control); };
+  if (plan.solver == "gauss-helmert") return estimator.run([&](std::size_t k) { return start_number(plan, k, control); }, watch);
+  LikelihoodFit fit = estimator.run_whitened(*start_number(plan, 0, control), watch);
+  if constexpr (JOINTID_HAVE_CERES) {
+    if (plan.solver == "ceres") {
+      fit = adjust_bundle(*plan.likelihood->observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, fit, watch);
+    }
+  }
+  estimator.information_at(fit.theta);  // brings the lines to this joint, for what is said of them afterwards
+  return fit;
 }
 
 ChiSquare chi_square_of(const Observations& observations, const std::vector<ScaledPrior>& priors, const LikelihoodFit& fit) {
@@ -141,8 +156,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   read_observations(plan, control);
   out.runtime_s.read = seconds_since(reading);
   LikelihoodEstimator estimator = make_estimator(plan, control);
-  const LikelihoodFit fit = estimator.run([&](std::size_t k) { return start_number(plan, k, control); },
-                                          [&](std::size_t) { check_interrupt(control); });
+  const LikelihoodFit fit = fit_by_solver(plan, estimator, control);
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   interpret(plan, with_rank(fit), out);
   const Eigen::MatrixXd covariance = covariance_of(fit.information);
@@ -152,11 +166,13 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
     out.status = Status::not_converged;
     out.message = "The likelihood did not settle.";
   }
+  out.variances = variance_sources(plan);
   out.fit.lines = plan.lines.size();
   for (std::size_t i = 0; i < fit.line_weight.size(); ++i) {
     if (fit.line_weight[i] > 0.0) out.fit.equations_used += observations.lines()[i].measured / 2;
   }
   out.fit.iterations = fit.iterations;
+  out.used.accumulator_bytes = observations.bytes() + fit.bytes;
   out.fit.chi_square = chi_square_of(observations, plan.likelihood->priors, fit);
   if (control.detail == Detail::full) out.identifiability = identifiability_of(plan, estimator, covariance, out);
 }

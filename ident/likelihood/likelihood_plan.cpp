@@ -123,7 +123,7 @@ void plan_likelihood(Plan& plan) {
   if (plan.scene.identify.start.empty()) own.start = plan_start(plan);
   plan.coordinates.responses = plan.coordinates.references = own.others;
   plan.entries_per_line = own.observations->entries_per_line();
-  plan.solver = "likelihood";
+  plan.solver = plan.scene.identify.solver == "auto" ? "gauss-helmert" : plan.scene.identify.solver;
   const EquationSet use(plan.equations);
   const std::size_t n = own.others.size(), j = joint.size();
   plan.cost.lines = plan.lines.size();

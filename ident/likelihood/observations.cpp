@@ -40,6 +40,18 @@ std::vector<FileVariances> Observations::origins() const {
   return all;
 }
 
+std::size_t Observations::bytes() const {
+  std::size_t total = 0;
+  const std::size_t size = layout_.coordinates.size();
+  total += raw_.size() * size * (size + 1) * sizeof(Measured);
+  for (const LineData& line : data_) {
+    for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+      total += (channel->value.capacity() + channel->weight.capacity()) * sizeof(Complex);
+    }
+  }
+  return total;
+}
+
 void Observations::read(const std::vector<Line>& lines, const std::function<void(std::size_t)>& between) {
   plan_lines_ = lines;
   raw_.clear();

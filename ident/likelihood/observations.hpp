@@ -35,6 +35,9 @@ class Observations final : public LikelihoodData {
 
   std::vector<FileVariances> origins() const;
 
+  /// Of the measured FRFs and their weights.
+  std::size_t bytes() const;
+
  private:
   using Raw = BothSystems<Measured>;
 

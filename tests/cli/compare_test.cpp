@@ -103,6 +103,17 @@ TEST(ComparisonCsv, HasALinePerCombinationAndMatrix) {
   EXPECT_THAT(csv, HasSubstr("one,nn,WBS,0.05,qr,stiffness,0.9876,0.1,1,1.0123,0.5,1.5,0.3,0.3,,0.25,true,0.002,4000\n"));
 }
 
+TEST(Comparisons, OfALikelihoodHaveNoWeighting) {
+  ComparisonReport report = sample_comparison();
+  report.comparison.combinations[1].way = {ident::Method::likelihood, {ident::Equation::nn}, weighting::Weighting::wb, 0.0, "iqml"};
+  EXPECT_THAT(comparison_text(report), testing::ContainsRegex("likelihood +nn +– +– +iqml"));
+  EXPECT_THAT(comparison_csv(report), HasSubstr("likelihood,nn,,,iqml,stiffness"));
+  const auto json = nlohmann::json::parse(comparison_json(report));
+  EXPECT_TRUE(json["combinations"][1]["weighting"].is_null());
+  EXPECT_TRUE(json["combinations"][1]["delta"].is_null());
+  EXPECT_EQ(json["combinations"][0]["weighting"], "WBS");
+}
+
 TEST(ReproductionText, CountsWhatIsLegible) {
   const problems::ThesisTable& table = problems::thesis_table("6.8");
   ReproductionReport report{table, 10, 1, std::vector<problems::Reproduced>(table.entries.size())};

@@ -21,10 +21,10 @@ std::vector<std::string> keys(const Json& object) {
 TEST(SolutionJson, TheKeysStay) {
   const Json json = Json::parse(solution_json(sample_solution()));
   EXPECT_THAT(keys(json), ElementsAre("status", "message", "unknowns", "matrices", "dofs", "fit", "quality",
-                                      "runtime_s", "used"));
+                                      "runtime_s", "used", "variances"));
   EXPECT_THAT(keys(json["unknowns"][0]), ElementsAre("name", "value", "unit", "std_error", "ci95", "determined"));
   EXPECT_THAT(keys(json["fit"]), ElementsAre("equations_used", "equations_dropped", "lines", "rank", "condition",
-                                             "asm_frf_error"));
+                                             "asm_frf_error", "iterations", "chi_square"));
   EXPECT_THAT(keys(json["quality"]["stiffness"]), ElementsAre("rjcf", "arvf", "rms_relative_error"));
   EXPECT_THAT(keys(json["runtime_s"]), ElementsAre("read", "assemble", "solve", "total"));
 }
@@ -58,6 +58,19 @@ TEST(SolutionJson, SeveralBandsAreListed) {
   EXPECT_TRUE(json["bands"][0]["band_hz"].is_null());
   EXPECT_EQ(json["bands"][1]["band_hz"][1].get<double>(), 200.0);
   EXPECT_EQ(json["bands"][1]["matrices"]["stiffness"][0][0].get<double>(), 1e6);
+}
+
+TEST(SolutionJson, OfALikelihoodHasChiSquareAndVariancesButNoWeighting) {
+  const Json linear = Json::parse(solution_json(sample_solution()));
+  EXPECT_TRUE(linear["fit"]["chi_square"].is_null());
+  EXPECT_EQ(linear["used"]["weighting"], "WBS");
+  const Json json = Json::parse(solution_json(sample_likelihood()));
+  EXPECT_THAT(keys(json["fit"]["chi_square"]), ElementsAre("value", "degrees_of_freedom", "outlying_lines", "by_line"));
+  EXPECT_TRUE(json["fit"]["chi_square"]["by_line"][1].is_null());
+  EXPECT_EQ(json["fit"]["iterations"], 9);
+  EXPECT_TRUE(json["used"]["weighting"].is_null());
+  EXPECT_TRUE(json["used"]["delta"].is_null());
+  EXPECT_EQ(json["variances"][0]["origin"], "the law of [noise]");
 }
 
 TEST(SolutionJson, NamesThatAreNotUtf8DoNotBreakIt) {

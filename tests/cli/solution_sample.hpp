@@ -22,7 +22,7 @@ inline ident::Solution sample_solution() {
   solution.dofs = {frf::Dof::parse("4:+Y"), frf::Dof::parse("4:+RZ")};
   solution.bands = {{.band_hz = {}, .matrices = {{Kind::stiffness, {{1e6, 5.0}, {5.0, 20.0}}}}}};
   solution.fit = {.equations_used = 12, .equations_dropped = 3, .lines = 4, .rank = 1,
-                  .condition = std::numeric_limits<double>::infinity(), .asm_frf_error = {}};
+                  .condition = std::numeric_limits<double>::infinity(), .chi_square = {}, .asm_frf_error = {}};
   solution.quality[Kind::stiffness] = {.rjcf = 0.25, .arvf = 0.125, .rms_relative_error = 0.5};
   solution.runtime_s = {.read = 0.5, .assemble = 0.25, .solve = 0.125, .total = 1.0};
   solution.used = {.method = ident::Method::one,
@@ -30,6 +30,18 @@ inline ident::Solution sample_solution() {
                    .weighting = weighting::Weighting::wbs,
                    .delta = 0.05,
                    .solver = "qr"};
+  return solution;
+}
+
+/// The same as method "likelihood" would give it.
+inline ident::Solution sample_likelihood() {
+  ident::Solution solution = sample_solution();
+  solution.used.method = ident::Method::likelihood;
+  solution.used.solver = "gauss-helmert";
+  solution.fit.iterations = 9;
+  solution.fit.chi_square = {.value = 812.25, .degrees_of_freedom = 800.0, .outlying_lines = 2,
+                             .by_line = {1.5, std::numeric_limits<double>::quiet_NaN()}};
+  solution.variances = {{"a.uff", "the law of [noise]", ""}, {"b.uff", "estimated", "b.uff: too few lines"}};
   return solution;
 }
 

@@ -53,6 +53,16 @@ TEST(SolutionText, BandsSayWhereTheyHold) {
   EXPECT_THAT(solution_text(solution, ""), HasSubstr("stiffness K (SI units), 100 to 200.5 Hz\n"));
 }
 
+TEST(SolutionText, OfALikelihoodHasItsOwnFiguresAndNoWeighting) {
+  const std::string text = solution_text(sample_likelihood(), "");
+  EXPECT_THAT(text, HasSubstr("likelihood, equations nn nj, solver gauss-helmert\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("iterations +9\n"));
+  EXPECT_THAT(text, HasSubstr("812.2 / 800 = 1.015\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("outlying lines +2\n"));
+  EXPECT_THAT(text, testing::AllOf(HasSubstr("a.uff  the law of [noise]\n"), HasSubstr("b.uff: too few lines\n")));
+  EXPECT_THAT(text, Not(HasSubstr("condition")));
+}
+
 TEST(UnknownsCsv, EmptyWhereNotComputed) {
   EXPECT_EQ(unknowns_csv(sample_solution()),
             "name,value,unit,std_error,ci95_low,ci95_high,determined\n"
