@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ident/likelihood/frf_weight.hpp"
 #include "memory_systems.hpp"
 
 namespace jointid::ident {
@@ -151,14 +150,6 @@ TEST(Observations, TakeWeightsFromTheLawAtTheEstimatedValues) {
   observations.weigh_at(1, state, ComplexMatrix::Zero(2, 2));
   EXPECT_EQ(observations.lines()[1].y.weight[0], 0.5 * first.y.weight[0]);  // of what they were at first
   EXPECT_NEAR(now.a.weight[0].real(), first.a.weight[0].real() / 0.8, 1e-12 * first.a.weight[0].real());
-}
-
-TEST(FrfWeight, IsOneOverSigmaWithinWhatArithmeticCanUse) {
-  EXPECT_EQ(frf_weight({4.0, 0.25}, 1.0), Complex(0.5, 2.0));
-  EXPECT_EQ(frf_weight({1.0, 0.0}, 0.0), Complex(1.0, 1e4));
-  EXPECT_EQ(frf_weight({0.0, 0.0}, 2.0), Complex(0.5e8, 0.5e8));
-  EXPECT_EQ(frf_weight({0.0, 0.0}, 0.0), Complex(0.0));
-  EXPECT_EQ(frf_weight({nan, nan}, 1.0), Complex(0.0));
 }
 
 }  // namespace

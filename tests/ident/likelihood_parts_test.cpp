@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "ident/likelihood/covariance.hpp"
+#include "ident/likelihood/frf_weight.hpp"
 #include "ident/likelihood/normal_rows.hpp"
 #include "likelihood_line_sample.hpp"
 #include "memory_systems.hpp"
@@ -118,6 +119,14 @@ TEST(Covariance, OfAnUnknownWithoutInformationIsHuge) {
   Eigen::Matrix2d information;
   information << 1.0, 1.0, 1.0, 1.0;
   EXPECT_GT(covariance_of(information)(0, 0), 1e12);
+}
+
+TEST(FrfWeight, IsOneOverSigmaWithinWhatArithmeticCanUse) {
+  EXPECT_EQ(frf_weight({4.0, 0.25}, 1.0), Complex(0.5, 2.0));
+  EXPECT_EQ(frf_weight({1.0, 0.0}, 0.0), Complex(1.0, 1e4));
+  EXPECT_EQ(frf_weight({0.0, 0.0}, 2.0), Complex(0.5e8, 0.5e8));
+  EXPECT_EQ(frf_weight({0.0, 0.0}, 0.0), Complex(0.0));
+  EXPECT_EQ(frf_weight({std::nan(""), std::nan("")}, 1.0), Complex(0.0));
 }
 
 }  // namespace

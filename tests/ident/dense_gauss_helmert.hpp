@@ -1,0 +1,148 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "likelihood_line_sample.hpp"
+
+namespace jointid::ident {
+
+/// The step of the theory's implicit problem, with every FRF of both systems as a variable and dense matrices throughout:
+/// conditions C = H_s − H_a − H_s Z H_a on full matrices over n + N coordinates.
+class DenseStep {
+ public:
+  /// `state`: X, Y, A, B anywhere, not on the constraint.
+  DenseStep(const LineSample& s, const LineState& state) : s_(s), n_(state.x.cols()), j_(state.x.rows()) {
+    const auto size = n_ + j_;
+    hs_ = ha_ = z_ = ComplexMatrix::Zero(size, size);
+    hs_.bottomLeftCorner(j_, n_) = state.x;
+    hs_.topRightCorner(n_, j_) = state.x.transpose();
+    hs_.bottomRightCorner(j_, j_) = state.y;
+    ha_.bottomLeftCorner(j_, n_) = state.a;
+    if (!s.layout.b.empty()) ha_.bottomRightCorner(j_, j_) = state.b;
+    z_.bottomRightCorner(j_, j_) = s.joint.at(s.theta);
+    list_conditions();
+    b_.resize(2 * at(rows_.size()), 0);
+    add_variables(state);
+    solve();
+  }
+
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient, step, frf_step;  ///< of θ; of X and Y
+
+ private:
+  using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+  static Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+  void list_conditions() {
+    for (std::size_t i = 0; i < s_.layout.d.size(); ++i) {
+      if (s_.data.d.weight[i] != Complex(0.0)) rows_.push_back(s_.layout.d[i]);
+    }
+    for (Eigen::Index p = 0; p < j_; ++p) {
+      const auto last = s_.layout.b.empty() ? n_ : n_ + j_;
+      for (Eigen::Index k = 0; k < last; ++k) rows_.push_back({std::size_t(n_ + p), std::size_t(k)});
+    }
+  }
+
+  Eigen::VectorXd of_rows(const ComplexMatrix& c) const {
+    Eigen::VectorXd out(2 * at(rows_.size()));
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Complex value = c(at(rows_[i].row), at(rows_[i].column));
+      out.segment<2>(2 * at(i)) << value.real(), value.imag();
+    }
+    return out;
+  }
+
+  /// δC of a change of one FRF in the substructures or the assembly.
+  ComplexMatrix effect(const ComplexMatrix& dh, bool substructures) const {
+    const ComplexMatrix one = ComplexMatrix::Identity(dh.rows(), dh.cols());
+    if (substructures) return dh * (one - z_ * ha_);
+    return -(one + hs_ * z_) * dh;
+  }
+
+  void add(Eigen::Index row, Eigen::Index column, bool symmetric, bool substructures, Complex weight, Complex residual, double wide) {
+    for (const bool imaginary : {false, true}) {
+      ComplexMatrix dh = ComplexMatrix::Zero(hs_.rows(), hs_.cols());
+      dh(row, column) = imaginary ? Complex(0.0, 1.0) : Complex(1.0);
+      if (symmetric) dh(column, row) = dh(row, column);
+      b_.conservativeResize(Eigen::NoChange, b_.cols() + 1);
+      b_.rightCols(1) = of_rows(effect(dh, substructures));
+      const double w = imaginary ? weight.imag() : weight.real();
+      variance_.push_back(w > 0.0 ? 1.0 / (w * w) : wide * wide);
+      measured_minus_current_.push_back(w > 0.0 ? (imaginary ? residual.imag() : residual.real()) : 0.0);
+    }
+  }
+
+  void add_variables(const LineState& state) {
+    const LineLayout& layout = s_.layout;
+    const double x_wide = 1e3 * state.x.cwiseAbs().maxCoeff(), y_wide = 1e3 * state.y.cwiseAbs().maxCoeff(), free = 0.0;
+    for (std::size_t i = 0; i < layout.x.size(); ++i) {
+      const auto r = at(layout.x[i].row), c = at(layout.x[i].column);
+      add(n_ + r, c, true, true, s_.data.x.weight[i], s_.data.x.value[i] - state.x(r, c), x_wide);
+    }
+    for (std::size_t i = 0; i < layout.y.size(); ++i) {
+      const auto r = at(layout.y[i].row), c = at(layout.y[i].column);
+      add(n_ + r, n_ + c, true, true, s_.data.y.weight[i], s_.data.y.value[i] - state.y(r, c), y_wide);
+    }
+    for (std::size_t i = 0; i < layout.a.size(); ++i) {
+      const auto r = at(layout.a[i].row), c = at(layout.a[i].column);
+      add(n_ + r, c, false, false, s_.data.a.weight[i], s_.data.a.value[i] - state.a(r, c), free);
+    }
+    for (std::size_t i = 0; i < layout.b.size(); ++i) {
+      const auto r = at(layout.b[i].row), c = at(layout.b[i].column);
+      add(n_ + r, n_ + c, false, false, s_.data.b.weight[i], s_.data.b.value[i] - state.b(r, c), free);
+      if (r != c) add(n_ + c, n_ + r, false, false, 0.0, 0.0, free);  // its reciprocal, as far as conditions mention it
+    }
+    for (std::size_t i = 0; i < layout.d.size(); ++i) {
+      if (s_.data.d.weight[i] == Complex(0.0)) continue;
+      add(at(layout.d[i].row), at(layout.d[i].column), false, true, s_.data.d.weight[i], s_.data.d.value[i], free);
+    }
+  }
+
+  /// w = C − B(x − x₀), M = B Q Bᵀ, N = AᵀM⁻¹A, g = AᵀM⁻¹w over θ and the FRFs without any variance, which join θ.
+  void solve() {
+    const auto unknowns = at(s_.theta.size());
+    Eigen::MatrixXd a(b_.rows(), unknowns);
+    for (Eigen::Index t = 0; t < unknowns; ++t) {
+      std::vector<double> more = s_.theta;
+      more[std::size_t(t)] += 1.0;
+      ComplexMatrix dz = -z_;
+      dz.bottomRightCorner(j_, j_) += s_.joint.at(more);
+      a.col(t) = of_rows(-hs_ * dz * ha_);
+    }
+    const Eigen::Map<Eigen::VectorXd> q(variance_.data(), b_.cols()), off(measured_minus_current_.data(), b_.cols());
+    for (Eigen::Index i = 0; i < b_.cols(); ++i) {
+      if (q[i] > 0.0) continue;
+      a.conservativeResize(Eigen::NoChange, a.cols() + 1);
+      a.rightCols(1) = b_.col(i);
+    }
+    const Eigen::VectorXd w = of_rows(hs_ - ha_ - hs_ * z_ * ha_) + b_ * off;
+    // Variances 10⁸ apart: more digits.
+    const Wide wide_a = a.cast<long double>(), wide_b = b_.cast<long double>(), wide_w = w.cast<long double>();
+    const Wide spread = q.cast<long double>().asDiagonal() * wide_b.transpose();
+    const Eigen::FullPivLU<Wide> m(wide_b * spread);
+    const Wide normal = wide_a.transpose() * m.solve(wide_a), right = -wide_a.transpose() * m.solve(wide_w);
+    const Wide all = normal.fullPivLu().solve(right);
+    Wide reduced = normal.topLeftCorner(unknowns, unknowns), reduced_right = right.topRows(unknowns);
+    if (const auto free = a.cols() - unknowns; free > 0) {
+      const Wide across = normal.topRightCorner(unknowns, free);
+      const Eigen::FullPivLU<Wide> own(normal.bottomRightCorner(free, free));
+      reduced -= across * own.solve(across.transpose());
+      reduced_right -= across * own.solve(right.bottomRows(free));
+    }
+    information = reduced.cast<double>();
+    gradient = reduced_right.cast<double>();
+    step = all.topRows(unknowns).cast<double>();
+    const Wide v = -(spread * m.solve(wide_w + wide_a * all));
+    frf_step = (v.cast<double>() + off).topRows(at(2 * s_.layout.variables()));
+  }
+
+  const LineSample& s_;
+  Eigen::Index n_, j_;
+  ComplexMatrix hs_, ha_, z_;
+  std::vector<Element> rows_;
+  Eigen::MatrixXd b_;
+  std::vector<double> variance_, measured_minus_current_;
+};
+
+}  // namespace jointid::ident
