@@ -42,7 +42,8 @@ void move(const LineLayout& layout, const LineStep& step, double scale, ComplexM
 void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
   const auto n = at(layout.joint);
   const Eigen::PartialPivLU<ComplexMatrix> factors(ComplexMatrix::Identity(n, n) + state.y * z);
-  state.a = factors.solve(state.x);
+  state.a = state.x;  // without columns (equation jj alone) there is nothing to solve
+  if (state.x.cols() > 0) state.a = factors.solve(state.x);
   if (!layout.b.empty()) state.b = factors.solve(state.y);
 }
 
