@@ -52,6 +52,7 @@ TEST(LikelihoodAccuracy, CoherencesOfAHammerTestGiveHonestIntervals) {
   LikelihoodCase rig("rig1");
   rig.scene.frequency.step_hz = 16.0;
   const std::vector<double> newton_per_metre(rig.truth.size(), 1.0);
+  rig.scene.identify.smooth_variance = false;
   const Accuracy single = accuracy_of(rig, newton_per_metre, 12);
   rig.scene.identify.smooth_variance = true;
   const Accuracy smooth = accuracy_of(rig, newton_per_metre, 12);
