@@ -98,12 +98,18 @@ void add_problem(CLI::App& app, Chosen& chosen) {
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
 }
 
+/// Where the result goes: `what` as JSON, `csv` as CSV, and a page with `page`.
+template <class Arguments>
+void add_outputs(CLI::App* command, Arguments& arguments, const std::string& what, const std::string& csv, const std::string& page) {
+  command->add_option("--json", arguments.json, "Write the " + what + " as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments.csv, "Write " + csv + " as CSV to a file, or - for stdout");
+  command->add_option("--report", arguments.report, "Write one HTML page with " + page + " to a file, or - for stdout");
+}
+
 void add_solve(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<SolveArguments>(app, chosen, "solve", "Identify the joint of a scene");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
-  command->add_option("--json", arguments->json, "Write the solution as JSON to a file, or - for stdout");
-  command->add_option("--csv", arguments->csv, "Write the unknowns as CSV to a file, or - for stdout");
-  command->add_option("--report", arguments->report, "Write one HTML page with tables and plots to a file, or - for stdout");
+  add_outputs(command, *arguments, "solution", "the unknowns", "tables and plots");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
   command->footer(
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | jq .unknowns\n"
@@ -150,9 +156,7 @@ void add_study(CLI::App& app, Chosen& chosen) {
   add_trial_options(command, *arguments);
   command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
   command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
-  command->add_option("--json", arguments->json, "Write the statistics as JSON to a file, or - for stdout");
-  command->add_option("--csv", arguments->csv, "Write the unknowns' statistics as CSV to a file, or - for stdout");
-  command->add_option("--report", arguments->report, "Write one HTML page with tables and histograms to a file, or - for stdout");
+  add_outputs(command, *arguments, "statistics", "the unknowns' statistics", "tables and histograms");
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
       "  jointid study a1/A1.toml --trials 10000 --report a1.html\n"
@@ -176,9 +180,7 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   reproduce->excludes(scene);
   for (CLI::Option* option : alternatives) reproduce->excludes(option);
   add_trial_options(command, *arguments);
-  command->add_option("--json", arguments->json, "Write the figures as JSON to a file, or - for stdout");
-  command->add_option("--csv", arguments->csv, "Write the figures as CSV to a file, or - for stdout");
-  command->add_option("--report", arguments->report, "Write one HTML page with tables and plots to a file, or - for stdout");
+  add_outputs(command, *arguments, "figures", "the figures", "tables and plots");
   command->footer(
       "Examples:\n  jointid problem write B b --clean && jointid compare b/B.toml --weightings WA,WBS --deltas 0,0.05,0.1\n"
       "  jointid compare --reproduce 6.9 --report table.html");

@@ -25,7 +25,7 @@ class Source {
 
   bool next(Chunk& out) {
     if (first_ >= lines_) return false;
-    if (control_.interrupted && control_.interrupted()) throw Interrupted();
+    stop_if(control_.interrupted);
     if (control_.progress) control_.progress(stage_, first_, lines_);
     out.first = first_;
     out.last = std::min(first_ + chunk_, lines_);

@@ -15,6 +15,11 @@ class Interrupted : public std::runtime_error {
   explicit Interrupted(const std::string& what = "interrupted") : std::runtime_error(what) {}
 };
 
+/// Throws Interrupted when the caller asks to end; an empty function never does.
+inline void stop_if(const std::function<bool()>& interrupted) {
+  if (interrupted && interrupted()) throw Interrupted();
+}
+
 /// What solve() works out beside the estimates.
 enum class Detail {
   estimates,  ///< estimates, matrices and quality; Fit::condition is 0 unless the rank is not full, no asm_frf_error

@@ -15,7 +15,7 @@ std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, cons
   std::mutex reporting;
   std::size_t done = 0;
   const auto run_one = [&](std::size_t trial) {
-    if (options.interrupted && options.interrupted()) throw Interrupted();
+    stop_if(options.interrupted);
     trials[trial] = runners.local().run(options.seed, trial);
     if (!options.progress) return;
     const std::lock_guard lock(reporting);

@@ -42,9 +42,7 @@ std::vector<Replicate> bootstrap(Plan& plan, const LikelihoodEstimator& fitted, 
   const IdentifySection& identify = plan.scene.identify;
   std::vector<Replicate> replicates(identify.bootstrap);
   oneapi::tbb::enumerable_thread_specific<SimulatedData> simulated([&] { return SimulatedData(*own.observations, fit.line_weight); });
-  const auto watch = [&](std::size_t) {
-    if (control.interrupted && control.interrupted()) throw Interrupted();
-  };
+  const auto watch = [&](std::size_t) { stop_if(control.interrupted); };
   const auto run_one = [&](std::size_t b) {
     SimulatedData& data = simulated.local();
     data.draw(exact, {identify.bootstrap_seed, b, 0});

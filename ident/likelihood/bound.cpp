@@ -30,9 +30,7 @@ std::vector<double> scaled(const Plan& plan, const std::vector<double>& values) 
 }
 
 void read_observations(Plan& plan, const Control& control) {
-  plan.likelihood->observations->read(plan.lines, [&](std::size_t) {
-    if (control.interrupted && control.interrupted()) throw Interrupted();
-  });
+  plan.likelihood->observations->read(plan.lines, [&](std::size_t) { stop_if(control.interrupted); });
 }
 
 LikelihoodEstimator make_estimator(Plan& plan, const Control& control) {

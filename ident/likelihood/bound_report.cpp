@@ -34,6 +34,7 @@ class Baseline {
  public:
   Baseline(std::vector<double> bound, std::vector<double> scales) : bound_(std::move(bound)), scales_(std::move(scales)) {}
 
+  double bound(std::size_t column) const { return bound_[column]; }
   double relative(std::size_t column) const { return relative(bound_, column); }
 
   BoundChange change(std::string what, const std::vector<double>& then) const {
@@ -105,7 +106,7 @@ class Predictor {
  private:
   Eigen::MatrixXd information_without(const std::vector<std::size_t>& coordinates,
                                       std::vector<Eigen::MatrixXd>* by_line = nullptr) {
-    if (control_.interrupted && control_.interrupted()) throw Interrupted();
+    stop_if(control_.interrupted);
     plan_->likelihood->observations->leave_out(coordinates);
     LikelihoodEstimator estimator = make_estimator(*plan_, control_);
     Eigen::MatrixXd information = estimator.information_at(scaled(*plan_, guess_));
@@ -118,14 +119,13 @@ class Predictor {
   }
 
   void tell_unknowns(const Baseline& now, BoundReport& out) const {
-    const std::vector<double> bound = bound_of(*plan_, information_);
     std::vector<std::size_t> determined;
     std::vector<std::string> names;
-    for (std::size_t column = 0; column < bound.size(); ++column) {
+    for (std::size_t column = 0; column < guess_.size(); ++column) {
       const std::string name = plan_->columns->name(column, plan_->restriction);
       out.unknowns.push_back({name, plan_->restriction.unknowns[plan_->columns->unknown_of(column)].unit, guess_[column],
-                              bound[column], now.relative(column)});
-      if (std::isinf(bound[column])) continue;
+                              now.bound(column), now.relative(column)});
+      if (std::isinf(now.bound(column))) continue;
       determined.push_back(column);
       names.push_back(name);
     }

@@ -12,12 +12,11 @@
 #include "ident/likelihood/bundle_functions.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/line_start.hpp"
+#include "ident/likelihood/line_tolerance.hpp"
 
 namespace jointid::ident {
 namespace {
 
-/// A line with χ² above this multiple of its redundancy (and of how far off the middle line is) counts for less.
-constexpr double outlying = 1.5 * 1.5;
 /// A line with χ² above this multiple of its redundancy may be stuck.
 constexpr double suspicious = 4.0;
 
@@ -143,14 +142,10 @@ bool Bundle::relax_stuck(double above) {
   return better;
 }
 
-/// While most lines do not fit, that is no reason to trust a few.
 void Bundle::choose_tolerance() {
   std::vector<double> ratios;
   for (const Line& line : lines_) ratios.push_back(line.cost / line.redundancy);
-  if (ratios.empty()) return;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
-  tolerance_ = *middle > outlying ? *middle : 1.0;
+  if (!ratios.empty()) tolerance_ = line_tolerance(std::move(ratios));
 }
 
 void Bundle::solve() {

@@ -8,14 +8,12 @@
 #include <cmath>
 
 #include "ident/likelihood/guess_y.hpp"
+#include "ident/likelihood/line_tolerance.hpp"
 
 namespace jointid::ident {
 namespace {
 
 Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
-/// A line with χ² above this multiple of its redundancy (squared) counts for less.
-constexpr double outlying = 1.5 * 1.5;
 
 /// dL/dχ² of the robust loss: 1 for lines that fit, (1.5/ρ)⁴ beyond, ρ² = χ²/redundancy.
 double robust_weight(double cost, double redundancy) {
@@ -126,16 +124,10 @@ void LikelihoodEstimator::for_lines(const std::function<void(std::size_t, LineMo
 /// Measured values where there are, and for the rest what the joint makes of them.
 void LikelihoodEstimator::begin(const std::vector<double>& theta) {
   const LineLayout& layout = observations_.layout();
-  const auto n = at(layout.others), joint = at(layout.joint);
   for_lines([&](std::size_t i, LineModel&) {
     const LineData& data = observations_.lines()[i];
     LineState& state = lines_[i].state;
-    state.x = ComplexMatrix::Zero(joint, n);
-    state.y = ComplexMatrix::Zero(joint, joint);
-    for (std::size_t v = 0; v < layout.x.size(); ++v) state.x(at(layout.x[v].row), at(layout.x[v].column)) = data.x.value[v];
-    for (std::size_t v = 0; v < layout.y.size(); ++v) {
-      state.y(at(layout.y[v].row), at(layout.y[v].column)) = state.y(at(layout.y[v].column), at(layout.y[v].row)) = data.y.value[v];
-    }
+    state = measured_start(layout, data);
     const ComplexMatrix z = lines_[i].joint.at(theta);
     guess_y(layout, data, z, state);
     put_on_constraint(layout, z, state);
@@ -154,16 +146,12 @@ void LikelihoodEstimator::weigh() {
   for (Line& line : lines_) line.weight = line.redundancy > 0.0 ? robust_weight(line.cost / tolerance_, line.redundancy) : 0.0;
 }
 
-/// How much more than expected the lines are off at the middle: while most of them do not fit, that is no reason to trust a few.
 void LikelihoodEstimator::choose_tolerance() {
   std::vector<double> ratios;
   for (const Line& line : lines_) {
     if (line.redundancy > 0.0) ratios.push_back(line.cost / line.redundancy);
   }
-  if (ratios.empty()) return;
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  tolerance_ = *middle > outlying ? *middle : 1.0;
+  if (!ratios.empty()) tolerance_ = line_tolerance(std::move(ratios));
 }
 
 double LikelihoodEstimator::total(const std::vector<double>& theta) const {
@@ -183,14 +171,10 @@ void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd&
     gradient[at(column)] += weight * weight * (value - theta[column]);
   }
   for (const Line& line : lines_) {
-    const auto& columns = line.joint.columns();
     if (line.redundancy <= 0.0) continue;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      gradient[at(columns[i])] += line.weight * line.reduced.gradient[at(i)];
-      for (std::size_t j = 0; j < columns.size(); ++j) {
-        information(at(columns[i]), at(columns[j])) += line.weight * line.reduced.information(at(i), at(j));
-      }
-    }
+    const auto& columns = line.joint.columns();
+    for (std::size_t i = 0; i < columns.size(); ++i) gradient[at(columns[i])] += line.weight * line.reduced.gradient[at(i)];
+    add_information(line, line.weight, information);
   }
 }
 
@@ -204,18 +188,23 @@ void LikelihoodEstimator::linearise_all(const std::vector<double>& theta) {
   });
 }
 
+/// The step of the joint from the lines as they are linearised where they stand, weighted by their own χ².
+Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information) {
+  linearise_all(theta);
+  for (Line& line : lines_) line.cost = line.reduced.cost;
+  choose_tolerance();
+  weigh();
+  Eigen::VectorXd gradient;
+  sum(theta, information, gradient);
+  return solve_step(information, gradient);
+}
+
 /// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
 /// covariance that the last joint gives them.
 bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch) {
-  Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
-    linearise_all(fit.theta);
-    for (Line& line : lines_) line.cost = line.reduced.cost;
-    choose_tolerance();
-    weigh();
-    sum(fit.theta, fit.information, gradient);
-    const Eigen::VectorXd step = solve_step(fit.information, gradient);
+    const Eigen::VectorXd step = whitened_step(fit.theta, fit.information);
     fit.theta = added(fit.theta, step, 1.0);
     if (std::sqrt(step.dot(fit.information * step)) < tolerance) return true;
   }
@@ -227,15 +216,9 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
   const std::size_t most = poor ? 30 : 15;
   constexpr double near = 0.3;  // in standard deviations: close enough for the last stage
   Eigen::MatrixXd information;
-  Eigen::VectorXd gradient;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
-    linearise_all(fit.theta);
-    for (Line& line : lines_) line.cost = line.reduced.cost;
-    choose_tolerance();
-    weigh();
-    sum(fit.theta, information, gradient);
-    const Eigen::VectorXd step = solve_step(information, gradient);
+    const Eigen::VectorXd step = whitened_step(fit.theta, information);
     const double scale = poor ? half_of(step, fit.theta) : 1.0;
     const std::vector<double> next = added(fit.theta, step, scale);
     for_lines([&](std::size_t i, LineModel& model) {
@@ -289,17 +272,9 @@ void LikelihoodEstimator::relax_all(const std::vector<double>& theta) {
     Line& line = lines_[i];
     if (line.cost <= 4.0 * line.redundancy) return;
     // A line far from fitting may be stuck: once more from the measured values.
-    const LineLayout& layout = observations_.layout();
-    const LineData& data = observations_.lines()[i];
     const LineState kept = line.state;
     const double cost = line.cost;
-    for (std::size_t v = 0; v < layout.x.size(); ++v) {
-      if (data.x.weight[v] != Complex(0.0)) line.state.x(at(layout.x[v].row), at(layout.x[v].column)) = data.x.value[v];
-    }
-    for (std::size_t v = 0; v < layout.y.size(); ++v) {
-      if (data.y.weight[v] == Complex(0.0)) continue;
-      line.state.y(at(layout.y[v].row), at(layout.y[v].column)) = line.state.y(at(layout.y[v].column), at(layout.y[v].row)) = data.y.value[v];
-    }
+    take_measured(observations_.layout(), observations_.lines()[i], line.state);
     relax(i, model, z);
     if (line.cost < cost) return;
     line.state = kept;
@@ -360,10 +335,8 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
 }
 
 LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch) {
-  LikelihoodFit fit;
-  fit.theta = std::move(start);
   observations_.weigh_as_measured();
-  begin(fit.theta);
+  LikelihoodFit fit = begun(std::move(start));
   if (!observations_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
   implicit_stage(fit, watch);
   do {
@@ -379,23 +352,27 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
     if (norm_of(moved, fit.information) < 10.0 * settled) break;
     fit.converged = false;
   }
-  fit.loss = total(fit.theta);
   finish(fit);
   return fit;
 }
 
 LikelihoodFit LikelihoodEstimator::run_whitened(std::vector<double> start, const FitWatcher& watch) {
-  LikelihoodFit fit;
-  fit.theta = std::move(start);
   observations_.weigh_as_measured();
-  begin(fit.theta);
+  LikelihoodFit fit = begun(std::move(start));
   fit.converged = whitened_stage(fit, 50, 1e-3, watch);
-  fit.loss = total(fit.theta);
   finish(fit);
   return fit;
 }
 
+LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
+  LikelihoodFit fit;
+  fit.theta = std::move(start);
+  begin(fit.theta);
+  return fit;
+}
+
 void LikelihoodEstimator::finish(LikelihoodFit& fit) const {
+  fit.loss = total(fit.theta);
   for (const Line& line : lines_) {
     fit.line_cost.push_back(line.cost);
     fit.line_weight.push_back(line.weight);
@@ -408,9 +385,7 @@ void LikelihoodEstimator::finish(LikelihoodFit& fit) const {
 }
 
 LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWatcher& watch) {
-  LikelihoodFit fit;
-  fit.theta = std::move(start);
-  begin(fit.theta);
+  LikelihoodFit fit = begun(std::move(start));
   fit.converged = project(fit, 1e-2, watch);
   finish(fit);
   return fit;
@@ -463,14 +438,17 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& t
 
 Eigen::MatrixXd LikelihoodEstimator::information_of(std::size_t line) const {
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(at(unknowns_), at(unknowns_));
-  const auto& columns = lines_[line].joint.columns();
-  if (lines_[line].redundancy <= 0.0) return information;
+  if (lines_[line].redundancy > 0.0) add_information(lines_[line], 1.0, information);
+  return information;
+}
+
+void LikelihoodEstimator::add_information(const Line& line, double weight, Eigen::MatrixXd& information) {
+  const auto& columns = line.joint.columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
-      information(at(columns[i]), at(columns[j])) = lines_[line].reduced.information(at(i), at(j));
+      information(at(columns[i]), at(columns[j])) += weight * line.reduced.information(at(i), at(j));
     }
   }
-  return information;
 }
 
 }  // namespace jointid::ident

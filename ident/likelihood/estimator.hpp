@@ -86,6 +86,9 @@ class LikelihoodEstimator {
   void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total(const std::vector<double>& theta) const;
   bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch);
+  static void add_information(const Line& line, double weight, Eigen::MatrixXd& information);
+  Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
+  LikelihoodFit begun(std::vector<double> start);
   void finish(LikelihoodFit& fit) const;
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void linearise_all(const std::vector<double>& theta);

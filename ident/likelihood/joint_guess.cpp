@@ -5,6 +5,20 @@
 
 namespace jointid::ident {
 
+std::vector<double> joint_values(const Plan& plan, const std::map<restrictions::Kind, Matrix>& matrices, const std::string& place) {
+  const auto known = true_values(plan.restriction, matrices);
+  std::vector<double> values;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const std::size_t unknown = plan.columns->unknown_of(column);
+    if (!known[unknown] && matrices.contains(plan.restriction.unknowns[unknown].kind)) {
+      fail(plan.scene, place, "its matrices do not fix " + plan.columns->name(column, plan.restriction),
+           "give matrices that follow the joint's pattern");
+    }
+    values.push_back(known[unknown].value_or(0.0));
+  }
+  return values;
+}
+
 std::vector<double> joint_guess(const Plan& plan) {
   const Scene& scene = plan.scene;
   const bool truth = !scene.truth.empty();
@@ -14,17 +28,7 @@ std::vector<double> joint_guess(const Plan& plan) {
     fail(scene, place, "a bound needs a joint to assume, and the scene has neither [truth] nor [identify] start",
          "add [truth] with the matrices you expect");
   }
-  const auto values = true_values(plan.restriction, matrices);
-  std::vector<double> guess;
-  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
-    const std::size_t unknown = plan.columns->unknown_of(column);
-    if (!values[unknown] && matrices.contains(plan.restriction.unknowns[unknown].kind)) {
-      fail(scene, place, "its matrices do not fix " + plan.columns->name(column, plan.restriction),
-           "give matrices that follow the joint's pattern");
-    }
-    guess.push_back(values[unknown].value_or(0.0));
-  }
-  return guess;
+  return joint_values(plan, matrices, place);
 }
 
 std::size_t find_candidate(const Scene& scene, const Dofs& coordinates, const frf::Dof& dof) {

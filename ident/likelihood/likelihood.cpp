@@ -13,11 +13,10 @@
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/estimator.hpp"
 #include "ident/likelihood/identifiability.hpp"
+#include "ident/likelihood/joint_guess.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/likelihood/variance_sources.hpp"
-#include "ident/scene_failure.hpp"
 #include "ident/null_space.hpp"
-#include "ident/true_values.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -25,26 +24,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-void check_interrupt(const Control& control) {
-  if (control.interrupted && control.interrupted()) throw Interrupted();
-}
-
-/// The scene's start, or empty where its matrices do not fix every unknown.
-std::vector<double> scene_start(const Plan& plan) {
-  const auto values = true_values(plan.restriction, plan.scene.identify.start);
-  std::vector<double> theta;
-  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
-    const auto& value = values[plan.columns->unknown_of(column)];
-    const auto kind = plan.restriction.unknowns[plan.columns->unknown_of(column)].kind;
-    if (!value && plan.scene.identify.start.contains(kind)) {
-      fail(plan.scene, "[identify] start", "its matrices do not fix " + plan.columns->name(column, plan.restriction),
-           "give matrices that follow the joint's pattern");
-    }
-    theta.push_back(value.value_or(0.0) / plan.unscale(column));
-  }
-  return theta;
-}
 
 /// Linear estimates with one weighting after the other, then the scene's start scaled.
 std::optional<std::vector<double>> start_number(Plan& plan, std::size_t k, const Control& control) {
@@ -64,14 +43,14 @@ std::optional<std::vector<double>> start_number(Plan& plan, std::size_t k, const
     }
   } else {
     if (k >= factors.size()) return std::nullopt;
-    theta = scene_start(plan);
+    theta = scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"));
     for (double& value : theta) value *= factors[k];
   }
   return theta;
 }
 
 LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
-  const FitWatcher watch = [&](std::size_t) { check_interrupt(control); };
+  const FitWatcher watch = [&](std::size_t) { stop_if(control.interrupted); };
   if (plan.solver == "gauss-helmert") return estimator.run([&](std::size_t k) { return start_number(plan, k, control); }, watch);
   LikelihoodFit fit = estimator.run_whitened(*start_number(plan, 0, control), watch);
   if constexpr (JOINTID_HAVE_CERES) {
@@ -79,7 +58,8 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
       fit = adjust_bundle(*plan.likelihood->observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, fit, watch);
     }
   }
-  estimator.information_at(fit.theta);  // brings the lines to this joint, for what is said of them afterwards
+  // Brings the lines to this joint for what is said of them afterwards.
+  if (control.detail == Detail::full || plan.scene.identify.bootstrap > 0) estimator.information_at(fit.theta);
   return fit;
 }
 
@@ -152,9 +132,8 @@ void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const Li
 void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   const Clock::time_point start = Clock::now();
   Observations& observations = *plan.likelihood->observations;
-  const Clock::time_point reading = Clock::now();
   read_observations(plan, control);
-  out.runtime_s.read = seconds_since(reading);
+  out.runtime_s.read = seconds_since(start);
   LikelihoodEstimator estimator = make_estimator(plan, control);
   const LikelihoodFit fit = fit_by_solver(plan, estimator, control);
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;

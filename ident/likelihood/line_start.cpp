@@ -9,21 +9,6 @@
 
 namespace jointid::ident {
 
-LineState measured_start(const LineLayout& layout, const LineData& data) {
-  const auto joint = static_cast<Eigen::Index>(layout.joint), others = static_cast<Eigen::Index>(layout.others);
-  LineState out{ComplexMatrix::Zero(joint, others), ComplexMatrix::Zero(joint, joint), {}, {}};
-  LineStep step(static_cast<Eigen::Index>(2 * layout.variables()));
-  Eigen::Index v = 0;
-  for (const Channel* channel : {&data.x, &data.y}) {
-    for (const Complex& value : channel->value) {
-      step[v++] = value.real();
-      step[v++] = value.imag();
-    }
-  }
-  move(layout, step, 1.0, out.x, out.y);
-  return out;
-}
-
 LineState lifted_start(const LineLayout& layout, const LineData& data, const ComplexMatrix& z) {
   LiftedLine line(layout, data, z);
   std::vector<double> u(line.parameters(), 0.0);

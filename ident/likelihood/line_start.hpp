@@ -5,9 +5,6 @@
 
 namespace jointid::ident {
 
-/// X and Y as measured; zero where not.
-LineState measured_start(const LineLayout& layout, const LineData& data);
-
 /// X and Y from where the explicit cost of a line leads to its minimum also near resonances of the assembly, where small errors
 /// of Y turn the predicted A over. A is made free as well and bound by a penalty:
 ///   min Σ weight²(X, Y, A, D − measured)² + μ² ‖(X − A − Y Z A)/σ_c‖²,  D = Xᵀ Z A,

@@ -39,6 +39,24 @@ void move(const LineLayout& layout, const LineStep& step, double scale, ComplexM
   }
 }
 
+void take_measured(const LineLayout& layout, const LineData& data, LineState& state) {
+  for (std::size_t v = 0; v < layout.x.size(); ++v) {
+    if (data.x.weight[v] != Complex(0.0)) state.x(at(layout.x[v].row), at(layout.x[v].column)) = data.x.value[v];
+  }
+  for (std::size_t v = 0; v < layout.y.size(); ++v) {
+    if (data.y.weight[v] == Complex(0.0)) continue;
+    const auto p = at(layout.y[v].row), q = at(layout.y[v].column);
+    state.y(p, q) = state.y(q, p) = data.y.value[v];
+  }
+}
+
+LineState measured_start(const LineLayout& layout, const LineData& data) {
+  const auto joint = at(layout.joint);
+  LineState state{ComplexMatrix::Zero(joint, at(layout.others)), ComplexMatrix::Zero(joint, joint), {}, {}};
+  take_measured(layout, data, state);
+  return state;
+}
+
 void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
   const auto n = at(layout.joint);
   const Eigen::PartialPivLU<ComplexMatrix> factors(ComplexMatrix::Identity(n, n) + state.y * z);

@@ -18,6 +18,12 @@ using LineStep = Eigen::VectorXd;
 /// X and Y moved by `scale` times a step.
 void move(const LineLayout& layout, const LineStep& step, double scale, ComplexMatrix& x, ComplexMatrix& y);
 
+/// X and Y where they are measured; the rest of the state stays.
+void take_measured(const LineLayout& layout, const LineData& data, LineState& state);
+
+/// Measured X and Y, zero where there are none; no A and B.
+LineState measured_start(const LineLayout& layout, const LineData& data);
+
 /// A and B that belong to X, Y and Z.
 void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state);
 
