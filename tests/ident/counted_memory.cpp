@@ -9,15 +9,21 @@ namespace {
 std::atomic<std::size_t> bytes_in_use{0}, peak_bytes{0};
 constexpr std::size_t head = alignof(std::max_align_t);  // each block is preceded by its size
 
-void* counted(std::size_t size) {
+void* counted_or_null(std::size_t size) noexcept {
   auto* block = static_cast<char*>(std::malloc(size + head));
-  if (block == nullptr) throw std::bad_alloc();
+  if (block == nullptr) return nullptr;
   *reinterpret_cast<std::size_t*>(block) = size;
   const std::size_t now = bytes_in_use += size;
   std::size_t peak = peak_bytes;
   while (now > peak && !peak_bytes.compare_exchange_weak(peak, now)) {
   }
   return block + head;
+}
+
+void* counted(std::size_t size) {
+  void* block = counted_or_null(size);
+  if (block == nullptr) throw std::bad_alloc();
+  return block;
 }
 
 void release(void* pointer) noexcept {
@@ -31,10 +37,15 @@ void release(void* pointer) noexcept {
 
 void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
+// Also the forms that do not throw, which std::stable_sort takes its buffer from: a sanitizer has its own, without the head.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
 void operator delete(void* pointer) noexcept { release(pointer); }
 void operator delete[](void* pointer) noexcept { release(pointer); }
 void operator delete(void* pointer, std::size_t) noexcept { release(pointer); }
 void operator delete[](void* pointer, std::size_t) noexcept { release(pointer); }
+void operator delete(void* pointer, const std::nothrow_t&) noexcept { release(pointer); }
+void operator delete[](void* pointer, const std::nothrow_t&) noexcept { release(pointer); }
 
 namespace jointid {
 
