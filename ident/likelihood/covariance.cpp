@@ -8,28 +8,37 @@ namespace {
 
 constexpr double singular = 1e-12;
 
-/// Scales the diagonal to 1; unknowns without information keep 0.
-Eigen::VectorXd scales_of(const Eigen::MatrixXd& information) {
-  return information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-}
+/// Information with its diagonal scaled to 1 (0 for unknowns without information): diag(scale) · information · diag(scale).
+struct Scaled {
+  explicit Scaled(const Eigen::MatrixXd& information)
+      : scale(information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse()),
+        eigen(scale.asDiagonal() * information * scale.asDiagonal()),
+        null_dimension((eigen.eigenvalues().array() < singular).count()) {}
+
+  Eigen::VectorXd scale;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
+  Eigen::Index null_dimension;
+};
 
 }  // namespace
 
 Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& information) {
-  const Eigen::VectorXd scale = scales_of(information);
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
+  const Scaled scaled(information);
   const double least = 1e-15 * static_cast<double>(information.rows());
-  const Eigen::MatrixXd vectors = scale.asDiagonal() * eigen.eigenvectors();
-  return vectors * eigen.eigenvalues().cwiseMax(least).cwiseInverse().asDiagonal() * vectors.transpose();
+  const Eigen::MatrixXd vectors = scaled.scale.asDiagonal() * scaled.eigen.eigenvectors();
+  return vectors * scaled.eigen.eigenvalues().cwiseMax(least).cwiseInverse().asDiagonal() * vectors.transpose();
 }
 
 Eigen::MatrixXd null_space_of(const Eigen::MatrixXd& information) {
-  const Eigen::VectorXd scale = scales_of(information);
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled);
-  const auto count = (eigen.eigenvalues().array() < singular).count();
-  return scale.asDiagonal() * eigen.eigenvectors().leftCols(count);
+  const Scaled scaled(information);
+  return scaled.scale.asDiagonal() * scaled.eigen.eigenvectors().leftCols(scaled.null_dimension);
+}
+
+Eigen::VectorXd determined_step(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient) {
+  const Scaled scaled(information);
+  const Eigen::Index rank = information.rows() - scaled.null_dimension;
+  const Eigen::MatrixXd vectors = scaled.scale.asDiagonal() * scaled.eigen.eigenvectors().rightCols(rank);
+  return vectors * scaled.eigen.eigenvalues().tail(rank).cwiseInverse().asDiagonal() * (vectors.transpose() * gradient);
 }
 
 }  // namespace jointid::ident

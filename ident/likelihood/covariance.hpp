@@ -11,4 +11,7 @@ Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& information);
 /// 1e-12 of the information with unit diagonal. [columns × dimension]
 Eigen::MatrixXd null_space_of(const Eigen::MatrixXd& information);
 
+/// The shortest step with information · step = gradient that leaves those directions alone, where rounding would decide.
+Eigen::VectorXd determined_step(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
+
 }  // namespace jointid::ident

@@ -3,10 +3,10 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/guess_y.hpp"
 #include "ident/likelihood/line_tolerance.hpp"
 
@@ -25,16 +25,6 @@ double robust_weight(double cost, double redundancy) {
 double robust_loss(double cost, double redundancy) {
   const double ratio = cost / redundancy;
   return redundancy * (ratio <= outlying ? ratio : 2.0 * outlying - outlying * outlying / ratio);
-}
-
-/// Solves information · step = gradient with unit diagonal; directions without information stay.
-Eigen::VectorXd solve_step(const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient) {
-  const Eigen::VectorXd scale = information.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  const Eigen::LDLT<Eigen::MatrixXd> factors(scaled);
-  const Eigen::VectorXd right = scale.asDiagonal() * gradient;
-  const Eigen::VectorXd step = factors.solve(right);
-  return scale.asDiagonal() * step;
 }
 
 Eigen::VectorXd pick(const Eigen::VectorXd& all, const std::vector<std::size_t>& which) {
@@ -57,9 +47,15 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta) {
   return scale;
 }
 
-/// Fit of the joint's unknowns ends when a step is shorter than this, in standard deviations.
+/// Fit of the joint's unknowns ends when less than this is left, in standard deviations (those that the misfit makes, where there is one).
 constexpr double settled = 1e-3;
 constexpr std::size_t most_iterations = 60;
+
+/// How far it is still after steps of these sizes, which shrink by their ratio; as far as the last where they do not shrink.
+double left_after(double size, double before) {
+  const double ratio = before > 0.0 ? size / before : 1.0;
+  return ratio < 0.5 ? size * ratio / (1.0 - ratio) : size;
+}
 
 /// Length of Gauss–Newton steps: where one step runs along the last, forward or backward, both tell the true curvature.
 class StepLength {
@@ -121,25 +117,26 @@ void LikelihoodEstimator::for_lines(const std::function<void(std::size_t, LineMo
   });
 }
 
-/// Measured values where there are, and for the rest what the joint makes of them.
 void LikelihoodEstimator::begin(const std::vector<double>& theta) {
+  for_lines([&](std::size_t i, LineModel&) { begin_line(i, lines_[i].joint.at(theta)); });
+}
+
+/// Measured values where there are, and for the rest what the joint makes of them.
+void LikelihoodEstimator::begin_line(std::size_t i, const ComplexMatrix& z) {
   const LineLayout& layout = observations_.layout();
-  for_lines([&](std::size_t i, LineModel&) {
-    const LineData& data = observations_.lines()[i];
-    LineState& state = lines_[i].state;
-    state = measured_start(layout, data);
-    const ComplexMatrix z = lines_[i].joint.at(theta);
-    guess_y(layout, data, z, state);
-    put_on_constraint(layout, z, state);
-    for (std::size_t v = 0; v < layout.a.size(); ++v) {
-      if (data.a.weight[v] != Complex(0.0)) state.a(at(layout.a[v].row), at(layout.a[v].column)) = data.a.value[v];
-    }
-    for (std::size_t v = 0; v < layout.b.size(); ++v) {
-      if (data.b.weight[v] == Complex(0.0)) continue;
-      state.b(at(layout.b[v].row), at(layout.b[v].column)) = data.b.value[v];
-      state.b(at(layout.b[v].column), at(layout.b[v].row)) = data.b.value[v];
-    }
-  });
+  const LineData& data = observations_.lines()[i];
+  LineState& state = lines_[i].state;
+  state = measured_start(layout, data);
+  guess_y(layout, data, z, state);
+  put_on_constraint(layout, z, state);
+  for (std::size_t v = 0; v < layout.a.size(); ++v) {
+    if (data.a.weight[v] != Complex(0.0)) state.a(at(layout.a[v].row), at(layout.a[v].column)) = data.a.value[v];
+  }
+  for (std::size_t v = 0; v < layout.b.size(); ++v) {
+    if (data.b.weight[v] == Complex(0.0)) continue;
+    state.b(at(layout.b[v].row), at(layout.b[v].column)) = data.b.value[v];
+    state.b(at(layout.b[v].column), at(layout.b[v].row)) = data.b.value[v];
+  }
 }
 
 void LikelihoodEstimator::weigh() {
@@ -196,7 +193,7 @@ Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& th
   weigh();
   Eigen::VectorXd gradient;
   sum(theta, information, gradient);
-  return solve_step(information, gradient);
+  return determined_step(information, gradient);
 }
 
 /// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
@@ -214,7 +211,7 @@ bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, d
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
   const bool poor = observations_.layout().a.empty();  // without H_jn of the assembly the start may be far off
   const std::size_t most = poor ? 30 : 15;
-  constexpr double near = 0.3;  // in standard deviations: close enough for the last stage
+  const double near = poor ? 6.0 : 0.3;  // in standard deviations: close enough for the last stage
   Eigen::MatrixXd information;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
@@ -265,21 +262,39 @@ void LikelihoodEstimator::relax(std::size_t i, LineModel& model, const ComplexMa
   }
 }
 
+/// The implicit iteration of one line for a given joint: from the measured FRFs of both systems to the constraint between them.
+void LikelihoodEstimator::approach(std::size_t i, LineModel& model, const ComplexMatrix& z) {
+  begin_line(i, z);
+  Line& line = lines_[i];
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    model.linearise(observations_.lines()[i], line.joint, z, line.state, false);
+    const auto reduced = model.reduce(0.0);
+    if (!reduced) return;
+    model.advance(reduced->own, ComplexMatrix::Zero(z.rows(), z.cols()), line.state);
+  }
+}
+
 void LikelihoodEstimator::relax_all(const std::vector<double>& theta) {
   for_lines([&](std::size_t i, LineModel& model) {
     const ComplexMatrix z = lines_[i].joint.at(theta);
     relax(i, model, z);
-    Line& line = lines_[i];
-    if (line.cost <= 4.0 * line.redundancy) return;
-    // A line far from fitting may be stuck: once more from the measured values.
-    const LineState kept = line.state;
-    const double cost = line.cost;
-    take_measured(observations_.layout(), observations_.lines()[i], line.state);
-    relax(i, model, z);
-    if (line.cost < cost) return;
-    line.state = kept;
-    line.cost = cost;
+    // A line far from fitting may be stuck: once more from the measured values, and along the implicit iteration.
+    try_again(i, model, z, [&] { take_measured(observations_.layout(), observations_.lines()[i], lines_[i].state); });
+    try_again(i, model, z, [&] { approach(i, model, z); });
   });
+}
+
+/// Relaxes a line that is far from fitting from another start, and keeps the better of both ends.
+void LikelihoodEstimator::try_again(std::size_t i, LineModel& model, const ComplexMatrix& z, const std::function<void()>& start) {
+  Line& line = lines_[i];
+  if (line.cost <= 4.0 * line.redundancy) return;
+  const LineState kept = line.state;
+  const double cost = line.cost;
+  start();
+  relax(i, model, z);
+  if (line.cost < cost) return;
+  line.state = kept;
+  line.cost = cost;
 }
 
 /// Follows a step of the joint's unknowns with the FRFs of every line, as far as that helps, and optimises them there.
@@ -305,13 +320,14 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   weigh();
   double loss = total(fit.theta);
   StepLength length;
+  double last = 0.0;
   Eigen::VectorXd gradient;
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
     linearise_all(fit.theta);
     sum(fit.theta, fit.information, gradient);
-    const Eigen::VectorXd step = solve_step(fit.information, gradient);
-    const double size = norm_of(step, fit.information);
+    const Eigen::VectorXd step = determined_step(fit.information, gradient);
+    const double size = norm_of(step, fit.information) / std::sqrt(tolerance_);
     const std::vector<Line> before = lines_;
     double scale = length.next(step, fit.information);
     for (int attempt = 0;; ++attempt, scale *= 0.25) {
@@ -329,7 +345,8 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     }
     length.taken(scale);
     weigh();
-    if (size < tolerance) return true;
+    if (left_after(size, last) < tolerance) return true;
+    last = size;
   }
   return false;
 }
@@ -339,19 +356,20 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   LikelihoodFit fit = begun(std::move(start));
   if (!observations_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
   implicit_stage(fit, watch);
-  do {
+  fit.converged = project(fit, 0.1, watch);
+  for (double before = 2.0 * tolerance_; fit.converged && tolerance_ > 1.0 && tolerance_ < 0.9 * before;) {
+    before = tolerance_;  // lines that fit better now may tell others as outlying
     fit.converged = project(fit, 0.1, watch);
-  } while (fit.converged && tolerance_ > 1.0 && fit.iterations < most_iterations);
-  if (!observations_.variances_by_law()) fit.converged = project(fit, settled, watch);
+  }
   while (observations_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
     weigh_at_states(fit.theta);
-    fit.converged = project(fit, settled, watch);
+    project(fit, 10.0 * settled, watch);
     Eigen::VectorXd moved(at(unknowns_));
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
-    if (norm_of(moved, fit.information) < 10.0 * settled) break;
-    fit.converged = false;
+    if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(tolerance_)) break;
   }
+  fit.converged = project(fit, settled, watch);
   finish(fit);
   return fit;
 }
@@ -398,10 +416,21 @@ void LikelihoodEstimator::weigh_at_states(const std::vector<double>& theta) {
   }
 }
 
+/// At most one line in five is outlying, and χ² of the others is within five standard deviations of its expectation.
 bool LikelihoodEstimator::fits(const LikelihoodFit& fit) const {
-  double expected = -static_cast<double>(unknowns_);
-  for (const Line& line : lines_) expected += std::max(0.0, line.redundancy);
-  return fit.converged && fit.loss <= expected + 5.0 * std::sqrt(2.0 * std::max(0.0, expected));
+  double chi_square = 0.0, expected = -static_cast<double>(unknowns_);
+  std::size_t fitting = 0, outliers = 0;
+  for (const Line& line : lines_) {
+    if (line.redundancy <= 0.0) continue;
+    if (line.cost > outlying * line.redundancy) {
+      ++outliers;
+      continue;
+    }
+    ++fitting;
+    chi_square += line.cost;
+    expected += line.redundancy;
+  }
+  return fit.converged && 4 * outliers <= fitting && chi_square <= expected + 5.0 * std::sqrt(2.0 * std::max(0.0, expected));
 }
 
 LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch) {

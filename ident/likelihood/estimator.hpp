@@ -81,6 +81,7 @@ class LikelihoodEstimator {
 
   void for_lines(const std::function<void(std::size_t, LineModel&)>& work) const;
   void begin(const std::vector<double>& theta);
+  void begin_line(std::size_t line, const ComplexMatrix& z);
   void choose_tolerance();
   void weigh();
   void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
@@ -93,6 +94,8 @@ class LikelihoodEstimator {
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);
+  void approach(std::size_t line, LineModel& model, const ComplexMatrix& z);
+  void try_again(std::size_t line, LineModel& model, const ComplexMatrix& z, const std::function<void()>& start);
   void relax_all(const std::vector<double>& theta);
   void tell_lines(LikelihoodFit& fit) const;
   void follow(const std::vector<Line>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
