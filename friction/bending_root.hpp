@@ -10,6 +10,8 @@ namespace jointid::friction {
 /// u_L = (τ/EI)(−b⁴ + 4ab³ + 6a²b² + 4a³b + a⁴)/24, θ_L = (τ/EI)(−b³ + 3ab² + 3a²b + a³)/6,
 /// and at the loaded end u = u_L + θ_L L₀ + FL₀³/(3EI), which is (2.24–2.30) with the moment b²τ/2 for the printed bτ²/2 of
 /// (2.23). The clamp is as long as the slip needs: there is no limit, slipped_length says how far it reaches.
+/// The model lets the zone a move forward although friction pushes it forward; with friction against the motion everywhere
+/// (a FiniteElementJoint of a beam) the joint is stiffer, by 3.7 % in displacement at F = 0.2 τL₀.
 class BendingRoot final : public Element {
  public:
   /// EI (N·m²), τ (N/m), L₀ (m), all > 0. Throws std::invalid_argument.

@@ -153,6 +153,21 @@ TEST(MenqBar, SlipsAgainstItsEndSpring) {
   EXPECT_NEAR(bar.response(last * (1.0 - 1e-12)).force, bar.response(last).force, 1e-9 * bar.response(last).force);
 }
 
+// The beam equation integrated twice from the moments that the friction ±τ of the two slip zones gives.
+RC_GTEST_PROP(BendingRoot, IsTheBeamUnderItsFriction, ()) {
+  const double ei = any_decade(1.0, 1e4), tau = any_decade(1e2, 1e5), length = any_decade(0.01, 1.0), d = any_decade(1e-3, 1.0);
+  const BendingRoot root(ei, tau, length);
+  const double force = d * tau, clamp = root.slipped_length(force), a = 0.5 * (clamp - d);
+  const auto moment = [&](double x) {
+    if (x > clamp) return force * (clamp + length - x);
+    return 0.5 * tau * (x <= a ? x * x : a * a + 2.0 * a * (x - a) - (x - a) * (x - a));
+  };
+  RC_ASSERT(near(moment(clamp), force * length, 1e-10));
+  const double end = clamp + length;
+  const double u = integrate([&](double x) { return moment(x) * (end - x) / ei; }, std::array{0.0, a, clamp, end});
+  RC_ASSERT(near(root.displacement(force), u, 1e-11));
+}
+
 TEST(Scaled, MultipliesForcesOnly) {
   const auto law = std::shared_ptr(make_element("ren", std::array{1e-7, 2.0, 1e7}));
   const Scaled twice(law, 2.0);
