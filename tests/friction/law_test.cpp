@@ -83,6 +83,18 @@ RC_GTEST_PROP(Law, TheClosedFormsAreTheIntegrals, ()) {
   RC_ASSERT(std::abs(element->cycle_energy(u) - element->Element::cycle_energy(u)) <= 1e-13 * scale);
 }
 
+RC_GTEST_PROP(Law, TheMomentsOfTheDerivativesAreTheIntegrals, ()) {
+  const auto element = any_element();
+  const double u = any_displacement(*element);
+  const std::vector<double> values = element->values();
+  std::vector<double> closed(values.size()), quadrature(values.size());
+  element->second_moment_derivative(u, closed);
+  element->Element::second_moment_derivative(u, quadrature);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    RC_ASSERT(std::abs(closed[i] - quadrature[i]) <= 1e-9 * element->second_moment(u) / std::abs(values[i]));
+  }
+}
+
 RC_GTEST_PROP(Law, DisplacementIsTheInverse, ()) {
   const auto element = any_element();
   const double u = any_displacement(*element), force = element->response(u).force;
