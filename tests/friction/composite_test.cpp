@@ -123,6 +123,7 @@ RC_GTEST_PROP(EquivalentStiffness, IsThePrintedIntegral, ()) {
   const auto integrand = [&](double t) { return element->response(0.5 * u * (1.0 - std::cos(t))).force * std::cos(t); };
   const double printed = -4.0 / (std::numbers::pi * u) * integrate(integrand, angles);
   const Equivalent found = equivalent(*element, u);
+  RC_LOG() << describe(*element) << u << '\n';
   RC_ASSERT(std::abs(found.stiffness - printed) < 1e-10 * element->response(u).force / u);
   RC_ASSERT(found.loss_factor == found.damping / found.stiffness);
 }
