@@ -57,11 +57,13 @@ void Element::second_moment_derivative(double u, std::span<double> out) const {
     if (kink < u) ends.push_back(kink);
   }
   ends.push_back(u);
-  std::ranges::fill(out, 0.0);
-  for_each_gauss_point(ends, [&](double v, double weight) {
-    derivative(v, one);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] += weight * v * v * one[i];
-  });
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const auto integrand = [&](double v) {
+      derivative(v, one);
+      return v * v * one[i];
+    };
+    out[i] = integrate(integrand, ends);
+  }
 }
 
 std::vector<double> Element::values() const {

@@ -9,9 +9,6 @@ namespace jointid::friction {
 /// algebraic singularity of a derivative at their ends. Relative error about 1e-14 by the tanh-sinh rule.
 double integrate(const std::function<double(double)>& f, std::span<const double> ends);
 
-/// The points of integrate_smooth with their weights.
-void for_each_gauss_point(std::span<const double> ends, const std::function<void(double point, double weight)>& f);
-
 /// The same for f that is analytic up to the ends of the pieces: 30 points of Gauss in each.
 double integrate_smooth(const std::function<double(double)>& f, std::span<const double> ends);
 
