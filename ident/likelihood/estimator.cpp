@@ -38,11 +38,13 @@ double norm_of(const Eigen::VectorXd& step, const Eigen::MatrixXd& information) 
   return std::sqrt(std::max(0.0, step.dot(information * step)));
 }
 
-/// The part of a step that changes no unknown by more than half of itself.
-double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta) {
+/// The part of a step that changes no unknown by more than half of itself, or of what it was at the start, where that is more:
+/// an unknown that changes its sign passes zero.
+double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, const std::vector<double>& start) {
   double scale = 1.0;
   for (std::size_t i = 0; i < theta.size(); ++i) {
-    if (theta[i] != 0.0 && step[at(i)] != 0.0) scale = std::min(scale, 0.5 * std::abs(theta[i] / step[at(i)]));
+    const double size = std::max(std::abs(theta[i]), std::abs(start[i]));
+    if (size != 0.0 && step[at(i)] != 0.0) scale = std::min(scale, 0.5 * size / std::abs(step[at(i)]));
   }
   return scale;
 }
@@ -212,11 +214,12 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
   const bool poor = observations_.layout().a.empty();  // without H_jn of the assembly the start may be far off
   const std::size_t most = poor ? 30 : 15;
   const double near = poor ? 6.0 : 0.3;  // in standard deviations: close enough for the last stage
+  const std::vector<double> start = fit.theta;
   Eigen::MatrixXd information;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
     const Eigen::VectorXd step = whitened_step(fit.theta, information);
-    const double scale = poor ? half_of(step, fit.theta) : 1.0;
+    const double scale = poor ? half_of(step, fit.theta, start) : 1.0;
     const std::vector<double> next = added(fit.theta, step, scale);
     for_lines([&](std::size_t i, LineModel& model) {
       Line& line = lines_[i];
@@ -275,10 +278,13 @@ void LikelihoodEstimator::approach(std::size_t i, LineModel& model, const Comple
 }
 
 void LikelihoodEstimator::relax_all(const std::vector<double>& theta) {
+  for_lines([&](std::size_t i, LineModel& model) { relax(i, model, lines_[i].joint.at(theta)); });
+  const auto far = std::ranges::count_if(lines_, far_from_fitting);
+  // A few lines far from fitting may be stuck: once more from the measured values, and along the implicit iteration. Where
+  // there are many it is the joint.
+  if (far == 0 || 4 * static_cast<std::size_t>(far) > lines_.size()) return;
   for_lines([&](std::size_t i, LineModel& model) {
     const ComplexMatrix z = lines_[i].joint.at(theta);
-    relax(i, model, z);
-    // A line far from fitting may be stuck: once more from the measured values, and along the implicit iteration.
     try_again(i, model, z, [&] { take_measured(observations_.layout(), observations_.lines()[i], lines_[i].state); });
     try_again(i, model, z, [&] { approach(i, model, z); });
   });
@@ -287,7 +293,7 @@ void LikelihoodEstimator::relax_all(const std::vector<double>& theta) {
 /// Relaxes a line that is far from fitting from another start, and keeps the better of both ends.
 void LikelihoodEstimator::try_again(std::size_t i, LineModel& model, const ComplexMatrix& z, const std::function<void()>& start) {
   Line& line = lines_[i];
-  if (line.cost <= 4.0 * line.redundancy) return;
+  if (!far_from_fitting(line)) return;
   const LineState kept = line.state;
   const double cost = line.cost;
   start();
@@ -321,6 +327,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   double loss = total(fit.theta);
   StepLength length;
   double last = 0.0;
+  int crawling = 0;  // steps in a row of which next to nothing helped
   Eigen::VectorXd gradient;
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
@@ -345,6 +352,8 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     }
     length.taken(scale);
     weigh();
+    crawling = scale < 0.01 ? crawling + 1 : 0;
+    if (crawling == 3) return false;
     if (left_after(size, last) < tolerance) return true;
     last = size;
   }
@@ -361,15 +370,15 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
     before = tolerance_;  // lines that fit better now may tell others as outlying
     fit.converged = project(fit, 0.1, watch);
   }
-  while (observations_.variances_by_law() && fit.iterations < most_iterations) {
+  while (fit.converged && observations_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
     weigh_at_states(fit.theta);
-    project(fit, 10.0 * settled, watch);
+    fit.converged = project(fit, 10.0 * settled, watch);
     Eigen::VectorXd moved(at(unknowns_));
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(tolerance_)) break;
   }
-  fit.converged = project(fit, settled, watch);
+  if (fit.converged) fit.converged = project(fit, settled, watch);
   finish(fit);
   return fit;
 }
@@ -441,7 +450,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     const auto start = starts(k);
     if (!start) break;
     LikelihoodFit fit = run_from(*start, watch);
-    if (!any || (fit.loss < best.loss && fit.converged >= best.converged)) {
+    if (!any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged)) {
       best = std::move(fit);
       lines = lines_;
     }
@@ -452,6 +461,16 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   lines_ = std::move(lines);
   weigh_at_states(best.theta);
   return best;
+}
+
+double LikelihoodEstimator::misfit_at(const std::vector<double>& theta) {
+  begin(theta);
+  linearise_all(theta);
+  double misfit = 0.0;
+  for (const Line& line : lines_) {
+    if (line.redundancy > 0.0) misfit += line.redundancy * std::log1p(line.reduced.cost / line.redundancy);
+  }
+  return misfit;
 }
 
 Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {

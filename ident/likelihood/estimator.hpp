@@ -57,6 +57,10 @@ class LikelihoodEstimator {
   /// iteration and no line can get stuck, but errors of the coefficients bias it: for small noise only as good as run().
   LikelihoodFit run_whitened(std::vector<double> start, const FitWatcher& watch);
 
+  /// How far the lines are from fitting a joint, to rank starts by: Σ r log(1 + χ²/r) over the lines, r their redundancy, with χ²
+  /// as linearised where the iteration would begin. A few lines near resonances do not decide it.
+  double misfit_at(const std::vector<double>& theta);
+
   /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(const std::vector<double>& theta);
 
@@ -78,6 +82,8 @@ class LikelihoodEstimator {
     double weight = 1.0;
     ReducedLine reduced;
   };
+
+  static bool far_from_fitting(const Line& line) { return line.redundancy > 0.0 && line.cost > 4.0 * line.redundancy; }
 
   void for_lines(const std::function<void(std::size_t, LineModel&)>& work) const;
   void begin(const std::vector<double>& theta);

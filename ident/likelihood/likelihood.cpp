@@ -25,34 +25,54 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Linear estimates with one weighting after the other, then the scene's start scaled.
-std::optional<std::vector<double>> start_number(Plan& plan, std::size_t k, const Control& control) {
+/// Linear estimates with one weighting after the other.
+std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const Control& control) {
   using enum weighting::Weighting;
   constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear = {{{wb, 0.0}, {wbg, 0.0}, {wbs, 0.1}, {wa, 0.0}}};
-  constexpr std::array<double, 5> factors = {1.0, 0.3, 3.0, 0.1, 10.0};
+  if (k >= linear.size()) return std::nullopt;
+  Plan& start = *plan.likelihood->start;
+  std::tie(start.assembly_spec.weighting, start.assembly_spec.delta) = linear[k];
+  Control quick = control;
+  quick.detail = Detail::estimates;
+  const Solution first = solve(start, quick);
   std::vector<double> theta;
-  if (Plan* start = plan.likelihood->start.get()) {
-    if (k >= linear.size()) return std::nullopt;
-    std::tie(start->assembly_spec.weighting, start->assembly_spec.delta) = linear[k];
-    Control quick = control;
-    quick.detail = Detail::estimates;
-    const Solution first = solve(*start, quick);
-    for (std::size_t column = 0; column < plan.columns->size(); ++column) {
-      const double value = column < first.unknowns.size() ? first.unknowns[column].value : 0.0;
-      theta.push_back(std::isfinite(value) ? value / plan.unscale(column) : 0.0);
-    }
-  } else {
-    if (k >= factors.size()) return std::nullopt;
-    theta = scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"));
-    for (double& value : theta) value *= factors[k];
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const double value = column < first.unknowns.size() ? first.unknowns[column].value : 0.0;
+    theta.push_back(std::isfinite(value) ? value / plan.unscale(column) : 0.0);
   }
   return theta;
 }
 
+/// The scene's start times 10^-4 to 10^4 in half decades, those first that fit the lines best: the shape of a joint is often
+/// better known than its size.
+std::vector<std::vector<double>> sized_starts(const Plan& plan, LikelihoodEstimator& estimator) {
+  constexpr std::size_t most = 5;
+  const std::vector<double> given = scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"));
+  std::vector<std::pair<double, std::vector<double>>> sizes;
+  for (int half_decade = -8; half_decade <= 8; ++half_decade) {
+    std::vector<double> theta = given;
+    for (double& value : theta) value *= std::pow(10.0, 0.5 * half_decade);
+    sizes.emplace_back(estimator.misfit_at(theta), theta);
+  }
+  std::ranges::stable_sort(sizes, {}, [](const auto& size) { return size.first; });
+  std::vector<std::vector<double>> starts;
+  for (auto& [misfit, theta] : sizes) starts.push_back(std::move(theta));
+  starts.resize(most);
+  return starts;
+}
+
+Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+  if (plan.likelihood->start) return [&plan, &control](std::size_t k) { return linear_start(plan, k, control); };
+  return [starts = sized_starts(plan, estimator)](std::size_t k) {
+    return k < starts.size() ? std::optional(starts[k]) : std::nullopt;
+  };
+}
+
 LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
   const FitWatcher watch = [&](std::size_t) { stop_if(control.interrupted); };
-  if (plan.solver == "gauss-helmert") return estimator.run([&](std::size_t k) { return start_number(plan, k, control); }, watch);
-  LikelihoodFit fit = estimator.run_whitened(*start_number(plan, 0, control), watch);
+  const Starts starts = starts_of(plan, estimator, control);
+  if (plan.solver == "gauss-helmert") return estimator.run(starts, watch);
+  LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
   if constexpr (JOINTID_HAVE_CERES) {
     if (plan.solver == "ceres") {
       fit = adjust_bundle(*plan.likelihood->observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, fit, watch);
