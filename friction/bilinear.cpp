@@ -1,0 +1,58 @@
+#include "friction/bilinear.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "friction/cancellation_free.hpp"
+
+namespace jointid::friction {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::array parameters_of_law = {LawParameter{"a", "m", 0.0, infinity}, LawParameter{"k", "N/m", 0.0, infinity}};
+
+}  // namespace
+
+const Law Bilinear::law = {"bilinear", "bilinear (Jenkins)", parameters_of_law};
+
+Bilinear::Bilinear(std::span<const double> values) {
+  check_values(law, values);
+  slip_ = values[0];
+  stiffness_ = values[1];
+}
+
+Response Bilinear::response(double u) const {
+  if (u < slip_) return {stiffness_ * u, stiffness_};
+  return {limit(), 0.0};
+}
+
+double Bilinear::energy(double u) const {
+  const double elastic = std::min(u, slip_);
+  return stiffness_ * elastic * (u - 0.5 * elastic);
+}
+
+double Bilinear::displacement(double force) const { return force <= limit() ? force / stiffness_ : infinity; }
+
+void Bilinear::derivative(double u, std::span<double> out) const {
+  out[0] = u < slip_ ? 0.0 : stiffness_;
+  out[1] = std::min(u, slip_);
+}
+
+std::unique_ptr<Element> Bilinear::with(std::span<const double> values) const { return std::make_unique<Bilinear>(values); }
+
+double Bilinear::cycle_energy(double u) const { return 4.0 * limit() * std::max(u - slip_, 0.0); }
+
+double Bilinear::equivalent_stiffness(double u) const {
+  if (u <= slip_) return stiffness_;
+  // Over the part of the half cycle where it sticks: θ* = acos(1 − 2a/u).
+  return stiffness_ / std::numbers::pi * circular_segment(2.0 * std::asin(std::sqrt(slip_ / u)));
+}
+
+double Bilinear::second_moment(double u) const {
+  const double elastic = std::min(u, slip_), elastic3 = elastic * elastic * elastic;
+  return stiffness_ * (elastic3 * elastic / 4.0 + slip_ * (u * u * u - elastic3) / 3.0);
+}
+
+}  // namespace jointid::friction

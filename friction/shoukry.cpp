@@ -1,0 +1,53 @@
+#include "friction/shoukry.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "friction/cancellation_free.hpp"
+
+namespace jointid::friction {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::array parameters_of_law = {LawParameter{"a", "N", 0.0, infinity}, LawParameter{"b", "1/m", 0.0, infinity}};
+
+}  // namespace
+
+const Law Shoukry::law = {"shoukry", "exponential (Shoukry, Rogers)", parameters_of_law};
+
+Shoukry::Shoukry(std::span<const double> values) {
+  check_values(law, values);
+  limit_ = values[0];
+  rate_ = values[1];
+}
+
+Response Shoukry::response(double u) const {
+  return {-limit_ * std::expm1(-rate_ * u), limit_ * rate_ * std::exp(-rate_ * u)};
+}
+
+double Shoukry::energy(double u) const { return limit_ / rate_ * linear_minus_exponential(rate_ * u); }
+
+double Shoukry::displacement(double force) const {
+  return force < limit_ ? -std::log1p(-force / limit_) / rate_ : infinity;
+}
+
+void Shoukry::derivative(double u, std::span<double> out) const {
+  out[0] = -std::expm1(-rate_ * u);
+  out[1] = limit_ * u * std::exp(-rate_ * u);
+}
+
+std::unique_ptr<Element> Shoukry::with(std::span<const double> values) const { return std::make_unique<Shoukry>(values); }
+
+/// 4a[u(1 + e^{−r}) − 2(1 − e^{−r})/b] with r = bu, written without differences.
+double Shoukry::cycle_energy(double u) const {
+  return 16.0 * limit_ / rate_ * damped_hyperbolic_excess(0.5 * rate_ * u);
+}
+
+/// (4a/u) e^{−r/2} I₁(r/2).
+double Shoukry::equivalent_stiffness(double u) const { return 4.0 * limit_ / u * scaled_bessel_i1(0.5 * rate_ * u); }
+
+double Shoukry::second_moment(double u) const {
+  return limit_ / (rate_ * rate_ * rate_) * exponential_second_moment(rate_ * u);
+}
+
+}  // namespace jointid::friction
