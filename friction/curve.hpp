@@ -19,8 +19,8 @@ enum class CurveKind {
   equivalent,  ///< equivalent stiffness k_e and damping d_e over amplitude
 };
 
-/// One measured curve. Vectors are equally long; displacements and amplitudes in m or rad, what stands over them in the units of
-/// the element that is fitted.
+/// One measured curve. Vectors are equally long; units are those of the element that is
+/// fitted.
 struct Curve {
   std::string name;
   CurveKind kind = CurveKind::loading;
@@ -29,6 +29,7 @@ struct Curve {
   std::vector<double> damping;  ///< d_e of `equivalent`, else empty
   std::size_t turn = 0;         ///< of `loop`
   std::optional<double> normal_load;
+  std::string displacement_unit = "m", force_unit = "N";
 
   /// Measured numbers that a fit compares: the values, and for `equivalent` the dampings after them.
   std::size_t rows() const { return value.size() + damping.size(); }

@@ -32,16 +32,16 @@ struct FitOptions {
   Weighting weighting = Weighting::largest;
   Minimiser minimiser = Minimiser::best;
   bool global = false;            ///< begin with NLopt's DIRECT-L around the start
-  std::optional<double> limit;    ///< preset friction limit, which ties one parameter of the law to the others
+  std::optional<double> limit{};  ///< preset friction limit, which ties one parameter of the law to the others
   bool friction_coefficient = false;  ///< limit = μ·normal_load of every curve, with one unknown μ
-  std::vector<std::string> shared;    ///< parameters that have one value for all curves
+  std::vector<std::string> shared{};  ///< parameters that have one value for all curves
 };
 
 /// What the data say of a number.
 enum class Knowledge : std::uint8_t {
   determined,
   extrapolated,  ///< of the friction limit: macroslip was not reached, the number is the law's continuation
-  undetermined,  ///< its 95 % confidence interval reaches zero, or nothing in the data depends on it
+  undetermined,  ///< its value ± t·s.e. reaches a bound, e.g. zero, or nothing in the data depends on it
   preset,
 };
 
@@ -63,6 +63,7 @@ struct CurveFit {
   FittedValue limit;                        ///< T at macroslip
   FittedValue stiffness;                    ///< initial stiffness dT/du(0)
   std::optional<FittedValue> friction_coefficient;  ///< limit over normal load, where that is known
+  bool shows_slip = false;                  ///< the element explains the curve better, by AIC, than a linear spring
   double slipped_share = 0.0;               ///< h of (2.53) at the largest displacement; 1: macroslip
   double objective = 0.0;                   ///< ΔE (2.58b), or (7.20)
 };

@@ -15,11 +15,28 @@ double branch_work(const Record& record, std::size_t first, std::size_t last) {
   return sum;
 }
 
-Record part(const Record& record, std::size_t first, std::size_t last) {
-  const auto cut = [&](const std::vector<double>& all) {
-    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+/// Appends samples [first, last].
+void append(Record& to, const Record& from, std::size_t first, std::size_t last) {
+  const auto copy = [&](std::vector<double>& out, const std::vector<double>& in) {
+    out.insert(out.end(), in.begin() + static_cast<std::ptrdiff_t>(first), in.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   };
-  return {cut(record.displacement), cut(record.force)};
+  copy(to.displacement, from.displacement);
+  copy(to.force, from.force);
+}
+
+/// The cycle between three reversals. The one at the upper end stands once when it begins and ends a cycle.
+Loop cycle(const Record& record, std::size_t first, std::size_t middle, std::size_t last) {
+  Loop loop;
+  const bool falls_first = record.displacement[middle] < record.displacement[first];
+  if (falls_first) {
+    append(loop.record, record, middle, last);
+    append(loop.record, record, first + 1, middle);
+    loop.turn = last - middle;
+  } else {
+    append(loop.record, record, first, last);
+    loop.turn = middle - first;
+  }
+  return loop;
 }
 
 }  // namespace
@@ -58,11 +75,8 @@ std::vector<std::size_t> reversals(std::span<const double> displacement, double 
 
 std::vector<Loop> loops(const Record& record, double least_travel) {
   const std::vector<std::size_t> turns = reversals(record.displacement, least_travel);
-  const bool upper_first = turns.size() > 1 && record.displacement[turns[0]] > record.displacement[turns[1]];
   std::vector<Loop> out;
-  for (std::size_t i = upper_first ? 1 : 0; i + 2 < turns.size(); i += 2) {
-    out.push_back({part(record, turns[i], turns[i + 2]), turns[i + 1] - turns[i]});
-  }
+  for (std::size_t i = 0; i + 2 < turns.size(); i += 2) out.push_back(cycle(record, turns[i], turns[i + 1], turns[i + 2]));
   return out;
 }
 

@@ -8,7 +8,7 @@
 
 namespace jointid::friction {
 
-/// One cycle between two lower reversals: displacements rise from sample 0 to `turn` and fall from there to the last.
+/// One cycle: displacements rise from the lower reversal at sample 0 to the upper one at `turn` and fall from there to the last.
 struct Loop {
   Record record;
   std::size_t turn = 0;
@@ -23,8 +23,9 @@ struct Loop {
 /// alternately upper and lower; smaller movements are noise. The first and the last sample of the record are none.
 std::vector<std::size_t> reversals(std::span<const double> displacement, double least_travel);
 
-/// The whole cycles of a continuous record, each from a lower reversal to the next. What comes before the first lower reversal
-/// and after the last is left out. `least_travel` as in reversals().
+/// The whole cycles of a continuous record, one after the other from its first reversal on; what comes before it (the first
+/// loading) and after the last whole cycle is left out. Of cycles that begin at the upper reversal the rising branch is put first.
+/// `least_travel` as in reversals().
 std::vector<Loop> loops(const Record& record, double least_travel);
 
 /// The point about which a steady loop is symmetric: the middle of its displacements, and of the forces the mean of both branches'

@@ -79,10 +79,17 @@ TEST(Loops, ReversalsAreExtremesOfMovementsThatAreLargeEnough) {
   EXPECT_TRUE(reversals({}, 1.0).empty());
 }
 
-TEST(Loops, WholeCyclesAreCutAtLowerReversals) {
-  const Record record = ellipse(5.6, 2.0, 7.0, -3.0, 0.3);
-  const std::vector<Loop> found = loops(record, 1.0);
-  ASSERT_EQ(found.size(), 4u);
+TEST(Loops, WholeCyclesAreCutFromTheFirstReversalOn) {
+  const Record record = ellipse(5.6, 2.0, 7.0, -3.0, 0.3);  // upper reversal first
+  std::vector<Loop> found = loops(record, 1.0);
+  ASSERT_EQ(found.size(), 5u);
+  Record mirrored = with_force_times(record, -1.0);
+  for (double& u : mirrored.displacement) u = 14.0 - u;
+  for (Loop loop : loops(mirrored, 1.0)) {  // lower reversal first
+    loop.record = with_force_times(loop.record, -1.0);
+    EXPECT_NEAR(-centre(loop).force, 3.0, 1e-12);
+    EXPECT_NEAR(loop.energy(), -found.front().energy(), 1e-9);
+  }
   for (const Loop& loop : found) {
     EXPECT_EQ(loop.record.displacement.size(), 401u);
     EXPECT_EQ(loop.turn, 200u);
