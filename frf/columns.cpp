@@ -127,13 +127,12 @@ const NumberColumn& Columns::column(std::string_view name_or_number) const {
   fail(file, {}, "there is no column '" + std::string(name_or_number) + "'", "the columns are " + listed(*this));
 }
 
-const NumberColumn* Columns::find(const std::vector<std::string_view>& words) const {
+const NumberColumn* Columns::find(const std::vector<std::string_view>& words, const std::vector<std::string_view>& without) const {
   for (const NumberColumn& column : columns) {
     std::string text = lower(column.name);
     std::ranges::replace_if(text, [](unsigned char c) { return std::isalnum(c) == 0; }, ' ');
-    for (const std::string_view word : split(text, ' ')) {
-      if (std::ranges::find(words, word) != words.end()) return &column;
-    }
+    const std::vector<std::string_view> parts = split(text, ' ');
+    if (std::ranges::find_first_of(parts, words) != parts.end() && std::ranges::find_first_of(parts, without) == parts.end()) return &column;
   }
   return nullptr;
 }

@@ -22,8 +22,8 @@ struct Columns {
   /// The column of that name, whatever its case, or of that number, from 1. Throws InputError (data) that lists the columns.
   const NumberColumn& column(std::string_view name_or_number) const;
 
-  /// The first column one of whose words is one of `words` (lower case), or null.
-  const NumberColumn* find(const std::vector<std::string_view>& words) const;
+  /// The first column with a word that is one of `words` (lower case) and none that is one of `without`, or null.
+  const NumberColumn* find(const std::vector<std::string_view>& words, const std::vector<std::string_view>& without = {}) const;
 };
 
 /// Reads real columns of a file:

@@ -55,6 +55,7 @@ TEST_F(ColumnsFile, FindsAColumnByAWordOfItsName) {
   const Columns read = read_columns(write_file("a.csv", "t,Normal_force,Rel. displacement\n1,2,3\n"));
   EXPECT_EQ(read.find({"displacement", "position"})->name, "Rel. displacement");
   EXPECT_EQ(read.find({"force"})->name, "Normal_force");
+  EXPECT_EQ(read.find({"force"}, {"normal"}), nullptr);
   EXPECT_EQ(read.find({"velocity"}), nullptr);
 }
 
