@@ -1,5 +1,6 @@
 #include "friction/element.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,10 +12,9 @@ namespace jointid::friction {
 double Element::displacement(double force) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (force > limit()) return infinity;
-  double u = 0.0;
-  for (const double kink : kinks()) {
-    if (response(kink).force <= force) u = kink;
-  }
+  const std::vector<double> pieces = kinks();
+  const auto next_kink = std::ranges::partition_point(pieces, [&](double u) { return response(u).force <= force; });
+  double u = next_kink == pieces.begin() ? 0.0 : *(next_kink - 1);
   for (int iteration = 0; iteration < 200; ++iteration) {
     const Response at = response(u);
     if (!(at.force < force)) return u;

@@ -6,6 +6,7 @@
 
 #include "friction/bilinear.hpp"
 #include "friction/burdekin.hpp"
+#include "friction/iwan.hpp"
 #include "friction/ren.hpp"
 #include "friction/shoukry.hpp"
 #include "friction/spring.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 template <class... E>
 struct List {};
-using Elements = List<Ren, Shoukry, Burdekin, Bilinear, Spring>;
+using Elements = List<Ren, Shoukry, Burdekin, Bilinear, Iwan, Spring>;
 
 template <class... E>
 std::span<const Law> laws_of(List<E...>) {

@@ -5,8 +5,8 @@
 
 namespace jointid::friction {
 
-/// ∫ f over [ends.front(), ends.back()], piece by piece; f is smooth inside the pieces, with at most an algebraic singularity
-/// at their ends, where it is not evaluated. Relative error about 1e-14 by the tanh-sinh rule.
+/// ∫ f over [ends.front(), ends.back()], piece by piece; f is smooth inside the pieces and finite, with at most an
+/// algebraic singularity of a derivative at their ends. Relative error about 1e-14 by the tanh-sinh rule.
 double integrate(const std::function<double(double)>& f, std::span<const double> ends);
 
 }  // namespace jointid::friction

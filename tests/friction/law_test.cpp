@@ -33,6 +33,14 @@ long double printed_force(const std::string& law, const std::vector<double>& p, 
   if (law == "burdekin") {
     return u < -first / (2.0L * second) ? first * u + second * u * u : -first * first / (4.0L * second);
   }
+  if (law == "iwan") {  // with the density Rφ^χ and S sliders at φ_max
+    const long double f = first, k = second, power = p[2] + 1.0L, beta = p[3];
+    const long double end = f * (1.0L + beta) / (k * (beta + power / (power + 1.0L)));
+    const long double scale = beta + power / (power + 1.0L);
+    const long double r = f * power / (std::pow(end, power + 1.0L) * scale), s = f / end * beta / scale;
+    const long double v = std::min(u, end);
+    return r * (std::pow(v, power + 1.0L) / (power + 1.0L) + v * (std::pow(end, power) - std::pow(v, power)) / power) + s * v;
+  }
   if (law == "bilinear") return second * std::min(u, first);
   return first * u;
 }
@@ -100,6 +108,7 @@ RC_GTEST_PROP(Law, DerivativesByParameters, ()) {
       std::vector<double> other = values;
       other[i] += times * step;
       const auto changed = element->with(other);
+      RC_PRE(changed->kinks().size() == element->kinks().size());
       for (std::size_t j = 0; j < changed->kinks().size(); ++j) {
         RC_PRE((changed->kinks()[j] < u) == (element->kinks()[j] < u));
       }

@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "friction/generalized_slip.hpp"
 #include "friction/law.hpp"
+#include "friction/parallel.hpp"
+#include "friction/series.hpp"
 
 namespace jointid::friction {
 
@@ -30,6 +33,7 @@ inline std::vector<double> any_values(const std::string& law) {
   if (law == "shoukry") return {stiffness * slip, 1.0 / slip};
   if (law == "burdekin") return {stiffness, -0.5 * stiffness / slip};
   if (law == "spring") return {stiffness};
+  if (law == "iwan") return {stiffness * slip, stiffness, any_in(-0.95, 0.5), any_in(0.0, 3.0)};
   return {slip, stiffness};
 }
 
@@ -45,9 +49,38 @@ inline double any_displacement(const Element& element) {
   return scale * any_decade(1e-2, 30.0);
 }
 
-inline std::unique_ptr<Element> any_element() {
+inline std::unique_ptr<Element> any_single() {
   const std::string law = any_law();
   return make_element(law, any_values(law));
+}
+
+inline std::unique_ptr<Element> any_table() {
+  std::vector<SlipPoint> table = {{0.0, any_decade(1e-8, 1e-6)}};
+  for (std::size_t more = 1 + any_of(6); more > 0; --more) {
+    const auto [share, displacement] = table.back();
+    table.push_back({more == 1 && any_of(2) ? 1.0 : any_in(share + 1e-3, 0.5 * (1.0 + share)), displacement * any_in(1.01, 3.0)});
+  }
+  return std::make_unique<GeneralizedSlip>(any_decade(1e6, 1e8), std::move(table));
+}
+
+/// A single law, a table, or an assembly of them.
+inline std::unique_ptr<Element> any_element(int depth = 1) {
+  const std::size_t kind = depth > 0 ? any_of(6) : 0;
+  if (kind < 3) return any_single();
+  if (kind == 3) return any_table();
+  Parts parts;
+  for (std::size_t more = 2 + any_of(2); more > 0; --more) parts.push_back(any_element(depth - 1));
+  if (kind == 4) return std::make_unique<Parallel>(std::move(parts));
+  return std::make_unique<Series>(std::move(parts));
+}
+
+/// Displacements of a history with reversals of every size.
+inline std::vector<double> any_history(const Element& element) {
+  std::vector<double> history;
+  for (std::size_t more = 1 + any_of(40); more > 0; --more) {
+    history.push_back(any_displacement(element) * (any_of(2) == 0 ? -1.0 : 1.0));
+  }
+  return history;
 }
 
 }  // namespace jointid::friction
