@@ -90,7 +90,7 @@ void FitProblem::choose_tied() {
   }
   tied_ = tied_parameter(*prototypes_.front(), spared);
   if (!tied_) throw std::invalid_argument("the law has no friction limit");
-  if (spared[*tied_] && curves_.size() > 1) {
+  if (options_.friction_coefficient && spared[*tied_] && curves_.size() > 1) {
     throw std::invalid_argument(parameters_[*tied_].name + " cannot be shared: every curve's friction limit determines it");
   }
 }

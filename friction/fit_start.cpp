@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "friction/law.hpp"
+#include "friction/ring.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -64,6 +65,7 @@ const std::array recipes = {
     Recipe{"shoukry", {0.0}, [](const Features& f, double) -> Values { return {f.limit, f.stiffness / f.limit}; }},
     Recipe{"burdekin", {0.0}, [](const Features& f, double) -> Values { return {f.stiffness, -0.25 * f.stiffness * f.stiffness / f.limit}; }},
     Recipe{"bilinear", {0.0}, [](const Features& f, double) -> Values { return {f.limit / f.stiffness, f.stiffness}; }},
+    Recipe{"iwan", {-0.7, -0.3, 0.2}, [](const Features& f, double chi) -> Values { return {f.limit, f.stiffness, chi, 0.3}; }},
     Recipe{"spring", {0.0}, [](const Features& f, double) -> Values { return {f.stiffness}; }},
 };
 
@@ -95,6 +97,20 @@ Family family(const std::string& name) {
     return out;
   };
   return {name, std::string(law(name).title), starts};
+}
+
+Family ring_family(const std::string& name, double inner, double outer) {
+  const Family flat = family(name);
+  const auto starts = [flat, inner, outer](const Features& seen) {
+    const double stiffness = 0.5 * std::numbers::pi * (std::pow(outer, 4) - std::pow(inner, 4));
+    const double limit = 2.0 / 3.0 * std::numbers::pi * (std::pow(outer, 3) - std::pow(inner, 3));
+    Elements out;
+    for (auto& each : flat.starts({seen.stiffness / stiffness, seen.limit / limit})) {
+      out.push_back(std::make_unique<Ring>(std::move(each), inner, outer));
+    }
+    return out;
+  };
+  return {name, flat.title + ", rotary", starts};
 }
 
 std::vector<std::string> fitted_laws() {

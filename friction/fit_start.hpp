@@ -29,6 +29,9 @@ struct Family {
 /// The family of a law by its name. Throws std::invalid_argument with the valid names.
 Family family(const std::string& law);
 
+/// The family of a rotary joint of rings between two radii (m) with a law per area. Throws std::invalid_argument.
+Family ring_family(const std::string& law, double inner, double outer);
+
 /// All laws that a curve can be fitted with by name alone.
 std::vector<std::string> fitted_laws();
 

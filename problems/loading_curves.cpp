@@ -4,6 +4,7 @@
 #include <array>
 
 #include "friction/law.hpp"
+#include "friction/ring.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -112,6 +113,12 @@ std::vector<LoadingCurve> made() {
 }
 
 }  // namespace
+
+std::unique_ptr<friction::Element> element_of(const LoadingCurve& problem) {
+  auto law = friction::make_element(problem.law, problem.values);
+  if (!problem.ring) return law;
+  return std::make_unique<friction::Ring>(std::move(law), problem.ring->inner, problem.ring->outer);
+}
 
 const std::vector<LoadingCurve>& loading_curves() {
   static const std::vector<LoadingCurve> all = made();
