@@ -28,7 +28,7 @@ class Cost final : public ceres::CostFunction {
 
 bool has_ceres() { return true; }
 
-Minimum ceres_minimum(const LeastSquares& least_squares, std::span<const double> start) {
+Minimum ceres_minimum(const LeastSquares& least_squares, std::span<const double> start, const CeresOptions& given) {
   FLAGS_logtostderr = true;
   FLAGS_minloglevel = google::GLOG_FATAL;
   Minimum out{{start.begin(), start.end()}, 0, false};
@@ -38,8 +38,8 @@ Minimum ceres_minimum(const LeastSquares& least_squares, std::span<const double>
   options.logging_type = ceres::SILENT;
   options.num_threads = 1;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = 200;
-  options.function_tolerance = 1e-15;
+  options.max_num_iterations = given.most_iterations;
+  options.function_tolerance = given.tolerance;
   options.gradient_tolerance = 1e-14;
   options.parameter_tolerance = 1e-11;
   ceres::Solver::Summary summary;

@@ -7,6 +7,6 @@ namespace jointid::friction {
 
 bool has_ceres() { return false; }
 
-Minimum ceres_minimum(const LeastSquares&, std::span<const double>) { throw std::logic_error("this build lacks Ceres"); }
+Minimum ceres_minimum(const LeastSquares&, std::span<const double>, const CeresOptions&) { throw std::logic_error("this build lacks Ceres"); }
 
 }  // namespace jointid::friction

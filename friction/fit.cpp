@@ -26,14 +26,24 @@ bool uses_ceres(Minimiser minimiser) {
   return minimiser != Minimiser::pattern && has_ceres();
 }
 
-/// Where slip begins at a sample, residuals have a kink in the parameters that can stop Levenberg–Marquardt short: a coarse pattern
-/// search looks beyond it.
+/// Whether dT/du falls at once somewhere, so that residuals have kinks in the parameters where they meet samples.
+bool is_sharp(const Element& element) {
+  const auto kinks = element.kinks();
+  const double first = element.response(0.0).tangent;
+  return std::ranges::any_of(kinks, [&](double u) {
+    return element.response(u * (1.0 - 1e-9)).tangent - element.response(u).tangent > 0.01 * first;
+  });
+}
+
+double objective(const LeastSquares& problem, const Minimum& minimum) { return problem.objective(minimum.q); }
+
+/// Kinks can stop Levenberg–Marquardt short of the minimum: a coarse pattern search looks beyond them.
 Minimum polished(const FitProblem& problem, Minimum minimum) {
   constexpr int rounds = 4;
-  const auto objective = [&](std::span<const double> q) { return problem.objective(q); };
+  const auto f = [&](std::span<const double> q) { return problem.objective(q); };
   for (int round = 0; round < rounds; ++round) {
-    const Minimum looked = pattern_search(objective, minimum.q, {.step = 0.02, .tolerance = 1e-4, .most_evaluations = 400});
-    if (!(objective(looked.q) < objective(minimum.q) * (1.0 - 1e-7))) break;
+    const Minimum looked = pattern_search(f, minimum.q, {.step = 0.02, .tolerance = 1e-4, .most_evaluations = 400});
+    if (!(objective(problem, looked) < objective(problem, minimum) * (1.0 - 1e-7))) break;
     const std::size_t before = minimum.iterations;
     minimum = ceres_minimum(problem, looked.q);
     minimum.iterations += before;
@@ -41,9 +51,30 @@ Minimum polished(const FitProblem& problem, Minimum minimum) {
   return minimum;
 }
 
-Minimum minimum_from(const FitProblem& problem, const FitOptions& options, std::span<const double> start) {
-  if (uses_ceres(options.minimiser)) return polished(problem, ceres_minimum(problem, start));
-  return pattern_search([&](std::span<const double> q) { return problem.objective(q); }, start);
+/// A few steps from every start, then all the way from where the best of them leads.
+Minimum by_ceres(const FitProblem& problem, const std::vector<std::vector<double>>& starts) {
+  Minimum best{starts.front(), 0, false};
+  std::size_t iterations = 0;
+  for (std::size_t i = 0; i < starts.size() && starts.size() > 1; ++i) {
+    Minimum tried = ceres_minimum(problem, starts[i], {.tolerance = 1e-3, .most_iterations = 12});
+    iterations += tried.iterations;
+    if (i == 0 || objective(problem, tried) < objective(problem, best)) best = std::move(tried);
+  }
+  best = ceres_minimum(problem, best.q);
+  best.iterations += iterations;
+  const auto state = problem.state(0, best.q, false);
+  return state && is_sharp(*state->element) ? polished(problem, std::move(best)) : best;
+}
+
+/// Pattern search from every start; the best.
+Minimum by_pattern(const FitProblem& problem, const std::vector<std::vector<double>>& starts) {
+  const auto f = [&](std::span<const double> q) { return problem.objective(q); };
+  Minimum best;
+  for (const std::vector<double>& start : starts) {
+    Minimum found = pattern_search(f, start);
+    if (best.q.empty() || objective(problem, found) < objective(problem, best)) best = std::move(found);
+  }
+  return best;
 }
 
 std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitOptions& options) {
@@ -53,21 +84,9 @@ std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitO
   return {nlopt_global(problem, start, global_half_width, global_evaluations * static_cast<int>(start.size()))};
 }
 
-/// The best of the minima from all starts.
 Minimum minimise(const FitProblem& problem, const FitOptions& options) {
-  Minimum best;
-  double least = infinity;
-  std::size_t iterations = 0;
-  for (const std::vector<double>& start : starts_of(problem, options)) {
-    Minimum found = minimum_from(problem, options, start);
-    const double sum = problem.objective(found.q);
-    iterations += found.iterations;
-    if (!best.q.empty() && !(sum < least * (1.0 - 1e-12))) continue;
-    least = sum;
-    best = std::move(found);
-  }
-  best.iterations = iterations;
-  return best;
+  const auto starts = starts_of(problem, options);
+  return uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
 }
 
 /// ∂(dT/du(0))/∂p, from a displacement so small that no slip matters.

@@ -82,14 +82,16 @@ std::vector<std::unique_ptr<Element>> FitProblem::best_starts(std::size_t curve,
   return best;
 }
 
+bool FitProblem::is_shared(std::size_t parameter) const {
+  return std::ranges::find(options_.shared, parameters_[parameter].name) != options_.shared.end();
+}
+
 void FitProblem::choose_tied() {
-  if (!options_.limit && !options_.friction_coefficient) return;
   std::vector<bool> spared;
-  for (const Parameter& parameter : parameters_) {
-    spared.push_back(std::ranges::find(options_.shared, parameter.name) != options_.shared.end());
-  }
+  for (std::size_t i = 0; i < parameters_.size(); ++i) spared.push_back(is_shared(i));
   tied_ = tied_parameter(*prototypes_.front(), spared);
-  if (!tied_) throw std::invalid_argument("the law has no friction limit");
+  const bool preset = options_.limit || options_.friction_coefficient;
+  if (preset && !tied_) throw std::invalid_argument("the law has no friction limit");
   if (options_.friction_coefficient && spared[*tied_] && curves_.size() > 1) {
     throw std::invalid_argument(parameters_[*tied_].name + " cannot be shared: every curve's friction limit determines it");
   }
@@ -106,32 +108,37 @@ void FitProblem::number_unknowns() {
     coefficient_ = 0;
     names_.emplace_back("mu");
   }
+  const bool limit_unknown = !options_.limit && !options_.friction_coefficient;
   unknown_of_.resize(curves_.size());
   for (std::size_t c = 0; c < curves_.size(); ++c) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) {
-      const bool shared = std::ranges::find(options_.shared, parameters_[i].name) != options_.shared.end();
-      const bool known = c > 0 && shared;
+      const bool known = c > 0 && is_shared(i);
       unknown_of_[c].push_back(known ? unknown_of_[0][i] : names_.size());
-      if (tied_ == i || known) continue;
-      const bool alone = shared || curves_.size() == 1;
-      names_.push_back(alone ? parameters_[i].name : parameters_[i].name + " of " + curves_[c].name);
+      if (known || (tied_ == i && !limit_unknown)) continue;
+      const std::string name = tied_ == i ? "friction limit" : parameters_[i].name;
+      names_.push_back(is_shared(i) || curves_.size() == 1 ? name : name + " of " + curves_[c].name);
     }
   }
 }
 
+/// The unknown that is the logarithm of a curve's limit, or of μ.
+std::optional<std::size_t> FitProblem::limit_unknown(std::size_t curve) const {
+  if (!tied_ || options_.limit) return std::nullopt;
+  return coefficient_ ? *coefficient_ : unknown_of_[curve][*tied_];
+}
+
 std::vector<double> FitProblem::unknowns_of(std::span<const std::vector<std::unique_ptr<Element>>> elements, std::size_t rank) const {
   std::vector<double> sum(names_.size(), 0.0), count(names_.size(), 0.0);
+  const auto add = [&](std::size_t unknown, double q) {
+    sum[unknown] += q;
+    count[unknown] += 1.0;
+  };
   for (std::size_t c = 0; c < curves_.size(); ++c) {
     const Element& element = *elements[c][rank];
     const std::vector<double> values = element.values();
-    if (coefficient_) {
-      sum[*coefficient_] += std::log(element.limit() / *curves_[c].normal_load);
-      count[*coefficient_] += 1.0;
-    }
+    if (const auto unknown = limit_unknown(c)) add(*unknown, std::log(element.limit() / (coefficient_ ? *curves_[c].normal_load : 1.0)));
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (tied_ == i) continue;
-      sum[unknown_of_[c][i]] += scales_[i].free(values[i]);
-      count[unknown_of_[c][i]] += 1.0;
+      if (tied_ != i) add(unknown_of_[c][i], scales_[i].free(values[i]));
     }
   }
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
@@ -139,7 +146,8 @@ std::vector<double> FitProblem::unknowns_of(std::span<const std::vector<std::uni
 }
 
 double FitProblem::target_limit(std::size_t curve, std::span<const double> q) const {
-  return coefficient_ ? std::exp(q[*coefficient_]) * *curves_[curve].normal_load : *options_.limit;
+  if (options_.limit) return *options_.limit;
+  return std::exp(q[*limit_unknown(curve)]) * (coefficient_ ? *curves_[curve].normal_load : 1.0);
 }
 
 std::optional<CurveState> FitProblem::state(std::size_t curve, std::span<const double> q, bool with_derivative) const {
@@ -162,10 +170,10 @@ std::optional<CurveState> FitProblem::state(std::size_t curve, std::span<const d
     if (tied_ != i) out.by_unknown(at(i), at(unknown)) = scales_[i].slope(q[unknown]);
   }
   if (!tied_) return out;
-  // The limit L(p) stays at its target: Σ ∂L/∂p_i dp_i = L dln μ, or 0.
+  // The limit L(p) stays at its target: Σ ∂L/∂p_i dp_i = L dln L.
   const std::vector<double> by = limit_derivative(*out.element);
   Eigen::RowVectorXd missing = Eigen::RowVectorXd::Zero(at(unknowns()));
-  if (coefficient_) missing[at(*coefficient_)] = out.element->limit();
+  if (const auto unknown = limit_unknown(curve)) missing[at(*unknown)] = out.element->limit();
   for (std::size_t i = 0; i < values.size(); ++i) missing -= by[i] * out.by_unknown.row(at(i));
   out.by_unknown.row(at(*tied_)) = missing / by[*tied_];
   return out;

@@ -18,8 +18,9 @@ struct CurveState {
   Eigen::MatrixXd by_unknown;
 };
 
-/// Weighted residuals of curves over the unknowns: parameters on their scale, one per curve or one for all, without the one that
-/// a tied limit determines; and ln μ where the limits are μ times the normal loads.
+/// Weighted residuals of curves over the unknowns: parameters on their scale, one per curve or one for all. Where the law has a
+/// friction limit, ln limit stands for the parameter that the limit determines (the others nearly decide how far a curve rises, so
+/// this straightens the valley of the sum of squares); of a preset limit there is none, and with a friction coefficient ln μ.
 class FitProblem final : public LeastSquares {
  public:
   /// Throws std::invalid_argument for options that do not go together.
@@ -31,9 +32,8 @@ class FitProblem final : public LeastSquares {
 
   /// Unknowns of the family's starts that fit each curve best, the second best of each, …
   const std::vector<std::vector<double>>& starts() const { return starts_; }
-  /// "b", or with several curves "a of 50 kg" for what is not shared.
+  /// "b", or with several curves "b of 50 kg" for what is not shared.
   const std::vector<std::string>& names() const { return names_; }
-  std::optional<std::size_t> tied() const { return tied_; }
   /// Nothing where some parameter leaves its bounds.
   std::optional<CurveState> state(std::size_t curve, std::span<const double> q, bool with_derivative) const;
 
@@ -43,6 +43,8 @@ class FitProblem final : public LeastSquares {
   void choose_tied();
   void number_unknowns();
   std::vector<double> unknowns_of(std::span<const std::vector<std::unique_ptr<Element>>> elements, std::size_t rank) const;
+  bool is_shared(std::size_t parameter) const;
+  std::optional<std::size_t> limit_unknown(std::size_t curve) const;
   double target_limit(std::size_t curve, std::span<const double> q) const;
 
   std::span<const Curve> curves_;
@@ -54,7 +56,7 @@ class FitProblem final : public LeastSquares {
   std::vector<ParameterScale> scales_;
   std::optional<std::size_t> tied_;
   std::optional<std::size_t> coefficient_;           ///< unknown that is ln μ
-  std::vector<std::vector<std::size_t>> unknown_of_; ///< by curve and parameter; that of the tied one is not used
+  std::vector<std::vector<std::size_t>> unknown_of_; ///< by curve and parameter; of the tied one that of the limit, if it is unknown
   std::vector<std::string> names_;
   std::vector<std::vector<double>> starts_;
 };

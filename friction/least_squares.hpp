@@ -27,8 +27,13 @@ struct Minimum {
   bool converged = false;
 };
 
-/// Levenberg–Marquardt of Ceres. A build without Ceres throws std::logic_error; has_ceres() says which it is.
-Minimum ceres_minimum(const LeastSquares& problem, std::span<const double> start);
+/// Levenberg–Marquardt of Ceres, until a step lowers Σ r² by less than `tolerance` times it. A build without Ceres throws
+/// std::logic_error; has_ceres() says which it is.
+struct CeresOptions {
+  double tolerance = 1e-13;
+  int most_iterations = 300;
+};
+Minimum ceres_minimum(const LeastSquares& problem, std::span<const double> start, const CeresOptions& options = {});
 bool has_ceres();
 
 /// Best point of the box start ± half_width that NLopt's DIRECT-L finds in `evaluations`. A build without NLopt throws
