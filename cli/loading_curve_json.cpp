@@ -73,6 +73,7 @@ Json fit_json(const LoadingCurveReport& report, const Fit& fit) {
               {"aic_above_best", value(fit.aic - report.fits.front().aic)},
               {"objective", value(fit.objective)},
               {"residual_std", value(fit.residual_std)},
+              {"neighbour_correlation", value(fit.neighbour_correlation)},
               {"correlation", matrix(fit.correlation)},
               {"findings", fit.findings}};
   out["curves"] = Json::array();

@@ -230,24 +230,51 @@ std::vector<std::string> pairs_that_move_together(const Fit& fit) {
   return out;
 }
 
-void judge(const Minimum& minimum, Fit& fit) {
-  if (!minimum.converged) {
+/// Lag-one correlation of the weighted residuals, curve by curve.
+double neighbour_correlation(const Fit& fit, Weighting weighting) {
+  double products = 0.0, squares = 0.0;
+  for (const CurveFit& each : fit.curves) {
+    const std::vector<double> weights = row_weights(each.curve, weighting);
+    double before = 0.0;
+    for (std::size_t i = 0; i < each.predicted.size(); ++i) {
+      const double r = weights[i] * (each.predicted[i] - each.curve.measured(i));
+      products += i > 0 ? r * before : 0.0;
+      squares += r * r;
+      before = r;
+    }
+  }
+  return squares > 0.0 ? products / squares : 0.0;
+}
+
+/// What correlated residuals do to standard errors: they belong to about rows·(1 − ρ)/(1 + ρ) independent ones.
+std::string correlated_residuals(double rho) {
+  const double factor = std::sqrt((1.0 + rho) / std::max(1.0 - rho, 1e-6));
+  return "residuals of neighbouring samples are correlated (" + std::to_string(rho).substr(0, 5) +
+         "): the law misses what is systematic, standard errors are too small by a factor of about " +
+         std::to_string(static_cast<int>(std::lround(factor)));
+}
+
+void judge(bool converged, Fit& fit) {
+  if (!converged) {
     fit.status = FitStatus::not_converged;
     fit.message = "the fit of " + fit.law + " did not converge";
   }
   for (const CurveFit& curve : fit.curves) {
     for (std::string& finding : findings_of(curve, fit.curves.size() == 1)) fit.findings.push_back(std::move(finding));
   }
+  constexpr double much = 0.6;
+  if (fit.rows > 20 && fit.neighbour_correlation > much) fit.findings.push_back(correlated_residuals(fit.neighbour_correlation));
   for (std::string& finding : pairs_that_move_together(fit)) fit.findings.push_back(std::move(finding));
 }
 
-void fill(std::span<const Curve> curves, const FitProblem& problem, const FitOptions& options, const Minimum& minimum, Fit& fit) {
-  const FitStatistics statistics(problem, minimum.q);
+void fill(std::span<const Curve> curves, const FitProblem& problem, const FitOptions& options, const Minimum& minimum,
+          const FitStatistics& statistics, Fit& fit) {
   const Description describe(statistics, options);
   for (std::size_t c = 0; c < curves.size(); ++c) {
     fit.curves.push_back(describe.of(curves[c], *problem.state(c, minimum.q, true)));
     fit.objective += fit.curves.back().objective;
   }
+  fit.neighbour_correlation = neighbour_correlation(fit, options.weighting);
   fit.weighted_sum = statistics.sum_of_squares();
   fit.residual_std = statistics.residual_std();
   fit.aic = aic_of(fit.weighted_sum, fit.rows, fit.unknowns);
@@ -298,8 +325,9 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
   out.minimiser = uses_ceres(options.minimiser) ? "ceres" : "pattern";
   if (options.global) out.minimiser = "nlopt+" + out.minimiser;
   out.iterations = minimum.iterations;
-  fill(curves, problem, options, minimum, out);
-  judge(minimum, out);
+  const FitStatistics statistics(problem, minimum.q);
+  fill(curves, problem, options, minimum, statistics, out);
+  judge(minimum.converged, out);
   return out;
 }
 

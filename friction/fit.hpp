@@ -79,6 +79,7 @@ struct Fit {
   double objective = 0.0;      ///< sum of the curves'
   double weighted_sum = 0.0;   ///< what was minimised
   double residual_std = 0.0;   ///< √(weighted_sum/(rows − unknowns)): the noise, as the weighting scales it
+  double neighbour_correlation = 0.0;  ///< of the residuals of samples that follow each other; near 0 for independent errors
   std::size_t rows = 0, unknowns = 0;
   double aic = 0.0;            ///< rows·ln(weighted_sum/rows) + 2(unknowns + 1); comparable for one set of data and one weighting
   std::vector<std::string> names;                 ///< of the unknowns

@@ -30,8 +30,8 @@ struct Minimum {
 /// Levenberg–Marquardt of Ceres, until a step lowers Σ r² by less than `tolerance` times it. A build without Ceres throws
 /// std::logic_error; has_ceres() says which it is.
 struct CeresOptions {
-  double tolerance = 1e-13;
-  int most_iterations = 300;
+  double tolerance = 1e-10;
+  int most_iterations = 100;
 };
 Minimum ceres_minimum(const LeastSquares& problem, std::span<const double> start, const CeresOptions& options = {});
 bool has_ceres();

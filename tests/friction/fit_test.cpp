@@ -213,6 +213,15 @@ TEST(Fit, WhatTheCurveCannotTellIsSaid) {
   EXPECT_EQ(value(elastic, "k").knowledge, Knowledge::determined);
 }
 
+TEST(Fit, ResidualsThatAreNotIndependentAreSaid) {
+  const auto element = make_element("ren", ren);
+  const Curve curve = loading(*element, 8e-7, 200, 0.001, 3);
+  EXPECT_NEAR(fit_one(curve, "ren").neighbour_correlation, 0.0, 0.2);
+  const Fit wrong = fit_one(curve, "bilinear");
+  EXPECT_GT(wrong.neighbour_correlation, 0.9);
+  EXPECT_THAT(wrong.findings, Contains(HasSubstr("residuals of neighbouring samples are correlated")));
+}
+
 TEST(Fit, TooFewPointsAreAStatus) {
   const Fit found = fit_one(loading(*make_element("ren", ren), 6e-7, 3, 0.0, 1), "ren");
   EXPECT_EQ(found.status, FitStatus::too_few_points);
