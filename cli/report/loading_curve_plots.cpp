@@ -37,13 +37,21 @@ std::vector<std::size_t> ascending(const Curve& curve, std::size_t first, std::s
   return order;
 }
 
+/// What is drawn of a curve: some rows in the order of their displacements, and a word for the axis ("rising") that keeps
+/// branches with axes of their own apart.
+struct Part {
+  std::string title, axis, quantity;
+  std::vector<std::size_t> rows;
+  std::size_t offset = 0;
+};
+
 /// One quantity over one axis: measured and by every law, and below it the residuals.
-std::vector<Plot> overlay(const LoadingCurveReport& report, std::size_t number, const std::string& title, const std::string& quantity,
-                          const std::vector<std::size_t>& rows, std::size_t offset) {
+std::vector<Plot> overlay(const LoadingCurveReport& report, std::size_t number, const Part& part) {
+  const auto& [title, axis, quantity, rows, offset] = part;
   const Curve& curve = report.data.curves[number];
   CurvePlot value, residual;
   value.title = title;
-  value.x = {(curve.kind == CurveKind::energy || curve.kind == CurveKind::equivalent ? "amplitude (" : "displacement (") + curve.displacement_unit + ")", false};
+  value.x = {axis + " (" + curve.displacement_unit + ")", false};
   value.y = {quantity, false};
   Values measured;
   double largest = 0.0;
@@ -85,15 +93,15 @@ std::vector<Plot> plots_of(const LoadingCurveReport& report, std::size_t number)
   const Curve& curve = report.data.curves[number];
   const std::size_t size = curve.u.size();
   const std::string force = "force (" + curve.force_unit + ")", stiffness = curve.force_unit + "/" + curve.displacement_unit;
-  if (curve.kind == CurveKind::loading) return overlay(report, number, "Loading curve", force, ascending(curve, 0, size), 0);
-  if (curve.kind == CurveKind::energy) return overlay(report, number, "Energy per cycle", "energy (J)", ascending(curve, 0, size), 0);
+  if (curve.kind == CurveKind::loading) return overlay(report, number, {"Loading curve", "displacement", force, ascending(curve, 0, size), 0});
+  if (curve.kind == CurveKind::energy) return overlay(report, number, {"Energy per cycle", "amplitude", "energy (J)", ascending(curve, 0, size), 0});
   std::vector<Plot> out;
   if (curve.kind == CurveKind::loop) {
-    append(out, overlay(report, number, "Rising branch", force, ascending(curve, 0, curve.turn + 1), 0));
-    append(out, overlay(report, number, "Falling branch", force, ascending(curve, curve.turn + 1, size), 0));
+    append(out, overlay(report, number, {"Rising branch", "displacement, rising", force, ascending(curve, 0, curve.turn + 1), 0}));
+    append(out, overlay(report, number, {"Falling branch", "displacement, falling", force, ascending(curve, curve.turn + 1, size), 0}));
   } else {
-    append(out, overlay(report, number, "Equivalent stiffness", "k_e (" + stiffness + ")", ascending(curve, 0, size), 0));
-    append(out, overlay(report, number, "Equivalent damping", "d_e (" + stiffness + ")", ascending(curve, 0, size), size));
+    append(out, overlay(report, number, {"Equivalent stiffness", "amplitude", "k_e (" + stiffness + ")", ascending(curve, 0, size), 0}));
+    append(out, overlay(report, number, {"Equivalent damping", "amplitude", "d_e (" + stiffness + ")", ascending(curve, 0, size), size}));
   }
   return out;
 }
