@@ -95,10 +95,10 @@ class Reader {
       out_.curves.push_back(series(columns, name));
       return;
     }
-    Record record = directed(record_of(columns), columns.file);
+    Record record = directed(record_of(columns), path.filename().string());
     if (arguments_.specimen_stiffness) record = friction::without_elastic(std::move(record), *arguments_.specimen_stiffness);
     if (!arguments_.specimen.empty()) record = without_specimen(std::move(record));
-    add_record(record, columns.file, name);
+    add_record(record, path, name);
   }
 
   std::vector<double> displacement(const frf::Columns& columns) const {
@@ -139,14 +139,14 @@ class Reader {
     return of_file(columns.file, [&] { return friction::without_elastic(std::move(record), record_of(columns)); });
   }
 
-  void add_record(const Record& record, const std::string& file, const std::string& name) {
+  void add_record(const Record& record, const std::filesystem::path& path, const std::string& name) {
     std::vector<friction::Loop> loops;
     if (arguments_.kind != "loading" && !record.displacement.empty()) {
       const auto [low, high] = std::ranges::minmax(record.displacement);
       loops = friction::loops(record, 0.5 * (high - low));
     }
     if (loops.empty() && arguments_.kind == "loops") {
-      throw InputError({ErrorKind::data, file, "", "holds no whole cycle between reversals over half the stroke",
+      throw InputError({ErrorKind::data, path.string(), "", "holds no whole cycle between reversals over half the stroke",
                         "check the displacement column, or fit it with --kind loading"});
     }
     if (loops.empty()) {
@@ -154,7 +154,7 @@ class Reader {
       return;
     }
     out_.loops = true;
-    out_.notes.push_back(fmt::format("{}: {} loops, each about its centre", file, loops.size()));
+    out_.notes.push_back(fmt::format("{}: {} loops, each about its centre", path.filename().string(), loops.size()));
     for (std::size_t i = 0; i < loops.size(); ++i) {
       const std::string number = arguments_.files.size() == 1 ? fmt::format("loop {}", i + 1) : fmt::format("{} loop {}", name, i + 1);
       out_.curves.push_back(friction::loop_curve(number, friction::centred(loops[i])));
