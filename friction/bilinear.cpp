@@ -55,4 +55,10 @@ double Bilinear::second_moment(double u) const {
   return stiffness_ * (elastic3 * elastic / 4.0 + slip_ * (u * u * u - elastic3) / 3.0);
 }
 
+void Bilinear::second_moment_derivative(double u, std::span<double> out) const {
+  const double elastic = std::min(u, slip_), slipped = (u * u * u - elastic * elastic * elastic) / 3.0;
+  out[0] = stiffness_ * slipped;
+  out[1] = second_moment(u) / stiffness_;
+}
+
 }  // namespace jointid::friction

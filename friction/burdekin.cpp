@@ -67,4 +67,10 @@ double Burdekin::second_moment(double u) const {
   return v3 * v * (stiffness_ / 4.0 + curvature_ * v / 5.0) + limit() * (u * u * u - v3) / 3.0;
 }
 
+void Burdekin::second_moment_derivative(double u, std::span<double> out) const {
+  const double v = std::min(u, slip()), v3 = v * v * v, slipped = (u * u * u - v3) / 3.0;
+  out[0] = v3 * v / 4.0 + v * slipped;
+  out[1] = v3 * v * v / 5.0 + v * v * slipped;
+}
+
 }  // namespace jointid::friction

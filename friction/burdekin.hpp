@@ -26,6 +26,7 @@ class Burdekin final : public Element {
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;
+  void second_moment_derivative(double u, std::span<double> out) const override;
 
  private:
   double slip() const { return -0.5 * stiffness_ / curvature_; }

@@ -51,6 +51,21 @@ double Element::second_moment(double u) const {
   return integrate([this](double v) { return v * v * response(v).force; }, ends);
 }
 
+void Element::second_moment_derivative(double u, std::span<double> out) const {
+  std::vector<double> ends = {0.0}, one(out.size());
+  for (const double kink : kinks()) {
+    if (kink < u) ends.push_back(kink);
+  }
+  ends.push_back(u);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const auto integrand = [&](double v) {
+      derivative(v, one);
+      return v * v * one[i];
+    };
+    out[i] = integrate(integrand, ends);
+  }
+}
+
 std::vector<double> Element::values() const {
   std::vector<double> result;
   for (const Parameter& parameter : parameters()) result.push_back(parameter.value);

@@ -64,6 +64,9 @@ class Element {
   /// ∫₀^u v²T(v) dv, what a rotary joint sums over its radius (2.65).
   virtual double second_moment(double u) const;
 
+  /// ∂/∂p of second_moment, one for each parameter.
+  virtual void second_moment_derivative(double u, std::span<double> out) const;
+
   std::vector<double> values() const;
   std::unique_ptr<Element> clone() const { return with(values()); }
 };

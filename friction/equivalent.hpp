@@ -23,4 +23,13 @@ Equivalent equivalent(const Element& element, double amplitude);
 /// The same for several amplitudes.
 std::vector<Equivalent> equivalent(const Element& element, std::span<const double> amplitudes);
 
+/// Derivatives of k_e and d_e by the parameters of the element.
+struct EquivalentDerivative {
+  std::vector<double> stiffness;
+  std::vector<double> damping;
+};
+
+/// By quadrature of (B.4) and (B.5) with ∂T/∂p in place of T, split at the kinks.
+EquivalentDerivative equivalent_derivative(const Element& element, double amplitude);
+
 }  // namespace jointid::friction

@@ -78,4 +78,15 @@ double Iwan::second_moment(double u) const {
   return stiffness_ * v3 * v * (0.25 - share) + limit_ * (u * u * u - v3) / 3.0;
 }
 
+/// ∂T/∂p is a constant times v(1, v^{χ+1}, v^{χ+1} ln v): integrated term by term.
+void Iwan::second_moment_derivative(double u, std::span<double> out) const {
+  const double v = std::min(u, slip_), power = exponent_ + 1.0, next = exponent_ + 2.0, fifth = exponent_ + 5.0;
+  const double rest = ratio_ + power / next, v4 = v * v * v * v;
+  const double share = loss_of_stiffness(v) / next, lost = stiffness_ * v4 * share / fifth;
+  out[0] = lost * power / limit_ + (u * u * u - v * v * v) / 3.0;
+  out[1] = v4 / 4.0 - v4 * share * next / fifth;
+  out[2] = v > 0.0 ? -lost * (std::log(v / slip_) - 1.0 / fifth + power / (next * next * rest) - 1.0 / next) : 0.0;
+  out[3] = lost * (next / (1.0 + ratio_) - power / rest);
+}
+
 }  // namespace jointid::friction

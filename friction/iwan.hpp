@@ -29,6 +29,7 @@ class Iwan final : public Element {
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;
+  void second_moment_derivative(double u, std::span<double> out) const override;
 
  private:
   double loss_of_stiffness(double u) const;

@@ -63,4 +63,9 @@ double Parallel::second_moment(double u) const {
   return sum(parts(), [u](const Element& part) { return part.second_moment(u); });
 }
 
+void Parallel::second_moment_derivative(double u, std::span<double> out) const {
+  const auto stretches = split(out);
+  for (std::size_t i = 0; i < stretches.size(); ++i) parts()[i]->second_moment_derivative(u, stretches[i]);
+}
+
 }  // namespace jointid::friction

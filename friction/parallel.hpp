@@ -18,6 +18,7 @@ class Parallel final : public Assembly {
   double cycle_energy(double u) const override;
   double equivalent_stiffness(double u) const override;
   double second_moment(double u) const override;
+  void second_moment_derivative(double u, std::span<double> out) const override;
 };
 
 }  // namespace jointid::friction

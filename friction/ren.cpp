@@ -87,4 +87,21 @@ double Ren::second_moment(double u) const {
   return stiffness_ * (slipped + (1.0 - h) * u3 * u / 4.0);
 }
 
+/// With s = ln(v/a): ∂T/∂a = (k/b)(v/a − 1), ∂T/∂b = (k/b²)(vs − v + a) where a < v < ae^b.
+void Ren::second_moment_derivative(double u, std::span<double> out) const {
+  if (spread_ < 0.05) return Element::second_moment_derivative(u, out);  // the differences below lose digits as 1/b²
+  const double v = std::min(u, end_), s = spread_ * slipped_share(v), a = begin_, a4 = a * a * a * a;
+  const double cubes = (v * v * v - a * a * a) / 3.0, fourths = (v * v * v * v - a4) / 4.0;
+  const double sliding = (u * u * u - v * v * v) / 3.0;
+  std::ranges::fill(out, 0.0);
+  out[2] = second_moment(u) / stiffness_;
+  if (u <= begin_) return;
+  std::array<double, 3> end{};
+  derivative(end_, end);
+  out[0] = end[0] * sliding;
+  out[1] = end[1] * sliding;
+  out[0] += stiffness_ / spread_ * (fourths / a - cubes);
+  out[1] += stiffness_ / (spread_ * spread_) * (v * v * v * v * s / 4.0 - 1.25 * fourths + a * cubes);
+}
+
 }  // namespace jointid::friction

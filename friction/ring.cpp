@@ -81,16 +81,11 @@ std::vector<double> Ring::rings(double angle) const {
 }
 
 void Ring::derivative(double angle, std::span<double> out) const {
-  std::vector<double> one(out.size());
-  const std::vector<double> radii = rings(angle);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    out[i] = integrate_smooth(
-        [&](double r) {
-          law_->derivative(r * angle, one);
-          return 2.0 * pi * r * r * one[i];
-        },
-        radii);
-  }
+  std::vector<double> in(out.size());
+  law_->second_moment_derivative(outer_ * angle, out);
+  law_->second_moment_derivative(inner_ * angle, in);
+  const double scale = angle < 1e-60 ? 0.0 : 2.0 * pi / (angle * angle * angle);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = scale * (out[i] - in[i]);
 }
 
 std::unique_ptr<Element> Ring::with(std::span<const double> values) const {

@@ -25,4 +25,9 @@ std::unique_ptr<Element> Scaled::with(std::span<const double> values) const {
   return std::make_unique<Scaled>(law_->with(values), factor_);
 }
 
+void Scaled::second_moment_derivative(double u, std::span<double> out) const {
+  law_->second_moment_derivative(u, out);
+  for (double& value : out) value *= factor_;
+}
+
 }  // namespace jointid::friction

@@ -23,6 +23,7 @@ class Scaled final : public Element {
   double cycle_energy(double u) const override { return factor_ * law_->cycle_energy(u); }
   double equivalent_stiffness(double u) const override { return factor_ * law_->equivalent_stiffness(u); }
   double second_moment(double u) const override { return factor_ * law_->second_moment(u); }
+  void second_moment_derivative(double u, std::span<double> out) const override;
 
  private:
   std::shared_ptr<const Element> law_;

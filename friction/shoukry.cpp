@@ -50,4 +50,10 @@ double Shoukry::second_moment(double u) const {
   return limit_ / (rate_ * rate_ * rate_) * exponential_second_moment(rate_ * u);
 }
 
+void Shoukry::second_moment_derivative(double u, std::span<double> out) const {
+  const double x = rate_ * u, moment = exponential_second_moment(x), rate3 = rate_ * rate_ * rate_;
+  out[0] = moment / rate3;
+  out[1] = limit_ / (rate3 * rate_) * (-x * x * x * std::expm1(-x) - 3.0 * moment);
+}
+
 }  // namespace jointid::friction

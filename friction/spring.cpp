@@ -25,4 +25,6 @@ double Spring::cycle_energy(double) const { return 0.0; }
 double Spring::equivalent_stiffness(double) const { return stiffness_; }
 double Spring::second_moment(double u) const { return stiffness_ * u * u * u * u / 4.0; }
 
+void Spring::second_moment_derivative(double u, std::span<double> out) const { out[0] = u * u * u * u / 4.0; }
+
 }  // namespace jointid::friction

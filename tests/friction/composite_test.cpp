@@ -123,8 +123,30 @@ RC_GTEST_PROP(EquivalentStiffness, IsThePrintedIntegral, ()) {
   const auto integrand = [&](double t) { return element->response(0.5 * u * (1.0 - std::cos(t))).force * std::cos(t); };
   const double printed = -4.0 / (std::numbers::pi * u) * integrate(integrand, angles);
   const Equivalent found = equivalent(*element, u);
+  RC_LOG() << describe(*element) << u << '\n';
   RC_ASSERT(std::abs(found.stiffness - printed) < 1e-10 * element->response(u).force / u);
   RC_ASSERT(found.loss_factor == found.damping / found.stiffness);
+}
+
+RC_GTEST_PROP(EquivalentDerivative, IsTheSlopeOfTheFigures, ()) {
+  const auto element = any_single();
+  const double u = any_displacement(*element);
+  const std::vector<double> values = element->values();
+  // Where macroslip begins, k_e has an infinite second derivative.
+  for (const double kink : element->kinks()) RC_PRE(std::abs(kink / u - 1.0) > 0.02);
+  const EquivalentDerivative found = equivalent_derivative(*element, u);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double step = 1e-5 * std::abs(values[i]);
+    const auto at = [&](double times) {
+      std::vector<double> other = values;
+      other[i] += times * step;
+      return equivalent(*element->with(other), u);
+    };
+    const Equivalent up = at(1), down = at(-1);
+    const double scale = element->response(u).force / (u * std::abs(values[i]));
+    RC_ASSERT(std::abs((up.stiffness - down.stiffness) / (2.0 * step) - found.stiffness[i]) <= 1e-5 * scale);
+    RC_ASSERT(std::abs((up.damping - down.damping) / (2.0 * step) - found.damping[i]) <= 1e-5 * scale);
+  }
 }
 
 TEST(Equivalent, WrongAmplitudesAreRefused) {

@@ -73,6 +73,7 @@ RC_GTEST_PROP(MasingPath, TurnsIntoTheFourierIntegrals, ()) {
     out_of_phase -= integrate([&](double angle) { return sign * force(angle) * std::sin(angle); }, angles);
   }
   const double scale = element->response(u).force / u;
+  RC_LOG() << describe(*element) << u << '\n';
   RC_ASSERT(near(in_phase / (std::numbers::pi * u), element->equivalent_stiffness(u), 1e-10 * scale));
   RC_ASSERT(near(out_of_phase / (std::numbers::pi * u), element->cycle_energy(u) / (std::numbers::pi * u * u), 1e-10 * scale));
 }

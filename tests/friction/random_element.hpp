@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 #include "friction/generalized_slip.hpp"
@@ -72,6 +74,18 @@ inline std::unique_ptr<Element> any_element(int depth = 1) {
   for (std::size_t more = 2 + any_of(2); more > 0; --more) parts.push_back(any_element(depth - 1));
   if (kind == 4) return std::make_unique<Parallel>(std::move(parts));
   return std::make_unique<Series>(std::move(parts));
+}
+
+/// For the log of a failure.
+inline std::string describe(const Element& element) {
+  std::ostringstream text;
+  text.precision(17);
+  text << typeid(element).name() << ':';
+  for (const Parameter& parameter : element.parameters()) text << ' ' << parameter.name << '=' << parameter.value;
+  text << "; kinks";
+  for (const double kink : element.kinks()) text << ' ' << kink;
+  text << '\n';
+  return text.str();
 }
 
 /// Displacements of a history with reversals of every size.
