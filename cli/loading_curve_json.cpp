@@ -45,7 +45,7 @@ Json curve_fit(const CurveFit& curve) {
 
 Json equivalent(const CurveFit& curve) {
   Json rows = Json::array();
-  for (const EquivalentRow& row : equivalents(curve, 40)) {
+  for (const friction::Equivalent& row : equivalents(curve, 40)) {
     rows.push_back({{"amplitude", row.amplitude}, {"stiffness", value(row.stiffness)}, {"damping", value(row.damping)}, {"energy", value(row.energy)}});
   }
   return rows;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/loading_curve_data.hpp"
+#include "friction/equivalent.hpp"
 #include "friction/fit.hpp"
 
 namespace jointid::cli {
@@ -16,13 +17,8 @@ struct LoadingCurveReport {
   std::vector<std::vector<friction::Fit>> of_loops;   ///< with several loops: by fit, the same law fitted to each loop alone
 };
 
-/// Equivalent stiffness and damping and energy per cycle of an element at one amplitude.
-struct EquivalentRow {
-  double amplitude = 0.0, stiffness = 0.0, damping = 0.0, energy = 0.0;
-};
-
-/// On `count` amplitudes in even ratios from 1/20 of the curve's largest displacement to twice that.
-std::vector<EquivalentRow> equivalents(const friction::CurveFit& fit, std::size_t count);
+/// Equivalent stiffness and damping of an element on `count` amplitudes in even ratios from 1/20 of the curve's largest displacement to twice that.
+std::vector<friction::Equivalent> equivalents(const friction::CurveFit& fit, std::size_t count);
 
 /// Elements of a fit that differ: one when loops share theirs, else one per curve.
 std::vector<const friction::CurveFit*> different(const LoadingCurveReport& report, const friction::Fit& fit);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "friction/loops.hpp"
 
@@ -36,18 +35,13 @@ std::vector<std::string> three(const std::vector<double>& values, double factor)
 
 }  // namespace
 
-std::vector<EquivalentRow> equivalents(const CurveFit& fit, std::size_t count) {
-  std::vector<EquivalentRow> rows;
-  const double largest = fit.curve.largest_displacement();
+std::vector<friction::Equivalent> equivalents(const CurveFit& fit, std::size_t count) {
+  std::vector<double> amplitudes;
   for (std::size_t i = 0; i < count; ++i) {
-    EquivalentRow row;
-    row.amplitude = largest * 0.05 * std::pow(40.0, static_cast<double>(i) / static_cast<double>(count - 1));
-    row.energy = fit.element->cycle_energy(row.amplitude);
-    row.stiffness = fit.element->equivalent_stiffness(row.amplitude);
-    row.damping = row.energy / (std::numbers::pi * row.amplitude * row.amplitude);
-    rows.push_back(row);
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    amplitudes.push_back(fit.curve.largest_displacement() * 0.05 * std::pow(40.0, share));
   }
-  return rows;
+  return friction::equivalent(*fit.element, amplitudes);
 }
 
 std::vector<const CurveFit*> different(const LoadingCurveReport& report, const Fit& fit) {
@@ -126,8 +120,8 @@ Table loops_table(const LoadingCurveReport& report) {
 Table equivalents_table(const CurveFit& fit, std::size_t count) {
   const std::string stiffness = fit.curve.force_unit + "/" + fit.curve.displacement_unit;
   Table table({{"amplitude " + fit.curve.displacement_unit}, {"k_e " + stiffness}, {"d_e " + stiffness}, {"energy per cycle J"}, {"d_e/k_e %"}});
-  for (const EquivalentRow& row : equivalents(fit, count)) {
-    table.add({number(row.amplitude), number(row.stiffness), number(row.damping), number(row.energy), percent(row.damping / row.stiffness)});
+  for (const friction::Equivalent& row : equivalents(fit, count)) {
+    table.add({number(row.amplitude), number(row.stiffness), number(row.damping), number(row.energy), percent(row.loss_factor)});
   }
   return table;
 }

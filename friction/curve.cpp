@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "friction/quadrature.hpp"
+#include "friction/equivalent.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -25,60 +25,20 @@ std::array<Term, 2> terms(const Curve& curve, std::size_t row, double amplitude)
   return {{{2.0 * direction, way}, {-direction, amplitude}}};
 }
 
-/// Ends of the smooth pieces of [0, u].
-std::vector<double> pieces(const Element& element, double u) {
-  std::vector<double> ends = {0.0};
-  for (const double kink : element.kinks()) {
-    if (kink < u) ends.push_back(kink);
-  }
-  ends.push_back(u);
-  return ends;
-}
-
-/// ∂/∂p of energies and equivalents by quadrature over ∂T/∂p.
-class SeriesDerivative {
- public:
-  explicit SeriesDerivative(const Element& element) : element_(element), buffer_(element.parameters().size()) {}
-
-  double by(std::size_t parameter, double u) {
-    element_.derivative(u, buffer_);
-    return buffer_[parameter];
-  }
-
-  /// ∂E/∂p.
-  double energy(std::size_t parameter, double u) {
-    const double area = integrate([&](double v) { return by(parameter, v); }, pieces(element_, u));
-    return 8.0 * area - 4.0 * u * by(parameter, u);
-  }
-
-  /// ∂k_e/∂p = −(4/(πu))∫₀^π ∂T/∂p(u(1 − cos θ)/2) cos θ dθ.
-  double stiffness(std::size_t parameter, double u) {
-    std::vector<double> angles;
-    for (const double end : pieces(element_, u)) angles.push_back(std::acos(1.0 - 2.0 * end / u));
-    const auto integrand = [&](double angle) { return by(parameter, 0.5 * u * (1.0 - std::cos(angle))) * std::cos(angle); };
-    return -4.0 / (std::numbers::pi * u) * integrate(integrand, angles);
-  }
-
- private:
-  const Element& element_;
-  std::vector<double> buffer_;
-};
-
-double damping_of(double energy, double amplitude) { return energy / (std::numbers::pi * amplitude * amplitude); }
-
 bool is_series(const Curve& curve) { return curve.kind == CurveKind::energy || curve.kind == CurveKind::equivalent; }
 
-double series_value(const Element& element, const Curve& curve, std::size_t row) {
-  const std::size_t at = row % curve.u.size();
-  if (curve.kind == CurveKind::energy) return element.cycle_energy(curve.u[at]);
-  return row < curve.value.size() ? element.equivalent_stiffness(curve.u[at])
-                                  : damping_of(element.cycle_energy(curve.u[at]), curve.u[at]);
+/// Numbers of one amplitude: {E}, or {k_e, d_e}.
+std::vector<double> series_values(const Element& element, const Curve& curve, double amplitude) {
+  const Equivalent at = equivalent(element, amplitude);
+  return curve.kind == CurveKind::energy ? std::vector{at.energy} : std::vector{at.stiffness, at.damping};
 }
 
-double series_derivative(SeriesDerivative& derivative, const Curve& curve, std::size_t row, std::size_t parameter) {
-  const double u = curve.u[row % curve.u.size()];
-  if (curve.kind == CurveKind::energy) return derivative.energy(parameter, u);
-  return row < curve.value.size() ? derivative.stiffness(parameter, u) : damping_of(derivative.energy(parameter, u), u);
+/// Their derivatives, E being πu²d_e.
+std::vector<std::vector<double>> series_derivatives(const Element& element, const Curve& curve, double amplitude) {
+  EquivalentDerivative at = equivalent_derivative(element, amplitude);
+  if (curve.kind == CurveKind::equivalent) return {std::move(at.stiffness), std::move(at.damping)};
+  for (double& each : at.damping) each *= std::numbers::pi * amplitude * amplitude;
+  return {std::move(at.damping)};
 }
 
 void require(bool holds, const Curve& curve, const char* what) {
@@ -129,7 +89,11 @@ void validate(const Curve& curve) {
 std::vector<double> predicted(const Element& element, const Curve& curve) {
   std::vector<double> out(curve.rows());
   if (is_series(curve)) {
-    for (std::size_t row = 0; row < out.size(); ++row) out[row] = series_value(element, curve, row);
+    const std::size_t amplitudes = curve.u.size();
+    for (std::size_t i = 0; i < amplitudes; ++i) {
+      const std::vector<double> values = series_values(element, curve, curve.u[i]);
+      for (std::size_t k = 0; k < values.size(); ++k) out[i + k * amplitudes] = values[k];
+    }
     return out;
   }
   const double amplitude = curve.largest_displacement(), end = element.response(amplitude).force;
@@ -144,8 +108,11 @@ std::vector<double> predicted_derivative(const Element& element, const Curve& cu
   const std::size_t parameters = element.parameters().size();
   std::vector<double> out(curve.rows() * parameters);
   if (is_series(curve)) {
-    SeriesDerivative derivative(element);
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = series_derivative(derivative, curve, i / parameters, i % parameters);
+    const std::size_t amplitudes = curve.u.size();
+    for (std::size_t i = 0; i < amplitudes; ++i) {
+      const auto rows = series_derivatives(element, curve, curve.u[i]);
+      for (std::size_t k = 0; k < rows.size(); ++k) std::ranges::copy(rows[k], out.begin() + static_cast<std::ptrdiff_t>((i + k * amplitudes) * parameters));
+    }
     return out;
   }
   const double amplitude = curve.largest_displacement();

@@ -49,8 +49,8 @@ void validate(const Curve& curve);
 /// What `element` gives for the rows of the curve. Displacements of a loop beyond its reversals are taken at them.
 std::vector<double> predicted(const Element& element, const Curve& curve);
 
-/// ∂predicted/∂p, row-major [rows, parameters]. Loading curves and loops by the element's derivative, energies by
-/// ∂E/∂p = 8∫∂T/∂p du − 4u ∂T/∂p, equivalents by (2/π)∫…: quadrature split at the element's kinks.
+/// ∂predicted/∂p, row-major [rows, parameters]. Loading curves and loops by the element's derivative, series by
+/// equivalent_derivative().
 std::vector<double> predicted_derivative(const Element& element, const Curve& curve);
 
 }  // namespace jointid::friction

@@ -128,7 +128,7 @@ double slip_displacement(const friction::Element& element, double h, double most
 }
 
 /// What is drawn over amplitude.
-using Quantity = double (*)(const EquivalentRow&);
+using Quantity = double (*)(const friction::Equivalent&);
 
 CurvePlot over_amplitude(const LoadingCurveReport& report, std::size_t number, const std::string& title, const std::string& unit, Quantity quantity) {
   CurvePlot plot;
@@ -139,7 +139,7 @@ CurvePlot over_amplitude(const LoadingCurveReport& report, std::size_t number, c
     plot.x = {"amplitude (" + curve.curve.displacement_unit + ")", true};
     Values y;
     plot.x_values.clear();
-    for (const EquivalentRow& row : equivalents(curve, 80)) {
+    for (const friction::Equivalent& row : equivalents(curve, 80)) {
       plot.x_values.push_back(row.amplitude);
       y.push_back(quantity(row));
     }
@@ -189,9 +189,9 @@ PlotGroup equivalents_plots(const LoadingCurveReport& report) {
     const Curve& curve = report.data.curves[number];
     const std::string unit = " (" + curve.force_unit + "/" + curve.displacement_unit + ")";
     group.choices.push_back({report.data.loops ? "all loops" : curve.name,
-                             {over_amplitude(report, number, "Equivalent stiffness", "k_e" + unit, [](const EquivalentRow& row) { return row.stiffness; }),
-                              over_amplitude(report, number, "Equivalent damping", "d_e" + unit, [](const EquivalentRow& row) { return row.damping; }),
-                              over_amplitude(report, number, "Energy per cycle", "energy (J)", [](const EquivalentRow& row) { return row.energy; })}});
+                             {over_amplitude(report, number, "Equivalent stiffness", "k_e" + unit, [](const friction::Equivalent& row) { return row.stiffness; }),
+                              over_amplitude(report, number, "Equivalent damping", "d_e" + unit, [](const friction::Equivalent& row) { return row.damping; }),
+                              over_amplitude(report, number, "Energy per cycle", "energy (J)", [](const friction::Equivalent& row) { return row.energy; })}});
   }
   return group;
 }
