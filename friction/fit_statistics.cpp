@@ -56,6 +56,8 @@ double FitStatistics::correlation(std::size_t i, std::size_t j) const {
 
 FittedValue FitStatistics::describe(const Parameter& parameter, const Eigen::RowVectorXd& gradient) const {
   FittedValue out{parameter.name, parameter.unit, parameter.value, std_error(gradient), std::nullopt, Knowledge::undetermined};
+  constexpr double rounding = 1e-12;
+  if (gradient.norm() <= rounding * std::abs(parameter.value)) return {parameter.name, parameter.unit, parameter.value, {}, {}, Knowledge::preset};
   if (!out.std_error) return out;
   const ParameterScale scale(parameter);
   const double q = scale.free(parameter.value), half = quantile_ * *out.std_error / scale.slope(q);

@@ -25,7 +25,7 @@ class FitStatistics {
   std::optional<double> std_error(const Eigen::RowVectorXd& gradient) const;
 
   /// The value with standard error and interval on the scale of `parameter`'s bounds, and whether the data determine it: t·s.e.
-  /// less than the distance of the value from its bounds.
+  /// less than the distance of the value from its bounds. A value that does not change with the unknowns is preset.
   FittedValue describe(const Parameter& parameter, const Eigen::RowVectorXd& gradient) const;
 
  private:

@@ -139,6 +139,9 @@ TEST(Fit, APresetLimitIsKeptAndTakesOneUnknownAway) {
     ASSERT_TRUE(each.std_error);
     EXPECT_LT(*each.std_error, *value(free, each.name).std_error) << each.name;
   }
+  const Fit shoukry = fit_one(curve, "shoukry", {.limit = element->limit()});
+  EXPECT_EQ(value(shoukry, "a").knowledge, Knowledge::preset);
+  EXPECT_EQ(value(shoukry, "b").knowledge, Knowledge::determined);
   EXPECT_THROW(fit_one(curve, "spring", {.limit = 1.0}), std::invalid_argument);
   EXPECT_THROW(fit_one(curve, "ren", {.limit = -1.0}), std::invalid_argument);
 }
