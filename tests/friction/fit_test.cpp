@@ -51,7 +51,7 @@ TEST(Fit, ExactCurvesGiveTheirParametersBack) {
     const auto element = make_element(each.law, each.values);
     const Fit found = fit_one(loading(*element, 6e-7, 60, 0.0, 1), each.law);
     EXPECT_EQ(found.status, FitStatus::usable) << found.message;
-    EXPECT_LT(found.objective, 1e-18) << each.law;
+    EXPECT_LT(found.objective, 1e-16) << each.law;
     for (std::size_t i = 0; i < each.values.size(); ++i) {
       EXPECT_NEAR(found.curves[0].parameters[i].value / each.values[i], 1.0, 1e-7) << each.law << i;
     }
