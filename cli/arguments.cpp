@@ -201,6 +201,9 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   add_plan(app, chosen);
   add_study(app, chosen);
   add_compare(app, chosen);
+  auto [loading_curve, loading_curve_arguments] =
+      add_command<LoadingCurveArguments>(app, chosen, "loading-curve", "Find the law of a friction joint from measured curves");
+  declare(*loading_curve, *loading_curve_arguments);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);

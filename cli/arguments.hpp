@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/exit_code.hpp"
+#include "cli/loading_curve_arguments.hpp"
 #include "frf/frf_source.hpp"
 #include "problems/problem.hpp"
 
@@ -69,7 +70,7 @@ struct CompareArguments {
 };
 
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
-                               SolveArguments, PlanArguments, StudyArguments, CompareArguments>;
+                               SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

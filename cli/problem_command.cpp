@@ -1,18 +1,25 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/table.hpp"
+#include "problems/loading_curves.hpp"
 
 namespace jointid::cli {
 
 ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   Table table({{"name", Align::left}, {"what", Align::left}});
   for (const auto& problem : problems::list()) table.add({problem.name, problem.description});
+  for (const auto& curve : problems::loading_curves()) table.add({curve.name, curve.description});
   out << table.text(0);
   return ExitCode::done;
 }
 
 ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   catch_interrupts();  // a file that is being written is finished
+  if (const auto* curve = problems::find_loading_curve(arguments.name)) {
+    const auto file = problems::write(*curve, arguments.directory, arguments.options);
+    out << "wrote " << file.string() << "\nnext: jointid loading-curve " << file.string() << ' ' << problems::fit_options(*curve) << '\n';
+    return ExitCode::done;
+  }
   const auto problem = problems::make(arguments.name);
   const auto scene = problems::write(problem, arguments.directory, arguments.options);
   out << "wrote " << scene.string() << "\nnext: jointid solve " << scene.string() << '\n';

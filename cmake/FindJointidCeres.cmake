@@ -13,7 +13,8 @@ find_package_handle_standard_args(JointidCeres REQUIRED_VARS JointidCeres_INCLUD
   JointidCeres_glog JointidCeres_cxsparse JointidCeres_lapack JointidCeres_blas Threads_FOUND)
 if(JointidCeres_FOUND AND NOT TARGET jointid::ceres)
   list(POP_FRONT _libs _ceres)
-  add_library(jointid::ceres INTERFACE IMPORTED)
+  add_library(jointid::ceres STATIC IMPORTED) # so that what it needs is linked after it
+  set_target_properties(jointid::ceres PROPERTIES IMPORTED_LOCATION "${_ceres}")
   target_include_directories(jointid::ceres SYSTEM INTERFACE "${JointidCeres_INCLUDE_DIR}")
-  target_link_libraries(jointid::ceres INTERFACE "${_ceres}" jointid::suitesparse ${_libs} Threads::Threads)
+  target_link_libraries(jointid::ceres INTERFACE jointid::suitesparse ${_libs} Threads::Threads)
 endif()

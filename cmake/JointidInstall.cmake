@@ -12,6 +12,11 @@ if(TARGET jointid::ceres)
   set(JOINTID_HAS_CERES ON)
 endif()
 
+set(JOINTID_HAS_NLOPT OFF)
+if(TARGET jointid::nlopt)
+  set(JOINTID_HAS_NLOPT ON)
+endif()
+
 set(JOINTID_HAS_MPI OFF)
 if(TARGET MPI::MPI_C)
   set(JOINTID_HAS_MPI ON)
@@ -24,6 +29,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/jointid-config.cmake"
   "${PROJECT_BINARY_DIR}/jointid-config-version.cmake"
   cmake/FindJointidCeres.cmake
+  cmake/FindJointidNlopt.cmake
   cmake/FindJointidSuiteSparse.cmake
   DESTINATION "${_destination}")
 install(FILES LICENSE docs/licences.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -69,6 +69,12 @@ std::string shown(std::string_view head) {
   return bytes;
 }
 
+std::optional<FileFormat> binary_format(const std::filesystem::path& path, std::string_view head) {
+  if (is_hdf5(head)) return has_format_attribute(path) ? FileFormat::jointid_hdf5 : FileFormat::matlab_v73;
+  if (head.starts_with(matlab_v5_text)) return FileFormat::matlab_v5;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string name(FileFormat format) {
@@ -78,12 +84,15 @@ std::string name(FileFormat format) {
 
 FileFormat detect_format(const std::filesystem::path& path) {
   const std::string head = read_head(path);
-  if (is_hdf5(head)) return has_format_attribute(path) ? FileFormat::jointid_hdf5 : FileFormat::matlab_v73;
-  if (head.starts_with(matlab_v5_text)) return FileFormat::matlab_v5;
+  if (const auto binary = binary_format(path, head)) return *binary;
   if (looks_like_uff(head)) return FileFormat::uff;
   if (looks_like_csv(head)) return FileFormat::csv;
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
        "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3 or CSV");
+}
+
+std::optional<FileFormat> detect_binary_format(const std::filesystem::path& path) {
+  return binary_format(path, read_head(path));
 }
 
 }  // namespace jointid::frf

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace jointid::frf {
@@ -13,5 +14,8 @@ std::string name(FileFormat format);
 
 /// Recognises a file by its first bytes. Throws InputError naming what was found when it is none of them.
 FileFormat detect_format(const std::filesystem::path& path);
+
+/// The same of files that are not text, HDF5 or MATLAB; nothing for any other that can be read.
+std::optional<FileFormat> detect_binary_format(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

@@ -17,17 +17,20 @@ struct Symbol {
 constexpr double standard_gravity = 9.80665;  // m/s², exact by definition
 constexpr double pound_force = 4.4482216152605;
 
-constexpr std::array<Symbol, 21> symbols = {{{"m", {1.0, 1, 0, 0}},
+constexpr std::array<Symbol, 24> symbols = {{{"m", {1.0, 1, 0, 0}},
                                              {"cm", {1e-2, 1, 0, 0}},
                                              {"mm", {1e-3, 1, 0, 0}},
                                              {"um", {1e-6, 1, 0, 0}},
                                              {"\xB5m", {1e-6, 1, 0, 0}},
+                                             {"nm", {1e-9, 1, 0, 0}},
                                              {"in", {0.0254, 1, 0, 0}},
                                              {"ft", {0.3048, 1, 0, 0}},
                                              {"s", {1.0, 0, 1, 0}},
                                              {"ms", {1e-3, 0, 1, 0}},
                                              {"N", {1.0, 0, 0, 1}},
                                              {"mN", {1e-3, 0, 0, 1}},
+                                             {"uN", {1e-6, 0, 0, 1}},
+                                             {"\xB5N", {1e-6, 0, 0, 1}},
                                              {"kN", {1e3, 0, 0, 1}},
                                              {"MN", {1e6, 0, 0, 1}},
                                              {"lbf", {pound_force, 0, 0, 1}},

@@ -26,7 +26,7 @@ struct Unit {
   }
 };
 
-/// Parses a unit label. Symbols: m cm mm um µm in ft, s ms, N mN kN MN lbf kgf, g (9.80665 m/s²), rad mrad
+/// Parses a unit label. Symbols: m cm mm um µm nm in ft, s ms, N mN uN µN kN MN lbf kgf, g (9.80665 m/s²), rad mrad
 /// deg, Nm, 1; between them * · blank or /, from left to right, and parentheses; powers as ^2 ^-2 **2 ² ³ or
 /// a digit (s2). Empty when any of it is something else, so that a label is used only when all of it is
 /// understood.

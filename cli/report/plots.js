@@ -32,7 +32,10 @@ function curves(plot) {
   return {
     data: [plot.values, ...plot.series.map((series) => series.y)],
     series: plot.series.map((series) => curveSeries(series, series.style === "reference" ? 0 : next++, plot.period)),
-    range: plot.period ? { y: [-plot.period / 2, plot.period / 2] } : {},
+    range: {
+      x: plot.x.log && ((u, from, to) => [from, to]),  // the library would widen it to whole decades
+      y: plot.period && [-plot.period / 2, plot.period / 2],
+    },
     drag: { x: true, y: false }, x: plot.x, y: plot.y,
   };
 }

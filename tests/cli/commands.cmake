@@ -66,3 +66,40 @@ command_test(compare_nothing CODE 2 ERR "--reproduce" ARGS compare)
 command_test(compare_weighting CODE 2 ERR "--weightings: 'WX'" AFTER study_data ARGS compare a1/A1.toml --weightings WX)
 command_test(compare_solver CODE 2 ERR "solver" AFTER study_data ARGS compare a1/A1.toml --trials 2 --solvers magic)
 command_test(compare_impossible CODE 2 ERR "nn" AFTER study_data ARGS compare a1/A1.toml --methods two --equations nn)
+
+command_test(curve_write CODE 0 OUT "next: jointid loading-curve curve/table2.1-1.csv --law ren" MAKES curve
+  ARGS problem write table2.1-1 curve)
+command_test(curve_write_ring CODE 0 OUT "--law ren --ring 0.0255,0.038" MAKES ring_curve ARGS problem write table2.4-1 ring_curve)
+command_test(loading_curve CODE 0 OUT "best by AIC: ren.*friction limit +10[67].*equivalent stiffness" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv)
+command_test(loading_curve_json CODE 0 OUT "^{\n  \"status\": \"ok\".*\"best_law\": \"ren\"" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --law ren,shoukry --json -)
+command_test(loading_curve_csv CODE 0 OUT "ren,table2.1-1,friction limit," AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --law ren --normal-load 490 --csv -)
+command_test(loading_curve_preset CODE 0 OUT "friction limit +150 .*preset" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --law ren --limit 150)
+command_test(loading_curve_pattern CODE 0 OUT "\"minimiser\": \"pattern\"" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --law shoukry --minimiser pattern --json -)
+command_test(loading_curve_ring CODE 0 OUT "k +[0-9.e+]+ +N/m.3" AFTER ring_curve
+  ARGS loading-curve ring_curve/table2.4-1.csv --law ren --ring 0.0255,0.038)
+command_test(loading_curve_report CODE 0 OUT "best by AIC" AFTER curve MAKES loading_curve_reported
+  ARGS loading-curve curve/table2.1-1.csv --report loading_curve.html)
+command_test(loading_curve_law CODE 2 ERR "--law: 'renn' is no law.*did you mean ren" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --law renn)
+command_test(loading_curve_no_file CODE 2 ERR "FILES" ARGS loading-curve)
+command_test(loading_curve_absent CODE 3 ERR "absent.csv: there is no such file" ARGS loading-curve absent.csv)
+command_test(loading_curve_column CODE 3 ERR "no column 'G'.*displacement, force" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --force G)
+command_test(loading_curve_unit CODE 2 ERR "--unit: 'kg' is no unit" AFTER curve ARGS loading-curve curve/table2.1-1.csv --unit kg)
+command_test(loading_curve_loops CODE 3 ERR "no whole cycle" AFTER curve ARGS loading-curve curve/table2.1-1.csv --kind loops)
+command_test(loading_curve_loads CODE 2 ERR "--normal-load: 2 loads for 1 files" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --normal-load 1,2)
+command_test(loading_curve_over_input CODE 2 ERR "would replace curve/table2.1-1.csv" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --json curve/table2.1-1.csv)
+command_test(loading_curve_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER curve
+  ARGS loading-curve curve/table2.1-1.csv --report absent/a.html)
+if(EXISTS "${JOINTID_EXTERNAL_DATA}/friction-loops/test_data_2.txt")
+  set(_loops "${JOINTID_EXTERNAL_DATA}/friction-loops/test_data_2.txt")
+  command_test(loading_curve_measured CODE 0 OUT "49 loops.*best by AIC: ren.*bilinear +39[0-9.]+ +40[0-9.]+ " MAKES measured_reported
+    ARGS loading-curve "${_loops}" --law ren,bilinear --weighting travel --report measured.html)
+endif()

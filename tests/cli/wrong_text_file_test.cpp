@@ -50,5 +50,28 @@ const Wrong csv_files[] = {
 };
 INSTANTIATE_TEST_SUITE_P(Csv, WrongInput, testing::ValuesIn(csv_files), name_of);
 
+/// A folder with a loading curve of this text, curve.csv.
+Spoil curve(const std::string& text) {
+  return [text](const auto& folder) { folder.write("curve.csv", text); };
+}
+
+const std::vector<std::string> fit_curve = {"loading-curve", "curve.csv"};
+
+const Wrong curve_files[] = {
+    {"Absent", {}, {"loading-curve", "absent.csv"}, 3, {"absent.csv: ", "no such file", "check its path"}},
+    {"OtherColumns", {}, {"loading-curve", "a.csv"}, 3, {"a.csv: ", "no column is named as a displacement", "--displacement", "frequency_hz"}},
+    {"CellMissing", curve("u,F\n1,2\n3\n"), fit_curve, 3, {"curve.csv: line 3: ", "1 cells", "2", "every line the same cells"}},
+    {"NoNumber", curve("u,F\n1,2\n3,x\n"), fit_curve, 3, {"curve.csv: line 3, column 2: ", "'x' is not a number", "begin lines"}},
+    {"Binary", curve(std::string("\1\0\2", 3)), fit_curve, 3, {"curve.csv: ", "no text, MATLAB or HDF5 file", "export"}},
+    {"OnlyComments", curve("# nothing\n"), fit_curve, 3, {"curve.csv: ", "holds no numbers", "give columns"}},
+    {"NothingFinite", curve("u,F\nnan,2\n"), fit_curve, 3, {"curve.csv: ", "there are no samples", "check the columns"}},
+    {"UnitOfTheHeader", curve("u [kg],F\n1,2\n"), fit_curve, 3, {"curve.csv: column u: ", "'kg' is no unit of it", "--unit"}},
+    {"TimeTurnsBack", curve("t,v,F\n1,1,1\n0,1,1\n"), {"loading-curve", "curve.csv", "--velocity"}, 3,
+     {"curve.csv: ", "time does not increase at sample 2", "check the columns"}},
+    {"SpecimenWithoutForce", curve("u,F\n1,2\n2,2\n"), {"loading-curve", "curve.csv", "--specimen", "curve.csv"}, 3,
+     {"curve.csv: ", "the specimen's forces do not increase", "check the columns"}},
+};
+INSTANTIATE_TEST_SUITE_P(LoadingCurve, WrongInput, testing::ValuesIn(curve_files), name_of);
+
 }  // namespace
 }  // namespace jointid::cli

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "file_fixture.hpp"
+#include "frf/columns.hpp"
 #include "frf/mat_file.hpp"
 
 namespace jointid::frf {
@@ -69,6 +70,19 @@ class MatV5File : public FileTest {
     return options;
   }
 };
+
+TEST_F(MatV5File, RealVectorsAreColumns) {
+  make([](Maker& maker) {
+    maker.reals("u", {1, 3}, {1.0, 2.0, 3.0});
+    maker.counting("frf", {3, 1});
+    maker.reals("F", {3, 2}, {4.0, 5.0, 6.0, 7.0, 8.0, 9.0});
+  });
+  const Columns read = read_columns(path("a.mat"));
+  ASSERT_EQ(read.columns.size(), 3u);
+  EXPECT_THAT(read.column("u").values, testing::ElementsAre(1.0, 2.0, 3.0));
+  EXPECT_THAT(read.column("F(1)").values, testing::ElementsAre(4.0, 5.0, 6.0));
+  EXPECT_THAT(read.column("F(2)").values, testing::ElementsAre(7.0, 8.0, 9.0));
+}
 
 TEST_F(MatV5File, RoundTripsEveryQuantityAndNoiseRecord) {
   std::mt19937 random(21);

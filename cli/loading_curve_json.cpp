@@ -1,0 +1,158 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/loading_curve_report.hpp"
+#include "cli/table.hpp"
+#include "friction/loops.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using friction::CurveFit;
+using friction::Fit;
+using friction::FittedValue;
+
+Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+Json fitted(const FittedValue& each) {
+  return {{"name", each.name},
+          {"value", value(each.value)},
+          {"unit", each.unit},
+          {"std_error", each.std_error ? value(*each.std_error) : Json(nullptr)},
+          {"ci95", each.ci95 ? Json::array({value((*each.ci95)[0]), value((*each.ci95)[1])}) : Json(nullptr)},
+          {"knowledge", friction::name(each.knowledge)}};
+}
+
+Json parameters(const CurveFit& curve) {
+  Json all = Json::array();
+  for (const FittedValue& each : curve.parameters) all.push_back(fitted(each));
+  return all;
+}
+
+Json curve_fit(const CurveFit& curve) {
+  Json out = {{"curve", curve.curve.name},
+              {"parameters", parameters(curve)},
+              {"initial_stiffness", fitted(curve.stiffness)},
+              {"friction_limit", fitted(curve.limit)},
+              {"mu", curve.friction_coefficient ? fitted(*curve.friction_coefficient) : Json(nullptr)},
+              {"shows_slip", curve.shows_slip},
+              {"slipped_share", value(curve.slipped_share)},
+              {"objective", value(curve.objective)}};
+  if (curve.curve.kind == friction::CurveKind::loop) out["energy_error"] = value(energy_error(curve));
+  return out;
+}
+
+Json equivalent(const CurveFit& curve) {
+  Json rows = Json::array();
+  for (const friction::Equivalent& row : equivalents(curve, 40)) {
+    rows.push_back({{"amplitude", row.amplitude}, {"stiffness", value(row.stiffness)}, {"damping", value(row.damping)}, {"energy", value(row.energy)}});
+  }
+  return rows;
+}
+
+Json matrix(const std::vector<std::vector<double>>& rows) {
+  Json all = Json::array();
+  for (const auto& row : rows) {
+    Json& line = all.emplace_back(Json::array());
+    for (const double each : row) line.push_back(value(each));
+  }
+  return all;
+}
+
+Json fit_json(const LoadingCurveReport& report, const Fit& fit) {
+  Json out = {{"law", fit.law},
+              {"title", fit.title},
+              {"status", friction::name(fit.status)},
+              {"message", fit.message},
+              {"minimiser", fit.minimiser},
+              {"iterations", fit.iterations},
+              {"rows", fit.rows},
+              {"unknowns", fit.names},
+              {"aic", value(fit.aic)},
+              {"aic_above_best", value(fit.aic - report.fits.front().aic)},
+              {"objective", value(fit.objective)},
+              {"residual_std", value(fit.residual_std)},
+              {"neighbour_correlation", value(fit.neighbour_correlation)},
+              {"correlation", matrix(fit.correlation)},
+              {"findings", fit.findings}};
+  out["curves"] = Json::array();
+  for (const CurveFit* each : different(report, fit)) {
+    out["curves"].push_back(curve_fit(*each));
+    out["curves"].back()["equivalent"] = equivalent(*each);
+  }
+  return out;
+}
+
+Json curve_json(const friction::Curve& curve) {
+  Json out = {{"name", curve.name}, {"samples", curve.u.size()}, {"largest_displacement", curve.largest_displacement()}};
+  if (curve.kind == friction::CurveKind::loop) out["energy"] = friction::Loop{{curve.u, curve.value}, curve.turn}.energy();
+  if (curve.normal_load) out["normal_load"] = *curve.normal_load;
+  return out;
+}
+
+std::vector<std::string> csv_row(const Fit& fit, const CurveFit& curve, const FittedValue& each) {
+  const auto digits = [](double number) { return std::isfinite(number) ? Json(number).dump() : std::string(); };
+  return {fit.law,
+          curve.curve.name,
+          each.name,
+          digits(each.value),
+          each.unit,
+          each.std_error ? digits(*each.std_error) : "",
+          each.ci95 ? digits((*each.ci95)[0]) : "",
+          each.ci95 ? digits((*each.ci95)[1]) : "",
+          friction::name(each.knowledge),
+          digits(fit.aic),
+          friction::name(fit.status)};
+}
+
+void add_rows(const Fit& fit, const CurveFit& curve, std::string& text) {
+  std::vector<FittedValue> all = curve.parameters;
+  all.push_back(curve.stiffness);
+  all.push_back(curve.limit);
+  if (curve.friction_coefficient) all.push_back(*curve.friction_coefficient);
+  for (const FittedValue& each : all) text += csv_line(csv_row(fit, curve, each));
+}
+
+}  // namespace
+
+std::string loading_curve_json(const LoadingCurveReport& report) {
+  const Fit& best = report.fits.front();
+  Json json = {{"status", friction::name(best.status)}, {"message", best.message}, {"best_law", best.law}, {"notes", report.data.notes}};
+  json["curves"] = Json::array();
+  for (const friction::Curve& curve : report.data.curves) json["curves"].push_back(curve_json(curve));
+  json["fits"] = Json::array();
+  for (const Fit& fit : report.fits) json["fits"].push_back(fit_json(report, fit));
+  if (!report.of_loops.empty()) {
+    json["loops"] = Json::array();
+    for (const auto& fits : report.of_loops) {
+      for (const Fit& fit : fits) {
+        if (fit.curves.empty()) continue;
+        Json& loop = json["loops"].emplace_back(curve_fit(fit.curves[0]));
+        loop["law"] = fit.law;
+        loop["aic"] = value(fit.aic);
+        loop["status"] = friction::name(fit.status);
+      }
+    }
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string loading_curve_csv(const LoadingCurveReport& report) {
+  std::string text = csv_line({"law", "curve", "name", "value", "unit", "std_error", "ci95_low", "ci95_high", "knowledge", "aic", "status"});
+  for (const Fit& fit : report.fits) {
+    for (const CurveFit* curve : different(report, fit)) {
+      CurveFit named = *curve;
+      if (report.data.loops && fit.curves.size() > 1) named.curve.name = "all loops";
+      add_rows(fit, named, text);
+    }
+  }
+  for (const auto& fits : report.of_loops) {
+    for (const Fit& fit : fits) {
+      for (const CurveFit& curve : fit.curves) add_rows(fit, curve, text);
+    }
+  }
+  return text;
+}
+
+}  // namespace jointid::cli

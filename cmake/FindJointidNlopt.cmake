@@ -1,0 +1,12 @@
+# Defines jointid::nlopt: the C++ interface (its own package and library on Debian; NLopt's CMake config gives the C one).
+find_package(PkgConfig QUIET)
+pkg_check_modules(PC_NLOPT QUIET nlopt)
+find_path(JointidNlopt_INCLUDE_DIR nlopt.hpp HINTS ${PC_NLOPT_INCLUDE_DIRS})
+find_library(JointidNlopt_LIBRARY NAMES nlopt_cxx HINTS ${PC_NLOPT_LIBRARY_DIRS})
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(JointidNlopt REQUIRED_VARS JointidNlopt_LIBRARY JointidNlopt_INCLUDE_DIR)
+if(JointidNlopt_FOUND AND NOT TARGET jointid::nlopt)
+  add_library(jointid::nlopt INTERFACE IMPORTED)
+  target_include_directories(jointid::nlopt SYSTEM INTERFACE "${JointidNlopt_INCLUDE_DIR}")
+  target_link_libraries(jointid::nlopt INTERFACE "${JointidNlopt_LIBRARY}")
+endif()

@@ -1,0 +1,95 @@
+#include "frf/columns.hpp"
+
+#include <gmock/gmock.h>
+#include <hdf5.h>
+
+#include <cmath>
+
+#include "file_fixture.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ColumnsFile : public FileTest {
+ protected:
+  std::string error(const std::string& text) const {
+    return message_of([&] { read_columns(write_file("a.csv", text)); });
+  }
+};
+
+std::vector<std::string> names(const Columns& columns) {
+  std::vector<std::string> out;
+  for (const NumberColumn& column : columns.columns) out.push_back(column.name);
+  return out;
+}
+
+TEST_F(ColumnsFile, HeaderWithUnitsAndTabs) {
+  const Columns read = read_columns(write_file("a.txt", "Time [s]\tPosition (mm)\tF\n0\t-1.5\t2e3\r\n0.5\t\t+7\n"));
+  EXPECT_THAT(names(read), ElementsAre("Time", "Position", "F"));
+  EXPECT_EQ(read.columns[1].unit, "mm");
+  EXPECT_EQ(read.columns[2].unit, "");
+  EXPECT_THAT(read.column("time").values, ElementsAre(0.0, 0.5));
+  EXPECT_THAT(read.column("3").values, ElementsAre(2000.0, 7.0));
+  EXPECT_TRUE(std::isnan(read.column("Position").values[1]));
+}
+
+TEST_F(ColumnsFile, AnEmptyLastCellBetweenTabsIsNoNumber) {
+  const Columns read = read_columns(write_file("a.txt", "a\tb\n1\t2\n3\t\n"));
+  EXPECT_TRUE(std::isnan(read.columns[1].values[1]));
+}
+
+TEST_F(ColumnsFile, BlanksCommasSemicolonsAndNoHeader) {
+  for (const char* text : {"# rig\n  1.5   2\n 3 -4.25e0\n", "1.5,2\n3,-4.25\n", "1,5;2\n3;-4,25\n", "1.5\t2\n\n3\t-4.25\n"}) {
+    const Columns read = read_columns(write_file("a.csv", text));
+    EXPECT_THAT(names(read), ElementsAre("1", "2")) << text;
+    EXPECT_THAT(read.column("1").values, ElementsAre(1.5, 3.0)) << text;
+    EXPECT_THAT(read.column("2").values, ElementsAre(2.0, -4.25)) << text;
+  }
+}
+
+TEST_F(ColumnsFile, FindsAColumnByAWordOfItsName) {
+  const Columns read = read_columns(write_file("a.csv", "t,Normal_force,Rel. displacement\n1,2,3\n"));
+  EXPECT_EQ(read.find({"displacement", "position"})->name, "Rel. displacement");
+  EXPECT_EQ(read.find({"force"})->name, "Normal_force");
+  EXPECT_EQ(read.find({"force"}, {"normal"}), nullptr);
+  EXPECT_EQ(read.find({"velocity"}), nullptr);
+}
+
+TEST_F(ColumnsFile, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(error("u,F\n1,2\n3,x4\n"), AllOf(HasSubstr("a.csv: line 3, column 2"), HasSubstr("'x4' is not a number")));
+  EXPECT_THAT(error("u,F\n1,2\n3\n"), AllOf(HasSubstr("line 3"), HasSubstr("1 cells")));
+  EXPECT_THAT(error("# nothing\n"), HasSubstr("holds no numbers"));
+  EXPECT_THAT(error(std::string("\0\1\2 5", 5)), HasSubstr("no text, MATLAB or HDF5 file"));
+  const Columns read = read_columns(write_file("a.csv", "u,F\n1,2\n"));
+  EXPECT_THAT(message_of([&] { (void)read.column("G"); }), AllOf(HasSubstr("no column 'G'"), HasSubstr("u, F")));
+  EXPECT_THAT(message_of([&] { (void)read.column("3"); }), HasSubstr("no column '3'"));
+  EXPECT_THAT(message_of([&] { read_columns(path("absent.csv")); }), HasSubstr("no such file"));
+}
+
+/// A dataset of doubles in a new HDF5 file, dimensions as h5py shows them.
+void add_dataset(hid_t file, const char* name, std::vector<hsize_t> dims, const std::vector<double>& values) {
+  const hid_t space = H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr);
+  const hid_t dataset = H5Dcreate2(file, name, H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Dclose(dataset);
+  H5Sclose(space);
+}
+
+TEST_F(ColumnsFile, VectorsAndMatricesOfHdf5) {
+  const hid_t file = H5Fcreate(path("a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  add_dataset(file, "force", {3}, {1, 2, 3});
+  add_dataset(file, "long", {3, 2}, {1, 4, 2, 5, 3, 6});
+  add_dataset(file, "wide", {2, 3}, {1, 2, 3, 4, 5, 6});
+  H5Fclose(file);
+  const Columns read = read_columns(path("a.h5"));
+  EXPECT_THAT(names(read), ElementsAre("force", "long(1)", "long(2)", "wide(1)", "wide(2)"));
+  for (const char* name : {"force", "long(1)", "wide(1)"}) EXPECT_THAT(read.column(name).values, ElementsAre(1, 2, 3));
+  for (const char* name : {"long(2)", "wide(2)"}) EXPECT_THAT(read.column(name).values, ElementsAre(4, 5, 6));
+}
+
+}  // namespace
+}  // namespace jointid::frf
