@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "cli/couple_arguments.hpp"
 #include "cli/of_option.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
@@ -201,6 +202,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   add_plan(app, chosen);
   add_study(app, chosen);
   add_compare(app, chosen);
+  add_couple(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);

@@ -7,6 +7,9 @@ namespace jointid::ident {
 /// [data]; paths are resolved against `folder`.
 DataSection read_data(const SceneItem& item, const Path& folder);
 
+/// [data] of a coupling scene: `substructures` are its parts, and `names` gets their names as written.
+DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names);
+
 /// [frequency]
 FrequencySection read_frequency(const SceneItem& item);
 
