@@ -19,6 +19,8 @@ class Groups {
 
   bool grounded(Index coordinate) const { return root(coordinate) == ground_; }
   bool same(Index one, Index two) const { return root(one) == root(two); }
+  /// s of x_one = s·x_two for two that are the same.
+  double sign_between(Index one, Index two) const { return sign(one) * sign(two); }
 
  private:
   Index root(Index i) const;

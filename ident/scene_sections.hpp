@@ -17,6 +17,9 @@ FrequencySection read_frequency(const SceneItem& item);
 /// matrix's restriction. Pattern free without positions passes: the data files may have them.
 std::vector<restrictions::JointSpec> read_joints(const SceneTable& scene);
 
+/// couple_first of [joint] or all of [[joints]].
+std::vector<std::array<frf::Dof, 2>> read_couple_first(const SceneTable& scene);
+
 /// [identify]; `joints` are needed to check the start values.
 IdentifySection read_identify(const SceneItem& item, const std::vector<restrictions::JointSpec>& joints);
 
