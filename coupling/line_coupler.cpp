@@ -52,7 +52,7 @@ RealMatrix jump_variance(const MatrixRef& h, const LineVariance& variance, const
       if (column.second) out(p, q) += of(row.first, *column.second);
       if (row.second) out(p, q) += of(*row.second, column.first);
       if (row.second && column.second) out(p, q) += of(*row.second, *column.second);
-      const bool pair = p == q && row.second && h(row.first, *row.second) == h(*row.second, row.first);
+      const bool pair = p == q && row.second && is_one_measurement(h(row.first, *row.second), h(*row.second, row.first));
       if (pair) out(p, q) += 2.0 * of(row.first, *row.second);
     }
   }

@@ -25,9 +25,9 @@ struct Options {
   Threshold threshold = Threshold::none;
   double epsilon = 0.01;              ///< of `fixed`, 0 < epsilon < 1
   double alpha = 0.3;                 ///< of `alpha`, 0 < alpha < 2
-  std::vector<bool> left_out;         ///< conditions that are not met on any line; empty: none
+  std::vector<bool> left_out{};         ///< conditions that are not met on any line; empty: none
   bool uncertainty = false;           ///< variances of the result to first order
-  std::optional<frf::NoiseModel> noise;  ///< the law of variances where files have none; without its floor
+  std::optional<frf::NoiseModel> noise{};  ///< the law of variances where files have none; without its floor
   std::size_t threads = 0;            ///< 0: all cores. The result does not depend on it.
 };
 

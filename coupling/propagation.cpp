@@ -36,7 +36,7 @@ auto sandwich(const Left& left, const Values& v, const Right& right, const Wante
 }
 
 bool is_shared(const MatrixRef& h, Index k, Index l, Index back_k, Index back_l) {
-  return h(k, l) == h(back_k, back_l) && h(k, l) != Complex(0.0);
+  return is_one_measurement(h(k, l), h(back_k, back_l)) && h(k, l) != Complex(0.0);
 }
 
 /// Variances among the first b coordinates that (k,l) and (l,k) share; the diagonal is 0.

@@ -11,6 +11,10 @@ struct LineVariance {
   RealMatrix real, imaginary;
 };
 
+/// Whether an FRF and its transpose are one measurement: they differ by no more than 1e-12 of their size, which two measurements
+/// never do.
+inline bool is_one_measurement(Complex there, Complex back) { return std::abs(there - back) <= 1e-12 * std::abs(there); }
+
 /// The differential of coupling, δH_asm = L δH R (formulas §11): L = [I | 0] + …, where all but `own` entries of 1 stand in the
 /// columns (rows of R) of the coordinates that conditions or joints name, the first b.
 struct Sensitivity {
@@ -28,7 +32,7 @@ Sensitivity before(const Sensitivity& conditions, const MatrixRef& h, const std:
                    const Wanted& wanted);
 
 /// Variances of H_asm to first order for errors of H that are independent from entry to entry, except that FRFs there and back,
-/// (k,l) and (l,k), that are equal to the last bit have one error. `twin`: for each row of H behind b the column of the same
+/// (k,l) and (l,k), that are one measurement have one error. `twin`: for each row of H behind b the column of the same
 /// coordinate, or −1. How dropped singular vectors turn with H is left out. Costs O(rows·columns·b) per line, and b² per FRF
 /// when errors are shared.
 LineVariance propagate(const Sensitivity& sensitivity, const MatrixRef& h, const LineVariance& variance, const Wanted& wanted,

@@ -46,9 +46,9 @@ Structure assembled(const CouplingCase& definition) {
   std::vector<int> stands_for(100);
   for (std::size_t i = 0; i < stands_for.size(); ++i) stands_for[i] = static_cast<int>(i);
   for (const auto& [first, second] : definition.join) {
-    const int kept = stands_for[static_cast<std::size_t>(first)], gone = stands_for[static_cast<std::size_t>(second)];
+    const auto [kept, gone] = std::minmax(stands_for[static_cast<std::size_t>(first)], stands_for[static_cast<std::size_t>(second)]);
     result = tied(result, coordinate(kept), coordinate(gone));
-    std::ranges::replace(stands_for, gone, kept);
+    std::ranges::replace(stands_for, int{gone}, int{kept});
   }
   for (const int number : definition.ground) result = grounded(result, coordinate(stands_for[static_cast<std::size_t>(number)]));
   return result;

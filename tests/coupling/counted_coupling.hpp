@@ -51,9 +51,9 @@ inline CountedCoupling count_multiplications(const ComplexMatrix& h, Index pairs
   wanted.columns = wanted.rows;
   CountedCoupling out;
   Counted::multiplications = 0;
-  const CountedMatrix one = one_step<CountedMatrix>(counted, conditions, wanted, [](const CountedMatrix& s, const CountedMatrix& y) {
-    return CountedMatrix(gauss_jordan_inverse(s).lazyProduct(y));
-  });
+  const CountedMatrix x = column_jumps(counted, conditions, wanted.rows), y = row_jumps(counted, conditions, wanted.columns);
+  const CountedMatrix forces = gauss_jordan_inverse(jump_receptance(counted, conditions)).lazyProduct(y);
+  const CountedMatrix one = CountedMatrix(counted(wanted.rows, wanted.columns)) - CountedMatrix(x.lazyProduct(forces));
   out.grc = Counted::multiplications;
   MtcSteps<Counted> steps(counted);
   Counted::multiplications = 0;

@@ -25,7 +25,9 @@ TEST(OperationCount, MtcIsBelowGrcAsInFigureFivePointFour) {
       EXPECT_EQ(static_cast<Index>(count.mtc), steps);
       // (5.46) but for the inverse, which (D) counts as 2(m−i)(m+1) + m²; Gauss–Jordan without its zeros takes m³.
       EXPECT_EQ(static_cast<Index>(count.grc), m * n * (n - m) + m * m * m);
-      if (m > 1) EXPECT_LT(count.mtc, count.grc) << n << " coordinates, " << m << " pairs";
+      if (m > 1) {
+        EXPECT_LT(count.mtc, count.grc) << n << " coordinates, " << m << " pairs";
+      }
     }
   }
 }

@@ -27,7 +27,7 @@ class Couple : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   CoupleScene written(const std::string& name, bool clean) const {
-    return read_couple_scene(problems::write(problems::make_coupling(name), folder_, {.clean = clean}));
+    return read_couple_scene(problems::write(problems::make_coupling(name), folder_, {.format = "h5", .seed = 1, .clean = clean}));
   }
 
   fs::path folder_;
@@ -35,7 +35,9 @@ class Couple : public testing::Test {
 
 TEST_F(Couple, WritesTheFrfsOfTheAssembly) {
   const problems::CouplingProblem problem = problems::make_coupling("coupling-B");
-  const CoupleResult result = couple(written("coupling-B", true), folder_ / "out.h5", false, {.threads = 1});
+  Control control;
+  control.threads = 1;
+  const CoupleResult result = couple(written("coupling-B", true), folder_ / "out.h5", false, control);
   EXPECT_EQ(result.status, Status::ok);
   EXPECT_EQ(result.result.conditions, 5u);
   EXPECT_EQ(result.unusable_lines, 0u);
@@ -68,7 +70,7 @@ TEST_F(Couple, LinesThatCannotBeCoupledAreNaNAndTold) {
   problems::CouplingProblem problem = problems::make_coupling("coupling-A");
   frf::FrfSet& part = problem.parts[1];
   part.values[part.index(3, 0, 0)] = Complex(std::nan(""), std::nan(""));
-  const CoupleResult result = couple(read_couple_scene(problems::write(problem, folder_, {.clean = true})), folder_ / "out.h5", false);
+  const CoupleResult result = couple(read_couple_scene(problems::write(problem, folder_, {.format = "h5", .seed = 1, .clean = true})), folder_ / "out.h5", false);
   EXPECT_EQ(result.status, Status::ok);
   EXPECT_EQ(result.unusable_lines, 1u);
   EXPECT_THAT(result.message, HasSubstr("1 of 341 lines"));
@@ -88,7 +90,7 @@ TEST_F(Couple, AConditionThatFollowsFromTheStructureIsNotUsable) {
   }
   problem.scene = "[data]\nparts = [\"" + problem.parts[2].header.file + "\", \"" + problem.parts[0].header.file +
                   "\"]\n[couple]\nground = [\"6:+Y\", \"7:+Y\"]\njoin = [[\"1:+Y\", \"2:+Y\"]]\n";
-  const fs::path file = problems::write(problem, folder_, {.clean = true});
+  const fs::path file = problems::write(problem, folder_, {.format = "h5", .seed = 1, .clean = true});
   const CoupleResult result = couple(read_couple_scene(file), folder_ / "out.h5", false);
   EXPECT_EQ(result.status, Status::rank_deficient);
   EXPECT_EQ(result.unusable_lines, result.lines);
@@ -102,7 +104,9 @@ TEST_F(Couple, AConditionThatFollowsFromTheStructureIsNotUsable) {
 
 TEST_F(Couple, AnInterruptionLeavesNoFile) {
   const CoupleScene scene = written("coupling-A", true);
-  EXPECT_THROW(couple(scene, folder_ / "out.h5", false, {.interrupted = [] { return true; }}), Interrupted);
+  Control control;
+  control.interrupted = [] { return true; };
+  EXPECT_THROW(couple(scene, folder_ / "out.h5", false, control), Interrupted);
   EXPECT_FALSE(fs::exists(folder_ / "out.h5"));
 }
 
