@@ -32,6 +32,17 @@ inline CountedMatrix gauss_jordan_inverse(CountedMatrix a) {
   return inverse;
 }
 
+/// A·B without the multiplications by 1 that Eigen's products add.
+inline CountedMatrix product(const CountedMatrix& a, const CountedMatrix& b) {
+  CountedMatrix out = CountedMatrix::Constant(a.rows(), b.cols(), Counted(0.0));
+  for (Index i = 0; i < a.rows(); ++i) {
+    for (Index j = 0; j < b.cols(); ++j) {
+      for (Index k = 0; k < a.cols(); ++k) out(i, j) += a(i, k) * b(k, j);
+    }
+  }
+  return out;
+}
+
 /// Multiplications of coupling m pairs of n coordinates, pairs (0,m), (1,m+1), …, and the FRFs, which must be the same.
 struct CountedCoupling {
   std::size_t grc = 0;  ///< X S⁻¹ Xᵀ with an explicit inverse, the coupled coordinates once
@@ -52,8 +63,8 @@ inline CountedCoupling count_multiplications(const ComplexMatrix& h, Index pairs
   CountedCoupling out;
   Counted::multiplications = 0;
   const CountedMatrix x = column_jumps(counted, conditions, wanted.rows), y = row_jumps(counted, conditions, wanted.columns);
-  const CountedMatrix forces = gauss_jordan_inverse(jump_receptance(counted, conditions)).lazyProduct(y);
-  const CountedMatrix one = CountedMatrix(counted(wanted.rows, wanted.columns)) - CountedMatrix(x.lazyProduct(forces));
+  const CountedMatrix forces = product(gauss_jordan_inverse(jump_receptance(counted, conditions)), y);
+  const CountedMatrix one = CountedMatrix(counted(wanted.rows, wanted.columns)) - product(x, forces);
   out.grc = Counted::multiplications;
   MtcSteps<Counted> steps(counted);
   Counted::multiplications = 0;
