@@ -12,7 +12,13 @@ namespace jointid::coupling {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double singular = 4.0 * std::numeric_limits<double>::epsilon();  ///< 1/condition
+constexpr double singular = 16.0 * std::numeric_limits<double>::epsilon();  ///< 1/condition, per condition
+
+/// In the 1-norm. Eigen's estimate cannot be trusted where a pivot is 0.
+double reciprocal_condition(const Eigen::PartialPivLU<ComplexMatrix>& lu) {
+  if (lu.rows() == 0) return 1.0;
+  return lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0.0 ? lu.rcond() : 0.0;
+}
 
 Conditions met(const Conditions& all, const std::vector<bool>& left_out) {
   if (left_out.empty()) return all;
@@ -77,11 +83,11 @@ class Line {
     CoupledLine out;
     if (!measured()) return unusable(nan);
     const Eigen::PartialPivLU<ComplexMatrix> lu(s_);
-    const double reciprocal = conditions_.empty() ? 1.0 : lu.rcond();
+    const double reciprocal = reciprocal_condition(lu);
     out.record.condition = 1.0 / reciprocal;
     out.record.kept = conditions_.size();
     const bool may_drop = options_.threshold != Threshold::none;
-    if (!may_drop && !(reciprocal > singular)) return unusable(out.record.condition);
+    if (!may_drop && !(reciprocal > singular * static_cast<double>(conditions_.size()))) return unusable(out.record.condition);
     ComplexMatrix inverse;
     if (options_.threshold == Threshold::none || options_.threshold == Threshold::alpha) {
       run(out);

@@ -40,6 +40,7 @@ std::shared_ptr<frf::FrfSystem> couple_first(Scene& scene, std::shared_ptr<frf::
   }
   for (const frf::Dof& dof : scene.couple_first.hidden) assembly.hide.push_back({{}, dof});
   coupling::Options options;
+  options.threads = 1;  // studies run many at a time
   choose_uncertainty(scene, *substructures, options);
   notes.push_back("Coupled rigidly before the identification: " + text + ".");
   const std::string where = scene.file.string() + ": couple_first";
