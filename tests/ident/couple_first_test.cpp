@@ -5,6 +5,7 @@
 
 #include "frf/error.hpp"
 #include "ident/solve.hpp"
+#include "ident/trial_runner.hpp"
 #include "problems/in_memory.hpp"
 
 namespace jointid::ident {
@@ -84,21 +85,19 @@ TEST(CoupleFirst, SaysWhatIsWrong) {
   EXPECT_THAT(error_of(four + "couple_first = [[\"4:+RZ\", \"5:+RZ\"], [\"4:+RZ\", \"5:-RZ\"]]\n" + spring), HasSubstr("contradicts itself"));
 }
 
-/// Case G1 with noise on A and B before they are coupled.
+/// A case G with noise on A and B before they are coupled.
 struct CaseG {
-  problems::Problem problem = problems::make("G1");
-  Scene plain, coupled;
+  problems::Problem problem;
 
-  explicit CaseG(const std::string& extra = "") {
+  explicit CaseG(const std::string& name) : problem(problems::make(name)) {}
+
+  Scene scene(Method method, const std::string& line = "") const {
     std::string text = problem.scene;
-    plain = parse_scene(text, "G1.toml");
-    const std::string dofs = "[joint]\n";
-    text.insert(text.find(dofs) + dofs.size(), rotations);
-    coupled = parse_scene(text + extra, "G1.toml");
-    for (Scene* scene : {&plain, &coupled}) {
-      scene->identify.method = Method::likelihood;
-      scene->identify.weighting = weighting::Weighting::wb;
-    }
+    const std::string joint = "[joint]\n";
+    text.insert(text.find(joint) + joint.size(), line);
+    Scene out = parse_scene(text, "G.toml");
+    out.identify.method = method;
+    return out;
   }
 
   Solution solution(const Scene& scene, std::uint64_t seed) const {
@@ -106,11 +105,31 @@ struct CaseG {
   }
 };
 
+/// Of the first three unknowns, the translational spring's.
+double largest_error(const Solution& solution) {
+  constexpr std::array<double, 3> exact = {662400.0, -662400.0, 662400.0};
+  double worst = 0.0;
+  for (std::size_t i = 0; i < exact.size(); ++i) worst = std::max(worst, std::abs(solution.unknowns.at(i).value / exact[i] - 1.0));
+  return worst;
+}
+
+/// The line that the findings propose for [joint], or nothing.
+std::string proposed_line(const Solution& solution) {
+  for (const Finding& finding : solution.identifiability->findings) {
+    const std::size_t at = finding.text.find("couple_first = ");
+    if (finding.kind == FindingKind::stiff_joint && at != std::string::npos) {
+      return finding.text.substr(at, finding.text.rfind('.') - at) + "\n";
+    }
+  }
+  return "";
+}
+
 TEST(CoupleFirst, WithoutNoiseTheCoupledPartsAreTheTiedStructure) {
-  const CaseG g;
+  const CaseG g("G1");
   const problems::Problem tied = problems::make("G4");  // A and B with the rotations tied in their matrices
-  const auto plan = problems::plan(g.coupled, {g.problem.substructures, g.problem.assembly});
+  const auto plan = problems::plan(g.scene(Method::one, rotations), {g.problem.substructures, g.problem.assembly});
   const frf::FrfSet& expected = tied.substructures.front();
+  EXPECT_EQ(plan->substructures->responses().size(), expected.header.response.size());
   frf::BlockReader reader(*plan->substructures, expected.header.response, expected.header.reference);
   for (const std::size_t line : {std::size_t{0}, std::size_t{10}, std::size_t{20}}) {
     std::vector<Complex> values(expected.header.entries());
@@ -119,6 +138,34 @@ TEST(CoupleFirst, WithoutNoiseTheCoupledPartsAreTheTiedStructure) {
       const Complex exact = expected.values[line * values.size() + i];
       ASSERT_LT(std::abs(values[i] - exact), 1e-9 * std::abs(exact)) << line << " " << i;
     }
+  }
+}
+
+TEST(CoupleFirst, TheProposedLineFindsTheJointThatAStiffOneSpoils) {
+  const CaseG g("G6");
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    EXPECT_GT(largest_error(g.solution(g.scene(Method::one), seed)), 0.5) << "seed " << seed;
+    const std::string line = proposed_line(g.solution(g.scene(Method::likelihood), seed));
+    ASSERT_EQ(line, "couple_first = [[\"4:+RZ\", \"5:+RZ\"]]\n");
+    EXPECT_LT(largest_error(g.solution(g.scene(Method::one, line), seed)), 0.1) << "seed " << seed;
+    const Solution coupled = g.solution(g.scene(Method::likelihood, line), seed);
+    EXPECT_LT(largest_error(coupled), 0.03) << "seed " << seed;
+    EXPECT_EQ(coupled.unknowns.size(), 3u);
+    EXPECT_EQ(proposed_line(coupled), "");
+  }
+}
+
+TEST(CoupleFirst, StudiesCoupleTheNoisyParts) {
+  const CaseG g("G6");
+  const Scene scene = g.scene(Method::one, rotations);
+  const auto data = problems::trial_data(scene, g.problem);
+  EXPECT_EQ(data->base.substructures.size(), 2u);
+  TrialRunner runner(data);
+  const Trial trial = runner.run(1, 0);
+  const Solution direct = g.solution(scene, 1);
+  ASSERT_EQ(trial.values.size(), direct.unknowns.size());
+  for (std::size_t i = 0; i < trial.values.size(); ++i) {
+    EXPECT_NEAR(trial.values[i], direct.unknowns[i].value, 1e-9 * std::abs(direct.unknowns[i].value));
   }
 }
 
