@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace jointid::coupling {
 namespace {
 
-constexpr double smallest_gap = 2.0, largest_dependent = 0.3;
+constexpr double smallest_gap = 3.0, largest_dependent = 0.3;
 
 double quantile(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
@@ -30,19 +31,17 @@ Dependency describe(const std::string& name, std::vector<double> alphas) {
 
 struct Gap {
   double below = 0.0, above = 0.0;
-
-  double quotient() const { return below > 0.0 ? above / below : HUGE_VAL; }
 };
 
-Gap widest_gap(std::vector<double> medians) {
+/// The uppermost gap; nothing below when there is none.
+std::optional<Gap> uppermost_gap(std::vector<double> medians) {
   medians.push_back(1.0);
-  std::ranges::sort(medians);
-  Gap widest{1.0, 1.0};
+  std::ranges::sort(medians, std::ranges::greater());
   for (std::size_t i = 0; i + 1 < medians.size(); ++i) {
-    const Gap gap{medians[i], medians[i + 1]};
-    if (gap.below < largest_dependent && gap.quotient() > widest.quotient()) widest = gap;
+    const Gap gap{medians[i + 1], medians[i]};
+    if (gap.below < largest_dependent && smallest_gap * gap.below <= gap.above) return gap;
   }
-  return widest;
+  return std::nullopt;
 }
 
 std::string digits(double value) {
@@ -68,19 +67,19 @@ Dependencies find_dependencies(const std::vector<std::string>& conditions, const
     out.conditions.push_back(describe(conditions[p], std::move(alphas)));
     if (!std::isnan(out.conditions.back().median)) medians.push_back(out.conditions.back().median);
   }
-  const Gap gap = widest_gap(std::move(medians));
-  if (gap.quotient() < smallest_gap) {
+  const std::optional<Gap> gap = uppermost_gap(std::move(medians));
+  if (!gap) {
     out.reason = "No condition is left out: no alphas below 0.3 stand apart from the others.";
     return out;
   }
-  out.threshold = std::sqrt(std::max(gap.below, 1e-300) * gap.above);
+  out.threshold = std::sqrt(std::max(gap->below, 1e-300) * gap->above);
   std::size_t count = 0;
   for (Dependency& condition : out.conditions) {
-    condition.dependent = condition.median <= gap.below;
+    condition.dependent = condition.median <= gap->below;
     count += condition.dependent ? 1 : 0;
   }
   out.reason = std::to_string(count) + " of " + std::to_string(conditions.size()) + " conditions " + (count == 1 ? "is" : "are") +
-               " left out: the alphas have a gap between " + digits(gap.below) + " and " + digits(gap.above) +
+               " left out: the alphas have a gap between " + digits(gap->below) + " and " + digits(gap->above) +
                ", the others nearly imply what lies below.";
   return out;
 }

@@ -24,9 +24,9 @@ struct Dependencies {
 
 /// The conditions that those before them nearly imply (thesis §5.8.3, §5.9.3), from the alphas of mtc() on all lines. Alpha
 /// swings over the lines (it is large at antiresonances), so that its median counts, and it is relative: coordinates that move
-/// on their own have alphas of about 1, those that others hold have that of the noise. The medians, sorted, are parted at their
-/// widest gap (largest quotient, 1 counting as one of them); conditions below it are dependent if the quotient is at least 2
-/// and their medians are below 0.3. Lines without an alpha are left out.
+/// on their own have alphas of about 1, those that others hold have that of the noise. Sorted from
+/// above, with 1 counting as one of them, the medians are parted at the first that is below 0.3 and at most a third of the one
+/// before it; it and all below are dependent. Lines without an alpha are left out.
 Dependencies find_dependencies(const std::vector<std::string>& conditions, const std::vector<LineRecord>& lines);
 
 }  // namespace jointid::coupling

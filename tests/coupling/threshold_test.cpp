@@ -53,9 +53,10 @@ TEST(Truncation, PicardDropsWhereForcesGrow) {
 /// Alphas that are the same on all lines.
 std::vector<LineRecord> constant_alphas(const std::vector<double>& alphas) { return std::vector<LineRecord>(9, LineRecord{.alpha = alphas}); }
 
-TEST(Dependency, TheWidestGapPartsTheConditions) {
+TEST(Dependency, TheUppermostGapPartsTheConditions) {
   const Dependencies found = find_dependencies({"a", "b", "c", "d"}, constant_alphas({1.2, 0.04, 0.6, 0.1}));
   EXPECT_THAT(found.left_out(), ElementsAre(false, true, false, true));
+  EXPECT_THAT(find_dependencies({"a", "b", "c"}, constant_alphas({1.2, 0.12, 0.005})).left_out(), ElementsAre(false, true, true));
   EXPECT_THAT(find_dependencies({"a", "b"}, constant_alphas({1.2, 0.5})).left_out(), ElementsAre(false, false));
   EXPECT_THAT(find_dependencies({"a"}, constant_alphas({0.05})).left_out(), ElementsAre(true));
 }
@@ -109,7 +110,9 @@ struct CaseC {
 TEST(Dependency, CaseCWithConsistentErrorsHasItsSecondResonanceWithinOnePercent) {
   const CaseC at;
   int within = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  std::vector<std::uint64_t> seeds = {40, 93};  // one of the two dependent pairs by far the more dependent
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) seeds.push_back(seed);
+  for (const std::uint64_t seed : seeds) {
     const auto [error, left_out] = at.automatic(seed);
     within += error < 0.01 ? 1 : 0;
     EXPECT_THAT(left_out, ElementsAre(false, true, false, false, true)) << "seed " << seed;
@@ -118,7 +121,7 @@ TEST(Dependency, CaseCWithConsistentErrorsHasItsSecondResonanceWithinOnePercent)
     EXPECT_GT(at.error(all), 0.05) << "all pairs, seed " << seed;
   }
   EXPECT_LT(at.automatic(1).first, 0.01);
-  EXPECT_GE(within, 17);
+  EXPECT_GE(within, 19);
 }
 
 }  // namespace
