@@ -1,6 +1,6 @@
 // Coupling: multiplications and time of MTC against GRC on one line, and two parts of 84 × 84 FRFs × 800 lines at 40 interface
 // DOFs, in memory and from files, beside numpy with the same formulas. Exit code 1 when MTC multiplies more than GRC with an
-// explicit inverse, coupling the files takes 5 s or more, or numpy's answer differs by more than 1e-9.
+// explicit inverse, coupling the files takes 5 s or more of processor time (of two cores half of it when nobody else works), or numpy's answer differs by more than 1e-9.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -118,10 +119,17 @@ void write_parts(const std::filesystem::path& folder) {
   }
 }
 
-double couple_files(const std::filesystem::path& folder, const char* method) {
+/// By the clock, and of all threads.
+struct Seconds {
+  std::vector<double> wall, processor;
+};
+
+void couple_files(const std::filesystem::path& folder, const char* method, Seconds& out) {
   const auto start = Clock::now();
+  const std::clock_t used = std::clock();
   ident::couple(ident::read_couple_scene(folder / fmt::format("{}.toml", method)), folder / "out.h5", false);
-  return seconds_since(start);
+  out.wall.push_back(seconds_since(start));
+  out.processor.push_back(static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC);
 }
 
 std::string output_of(const std::string& command) {
@@ -163,7 +171,7 @@ bool compare_with_peer(const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < ours.header.entries(); ++i) found += std::abs(ours.values[line * ours.header.entries() + i]);
     worst = std::max(worst, std::abs(found / expected - 1.0));
   }
-  fmt::print("  numpy, one BLAS thread, from memory       {:8.2f} s\n  largest difference of a line's Σ|H|       {:8.1e}   at most 1e-9\n", peer, worst);
+  fmt::print("  numpy, one BLAS thread, from memory       {:8.2f} s of processor time\n  largest difference of a line's Σ|H|       {:8.1e}   at most 1e-9\n", peer, worst);
   return worst <= 1e-9;
 }
 
@@ -175,17 +183,22 @@ int main() {
   const auto folder = std::filesystem::temp_directory_path() / "jointid_bench_coupling";
   std::filesystem::create_directories(folder);
   write_parts(folder);
-  std::vector<double> grc, mtc;
+  Seconds grc, mtc;
   for (int round = 0; round < 3; ++round) {
-    mtc.push_back(couple_files(folder, "mtc"));
-    grc.push_back(couple_files(folder, "grc"));
+    couple_files(folder, "mtc", mtc);
+    couple_files(folder, "grc", grc);
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   fmt::print("two parts of 84 × 84 FRFs × 800 lines at 40 interface DOFs, files to file, two threads, median of 3\n");
-  fmt::print("  GRC                                       {:8.2f} s   below 5\n  MTC                                       {:8.2f} s\n", bench::median(grc), bench::median(mtc));
+  const auto print = [](const char* method, const Seconds& seconds, const char* note) {
+    fmt::print("  {}                                       {:8.2f} s   of processor time {:.2f} s{}\n", method, bench::median(seconds.wall),
+               bench::median(seconds.processor), note);
+  };
+  print("GRC", grc, ", below 5");
+  print("MTC", mtc, "");
   fmt::print("  peak memory                               {:8.0f} MB\n", static_cast<double>(usage.ru_maxrss) / 1024.0);
   const bool same = compare_with_peer(folder);
   std::filesystem::remove_all(folder);
-  return less && bench::median(grc) < 5.0 && same ? 0 : 1;
+  return less && bench::median(grc.processor) < 5.0 && same ? 0 : 1;
 }
