@@ -57,7 +57,7 @@ AssemblyReader::AssemblyReader(std::vector<Part> parts, const Assembly& assembly
   std::vector<std::size_t> responses(header_.response.size()), references(header_.reference.size());
   for (std::size_t i = 0; i < responses.size(); ++i) responses[i] = i;
   for (std::size_t i = 0; i < references.size(); ++i) references[i] = i;
-  plan_block({{&line, 1}, responses, references});
+  plan_block({{&line, 1}, responses, references}, true);
 }
 
 void AssemblyReader::require_method(const std::string& where) const {
@@ -134,7 +134,7 @@ void AssemblyReader::make_header() {
   if (options_.uncertainty) header_.noise = frf::NoiseRecord::variance;
 }
 
-AssemblyReader::Work AssemblyReader::plan_block(const frf::Block& block) const {
+AssemblyReader::Work AssemblyReader::plan_block(const frf::Block& block, bool with_variance) const {
   Work work;
   work.rows = work.columns = layout_.connected;
   const auto add = [](const ResultDof& dof, std::vector<Coordinate>& to, std::vector<Index>& wanted, std::vector<double>& sign) {
@@ -172,7 +172,7 @@ AssemblyReader::Work AssemblyReader::plan_block(const frf::Block& block) const {
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     std::vector<std::size_t> rows = places(work.rows, p), columns = places(work.columns, p);
     if (rows.empty() || columns.empty()) continue;
-    PartReader reader(parts_[p], dofs_at(work.rows, rows), dofs_at(work.columns, columns), needs_variance(options_), options_.noise);
+    PartReader reader(parts_[p], dofs_at(work.rows, rows), dofs_at(work.columns, columns), with_variance, options_.noise);
     work.parts.push_back({p, std::move(rows), std::move(columns), std::move(reader)});
   }
   return work;
@@ -198,7 +198,9 @@ struct LineInput {
 }  // namespace
 
 void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance, std::span<LineRecord> records) {
-  Work work = plan_block(block);
+  Options options = options_;
+  options.uncertainty = !variance.empty();  // nobody asks, nothing is worked out
+  Work work = plan_block(block, needs_variance(options));
   const std::size_t entries = block.responses.size() * block.references.size();
   const auto rows = static_cast<Index>(work.rows.size()), columns = static_cast<Index>(work.columns.size());
   std::vector<LineInput> input(std::min(lines_at_once, block.lines.size()));
@@ -208,7 +210,7 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
     const std::span<const std::size_t> lines = block.lines.subspan(first, std::min(lines_at_once, block.lines.size() - first));
     for (std::size_t i = 0; i < lines.size(); ++i) {
       input[i].h = ComplexMatrix::Zero(rows, columns);
-      if (needs_variance(options_)) input[i].variance = {RealMatrix::Zero(rows, columns), RealMatrix::Zero(rows, columns)};
+      if (needs_variance(options)) input[i].variance = {RealMatrix::Zero(rows, columns), RealMatrix::Zero(rows, columns)};
     }
     for (PartBlock& part : work.parts) {
       std::vector<std::size_t> part_lines;
@@ -219,7 +221,7 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
       for (std::size_t i = 0; i < lines.size(); ++i) {
         place(scratch, i, part.rows, part.columns, input[i].h, [&](Complex value) { return sign * value; });
       }
-      if (!needs_variance(options_)) continue;
+      if (!needs_variance(options)) continue;
       part.reader.read_variance(part_lines, scratch);
       for (std::size_t i = 0; i < lines.size(); ++i) {
         place(scratch, i, part.rows, part.columns, input[i].variance.real, [](Complex v) { return v.real(); });
@@ -227,7 +229,7 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
       }
     }
     const auto couple = [&](std::size_t i) {
-      CoupledLine line = couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options_);
+      CoupledLine line = couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options);
       std::size_t to = (first + i) * entries;
       for (std::size_t r = 0; r < block.responses.size(); ++r) {
         for (std::size_t c = 0; c < block.references.size(); ++c, ++to) {

@@ -29,7 +29,7 @@ class AssemblyReader {
   void match_axes();
   void make_header();
   void require_method(const std::string& where) const;
-  Work plan_block(const frf::Block& block) const;
+  Work plan_block(const frf::Block& block, bool with_variance) const;
 
   std::vector<Part> parts_;
   Options options_;

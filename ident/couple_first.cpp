@@ -12,7 +12,7 @@ bool says_its_noise(const frf::FrfHeader& header) {
 
 /// Whether variances go through the coupling, and by which law where files have none.
 void choose_uncertainty(Scene& scene, const frf::FrfSystem& substructures, coupling::Options& options) {
-  if (scene.identify.method != Method::likelihood || scene.identify.variance == VarianceChoice::local) return;
+  if (scene.identify.variance == VarianceChoice::local) return;
   bool all = true, any = false;
   for (std::size_t s = 0; s < substructures.source_count(); ++s) {
     const bool says = says_its_noise(substructures.source(s).header());
@@ -22,10 +22,13 @@ void choose_uncertainty(Scene& scene, const frf::FrfSystem& substructures, coupl
   const bool law = scene.noise && scene.noise->model != "modal" && scene.identify.variance != VarianceChoice::file;
   if (law) options.noise = scene.noise->frf_model;
   if (scene.identify.variance == VarianceChoice::noise) {
-    if (any) fail(scene, "[identify] variance", "couple_first carries the variances of the files through", "remove variance = \"noise\"");
+    if (any && scene.identify.method == Method::likelihood) {
+      fail(scene, "[identify] variance", "couple_first carries the variances of the files through", "remove variance = \"noise\"");
+    }
     scene.identify.variance = VarianceChoice::automatic;
   }
-  options.uncertainty = all || law || scene.identify.variance == VarianceChoice::file;
+  const bool must = scene.identify.method == Method::likelihood && scene.identify.variance == VarianceChoice::file;
+  options.uncertainty = all || law || must;
 }
 
 }  // namespace

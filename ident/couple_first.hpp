@@ -14,8 +14,8 @@ namespace jointid::ident {
 /// Throws InputError (usage) when no joint is left.
 void reduce_joints(Scene& scene);
 
-/// The substructures with the pairs of couple_first coupled; the same system when there are none. For method likelihood the
-/// variances are carried through, from the files or the law of [noise]; that coupled FRFs have errors in common is not.
+/// The substructures with the pairs of couple_first coupled; the same system when there are none. Variances
+/// are carried through where somebody asks, from the files or the law of [noise]; that coupled FRFs have errors in common is not.
 /// Throws InputError as coupling::AssemblyReader, and for variance = "noise" with files that say their own.
 std::shared_ptr<frf::FrfSystem> couple_first(Scene& scene, std::shared_ptr<frf::FrfSystem> substructures, std::vector<std::string>& notes);
 
