@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "cli/couple_arguments.hpp"
 #include "cli/of_option.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
@@ -204,6 +205,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   auto [loading_curve, loading_curve_arguments] =
       add_command<LoadingCurveArguments>(app, chosen, "loading-curve", "Find the law of a friction joint from measured curves");
   declare(*loading_curve, *loading_curve_arguments);
+  add_couple(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);

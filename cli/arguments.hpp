@@ -69,8 +69,15 @@ struct CompareArguments {
   Target json, csv, report;
 };
 
+struct CoupleArguments {
+  std::filesystem::path scene, out;  ///< out: empty for the scene's name with .coupled.h5 in the current folder
+  bool bounds = false;
+  std::size_t threads = 0;  ///< 0: all cores
+  Target json, csv;
+};
+
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
-                               SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments>;
+                               SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments, CoupleArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

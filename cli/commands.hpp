@@ -16,5 +16,6 @@ ExitCode execute(const PlanArguments& arguments, std::ostream& out);
 ExitCode execute(const StudyArguments& arguments, std::ostream& out);
 ExitCode execute(const CompareArguments& arguments, std::ostream& out);
 ExitCode execute(const LoadingCurveArguments& arguments, std::ostream& out);
+ExitCode execute(const CoupleArguments& arguments, std::ostream& out);
 
 }  // namespace jointid::cli

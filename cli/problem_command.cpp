@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/table.hpp"
+#include "problems/coupling_problem.hpp"
 #include "problems/loading_curves.hpp"
 
 namespace jointid::cli {
@@ -9,6 +10,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   Table table({{"name", Align::left}, {"what", Align::left}});
   for (const auto& problem : problems::list()) table.add({problem.name, problem.description});
   for (const auto& curve : problems::loading_curves()) table.add({curve.name, curve.description});
+  for (const auto& problem : problems::list_coupling()) table.add({problem.name, problem.description});
   out << table.text(0);
   return ExitCode::done;
 }
@@ -18,6 +20,11 @@ ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   if (const auto* curve = problems::find_loading_curve(arguments.name)) {
     const auto file = problems::write(*curve, arguments.directory, arguments.options);
     out << "wrote " << file.string() << "\nnext: jointid loading-curve " << file.string() << ' ' << problems::fit_options(*curve) << '\n';
+    return ExitCode::done;
+  }
+  if (problems::is_coupling(arguments.name)) {
+    const auto scene = problems::write(problems::make_coupling(arguments.name), arguments.directory, arguments.options);
+    out << "wrote " << scene.string() << "\nnext: jointid couple " << scene.string() << '\n';
     return ExitCode::done;
   }
   const auto problem = problems::make(arguments.name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ struct Finding {
 struct Identifiability {
   std::vector<WeakCombination> weakest;  ///< worst first, at most three
   JointVisibility joint;
+  /// Joint DOFs that the joint holds together: the assembly moves them against each other less than a tenth as much as the free
+  /// parts (median over FRFs and lines). None when they are all that the joint has.
+  std::vector<std::array<std::string, 2>> stiff_pairs;
   double largest_relative_error = 0.0;   ///< of the determined unknowns
   std::vector<Finding> findings;
 };

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "ident/coordinates.hpp"
+#include "ident/couple_first.hpp"
 #include "ident/data_source.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/line_choice.hpp"
@@ -215,7 +216,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   require_method(scene);
   auto plan = std::make_unique<Plan>();
   plan->scene = scene;
-  plan->substructures = std::move(substructures);
+  plan->substructures = couple_first(plan->scene, std::move(substructures), plan->notes);
   plan->assembly = std::move(assembly);
   plan->restriction = build_restriction(scene, *plan->substructures);
   if (plan->restriction.unknowns.empty()) {

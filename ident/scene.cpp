@@ -1,5 +1,6 @@
 #include "ident/scene.hpp"
 
+#include "ident/couple_first.hpp"
 #include "ident/scene_sections.hpp"
 #include "ident/scene_text.hpp"
 #include "ident/variance_origin.hpp"
@@ -22,6 +23,8 @@ Scene parse_scene(const std::string& text, const Path& file) {
   if (const auto noise = table.find("noise")) scene.noise = read_noise(*noise);
   if (scene.identify.variance == VarianceChoice::noise) require_noise_law(scene);
   if (const auto truth = table.find("truth")) scene.truth = read_matrices(*truth, joint_size(scene.joints));
+  scene.couple_first.pairs = read_couple_first(table);
+  if (!scene.couple_first.pairs.empty()) root.here([&] { reduce_joints(scene); });
   return scene;
 }
 

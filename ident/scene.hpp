@@ -90,6 +90,13 @@ struct IdentifySection {
   std::uint64_t bootstrap_seed = 1;
 };
 
+/// Pairs of coordinates that are coupled rigidly before the identification (thesis §6.9). The joints of a scene are those that
+/// are left then, see reduce_joints().
+struct CoupleFirst {
+  std::vector<std::array<frf::Dof, 2>> pairs;
+  std::vector<frf::Dof> hidden;  ///< of the coordinates that result, those without a joint left: their FRFs are not used
+};
+
 struct NoiseSection {
   std::string model;  ///< uniform | gaussian | circular | hammer | modal
   double level = 0.0;
@@ -103,6 +110,7 @@ struct Scene {
   DataSection data;
   FrequencySection frequency;
   std::vector<restrictions::JointSpec> joints;  ///< [joint] or [[joints]]
+  CoupleFirst couple_first;
   IdentifySection identify;
   std::optional<NoiseSection> noise;
   std::map<restrictions::Kind, Matrix> truth;  ///< over all joint DOFs in order; absent matrices are not compared

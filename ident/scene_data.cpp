@@ -83,4 +83,20 @@ DataSection read_data(const SceneItem& item, const Path& folder) {
   return data;
 }
 
+DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names) {
+  const SceneTable table = item.table({"parts", "reciprocity", "files"});
+  DataSection data;
+  Names all;
+  data.substructures = read_files(table.require("parts"), folder, all);
+  if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
+  if (const auto files = table.find("files")) read_all_options(*files, all, data);
+  // A part of several runs is named by the first.
+  std::size_t file = 0;
+  for (const DataFile& part : data.substructures) {
+    names.push_back(all[file]);
+    file += 1 + part.repeats.size();
+  }
+  return data;
+}
+
 }  // namespace jointid::ident

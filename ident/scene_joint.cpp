@@ -91,13 +91,30 @@ std::vector<JointSpec> read_joints(const SceneTable& scene) {
   if (!joint && !joints) scene.itself().fail("the key 'joint' is missing", "declare [joint] or [[joints]]");
   const auto nodes = scene.find("nodes");
   const Positions positions = nodes ? read_nodes(*nodes) : Positions();
-  if (joint) return {read_joint(*joint, {"dofs", "bands"}, positions)};
+  if (joint) return {read_joint(*joint, {"dofs", "bands", "couple_first"}, positions)};
   std::vector<JointSpec> result;
   for (const SceneItem& item : joints->list_not_empty()) {
-    result.push_back(read_joint(item, {"name", "dofs", "bands"}, positions));
+    result.push_back(read_joint(item, {"name", "dofs", "bands", "couple_first"}, positions));
     check_together(result, item);
   }
   return result;
+}
+
+std::vector<std::array<frf::Dof, 2>> read_couple_first(const SceneTable& scene) {
+  std::vector<SceneItem> joints;
+  if (const auto joint = scene.find("joint")) joints.push_back(*joint);
+  if (const auto list = scene.find("joints")) joints = list->list();
+  std::vector<std::array<frf::Dof, 2>> pairs;
+  for (const SceneItem& joint : joints) {
+    const auto couple_first = joint.open_table().find("couple_first");
+    if (!couple_first) continue;
+    for (const SceneItem& pair : couple_first->list_not_empty()) {
+      const std::vector<frf::Dof> dofs = pair.dofs();
+      if (dofs.size() != 2) pair.fail("a pair has two DOFs, found " + std::to_string(dofs.size()), "write [\"4:+RZ\", \"5:+RZ\"]");
+      pairs.push_back({dofs[0], dofs[1]});
+    }
+  }
+  return pairs;
 }
 
 }  // namespace jointid::ident

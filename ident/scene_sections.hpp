@@ -7,12 +7,18 @@ namespace jointid::ident {
 /// [data]; paths are resolved against `folder`.
 DataSection read_data(const SceneItem& item, const Path& folder);
 
+/// [data] of a coupling scene: `substructures` are its parts, and `names` gets their names as written.
+DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names);
+
 /// [frequency]
 FrequencySection read_frequency(const SceneItem& item);
 
 /// [joint] or [[joints]] with the positions of [nodes] handed to every joint that uses them; checked by building each
 /// matrix's restriction. Pattern free without positions passes: the data files may have them.
 std::vector<restrictions::JointSpec> read_joints(const SceneTable& scene);
+
+/// couple_first of [joint] or all of [[joints]].
+std::vector<std::array<frf::Dof, 2>> read_couple_first(const SceneTable& scene);
 
 /// [identify]; `joints` are needed to check the start values.
 IdentifySection read_identify(const SceneItem& item, const std::vector<restrictions::JointSpec>& joints);

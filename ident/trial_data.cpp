@@ -147,12 +147,13 @@ std::shared_ptr<TrialData> prepare(const Scene& scene, Sources substructures, So
   const bool reciprocity = scene.data.reciprocity;
   Recorded sub = record("substructures", std::move(substructures), frf::Composition::uncoupled, reciprocity);
   Recorded joined = record("assembly", std::move(assembly), frf::Composition::merged, reciprocity);
-  const auto plan = make_plan(scene, std::move(sub.system), std::move(joined.system));
+  const std::shared_ptr<frf::FrfSystem> parts = std::move(sub.system);  // couple_first couples them, line by line
+  const auto plan = make_plan(scene, parts, std::move(joined.system));
   for (const auto* recorders : {&sub.recorders, &joined.recorders}) {
     for (Recorder* recorder : *recorders) all_dofs ? recorder->want_all() : recorder->forget();
   }
   read_first_line(*plan);
-  const Excerpts excerpts{take(*plan, *plan->substructures, &Line::substructures, sub.recorders),
+  const Excerpts excerpts{take(*plan, *parts, &Line::substructures, sub.recorders),
                           take(*plan, *plan->assembly, &Line::assembly, joined.recorders)};
   auto data = std::make_shared<TrialData>();
   data->scene = scene_of_excerpt(*plan);

@@ -7,11 +7,12 @@ namespace {
 constexpr double translational = 662400.0;  ///< N/m, between coordinates 7 and 9
 constexpr double rotational = 2e5;  ///< N·m/rad, between coordinates 8 and 10; the print's 1987.2 is not hard
 
+constexpr double rigid = 2e7;       ///< N·m/rad, which the rotary elements of Table 6.18 (a few 1e-4 of the truth) would need
+
 Matrix spring(double k) { return {{k, -k}, {-k, k}}; }
 
-Matrix both_springs() {
+Matrix both_springs(double r = rotational) {
   const double t = translational;
-  const double r = rotational;
   return {{t, -t, 0.0, 0.0}, {-t, t, 0.0, 0.0}, {0.0, 0.0, r, -r}, {0.0, 0.0, -r, r}};
 }
 
@@ -27,11 +28,10 @@ Case springs_case(const std::string& name, const std::string& description, const
   return definition;
 }
 
-JointMatrix six_unknowns() {
+JointMatrix six_unknowns(double r = rotational) {
   const double t = translational;
-  const double r = rotational;
   return expressed(
-      Kind::stiffness, both_springs(),
+      Kind::stiffness, both_springs(r),
       {{"x1", "x2", 0.0, 0.0}, {"x2", "x3", 0.0, 0.0}, {0.0, 0.0, "x4", "x5"}, {0.0, 0.0, "x5", "x6"}},
       {{"x1", t}, {"x2", -t}, {"x3", t}, {"x4", r}, {"x5", -r}, {"x6", r}});
 }
@@ -69,6 +69,7 @@ std::vector<Case> cases_of_hard_joints() {
       springs_case("G3", "G2 with two unknowns (§6.9.2)", two_unknowns(), true),
       coupled_case("G4", "G1 with the rotations rigidly coupled beforehand, three unknowns (§6.9.2)", false),
       coupled_case("G5", "G4 without the lines at resonances (§6.9.2)", true),
+      springs_case("G6", "G1 with a rotary spring of 2e7 N*m/rad, which cannot be identified (§6.9.2)", six_unknowns(rigid), false),
   };
 }
 

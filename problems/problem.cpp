@@ -2,6 +2,7 @@
 
 #include "frf/error.hpp"
 #include "problems/catalogue.hpp"
+#include "problems/coupling_problem.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -10,14 +11,14 @@ void append(std::vector<Case>& all, std::vector<Case> more) {
   for (Case& definition : more) all.push_back(std::move(definition));
 }
 
+}  // namespace
+
 frf::FrfSet with_noise(const frf::FrfSet& clean, const Modes& exact, const ProblemNoise& noise,
                        const frf::RandomStream& stream) {
   if (const auto* errors = std::get_if<ConsistentErrors>(&noise))
     return with_modal_errors(clean, exact, *errors, stream);
   return frf::polluted(clean, std::get<frf::NoiseModel>(noise), stream.seed, stream.trial, stream.set);
 }
-
-}  // namespace
 
 std::vector<Case> all_cases() {
   std::vector<Case> all = cases_of_basic_study();
@@ -41,6 +42,7 @@ Problem make(const std::string& name) {
     if (definition.name == name) return build(definition);
     names.push_back(definition.name);
   }
+  for (const ProblemInfo& info : list_coupling()) names.push_back(info.name);
   const std::string near = nearest_word(name, names);
   throw InputError(
       {.kind = ErrorKind::usage,

@@ -51,6 +51,9 @@ std::vector<ProblemInfo> list();
 /// Builds one; throws InputError (usage) with the nearest name when there is none.
 Problem make(const std::string& name);
 
+/// A set with the errors of a case; `exact` are the modes of its structure.
+frf::FrfSet with_noise(const frf::FrfSet& clean, const Modes& exact, const ProblemNoise& noise, const frf::RandomStream& stream);
+
 /// FRFs as a test would have given them.
 struct Measurement {
   std::vector<frf::FrfSet> substructures;

@@ -1,44 +1,13 @@
-#include <array>
 #include <nlohmann/json.hpp>
 
-#include "frf/error.hpp"
-#include "frf/hdf5_writer.hpp"
 #include "frf/temporary_file.hpp"
-#include "frf/uff_file.hpp"
 #include "problems/problem.hpp"
+#include "problems/set_format.hpp"
 
 namespace jointid::problems {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A way to write FRF files; the name is also the extension of the files.
-struct Format {
-  const char* name;
-  void (*write)(const frf::FrfSet& set, const std::filesystem::path& path);
-};
-
-void write_as_hdf5(const frf::FrfSet& set, const std::filesystem::path& path) { frf::write_hdf5(set, path); }
-
-void write_as_uff(const frf::FrfSet& set, const std::filesystem::path& path) {
-  frf::write_uff(set, path, {.binary = true, .quantity = set.header.quantity});
-}
-
-constexpr std::array<Format, 2> formats = {{{"h5", write_as_hdf5}, {"uff", write_as_uff}}};
-
-const Format& find_format(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Format& format : formats) {
-    if (format.name == name) return format;
-    names.emplace_back(format.name);
-  }
-  const std::string near = nearest_word(name, names);
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "problem format",
-                    .problem = "'" + name + "' is not a format that problems are written in",
-                    .remedy = near.empty() ? "use h5 or uff" : "did you mean " + near + "?"});
-}
 
 /// Noise-free data as a file: a coherence would speak of noise that is not there.
 frf::FrfSet without_noise_record(frf::FrfSet set) {
@@ -58,11 +27,11 @@ Measurement data_of(const Problem& problem, const WriteOptions& options) {
 }
 
 /// The file name of a set, which ends in .h5 in the scene of the problem, in another format.
-std::string file_name(const frf::FrfSet& set, const Format& format) {
+std::string file_name(const frf::FrfSet& set, const SetFormat& format) {
   return std::filesystem::path(set.header.file).replace_extension(format.name).string();
 }
 
-std::string scene_in_format(const Problem& problem, const Format& format) {
+std::string scene_in_format(const Problem& problem, const SetFormat& format) {
   std::string scene = problem.scene;
   const auto rename = [&](const frf::FrfSet& set) {
     const std::size_t at = scene.find(set.header.file);
@@ -91,7 +60,7 @@ std::string truth_text(const Problem& problem) {
 
 std::filesystem::path write(const Problem& problem, const std::filesystem::path& directory,
                             const WriteOptions& options) {
-  const Format& format = find_format(options.format);
+  const SetFormat& format = find_set_format(options.format);
   const Measurement data = data_of(problem, options);
   std::error_code ignored;  // a folder that cannot be made shows when the first file is written
   std::filesystem::create_directories(directory, ignored);

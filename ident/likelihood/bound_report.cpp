@@ -66,6 +66,7 @@ std::unique_ptr<Plan> likelihood_plan(const Plan& plan, Scene scene) {
   scene.identify.solver = "auto";
   // A start that is not used saves planning a linear estimate.
   if (scene.identify.start.empty()) scene.identify.start = scene.truth;
+  scene.couple_first = {};  // done already
   return make_plan(scene, plan.substructures, plan.assembly);
 }
 

@@ -34,6 +34,14 @@ void add_weak(const Identifiability& found, std::vector<Finding>& out) {
                      "SCENE --bound` says what a sensor or other lines would change.";
 }
 
+/// How to identify what is left of a stiff joint.
+std::string rigid_remedy(const std::vector<std::array<std::string, 2>>& pairs) {
+  if (pairs.empty()) return "couple the coordinates that move together rigidly and identify the rest.";
+  std::string list;
+  for (const auto& [one, two] : pairs) list += (list.empty() ? "[\"" : ", [\"") + one + "\", \"" + two + "\"]";
+  return "couple rigidly what it holds together and identify the rest; under [joint]: couple_first = [" + list + "].";
+}
+
 void add_joint(const Identifiability& found, std::vector<Finding>& out) {
   if (found.largest_relative_error < bad) return;
   const auto [effect, deformation] = found.joint;
@@ -50,8 +58,8 @@ void add_joint(const Identifiability& found, std::vector<Finding>& out) {
                    "fixed worst does only " +
                        digits(*deformation, "%.1g") +
                        " times the work that it would do on the free parts. Use higher frequencies, add mass or a support "
-                       "so that the joint deforms, tie unknowns, or couple the coordinates that move together rigidly and "
-                       "identify the rest."});
+                       "so that the joint deforms, tie unknowns, or " +
+                       rigid_remedy(found.stiff_pairs)});
   }
 }
 

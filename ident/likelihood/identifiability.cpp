@@ -59,6 +59,7 @@ Identifiability identifiability_of(const Plan& plan, const LikelihoodEstimator& 
   found.weakest = weak_combinations(relative, names);
   if (!found.weakest.empty()) {
     found.joint = joint_visibility(*plan.likelihood->observations, estimator, weakest_direction(plan, out, found.weakest.front()));
+    found.stiff_pairs = stiff_pairs(*plan.likelihood->observations, estimator);
   }
   for (Eigen::Index i = 0; i < relative.rows(); ++i) {
     found.largest_relative_error = std::max(found.largest_relative_error, std::sqrt(relative(i, i)));

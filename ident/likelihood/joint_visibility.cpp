@@ -70,4 +70,56 @@ JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEst
   return {median(std::move(effects)), median(std::move(deformations))};
 }
 
+namespace {
+
+constexpr double held_together = 0.1;
+
+struct Pair {
+  std::size_t i, j;
+  double motion;
+};
+
+/// The median of |a_i − s a_j| / |x_i − s x_j|, s the product of the DOFs' signs.
+std::optional<double> relative_motion(const LikelihoodData& data, const LikelihoodEstimator& estimator, Eigen::Index i, Eigen::Index j,
+                                      double sign) {
+  Numbers ratios;
+  for (std::size_t line = 0; line < data.lines().size(); ++line) {
+    const LineState& state = estimator.state_of(line);
+    for (Eigen::Index k = 0; k < state.a.cols(); ++k) {
+      const double free = std::abs(state.x(i, k) - sign * state.x(j, k));
+      if (free > 0.0) ratios.push_back(std::abs(state.a(i, k) - sign * state.a(j, k)) / free);
+    }
+  }
+  return median(std::move(ratios));
+}
+
+std::vector<Pair> held_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator, const Dofs& joint) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    for (std::size_t j = i + 1; j < joint.size(); ++j) {
+      if (joint[i].direction != joint[j].direction) continue;
+      const auto motion = relative_motion(data, estimator, static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j), joint[i].sign * joint[j].sign);
+      if (motion && *motion < held_together) pairs.push_back({i, j, *motion});
+    }
+  }
+  std::ranges::sort(pairs, {}, &Pair::motion);
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<std::array<std::string, 2>> stiff_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator) {
+  const Dofs& all = data.layout().coordinates;
+  const Dofs joint(all.begin() + static_cast<std::ptrdiff_t>(data.layout().others), all.end());
+  std::vector<bool> taken(joint.size(), false);
+  std::vector<std::array<std::string, 2>> out;
+  for (const Pair& pair : held_pairs(data, estimator, joint)) {
+    if (taken[pair.i] || taken[pair.j]) continue;
+    taken[pair.i] = taken[pair.j] = true;
+    out.push_back({joint[pair.i].name(), joint[pair.j].name()});
+  }
+  if (2 * out.size() == joint.size()) out.clear();
+  return out;
+}
+
 }  // namespace jointid::ident

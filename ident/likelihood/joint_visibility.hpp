@@ -13,4 +13,8 @@ namespace jointid::ident {
 JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEstimator& estimator,
                                  const std::vector<double>& direction);
 
+/// Identifiability::stiff_pairs: pairs (i, j) of one direction, each coordinate once, those held most first, with a median of
+/// |a_i − a_j| / |x_i − x_j| below 0.1, which is 0.01 in terms of work.
+std::vector<std::array<std::string, 2>> stiff_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator);
+
 }  // namespace jointid::ident

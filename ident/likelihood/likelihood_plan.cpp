@@ -68,6 +68,7 @@ std::unique_ptr<Plan> plan_start(const Plan& plan) {
   scene.identify.start.clear();
   scene.identify.priors.clear();
   scene.identify.bootstrap = 0;
+  scene.couple_first = {};  // done already
   const std::vector<Equation> equations = scene.identify.equations;
   for (const auto& [method, chosen] : {std::pair(Method::one, equations), std::pair(Method::one, std::vector<Equation>{}),
                                        std::pair(Method::direct, std::vector<Equation>{})}) {

@@ -103,3 +103,17 @@ if(EXISTS "${JOINTID_EXTERNAL_DATA}/friction-loops/test_data_2.txt")
   command_test(loading_curve_measured CODE 0 OUT "49 loops.*best by AIC: ren.*bilinear +39[0-9.]+ +40[0-9.]+ " MAKES measured_reported
     ARGS loading-curve "${_loops}" --law ren,bilinear --weighting travel --report measured.html)
 endif()
+
+command_test(couple_written CODE 0 OUT "next: jointid couple" MAKES couple_data ARGS problem write coupling-C c)
+command_test(couple CODE 0 OUT "5:.Y = 7:.Y +0\\.[0-9 .]+left out.*wrote coupling-C.coupled.h5" AFTER couple_data
+  ARGS couple c/coupling-C.toml)
+command_test(couple_bounds CODE 0 OUT "with all conditions: " AFTER couple_data ARGS couple c/coupling-C.toml --bounds --out bounds.h5)
+command_test(couple_json CODE 0 OUT "\"left_out\": true" AFTER couple_data ARGS couple c/coupling-C.toml --out couple_json.h5 --json -)
+command_test(couple_csv CODE 0 OUT "^frequency_hz,condition,kept,usable,alpha_1,alpha_2,alpha_3\n5," AFTER couple_data
+  ARGS couple c/coupling-C.toml --out couple_csv.h5 --csv -)
+command_test(couple_onto_part CODE 2 ERR "it is a part of the scene" AFTER couple_data
+  ARGS couple c/coupling-C.toml --out c/coupling-C_part_1.h5)
+command_test(couple_unwritable CODE 3 ERR "absent/a.h5: cannot be written" AFTER couple_data
+  ARGS couple c/coupling-C.toml --out absent/a.h5)
+command_test(couple_absent CODE 2 ERR "absent.toml" ARGS couple absent.toml)
+command_test(couple_other_scene CODE 2 ERR "couple" AFTER study_data ARGS couple a1/A1.toml)

@@ -1,0 +1,247 @@
+#include "coupling/assembly_reader.hpp"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <set>
+
+#include "frf/error.hpp"
+
+namespace jointid::coupling {
+namespace {
+
+constexpr std::size_t lines_at_once = 32;
+
+std::vector<std::size_t> places(const std::vector<Coordinate>& coordinates, std::size_t part) {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (coordinates[i].part == part) out.push_back(i);
+  }
+  return out;
+}
+
+std::vector<frf::Dof> dofs_at(const std::vector<Coordinate>& coordinates, const std::vector<std::size_t>& at) {
+  std::vector<frf::Dof> out;
+  for (const std::size_t i : at) out.push_back(coordinates[i].dof);
+  return out;
+}
+
+bool same(const Coordinate& a, const Coordinate& b) { return a.part == b.part && a.dof.same_coordinate(b.dof); }
+
+}  // namespace
+
+/// What one part gives to H.
+struct AssemblyReader::PartBlock {
+  std::size_t part;
+  std::vector<std::size_t> rows, columns;  ///< of H
+  PartReader reader;
+};
+
+/// How the lines of a block are read and coupled.
+struct AssemblyReader::Work {
+  std::vector<Coordinate> rows, columns;  ///< of H
+  LineFrame frame;
+  std::vector<double> row_sign, column_sign;  ///< of the result's DOFs
+  std::vector<PartBlock> parts;
+};
+
+AssemblyReader::AssemblyReader(std::vector<Part> parts, const Assembly& assembly, const Options& options, const std::string& where)
+    : parts_(std::move(parts)), options_(options), layout_(make_layout(parts_, assembly, where)) {
+  validate(options_, where);
+  require_method(where);
+  match_axes();
+  make_header();
+  if (!needs_variance(options_)) return;
+  const std::size_t line = 0;  // finds files without variances before any work
+  std::vector<std::size_t> responses(header_.response.size()), references(header_.reference.size());
+  for (std::size_t i = 0; i < responses.size(); ++i) responses[i] = i;
+  for (std::size_t i = 0; i < references.size(); ++i) references[i] = i;
+  plan_block({{&line, 1}, responses, references}, true);
+}
+
+void AssemblyReader::require_method(const std::string& where) const {
+  const auto fail = [&](std::string problem, std::string remedy) {
+    throw InputError({.kind = ErrorKind::usage,
+                      .file = where,
+                      .place = "method " + name(options_.method),
+                      .problem = std::move(problem),
+                      .remedy = std::move(remedy)});
+  };
+  if (options_.method == Method::rc) {
+    std::vector<std::size_t> body = bodies(parts_, layout_.connected);
+    for (const Index i : layout_.joint.at) {
+      const std::size_t joined = body[static_cast<std::size_t>(layout_.joint.at.front())];
+      std::ranges::replace(body, std::size_t{body[static_cast<std::size_t>(i)]}, joined);
+    }
+    if (const auto condition = rc_lacks(layout_.conditions, body)) {
+      fail("receptance coupling joins two structures and cannot meet " + layout_.condition_names[*condition], "use grc, pcc or mtc");
+    }
+  }
+  if (options_.method == Method::gic) {
+    for (const auto* side : {&layout_.responses, &layout_.references}) {
+      const auto& other = side == &layout_.responses ? layout_.references : layout_.responses;
+      for (const ResultDof& dof : *side) {
+        const bool both = dof.connected >= 0 || std::ranges::any_of(other, [&](const ResultDof& o) { return same(o.coordinate, dof.coordinate); });
+        if (!both) {
+          fail("impedance coupling inverts H, but " + dof.dof.name() + " is only a " + (side == &layout_.responses ? "response" : "reference"),
+               "use grc, pcc or mtc, or keep other DOFs");
+        }
+      }
+    }
+  }
+}
+
+void AssemblyReader::match_axes() {
+  const std::vector<double>& axis = parts_.front().system->frequency_hz();
+  std::vector<std::vector<std::size_t>> partner;
+  for (const Part& part : parts_) partner.push_back(frf::match_lines(axis, part.system->frequency_hz()));
+  part_line_.resize(parts_.size());
+  for (std::size_t line = 0; line < axis.size(); ++line) {
+    if (std::ranges::any_of(partner, [&](const auto& of) { return of[line] == frf::npos; })) {
+      ++lines_without_partner_;
+      continue;
+    }
+    header_.frequency_hz.push_back(axis[line]);
+    for (std::size_t p = 0; p < parts_.size(); ++p) part_line_[p].push_back(partner[p][line]);
+  }
+  if (!header_.frequency_hz.empty()) return;
+  throw InputError({.kind = ErrorKind::data,
+                    .file = parts_.back().name,
+                    .place = {},
+                    .problem = "no frequency line is common to all parts: here " +
+                               frf::range_text(parts_.back().system->frequency_hz()) + ", in " + parts_.front().name + " " +
+                               frf::range_text(axis),
+                    .remedy = "measure or convert them to one axis"});
+}
+
+void AssemblyReader::make_header() {
+  std::set<std::int64_t> wanted;
+  for (const ResultDof& dof : layout_.responses) header_.response.push_back(dof.dof), wanted.insert(dof.dof.node);
+  for (const ResultDof& dof : layout_.references) header_.reference.push_back(dof.dof), wanted.insert(dof.dof.node);
+  std::set<frf::Quantity> quantities;
+  for (const Part& part : parts_) {
+    header_.file += (header_.file.empty() ? "" : " + ") + part.name;
+    for (std::size_t s = 0; s < part.system->source_count(); ++s) {
+      const frf::FrfHeader& source = part.system->source(s).header();
+      quantities.insert(source.quantity);
+      for (const frf::Node& node : source.nodes) {
+        if (wanted.erase(node.id) > 0) header_.nodes.push_back(node);
+      }
+    }
+  }
+  if (quantities.size() == 1) header_.quantity = *quantities.begin();
+  if (options_.uncertainty) header_.noise = frf::NoiseRecord::variance;
+}
+
+AssemblyReader::Work AssemblyReader::plan_block(const frf::Block& block, bool with_variance) const {
+  Work work;
+  work.rows = work.columns = layout_.connected;
+  const auto add = [](const ResultDof& dof, std::vector<Coordinate>& to, std::vector<Index>& wanted, std::vector<double>& sign) {
+    sign.push_back(dof.sign);
+    const auto found = std::ranges::find_if(to, [&](const Coordinate& other) { return same(other, dof.coordinate); });
+    wanted.push_back(found - to.begin());
+    if (found == to.end()) to.push_back(dof.coordinate);
+  };
+  for (const std::size_t r : block.responses) add(layout_.responses[r], work.rows, work.frame.wanted.rows, work.row_sign);
+  for (const std::size_t c : block.references) add(layout_.references[c], work.columns, work.frame.wanted.columns, work.column_sign);
+  if (options_.method == Method::gic) {
+    // A square matrix of the coordinates that either side asks for.
+    std::vector<Index> unused;
+    std::vector<double> no_sign;
+    for (const Coordinate& row : work.rows) add({row, -1, 1.0, row.dof}, work.columns, unused, no_sign);
+    std::vector<Coordinate> rows = work.columns;
+    for (Index& row : work.frame.wanted.rows) {
+      const Coordinate& coordinate = work.rows[static_cast<std::size_t>(row)];
+      row = std::ranges::find_if(rows, [&](const Coordinate& other) { return same(other, coordinate); }) - rows.begin();
+    }
+    work.rows = std::move(rows);
+  }
+  for (std::size_t k = layout_.connected.size(); k < work.rows.size(); ++k) {
+    const auto twin = std::ranges::find_if(work.columns, [&](const Coordinate& other) { return same(other, work.rows[k]); });
+    work.frame.twin.push_back(twin == work.columns.end() ? -1 : twin - work.columns.begin());
+  }
+  work.frame.row_body = bodies(parts_, work.rows);
+  work.frame.column_body = bodies(parts_, work.columns);
+  for (const Index i : layout_.joint.at) {
+    const std::size_t joined = work.frame.row_body[static_cast<std::size_t>(layout_.joint.at.front())];
+    const std::size_t body = work.frame.row_body[static_cast<std::size_t>(i)];
+    std::ranges::replace(work.frame.row_body, body, joined);
+    std::ranges::replace(work.frame.column_body, body, joined);
+  }
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    std::vector<std::size_t> rows = places(work.rows, p), columns = places(work.columns, p);
+    if (rows.empty() || columns.empty()) continue;
+    PartReader reader(parts_[p], dofs_at(work.rows, rows), dofs_at(work.columns, columns), with_variance, options_.noise);
+    work.parts.push_back({p, std::move(rows), std::move(columns), std::move(reader)});
+  }
+  return work;
+}
+
+namespace {
+
+/// Lines of H or its variances, [rows, columns] each.
+template <class Matrix, class Take>
+void place(const std::vector<Complex>& from, std::size_t line, const std::vector<std::size_t>& rows,
+           const std::vector<std::size_t>& columns, Matrix& to, Take take) {
+  const Complex* value = from.data() + line * rows.size() * columns.size();
+  for (const std::size_t r : rows) {
+    for (const std::size_t c : columns) to(static_cast<Index>(r), static_cast<Index>(c)) = take(*value++);
+  }
+}
+
+struct LineInput {
+  ComplexMatrix h;
+  LineVariance variance;
+};
+
+}  // namespace
+
+void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance, std::span<LineRecord> records) {
+  Options options = options_;
+  options.uncertainty = !variance.empty();  // nobody asks, nothing is worked out
+  Work work = plan_block(block, needs_variance(options));
+  const std::size_t entries = block.responses.size() * block.references.size();
+  const auto rows = static_cast<Index>(work.rows.size()), columns = static_cast<Index>(work.columns.size());
+  std::vector<LineInput> input(std::min(lines_at_once, block.lines.size()));
+  std::vector<Complex> scratch;
+  tbb::task_arena arena(options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads));
+  for (std::size_t first = 0; first < block.lines.size(); first += lines_at_once) {
+    const std::span<const std::size_t> lines = block.lines.subspan(first, std::min(lines_at_once, block.lines.size() - first));
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      input[i].h = ComplexMatrix::Zero(rows, columns);
+      if (needs_variance(options)) input[i].variance = {RealMatrix::Zero(rows, columns), RealMatrix::Zero(rows, columns)};
+    }
+    for (PartBlock& part : work.parts) {
+      std::vector<std::size_t> part_lines;
+      for (const std::size_t line : lines) part_lines.push_back(part_line_[part.part][line]);
+      scratch.resize(part_lines.size() * part.reader.size());
+      part.reader.read(part_lines, scratch);
+      const double sign = layout_.part_sign[part.part];
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        place(scratch, i, part.rows, part.columns, input[i].h, [&](Complex value) { return sign * value; });
+      }
+      if (!needs_variance(options)) continue;
+      part.reader.read_variance(part_lines, scratch);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        place(scratch, i, part.rows, part.columns, input[i].variance.real, [](Complex v) { return v.real(); });
+        place(scratch, i, part.rows, part.columns, input[i].variance.imaginary, [](Complex v) { return v.imag(); });
+      }
+    }
+    const auto couple = [&](std::size_t i) {
+      CoupledLine line = couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options);
+      std::size_t to = (first + i) * entries;
+      for (std::size_t r = 0; r < block.responses.size(); ++r) {
+        for (std::size_t c = 0; c < block.references.size(); ++c, ++to) {
+          const auto row = static_cast<Index>(r), column = static_cast<Index>(c);
+          values[to] = work.row_sign[r] * work.column_sign[c] * line.frf(row, column);
+          if (!variance.empty()) variance[to] = {line.variance.real(row, column), line.variance.imaginary(row, column)};
+        }
+      }
+      if (!records.empty()) records[first + i] = std::move(line.record);
+    };
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, lines.size(), couple); });
+  }
+}
+
+}  // namespace jointid::coupling

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "coupling/line_coupler.hpp"
+#include "coupling/part_reader.hpp"
+
+namespace jointid::coupling {
+
+/// Reads lines of an assembly: the FRFs of its parts, coupled. Nothing of the parts is kept but the lines in work.
+class AssemblyReader {
+ public:
+  /// From the headers alone. `where` stands for the scene in messages. Throws InputError as make_layout() and validate(), for
+  /// parts without a common line, for receptance coupling of what it cannot couple (rc_lacks()), for impedance coupling of
+  /// results that are not square, and for variances that no file and no law has.
+  AssemblyReader(std::vector<Part> parts, const Assembly& assembly, const Options& options, const std::string& where);
+
+  /// Lines, DOFs, nodes and quantity of the result; noise is `variance` with Options::uncertainty.
+  const frf::FrfHeader& header() const { return header_; }
+  const Layout& layout() const { return layout_; }
+  const Options& options() const { return options_; }
+  std::size_t lines_without_partner() const { return lines_without_partner_; }
+
+  /// Fills values[line, response, reference] for a block of header(); `variance` as long as `values` or empty, `records` one per
+  /// line or empty.
+  void read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance = {}, std::span<LineRecord> records = {});
+
+ private:
+  struct PartBlock;
+  struct Work;
+  void match_axes();
+  void make_header();
+  void require_method(const std::string& where) const;
+  Work plan_block(const frf::Block& block, bool with_variance) const;
+
+  std::vector<Part> parts_;
+  Options options_;
+  Layout layout_;
+  frf::FrfHeader header_;
+  std::vector<std::vector<std::size_t>> part_line_;  ///< [part][line of the result] → line of the part
+  std::size_t lines_without_partner_ = 0;
+};
+
+}  // namespace jointid::coupling

@@ -1,0 +1,29 @@
+#include "coupling/methods.hpp"
+#include "coupling/mtc_steps.hpp"
+
+namespace jointid::coupling {
+
+double alpha(Complex ii, Complex jj, Complex ij) {
+  const double size = std::abs(ii) + std::abs(jj) + std::abs(ij);
+  return size == 0.0 ? 0.0 : (std::abs(ii - jj) + std::abs(ii - ij) + std::abs(ij - jj)) / size;
+}
+
+MtcResult mtc(const MatrixRef& h, const Conditions& conditions, const Wanted& wanted, double epsilon) {
+  MtcSteps<Complex> steps(h);
+  MtcResult out;
+  for (const Condition& condition : conditions) {
+    const auto now = steps.receptances(condition);
+    out.alpha.push_back(alpha(now.ii, now.jj, 0.5 * (now.ij + now.ji)));
+    out.coupled.push_back(!(out.alpha.back() <= epsilon));
+    if (out.coupled.back()) steps.couple(condition);
+  }
+  out.frf.resize(static_cast<Index>(wanted.rows.size()), static_cast<Index>(wanted.columns.size()));
+  for (Index c = 0; c < out.frf.cols(); ++c) {
+    for (Index r = 0; r < out.frf.rows(); ++r) {
+      out.frf(r, c) = steps(wanted.rows[static_cast<std::size_t>(r)], wanted.columns[static_cast<std::size_t>(c)]);
+    }
+  }
+  return out;
+}
+
+}  // namespace jointid::coupling

@@ -1,0 +1,96 @@
+#include "coupling/part_reader.hpp"
+
+#include <cmath>
+
+#include "frf/error.hpp"
+#include "frf/h1.hpp"
+#include "frf/variance_law.hpp"
+
+namespace jointid::coupling {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::data,
+                    .file = file,
+                    .place = "variances",
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+void require_variance(const frf::FrfHeader& header, bool law) {
+  if (header.noise == frf::NoiseRecord::variance) return;
+  if (header.noise == frf::NoiseRecord::coherence) {
+    if (header.averages >= 2.0) return;
+    fail(header.file, "its coherences come from " + std::to_string(header.averages) + " averages",
+         "coherences need at least two averages to say anything of the noise");
+  }
+  if (!law) fail(header.file, "it has neither variances nor coherences", "say the noise in [noise]");
+}
+
+}  // namespace
+
+PartReader::PartReader(const Part& part, std::vector<frf::Dof> rows, std::vector<frf::Dof> columns, bool variance,
+                       const std::optional<frf::NoiseModel>& noise)
+    : system_(part.system),
+      rows_(std::move(rows)),
+      columns_(std::move(columns)),
+      reader_(*system_, rows_, columns_),
+      noise_(noise) {
+  if (!variance) return;
+  pieces_ = system_->pieces(rows_, columns_);
+  for (const frf::BlockPiece& piece : pieces_) require_variance(system_->source(piece.source).header(), noise_.has_value());
+}
+
+void PartReader::read(std::span<const std::size_t> lines, std::span<Complex> out) { reader_.read(lines, out); }
+
+void PartReader::read_piece(const frf::BlockPiece& piece, std::span<const std::size_t> lines, std::vector<Complex>& values,
+                            std::vector<Complex>& variances) {
+  std::vector<std::size_t> source_lines;
+  for (const std::size_t line : lines) source_lines.push_back(system_->source_line(piece.source, line));
+  const frf::Block block{source_lines, piece.responses, piece.references};
+  frf::FrfSource& source = system_->source(piece.source);
+  values.resize(block.size());
+  variances.resize(block.size());
+  source.read(block, values);
+  if (source.header().noise == frf::NoiseRecord::variance) {
+    source.read_variance(block, variances);
+    return;
+  }
+  if (source.header().noise == frf::NoiseRecord::coherence) {
+    std::vector<double> coherence(block.size());
+    source.read_coherence(block, coherence);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double half = 0.5 * frf::h1_variance(values[i], std::min(coherence[i], 1.0), source.header().averages);
+      variances[i] = coherence[i] > 0.0 ? Complex(half, half) : Complex(std::nan(""), std::nan(""));
+    }
+    return;
+  }
+  const frf::VarianceLaw law = frf::variance_law(*noise_, 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) variances[i] = law(values[i], 0.0);
+}
+
+void PartReader::read_variance(std::span<const std::size_t> lines, std::span<Complex> out) {
+  // As BlockReader fills: files first, then with reciprocity what is still missing from their transposes.
+  const std::vector<Complex> background = system_->background(rows_, columns_);
+  std::vector<Complex> values, variances;
+  std::vector<bool> taken(out.size(), false);
+  for (std::size_t line = 0; line < lines.size(); ++line) {
+    std::copy(background.begin(), background.end(), out.begin() + static_cast<std::ptrdiff_t>(line * background.size()));
+  }
+  for (const frf::BlockPiece& piece : pieces_) {
+    read_piece(piece, lines, values, variances);
+    std::size_t from = 0;
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      for (std::size_t r = 0; r < piece.responses.size(); ++r) {
+        for (std::size_t c = 0; c < piece.references.size(); ++c, ++from) {
+          const std::size_t to = line * size() + piece.place(r, c, columns_.size());
+          if (taken[to] || std::isnan(values[from].real())) continue;
+          out[to] = variances[from];
+          taken[to] = true;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace jointid::coupling

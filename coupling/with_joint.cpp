@@ -1,0 +1,16 @@
+#include <Eigen/LU>
+
+#include "coupling/methods.hpp"
+
+namespace jointid::coupling {
+
+ComplexMatrix with_joint(const MatrixRef& h, const std::vector<Index>& at, const MatrixRef& z) {
+  const auto n = static_cast<Index>(at.size());
+  const ComplexMatrix h_jj = h(at, at);
+  const ComplexMatrix rows = h(at, Eigen::all);
+  const ComplexMatrix columns = h(Eigen::all, at);
+  const ComplexMatrix system = ComplexMatrix::Identity(n, n) + z * h_jj;
+  return h - columns * system.partialPivLu().solve(ComplexMatrix(z * rows));
+}
+
+}  // namespace jointid::coupling
