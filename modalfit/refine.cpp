@@ -1,0 +1,120 @@
+#include "modalfit/refine.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "modalfit/normal_block.hpp"
+
+namespace jointid::modalfit {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Entries per partial sum, so that sums do not depend on the number of threads.
+constexpr std::size_t chunk = 8;
+
+struct Sums {
+  MatrixXd curvature;
+  VectorXd gradient;
+  double cost = 0.0, freedom = 0.0;
+};
+
+Sums zero(Index parameters) { return {MatrixXd::Zero(parameters, parameters), VectorXd::Zero(parameters), 0.0, 0.0}; }
+
+void add(const NormalBlock& block, const RealBasis& basis, Sums& sums) {
+  const auto terms = block.pole_terms(basis);
+  sums.curvature += terms.curvature;
+  sums.gradient += terms.gradient;
+  sums.cost += block.cost();
+  sums.freedom += block.equations() - (block.equations() > 0.0 ? static_cast<double>(basis.columns.cols()) : 0.0);
+}
+
+class Problem {
+ public:
+  Problem(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind) : band_(band), entries_(entries), kind_(kind) {}
+
+  Sums linearise(const std::vector<Pole>& poles) const {
+    const RealBasis basis(make_basis(kind_, poles, band_.frequency_hz, band_.scale_hz(), true));
+    const Index parameters = 2 * static_cast<Index>(poles.size());
+    std::vector<Sums> parts((entries_.size() + chunk - 1) / chunk, zero(parameters));
+    tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+      const std::size_t last = std::min(entries_.size(), (i + 1) * chunk);
+      for (std::size_t k = i * chunk; k < last; ++k) add(NormalBlock(basis, band_, entries_[k]), basis, parts[i]);
+    });
+    Sums sums = zero(parameters);
+    for (const Sums& part : parts) {
+      sums.curvature += part.curvature;
+      sums.gradient += part.gradient;
+      sums.cost += part.cost;
+      sums.freedom += part.freedom;
+    }
+    sums.freedom -= static_cast<double>(parameters);
+    return sums;
+  }
+
+ private:
+  const Band& band_;
+  const std::vector<std::size_t>& entries_;
+  ModelKind kind_;
+};
+
+/// A step in ln f and damping; damping stays positive by going at most a factor of three at a time.
+std::vector<Pole> moved(std::vector<Pole> poles, const VectorXd& step) {
+  for (std::size_t r = 0; r < poles.size(); ++r) {
+    const auto at = static_cast<Index>(2 * r);
+    poles[r].frequency_hz *= std::exp(std::clamp(step(at), -0.1, 0.1));
+    poles[r].damping = std::clamp(poles[r].damping + step(at + 1), poles[r].damping / 3.0, poles[r].damping * 3.0);
+    poles[r].damping = std::min(poles[r].damping, 0.95);
+  }
+  return poles;
+}
+
+VectorXd damped_step(const Sums& at, double mu) {
+  MatrixXd damped = at.curvature;
+  damped.diagonal() *= 1.0 + mu;
+  return damped.ldlt().solve(at.gradient);
+}
+
+bool all_finite(const std::vector<Pole>& poles) {
+  return std::ranges::all_of(poles, [](const Pole& pole) { return std::isfinite(pole.frequency_hz) && std::isfinite(pole.damping); });
+}
+
+}  // namespace
+
+RefinedPoles refine(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, std::vector<Pole> start,
+                    const RefineOptions& options, const std::function<bool()>& stop) {
+  RefinedPoles out{.poles = std::move(start), .covariance = {}};
+  const Problem problem(band, entries, kind);
+  Sums at = problem.linearise(out.poles);
+  const auto parameters = at.gradient.size();
+  double mu = 1e-3;
+  while (parameters > 0 && out.iterations < options.most_iterations && !(stop && stop())) {
+    ++out.iterations;
+    const VectorXd newton = damped_step(at, 0.0);
+    const double small = options.step * options.step * static_cast<double>(parameters) * at.cost / std::max(1.0, at.freedom);
+    out.converged = std::abs(newton.dot(at.gradient)) <= small;
+    if (out.converged) break;
+    const std::vector<Pole> trial = moved(out.poles, damped_step(at, mu));
+    Sums next = all_finite(trial) ? problem.linearise(trial) : at;
+    if (next.cost < at.cost) {
+      out.poles = trial;
+      at = std::move(next);
+      mu *= 0.1;
+    } else {
+      if (mu > 1e8) break;
+      mu = std::max(10.0 * mu, 1e-3);
+    }
+  }
+  out.cost = at.cost;
+  out.freedom = at.freedom;
+  const MatrixXd covariance = at.curvature.ldlt().solve(MatrixXd::Identity(parameters, parameters));
+  out.covariance.assign(covariance.data(), covariance.data() + covariance.size());
+  return out;
+}
+
+}  // namespace jointid::modalfit
