@@ -63,21 +63,38 @@ class Problem {
   ModelKind kind_;
 };
 
-/// A step in ln f and damping; damping stays positive by going at most a factor of three at a time.
-std::vector<Pole> moved(std::vector<Pole> poles, const VectorXd& step) {
+/// A peak this much narrower than the space between two lines cannot be told from a narrower one.
+constexpr double narrowest_peak = 1e-3;
+constexpr double most_damping = 0.95;
+
+double least_damping(const Pole& pole, double spacing_hz) { return narrowest_peak * spacing_hz / pole.frequency_hz; }
+
+/// A step in ln f and damping; damping grows at most by a factor of three at a time.
+std::vector<Pole> moved(std::vector<Pole> poles, const VectorXd& step, double spacing_hz) {
   for (std::size_t r = 0; r < poles.size(); ++r) {
     const auto at = static_cast<Index>(2 * r);
     poles[r].frequency_hz *= std::exp(std::clamp(step(at), -0.1, 0.1));
-    poles[r].damping = std::clamp(poles[r].damping + step(at + 1), poles[r].damping / 3.0, poles[r].damping * 3.0);
-    poles[r].damping = std::min(poles[r].damping, 0.95);
+    const double least = least_damping(poles[r], spacing_hz);
+    poles[r].damping = std::clamp(poles[r].damping + step(at + 1), std::max(least, poles[r].damping / 3.0),
+                                  std::max(2.0 * least, std::min(most_damping, poles[r].damping * 3.0)));
   }
   return poles;
 }
 
-VectorXd damped_step(const Sums& at, double mu) {
+/// Levenberg–Marquardt step; a damping that stands at its least and would fall stays.
+VectorXd damped_step(const Sums& at, const std::vector<Pole>& poles, double spacing_hz, double mu) {
   MatrixXd damped = at.curvature;
+  VectorXd gradient = at.gradient;
   damped.diagonal() *= 1.0 + mu;
-  return damped.ldlt().solve(at.gradient);
+  for (std::size_t r = 0; r < poles.size(); ++r) {
+    const auto own = static_cast<Index>(2 * r + 1);
+    if (gradient(own) >= 0.0 || poles[r].damping > 1.001 * least_damping(poles[r], spacing_hz)) continue;
+    gradient(own) = 0.0;
+    damped.row(own).setZero();
+    damped.col(own).setZero();
+    damped(own, own) = 1.0;
+  }
+  return damped.ldlt().solve(gradient);
 }
 
 bool all_finite(const std::vector<Pole>& poles) {
@@ -92,14 +109,15 @@ RefinedPoles refine(const Band& band, const std::vector<std::size_t>& entries, c
   const Problem problem(band, entries, kind);
   Sums at = problem.linearise(out.poles);
   const auto parameters = at.gradient.size();
+  const double spacing_hz = (band.frequency_hz.back() - band.frequency_hz.front()) / static_cast<double>(band.lines() - 1);
   double mu = 1e-3;
   while (parameters > 0 && out.iterations < options.most_iterations && !(stop && stop())) {
     ++out.iterations;
-    const VectorXd newton = damped_step(at, 0.0);
+    const VectorXd newton = damped_step(at, out.poles, spacing_hz, 0.0);
     const double small = options.step * options.step * static_cast<double>(parameters) * at.cost / std::max(1.0, at.freedom);
     out.converged = std::abs(newton.dot(at.gradient)) <= small;
     if (out.converged) break;
-    const std::vector<Pole> trial = moved(out.poles, damped_step(at, mu));
+    const std::vector<Pole> trial = moved(out.poles, damped_step(at, out.poles, spacing_hz, mu), spacing_hz);
     Sums next = all_finite(trial) ? problem.linearise(trial) : at;
     if (next.cost < at.cost) {
       out.poles = trial;
