@@ -1,18 +1,25 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/table.hpp"
+#include "problems/modal_set.hpp"
 
 namespace jointid::cli {
 
 ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   Table table({{"name", Align::left}, {"what", Align::left}});
   for (const auto& problem : problems::list()) table.add({problem.name, problem.description});
+  for (const auto& set : problems::list_modal_sets()) table.add({set.name, set.description});
   out << table.text(0);
   return ExitCode::done;
 }
 
 ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   catch_interrupts();  // a file that is being written is finished
+  if (problems::is_modal_set(arguments.name)) {
+    const auto file = problems::write(problems::make_modal_set(arguments.name), arguments.directory, arguments.options);
+    out << "wrote " << file.string() << "\nnext: jointid modalfit " << file.string() << " --real --damping hysteretic\n";
+    return ExitCode::done;
+  }
   const auto problem = problems::make(arguments.name);
   const auto scene = problems::write(problem, arguments.directory, arguments.options);
   out << "wrote " << scene.string() << "\nnext: jointid solve " << scene.string() << '\n';

@@ -17,15 +17,15 @@
 namespace jointid::modalfit {
 
 struct FitOptions {
-  ModelKind kind;
-  std::optional<std::array<double, 2>> range_hz;  ///< both ends included; default: all lines
-  std::optional<std::size_t> modes;               ///< keep the most significant so many; default: all that are significant
+  ModelKind kind{};
+  std::optional<std::array<double, 2>> range_hz = std::nullopt;  ///< both ends included; default: all lines
+  std::optional<std::size_t> modes = std::nullopt;  ///< keep the most significant so many; default: all that are significant
   double most_damping = 0.3;                      ///< 0 < ζ ≤ this
   PolyreferenceOptions polyreference{};
   /// FRFs by which poles are selected and refined; with more, those of the chosen inputs, evenly thinned.
   std::size_t most_refined = 400;
-  std::function<void(const char* stage)> progress;
-  std::function<bool()> interrupted;              ///< asked between steps of the refinement; the fit then stops where it is
+  std::function<void(const char* stage)> progress{};
+  std::function<bool()> interrupted{};  ///< asked between steps of the refinement; the fit then stops where it is
 };
 
 /// A mode and how well it is known.

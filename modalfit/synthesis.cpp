@@ -13,7 +13,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double cancelled = 0.2;
+constexpr double cancelled = 0.1;
 
 /// Lines of the header inside a range.
 struct Lines {

@@ -26,7 +26,7 @@ struct SynthesisError {
   std::size_t lines = 0, lines_away = 0;
 };
 
-/// Of every entry of the band. A line is near an antiresonance where the terms of the fit cancel to less than a fifth of the sum
+/// Of every entry of the band. A line is near an antiresonance where the terms of the fit cancel to less than a tenth of the sum
 /// of their moduli. `regenerated`: the band's lines and entries.
 std::vector<SynthesisError> synthesis_errors(const ModalFit& fit, const Band& band, const frf::FrfSet& regenerated);
 

@@ -2,6 +2,7 @@
 
 #include "frf/error.hpp"
 #include "problems/catalogue.hpp"
+#include "problems/modal_set.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -41,6 +42,7 @@ Problem make(const std::string& name) {
     if (definition.name == name) return build(definition);
     names.push_back(definition.name);
   }
+  for (const ProblemInfo& info : list_modal_sets()) names.push_back(info.name);
   const std::string near = nearest_word(name, names);
   throw InputError(
       {.kind = ErrorKind::usage,

@@ -5,6 +5,7 @@
 #include "frf/hdf5_writer.hpp"
 #include "frf/temporary_file.hpp"
 #include "frf/uff_file.hpp"
+#include "problems/modal_set.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::problems {
@@ -38,6 +39,14 @@ const Format& find_format(const std::string& name) {
                     .place = "problem format",
                     .problem = "'" + name + "' is not a format that problems are written in",
                     .remedy = near.empty() ? "use h5 or uff" : "did you mean " + near + "?"});
+}
+
+std::string truth_text(const ModalSet& set) {
+  const Json truth = {{"name", set.name},
+                      {"description", set.description},
+                      {"natural_frequencies_hz", set.modes.frequency_hz},
+                      {"loss_factors", set.modes.loss_factor}};
+  return truth.dump(1) + "\n";
 }
 
 /// Noise-free data as a file: a coherence would speak of noise that is not there.
@@ -101,6 +110,17 @@ std::filesystem::path write(const Problem& problem, const std::filesystem::path&
   const std::filesystem::path scene = directory / (problem.name + ".toml");
   frf::write_text(scene, scene_in_format(problem, format));
   return scene;
+}
+
+std::filesystem::path write(const ModalSet& set, const std::filesystem::path& directory, const WriteOptions& options) {
+  const Format& format = find_format(options.format);
+  std::error_code ignored;  // shows when the file is written
+  std::filesystem::create_directories(directory, ignored);
+  const frf::FrfSet data = options.clean ? set.clean : polluted(set, options.seed, 0);
+  const std::filesystem::path file = directory / file_name(set.clean, format);
+  format.write(data, file);
+  frf::write_text(directory / "truth.json", truth_text(set));
+  return file;
 }
 
 }  // namespace jointid::problems
