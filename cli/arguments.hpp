@@ -8,6 +8,7 @@
 
 #include "cli/exit_code.hpp"
 #include "frf/frf_source.hpp"
+#include "modalfit/fit.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::cli {
@@ -68,8 +69,16 @@ struct CompareArguments {
   Target json, csv, report;
 };
 
+struct ModalfitArguments {
+  std::vector<std::filesystem::path> files;
+  frf::OpenOptions open;
+  modalfit::FitOptions fit;
+  std::optional<std::filesystem::path> regenerate, shapes;
+  Target json, csv, report;
+};
+
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
-                               SolveArguments, PlanArguments, StudyArguments, CompareArguments>;
+                               SolveArguments, PlanArguments, StudyArguments, CompareArguments, ModalfitArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

@@ -15,5 +15,6 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out);
 ExitCode execute(const PlanArguments& arguments, std::ostream& out);
 ExitCode execute(const StudyArguments& arguments, std::ostream& out);
 ExitCode execute(const CompareArguments& arguments, std::ostream& out);
+ExitCode execute(const ModalfitArguments& arguments, std::ostream& out);
 
 }  // namespace jointid::cli
