@@ -150,7 +150,8 @@ void add_compare(CLI::App& app, Chosen& chosen) {
       list("--methods", arguments->methods, "one,two; default of each list: the scene's"),
       command->add_option("--equations", arguments->equations, "Sets of equations, e.g. \"nn nj;nn nj jj jn\""),
       list("--weightings", arguments->weightings, "none,WA,WB,WBG,WBS"), list("--deltas", arguments->deltas, "0,0.05,0.1"),
-      list("--solvers", arguments->solvers, "qr,normal,spqr")};
+      list("--solvers", arguments->solvers, "qr,normal,spqr"),
+      list("--regenerate", arguments->regenerate, "FRFs replaced by those of modal models: none,substructures,assembly,substructures+assembly")};
   CLI::Option* reproduce = command->add_option("--reproduce", arguments->reproduce,
                                                "Instead of a scene: a table of Ren's thesis beside ours, e.g. 6.3; or list");
   reproduce->excludes(scene);

@@ -63,7 +63,7 @@ struct CompareArguments {
   std::size_t trials = 200;
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< 0: all cores
-  std::vector<std::string> methods, weightings, solvers;
+  std::vector<std::string> methods, weightings, solvers, regenerate;
   std::vector<double> deltas;
   std::string equations;  ///< sets of names, separated by ";"
   Target json, csv, report;

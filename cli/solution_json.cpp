@@ -102,7 +102,7 @@ Json used(const ident::Used& used) {
 
 std::string solution_json(const ident::Solution& solution) {
   const bool several = solution.bands.size() > 1;
-  Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}};
+  Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}, {"warnings", solution.warnings}};
   json["unknowns"] = Json::array();
   for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate));
   json["matrices"] = solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
