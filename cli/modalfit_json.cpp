@@ -21,7 +21,8 @@ Json mode(const ModalRun& run, const Shapes& all, std::size_t r) {
                {"frequency_std", value(of.frequency_deviation_hz)},
                {"damping", of.pole.damping},
                {"damping_std", value(of.damping_deviation)},
-               {"significance", value(of.significance)}};
+               {"significance", value(of.significance)},
+               {"inside", of.inside}};
   json["rank_one_misfit"] = run.symmetric ? value(run.symmetric->modes[r].misfit) : Json(nullptr);
   json["shape"] = Json::array();
   for (const auto& component : all.of_mode[r]) json["shape"].push_back({component.real(), component.imag()});
@@ -84,11 +85,12 @@ std::string modalfit_json(const ModalRun& run) {
 }
 
 std::string modes_csv(const ModalRun& run) {
-  std::string csv = csv_line({"mode", "frequency_hz", "frequency_std", "damping", "damping_std", "significance"});
+  std::string csv = csv_line({"mode", "frequency_hz", "frequency_std", "damping", "damping_std", "significance", "inside"});
   for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
     const modalfit::Mode& mode = run.fit.modes[r];
     csv += csv_line({fmt::format("{}", r + 1), fmt::format("{}", mode.pole.frequency_hz), fmt::format("{}", mode.frequency_deviation_hz),
-                     fmt::format("{}", mode.pole.damping), fmt::format("{}", mode.damping_deviation), fmt::format("{}", mode.significance)});
+                     fmt::format("{}", mode.pole.damping), fmt::format("{}", mode.damping_deviation), fmt::format("{}", mode.significance),
+                     mode.inside ? "true" : "false"});
   }
   return csv;
 }

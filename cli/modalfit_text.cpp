@@ -39,14 +39,15 @@ std::string model_text(const modalfit::ModelKind& kind) {
 
 Table modes_table(const ModalRun& run) {
   const bool hysteretic = run.fit.kind.damping == modalfit::Damping::hysteretic;
-  Table table({{"mode"}, {"frequency Hz"}, {"std"}, {hysteretic ? "η %" : "ζ %"}, {"std"}, {"significance"}, {"rank-one misfit"}});
+  Table table({{"mode"}, {"frequency Hz"}, {"std"}, {hysteretic ? "η %" : "ζ %"}, {"std"}, {"significance"}, {"rank-one misfit"}, {"", Align::left}});
   const std::vector<double> misfits = off_rank_one(run);
   for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
     const modalfit::Mode& mode = run.fit.modes[r];
     table.add({fmt::format("{}", r + 1), fmt::format("{:.4f}", mode.pole.frequency_hz), fmt::format("{:.1e}", mode.frequency_deviation_hz),
                fmt::format("{:.4f}", 100.0 * mode.pole.damping), fmt::format("{:.1e}", 100.0 * mode.damping_deviation),
                fmt::format("{:.3g}", mode.significance),
-               r < misfits.size() && std::isfinite(misfits[r]) ? fmt::format("{:.2f}", misfits[r]) : "–"});
+               r < misfits.size() && std::isfinite(misfits[r]) ? fmt::format("{:.2f}", misfits[r]) : "–",
+               mode.inside ? "" : "outside the range"});
   }
   return table;
 }

@@ -35,8 +35,13 @@ std::vector<std::size_t> refined_entries(const Band& band, const FitOptions& opt
   return entries;
 }
 
-bool belongs(const Pole& pole, const Band& band, double most) {
-  return pole.frequency_hz >= band.frequency_hz.front() && pole.frequency_hz <= band.frequency_hz.back() && pole.damping <= most;
+bool is_inside(const Pole& pole, const Band& band) {
+  return pole.frequency_hz >= band.frequency_hz.front() && pole.frequency_hz <= band.frequency_hz.back();
+}
+
+/// How far beyond the ends of the range a mode can be told from a residual term.
+bool is_near(const Pole& pole, const Band& band) {
+  return pole.frequency_hz >= 0.5 * band.frequency_hz.front() && pole.frequency_hz <= 2.0 * band.frequency_hz.back();
 }
 
 class Fitter {
@@ -47,16 +52,8 @@ class Fitter {
     ModalFit out;
     std::vector<Pole> poles = candidates(out);
     tell("refining poles");
-    RefinedPoles refined;
-    for (int round = 0; round < most_rounds; ++round) {
-      poles = significant_poles(band_, entries_, options_.kind, poles, options_.modes);
-      refined = refine(band_, entries_, options_.kind, poles, {}, options_.interrupted);
-      out.iterations += refined.iterations;
-      if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, refined.poles);
-      const bool settled = settle(refined.poles) && round > 0;
-      poles = refined.poles;
-      if (settled || stopped()) break;
-    }
+    RefinedPoles refined = settled(std::move(poles), false, out);
+    extend(refined, out);
     finish(std::move(refined), out);
     return out;
   }
@@ -81,13 +78,53 @@ class Fitter {
     return poles;
   }
 
-  /// Takes out what left the band; true when nothing did and every mode is significant.
-  bool settle(std::vector<Pole>& poles) {
-    const std::size_t before = poles.size();
+  /// Selects and refines until both agree.
+  RefinedPoles settled(std::vector<Pole> poles, bool beyond, ModalFit& out) {
+    RefinedPoles refined;
+    for (int round = 0; round < most_rounds; ++round) {
+      poles = select(poles, beyond);
+      refined = refine(band_, entries_, options_.kind, poles, {}, options_.interrupted);
+      out.iterations += refined.iterations;
+      if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, refined.poles);
+      poles = select(refined.poles, beyond);
+      if ((poles.size() == refined.poles.size() && round > 0) || stopped()) break;
+    }
+    return refined;
+  }
+
+  /// What is where modes are wanted, and significant.
+  std::vector<Pole> select(std::vector<Pole> poles, bool beyond) const {
     const double most = options_.most_damping * damping_per_zeta(options_.kind);
-    std::erase_if(poles, [&](const Pole& pole) { return !belongs(pole, band_, most); });
-    if (poles.size() == before) poles = significant_poles(band_, entries_, options_.kind, poles, options_.modes);
-    return poles.size() == before;
+    std::erase_if(poles, [&](const Pole& pole) {
+      return pole.damping > most || !(is_inside(pole, band_) || (beyond && is_near(pole, band_)));
+    });
+    std::optional<std::size_t> count = options_.modes;
+    if (count) *count += static_cast<std::size_t>(std::ranges::count_if(poles, [&](const Pole& pole) { return !is_inside(pole, band_); }));
+    return significant_poles(band_, entries_, options_.kind, std::move(poles), count);
+  }
+
+  /// Tries a pole beyond each end of the range, and keeps what is significant, provided that the modes inside stay.
+  void extend(RefinedPoles& refined, ModalFit& out) {
+    if (refined.poles.empty() || !refined.converged || stopped()) return;
+    const double low = band_.frequency_hz.front(), high = band_.frequency_hz.back();
+    std::vector<double> damping;
+    for (const Pole& pole : refined.poles) damping.push_back(pole.damping);
+    std::ranges::nth_element(damping, damping.begin() + static_cast<std::ptrdiff_t>(damping.size() / 2));
+    const double typical = damping[damping.size() / 2];
+    for (const double beyond : {high + 0.15 * (high - low), low - 0.15 * std::min(high - low, low)}) {
+      std::vector<Pole> poles = refined.poles;
+      poles.push_back({beyond, typical});
+      RefinedPoles more = settled(std::move(poles), true, out);
+      if (more.converged && inside(more) == inside(refined) && more.poles.size() > refined.poles.size()) {
+        refined = std::move(more);
+      } else if (!band_.known_noise) {
+        estimate_noise(band_, entries_, options_.kind, refined.poles);
+      }
+    }
+  }
+
+  std::size_t inside(const RefinedPoles& refined) const {
+    return static_cast<std::size_t>(std::ranges::count_if(refined.poles, [&](const Pole& pole) { return is_inside(pole, band_); }));
   }
 
   void finish(RefinedPoles refined, ModalFit& out) {
@@ -139,7 +176,8 @@ class Fitter {
       out.modes.push_back({.pole = refined.poles[r],
                            .frequency_deviation_hz = refined.poles[r].frequency_hz * std::sqrt(variance(2 * r)),
                            .damping_deviation = std::sqrt(variance(2 * r + 1)),
-                           .significance = out.residues.growth[r] / least});
+                           .significance = out.residues.growth[r] / least,
+                           .inside = is_inside(refined.poles[r], band_)});
     }
   }
 
@@ -162,6 +200,10 @@ std::vector<Pole> ModalFit::poles() const {
   std::vector<Pole> poles;
   for (const Mode& mode : modes) poles.push_back(mode.pole);
   return poles;
+}
+
+std::size_t ModalFit::modes_inside() const {
+  return static_cast<std::size_t>(std::ranges::count(modes, true, &Mode::inside));
 }
 
 ModalFit fit(Band& band, const frf::FrfHeader& header, const FitOptions& options) {

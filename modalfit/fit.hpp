@@ -34,6 +34,7 @@ struct Mode {
   double frequency_deviation_hz = 0.0;
   double damping_deviation = 0.0;
   double significance = 0.0;  ///< growth of the cost without it over what noise would reach
+  bool inside = true;         ///< false: beyond the ends of the range, where its flank is better than a constant residual term
 };
 
 enum class FitStatus {
@@ -50,7 +51,7 @@ struct ModalFit {
   std::string message;
   ModelKind kind;
   std::vector<frf::Dof> response, reference;
-  std::vector<Mode> modes;              ///< ascending frequencies
+  std::vector<Mode> modes;              ///< ascending frequencies; first and last may be outside the range
   std::vector<double> pole_covariance;  ///< [2N,2N] of (ln f, damping), row-major
   double scale_hz = 1.0;                ///< of the basis
   Residues residues;                    ///< of all entries, response by response
@@ -60,10 +61,11 @@ struct ModalFit {
   std::size_t refined_entries = 0, iterations = 0;
 
   std::vector<Pole> poles() const;
+  std::size_t modes_inside() const;
 };
 
 /// Fits the FRFs of a band: polyreference poles of increasing order, clusters, significance, residues, refinement of the poles by
-/// maximum likelihood, until selection and refinement agree. Updates the weights of a band whose noise is not known.
+/// maximum likelihood, until selection and refinement agree; then a pole below and one above the range where they are significant. Updates the weights of a band whose noise is not known.
 ModalFit fit(Band& band, const frf::FrfHeader& header, const FitOptions& options);
 
 }  // namespace jointid::modalfit

@@ -42,7 +42,7 @@ std::string harm_of(const RegeneratedSet& set, const ModalFit& fit) {
 RegeneratedSet regenerate_set(const frf::FrfSet& measured, const FitOptions& options) {
   Band band = make_band(measured, options.range_hz);
   const ModalFit found = fit(band, measured.header, options);
-  RegeneratedSet out{.set = measured, .modes = found.modes.size(), .error = {}, .misfit = 0.0, .harm = {}};
+  RegeneratedSet out{.set = measured, .modes = found.modes_inside(), .error = {}, .misfit = 0.0, .harm = {}};
   if (found.status == FitStatus::no_modes) {
     out.harm = found.message;
     return out;

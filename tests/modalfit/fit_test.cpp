@@ -57,7 +57,7 @@ TEST(Fit, EstimatesTheNoiseThatNobodyTold) {
 
 TEST(Fit, KeepsTheMostSignificantWhenToldHowMany) {
   const ModalFit found = fitted(pair_with_noise(), {.kind = hysteretic_real, .modes = 1});
-  EXPECT_EQ(found.modes.size(), 1u);
+  EXPECT_EQ(found.modes_inside(), 1u);
 }
 
 TEST(Fit, SaysSoWhereThereIsNoMode) {
