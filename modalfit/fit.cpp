@@ -111,16 +111,29 @@ class Fitter {
     for (const Pole& pole : refined.poles) damping.push_back(pole.damping);
     std::ranges::nth_element(damping, damping.begin() + static_cast<std::ptrdiff_t>(damping.size() / 2));
     const double typical = damping[damping.size() / 2];
-    for (const double beyond : {high + 0.15 * (high - low), low - 0.15 * std::min(high - low, low)}) {
-      std::vector<Pole> poles = refined.poles;
-      poles.push_back({beyond, typical});
-      RefinedPoles more = settled(std::move(poles), true, out);
-      if (more.converged && inside(more) == inside(refined) && more.poles.size() > refined.poles.size()) {
-        refined = std::move(more);
-      } else if (!band_.known_noise) {
-        estimate_noise(band_, entries_, options_.kind, refined.poles);
+    const std::array<double, 2> starts = {high + 0.15 * (high - low), low - 0.15 * std::min(high - low, low)};
+    std::array<bool, 2> found{};
+    bool more = true;
+    while (more) {  // one end may show only when the other is taken care of
+      more = false;
+      for (std::size_t end = 0; end < 2; ++end) {
+        if (found[end] || !add({starts[end], typical}, refined, out)) continue;
+        found[end] = more = true;
       }
     }
+  }
+
+  /// Refines with one more pole; false, and all as before, when it is not significant, drives others out or does not settle.
+  bool add(const Pole& pole, RefinedPoles& refined, ModalFit& out) {
+    std::vector<Pole> poles = refined.poles;
+    poles.push_back(pole);
+    RefinedPoles more = settled(std::move(poles), true, out);
+    if (more.converged && inside(more) == inside(refined) && more.poles.size() > refined.poles.size()) {
+      refined = std::move(more);
+      return true;
+    }
+    if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, refined.poles);
+    return false;
   }
 
   std::size_t inside(const RefinedPoles& refined) const {
