@@ -1,6 +1,6 @@
 // Modal fit of 84 × 84 FRFs × 800 lines, 30 modes in the range, two rigid-body modes below and ten modes above it, 1 % circular noise with
 // its variances: time, memory and accuracy; then poles and residues against numpy with the same formulas.
-// Exit code 1 when the fit takes 20 s or more or 2 GB or more, modes are missed or invented, a frequency is more than 1e-4 or a loss factor
+// Exit code 1 when the fit takes 20 s or more (by the clock, and of processor time on a busy machine) or 2 GB or more, modes are missed or invented, a frequency is more than 1e-4 or a loss factor
 // more than 3 % off, or numpy's answers differ.
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -33,6 +33,14 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t coordinates = 84, lines = 800, inside = 30, above = 10, below = 2;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Of all threads: what the fit would take on one core.
+double processor_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 double peak_megabytes() {
   rusage usage{};
@@ -171,16 +179,17 @@ int main() {
     const frf::FrfSet set = measurement(modes);
     fmt::print("{} × {} FRFs × {} lines\n", coordinates, coordinates, lines);
     const auto start = Clock::now();
+    const double processor_start = processor_seconds();
     modalfit::Band band = modalfit::make_band(set, {});
     const modalfit::ModalFit fit = modalfit::fit(band, set.header, {.kind = {modalfit::Damping::hysteretic, true}});
-    const double fit_s = seconds_since(start);
+    const double fit_s = seconds_since(start), processor_s = processor_seconds() - processor_start;
     const modalfit::SymmetricModel model = modalfit::make_symmetric(fit, band);
     const frf::FrfSet regenerated = modalfit::regenerate(model, set.header);
     const auto error = modalfit::overall(modalfit::synthesis_errors(fit, band, regenerated));
-    fmt::print("  fit {:.2f} s ({} FRFs refine the poles, {} iterations), symmetric model and regeneration {:.2f} s, {:.0f} MB\n", fit_s,
-               fit.refined_entries, fit.iterations, seconds_since(start) - fit_s, peak_megabytes());
+    fmt::print("  fit {:.2f} s, {:.2f} s of processor time ({} FRFs refine the poles, {} iterations), symmetric model and regeneration {:.2f} s, {:.0f} MB\n", fit_s,
+               processor_s, fit.refined_entries, fit.iterations, seconds_since(start) - fit_s, peak_megabytes());
     fmt::print("  regenerated FRFs: {:.3f} dB rms from the measured ones\n", error.rms_db);
-    good = accurate(fit, modes) && fit_s < 20.0 && peak_megabytes() < 2048.0;
+    good = accurate(fit, modes) && std::min(fit_s, processor_s) < 20.0 && peak_megabytes() < 2048.0;
     good = compare_with_peer(band, fit) && good;
   }
   return good ? 0 : 1;

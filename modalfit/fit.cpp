@@ -14,6 +14,8 @@ namespace jointid::modalfit {
 namespace {
 
 constexpr int most_rounds = 6;
+/// A pole beyond the range that wanders longer has no place of its own.
+constexpr std::size_t most_trial_iterations = 12;
 
 /// Hysteretic η = 2ζ at resonance.
 double damping_per_zeta(const ModelKind& kind) { return kind.damping == Damping::hysteretic ? 2.0 : 1.0; }
@@ -127,7 +129,11 @@ class Fitter {
   bool add(const Pole& pole, RefinedPoles& refined, ModalFit& out) {
     std::vector<Pole> poles = refined.poles;
     poles.push_back(pole);
-    RefinedPoles more = settled(std::move(poles), true, out);
+    if (select(poles, true).size() < poles.size()) return false;  // even a misplaced flank is better than none where there is one
+    const RefinedPoles first = refine(band_, entries_, options_.kind, std::move(poles), {.most_iterations = most_trial_iterations}, options_.interrupted);
+    out.iterations += first.iterations;
+    if (!first.converged || inside(first) != inside(refined)) return false;
+    RefinedPoles more = settled(first.poles, true, out);
     if (more.converged && inside(more) == inside(refined) && more.poles.size() > refined.poles.size()) {
       refined = std::move(more);
       return true;
