@@ -102,7 +102,7 @@ Json used(const ident::Used& used) {
 
 std::string solution_json(const ident::Solution& solution) {
   const bool several = solution.bands.size() > 1;
-  Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}, {"warnings", solution.warnings}};
+  Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}};
   json["unknowns"] = Json::array();
   for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate));
   json["matrices"] = solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
@@ -117,6 +117,7 @@ std::string solution_json(const ident::Solution& solution) {
       {"read", time.read}, {"assemble", time.assemble}, {"solve", time.solve}, {"total", time.total}};
   json["used"] = used(solution.used);
   json["variances"] = variances(solution.variances);
+  json["warnings"] = solution.warnings;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
