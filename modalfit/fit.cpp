@@ -1,6 +1,7 @@
 #include "modalfit/fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
