@@ -27,9 +27,11 @@ struct Sums {
 Sums zero(Index parameters) { return {MatrixXd::Zero(parameters, parameters), VectorXd::Zero(parameters), 0.0, 0.0}; }
 
 void add(const NormalBlock& block, const RealBasis& basis, Sums& sums) {
-  const auto terms = block.pole_terms(basis);
-  sums.curvature += terms.curvature;
-  sums.gradient += terms.gradient;
+  if (basis.modes > 0) {
+    const auto terms = block.pole_terms(basis);
+    sums.curvature += terms.curvature;
+    sums.gradient += terms.gradient;
+  }
   sums.cost += block.cost();
   sums.freedom += block.equations() - (block.equations() > 0.0 ? static_cast<double>(basis.columns.cols()) : 0.0);
 }
@@ -130,6 +132,7 @@ RefinedPoles refine(const Band& band, const std::vector<std::size_t>& entries, c
   }
   out.cost = at.cost;
   out.freedom = at.freedom;
+  if (parameters == 0) return out;
   const MatrixXd covariance = at.curvature.ldlt().solve(MatrixXd::Identity(parameters, parameters));
   out.covariance.assign(covariance.data(), covariance.data() + covariance.size());
   return out;
