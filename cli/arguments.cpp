@@ -7,7 +7,9 @@
 #include <sstream>
 
 #include "cli/couple_arguments.hpp"
+#include "cli/modalfit_arguments.hpp"
 #include "cli/of_option.hpp"
+#include "cli/open_options.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "frf/error.hpp"
@@ -24,32 +26,6 @@ std::pair<CLI::App*, T*> add_command(CLI::App& parent, Chosen& chosen, const cha
   CLI::App* command = parent.add_subcommand(name, what);
   command->callback([arguments, &chosen] { chosen = *arguments; });
   return {command, arguments.get()};
-}
-
-std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
-  std::vector<frf::Dof> dofs;
-  for (const std::string& text : texts) dofs.push_back(frf::Dof::parse(text));
-  return dofs;
-}
-
-/// What the user knows of an FRF file that does not say it itself.
-void add_open_options(CLI::App* command, frf::OpenOptions& open) {
-  command->add_option_function<std::string>(
-      "--quantity", [&open](const std::string& text) {
-        open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); });
-      },
-      "receptance, mobility or accelerance, for files that do not name it");
-  const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
-    command
-        ->add_option_function<std::vector<std::string>>(
-            name,
-            [&to, name](const std::vector<std::string>& texts) { to = of_option(name, [&] { return parse_dofs(texts); }); },
-            what)
-        ->delimiter(',');
-  };
-  dofs("--response", open.response, "Response DOFs, e.g. 4:+Y,4:+RZ, for matrices without DOFs (MAT, CSV)");
-  dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
-  command->add_option("--variable", open.variable, "MAT: name of the FRF variable");
 }
 
 void add_info(CLI::App& app, Chosen& chosen) {
@@ -175,7 +151,8 @@ void add_compare(CLI::App& app, Chosen& chosen) {
       list("--methods", arguments->methods, "one,two; default of each list: the scene's"),
       command->add_option("--equations", arguments->equations, "Sets of equations, e.g. \"nn nj;nn nj jj jn\""),
       list("--weightings", arguments->weightings, "none,WA,WB,WBG,WBS"), list("--deltas", arguments->deltas, "0,0.05,0.1"),
-      list("--solvers", arguments->solvers, "qr,normal,spqr")};
+      list("--solvers", arguments->solvers, "qr,normal,spqr"),
+      list("--regenerate", arguments->regenerate, "FRFs replaced by those of modal models: none,substructures,assembly,substructures+assembly")};
   CLI::Option* reproduce = command->add_option("--reproduce", arguments->reproduce,
                                                "Instead of a scene: a table of Ren's thesis beside ours, e.g. 6.3; or list");
   reproduce->excludes(scene);
@@ -206,6 +183,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
       add_command<LoadingCurveArguments>(app, chosen, "loading-curve", "Find the law of a friction joint from measured curves");
   declare(*loading_curve, *loading_curve_arguments);
   add_couple(app, chosen);
+  add_modalfit(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);

@@ -9,6 +9,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/loading_curve_arguments.hpp"
 #include "frf/frf_source.hpp"
+#include "modalfit/fit.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::cli {
@@ -63,7 +64,7 @@ struct CompareArguments {
   std::size_t trials = 200;
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< 0: all cores
-  std::vector<std::string> methods, weightings, solvers;
+  std::vector<std::string> methods, weightings, solvers, regenerate;
   std::vector<double> deltas;
   std::string equations;  ///< sets of names, separated by ";"
   Target json, csv, report;
@@ -76,8 +77,17 @@ struct CoupleArguments {
   Target json, csv;
 };
 
+struct ModalfitArguments {
+  std::vector<std::filesystem::path> files;
+  frf::OpenOptions open;
+  modalfit::FitOptions fit;
+  std::optional<std::filesystem::path> regenerate, shapes;
+  Target json, csv, report;
+};
+
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
-                               SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments, CoupleArguments>;
+                               SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments, CoupleArguments,
+                               ModalfitArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

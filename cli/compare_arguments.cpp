@@ -56,6 +56,9 @@ ident::Alternatives alternatives(const CompareArguments& arguments) {
   std::ranges::for_each(arguments.deltas, check_delta);
   out.deltas = arguments.deltas;
   out.solvers = arguments.solvers;
+  for (const std::string& word : arguments.regenerate) {
+    out.regenerations.push_back(of_option("--regenerate", [&] { return ident::parse_regeneration(word); }));
+  }
   return out;
 }
 

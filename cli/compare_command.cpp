@@ -31,7 +31,7 @@ ComparisonReport compared(const CompareArguments& arguments, const ident::Scene&
   const auto lists = alternatives(arguments);
   Progress progress;
   return {scene.title, arguments.trials, arguments.seed,
-          ident::compare(scene, ident::combinations(scene.identify, lists), ident::load_trial_data,
+          ident::compare(scene, ident::combinations(scene.identify, lists, scene.data.regenerate), ident::load_trial_data,
                          watched(arguments, progress))};
 }
 

@@ -21,7 +21,8 @@ Json way(const ident::Way& chosen) {
           {"equations", equations},
           {"weighting", weighs ? Json(weighting::name(chosen.weighting)) : Json(nullptr)},
           {"delta", weighs ? Json(chosen.delta) : Json(nullptr)},
-          {"solver", chosen.solver}};
+          {"solver", chosen.solver},
+          {"regenerate", ident::name(chosen.regenerate)}};
 }
 
 Json spread(const ident::Spread& s) {
@@ -57,7 +58,7 @@ std::vector<std::string> csv_cells(const ident::Combination& each, const ident::
     cells.insert(cells.end(), {field(s.median), field(s.low), field(s.high)});
   }
   cells.insert(cells.end(), {field(figures.bias), figures.on_front ? "true" : "false", field(each.solve_s),
-                             fmt::format("{}", each.accumulator_bytes)});
+                             fmt::format("{}", each.accumulator_bytes), ident::name(each.way.regenerate)});
   return cells;
 }
 
@@ -77,7 +78,7 @@ std::string comparison_json(const ComparisonReport& report) {
 std::string comparison_csv(const ComparisonReport& report) {
   std::string csv = csv_line({"method", "equations", "weighting", "delta", "solver", "matrix", "rjcf", "rjcf_q05", "rjcf_q95",
                               "arvf", "arvf_q05", "arvf_q95", "rms_relative_error", "rms_relative_error_q05",
-                              "rms_relative_error_q95", "bias", "pareto_front", "solve_s", "accumulator_bytes"});
+                              "rms_relative_error_q95", "bias", "pareto_front", "solve_s", "accumulator_bytes", "regenerate"});
   for (const auto& each : report.comparison.combinations) {
     for (const auto& figures : each.matrices) csv += csv_line(csv_cells(each, figures));
   }

@@ -65,7 +65,8 @@ std::optional<PairTable> pair_table(const std::vector<const Combination*>& frame
 }  // namespace
 
 std::vector<std::string> way_cells(const ident::Way& way) {
-  return {ident::name(way.method), equations_text(way.equations), weighting_text(way.method, way.weighting),
+  const std::string regenerated = way.regenerate.any() ? ", regenerated " + ident::name(way.regenerate) : "";
+  return {ident::name(way.method) + regenerated, equations_text(way.equations), weighting_text(way.method, way.weighting),
           delta_text(way.method, way.delta), way.solver};
 }
 

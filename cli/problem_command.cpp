@@ -3,6 +3,7 @@
 #include "cli/table.hpp"
 #include "problems/coupling_problem.hpp"
 #include "problems/loading_curves.hpp"
+#include "problems/modal_set.hpp"
 
 namespace jointid::cli {
 
@@ -11,6 +12,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   for (const auto& problem : problems::list()) table.add({problem.name, problem.description});
   for (const auto& curve : problems::loading_curves()) table.add({curve.name, curve.description});
   for (const auto& problem : problems::list_coupling()) table.add({problem.name, problem.description});
+  for (const auto& set : problems::list_modal_sets()) table.add({set.name, set.description});
   out << table.text(0);
   return ExitCode::done;
 }
@@ -25,6 +27,11 @@ ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   if (problems::is_coupling(arguments.name)) {
     const auto scene = problems::write(problems::make_coupling(arguments.name), arguments.directory, arguments.options);
     out << "wrote " << scene.string() << "\nnext: jointid couple " << scene.string() << '\n';
+    return ExitCode::done;
+  }
+  if (problems::is_modal_set(arguments.name)) {
+    const auto file = problems::write(problems::make_modal_set(arguments.name), arguments.directory, arguments.options);
+    out << "wrote " << file.string() << "\nnext: jointid modalfit " << file.string() << " --real --damping hysteretic\n";
     return ExitCode::done;
   }
   const auto problem = problems::make(arguments.name);

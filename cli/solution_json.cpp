@@ -117,6 +117,7 @@ std::string solution_json(const ident::Solution& solution) {
       {"read", time.read}, {"assemble", time.assemble}, {"solve", time.solve}, {"total", time.total}};
   json["used"] = used(solution.used);
   json["variances"] = variances(solution.variances);
+  json["warnings"] = solution.warnings;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

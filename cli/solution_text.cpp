@@ -20,6 +20,7 @@ std::string head(const ident::Solution& solution, const std::string& title) {
   Table table({{"", Align::left}, {"", Align::left}});
   table.add({"status", words(ident::name(solution.status))});
   if (!solution.message.empty()) table.add({"message", solution.message});
+  for (const std::string& warning : solution.warnings) table.add({"warning", warning});
   table.add({"method", method_text(used.method, used.equations, used.weighting, used.delta, used.solver)});
   return (title.empty() ? "" : title + "\n") + table.text();
 }

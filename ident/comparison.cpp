@@ -23,10 +23,11 @@ Scene scene_for(Scene scene, const Way& way) {
   scene.identify.weighting = way.weighting;
   scene.identify.delta = way.delta;
   scene.identify.solver = way.solver;
+  scene.data.regenerate = way.regenerate;
   return scene;
 }
 
-bool same_equations(const Way& a, const Way& b) { return a.method == b.method && a.equations == b.equations; }
+bool same_data(const Way& a, const Way& b) { return a.method == b.method && a.equations == b.equations && a.regenerate == b.regenerate; }
 
 Spread spread_of(const std::vector<Trial>& trials, std::size_t matrix, double Quality::*figure) {
   std::vector<double> values;
@@ -86,7 +87,7 @@ class Comparer {
   Comparer(const Scene& scene, const TrialSource& source) : scene_(scene), source_(source) {}
 
   Combination run(const Way& way, const TrialOptions& options) {
-    if (!data_ || !same_equations(way, loaded_)) {
+    if (!data_ || !same_data(way, loaded_)) {
       data_ = source_(scene_for(scene_, way));
       loaded_ = way;
     }
@@ -109,28 +110,42 @@ bool dominates(double error, double time, double other_error, double other_time)
   return error <= other_error && time <= other_time && (error < other_error || time < other_time);
 }
 
-}  // namespace
+/// The list, or the scene's own choice when it is empty.
+template <class T>
+std::vector<T> or_own(std::vector<T> list, const T& own) {
+  if (list.empty()) list.push_back(own);
+  return list;
+}
 
-std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives) {
-  const auto or_own = [](auto list, const auto& own) {
-    if (list.empty()) list.push_back(own);
-    return list;
-  };
+std::vector<Way> combinations_of_data(const IdentifySection& identify, const Alternatives& alternatives) {
   std::vector<Way> ways;
   for (const Method method : or_own(alternatives.methods, identify.method)) {
     const auto own = method == identify.method ? identify.equations : std::vector<Equation>();
     for (const auto& equations : or_own(alternatives.equations, own)) {
       for (const std::string& solver : or_own(alternatives.solvers, identify.solver)) {
         if (!weighs_equations(method)) {
-          ways.push_back({method, equations, identify.weighting, identify.delta, solver});
+          ways.push_back({method, equations, identify.weighting, identify.delta, solver, {}});
           continue;
         }
         for (const auto weighting : or_own(alternatives.weightings, identify.weighting)) {
           for (const double delta : or_own(alternatives.deltas, identify.delta)) {
-            ways.push_back({method, equations, weighting, delta, solver});
+            ways.push_back({method, equations, weighting, delta, solver, {}});
           }
         }
       }
+    }
+  }
+  return ways;
+}
+
+}  // namespace
+
+std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives, const Regeneration& regenerate) {
+  std::vector<Way> ways;
+  for (const Regeneration& chosen : or_own(alternatives.regenerations, regenerate)) {
+    for (Way& way : combinations_of_data(identify, alternatives)) {
+      way.regenerate = chosen;
+      ways.push_back(std::move(way));
     }
   }
   return ways;

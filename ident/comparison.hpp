@@ -18,6 +18,7 @@ struct Way {
   weighting::Weighting weighting = weighting::Weighting::wb;
   double delta = 0.0;  ///< 0 ≤ Δ < 2
   std::string solver = "auto";
+  Regeneration regenerate{};  ///< of the data, by modal models
 };
 
 /// Alternatives per choice; an empty list means the scene's own. Equations for another method than the scene's: all that
@@ -28,10 +29,11 @@ struct Alternatives {
   std::vector<weighting::Weighting> weightings;
   std::vector<double> deltas;
   std::vector<std::string> solvers;
+  std::vector<Regeneration> regenerations{};
 };
 
-/// Every combination, Δ fastest, then weighting, solver, equations, method; one weighting and Δ for methods that have neither.
-std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives);
+/// Every combination, Δ fastest, then weighting, solver, equations, method, regeneration; one weighting and Δ for methods that have neither.
+std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives, const Regeneration& regenerate = {});
 
 /// How well one joint matrix was found, over the trials with status ok; NaN when there is none.
 struct MatrixFigures {
@@ -65,8 +67,8 @@ using TrialSource = std::function<std::shared_ptr<const TrialData>(const Scene&)
 /// `data` for another weighting, Δ and solver.
 std::shared_ptr<const TrialData> with_way(const TrialData& data, const Way& way);
 
-/// Runs the same trials (same seed, hence the same errors on every FRF) for every way. The base data are loaded once per method and
-/// equation set. Throws InputError for a scene without [truth], and when no way is possible.
+/// Runs the same trials (same seed, hence the same errors on every FRF) for every way. The base data are loaded once per regeneration, method
+/// and equation set. Throws InputError for a scene without [truth], and when no way is possible.
 Comparison compare(const Scene& scene, const std::vector<Way>& ways, const TrialSource& source,
                    const TrialOptions& options);
 

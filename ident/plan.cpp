@@ -11,6 +11,7 @@
 #include "ident/data_source.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/line_choice.hpp"
+#include "ident/modal_regeneration.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/supports.hpp"
 
@@ -203,12 +204,19 @@ std::unique_ptr<EquationBuilder> make_builder(Plan& plan) {
 }
 
 std::unique_ptr<Plan> make_plan(const Scene& scene) {
-  const auto open_system = [&](const char* name, const std::vector<DataFile>& files, frf::Composition composition) {
-    return std::make_unique<frf::FrfSystem>(name, open_all(files), composition, scene.data.reciprocity);
+  std::vector<ModalRegeneration> regenerated;
+  const auto open_system = [&](const char* name, const std::vector<DataFile>& files, frf::Composition composition, bool by_modes) {
+    auto sources = open_all(files);
+    if (by_modes) sources = regenerate_sources(std::move(sources), composition == frf::Composition::merged, scene, regenerated);
+    return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
   };
-  auto substructures = open_system("substructures", scene.data.substructures, frf::Composition::uncoupled);
-  auto assembly = open_system("assembly", scene.data.assembly, frf::Composition::merged);
-  return make_plan(scene, std::move(substructures), std::move(assembly));
+  const Regeneration chosen = scene.data.regenerate;
+  auto substructures = open_system("substructures", scene.data.substructures, frf::Composition::uncoupled, chosen.substructures);
+  auto assembly = open_system("assembly", scene.data.assembly, frf::Composition::merged, chosen.assembly);
+  auto plan = make_plan(scene, std::move(substructures), std::move(assembly));
+  for (const ModalRegeneration& each : regenerated) plan->notes.push_back(note(each));
+  plan->regenerated = std::move(regenerated);
+  return plan;
 }
 
 std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,

@@ -7,6 +7,7 @@
 #include "ident/equation_builder.hpp"
 #include "ident/line.hpp"
 #include "ident/line_assembler.hpp"
+#include "ident/regeneration_note.hpp"
 #include "ident/scene.hpp"
 #include "ident/unknown_columns.hpp"
 #include "restrictions/restriction.hpp"
@@ -46,13 +47,14 @@ struct Plan {
   Cost cost;
   /// Unknown of a column in SI units = scaled unknown of x = {k, ω₀²m, ω₀c, d} · this.
   double unscale(std::size_t column) const;
+  std::vector<ModalRegeneration> regenerated;  ///< structures whose FRFs are those of modal models
   std::vector<std::string> left_out;  ///< what the scene does not need, one phrase each
   std::vector<std::string> notes;     ///< what the user should know, one sentence each
 };
 
 /// Opens the scene's files (headers only) and plans. Throws InputError for DOFs that no file has, equations that the data do
 /// not allow, ranges without lines, and methods or solvers that cannot do what the scene asks.
-/// FRFs are read here only when the scene asks for resonances to be found.
+/// FRFs are read here only when the scene asks for resonances to be found, or for FRFs to be regenerated.
 std::unique_ptr<Plan> make_plan(const Scene& scene);
 
 /// The same on sources that are open already, for sets in memory.

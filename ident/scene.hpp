@@ -26,9 +26,24 @@ struct DataFile {
   std::vector<DataFile> repeats{};  ///< further runs of the same measurement
 };
 
+/// Which systems' FRFs a modal model replaces.
+struct Regeneration {
+  bool substructures = false, assembly = false;
+
+  bool any() const { return substructures || assembly; }
+  bool operator==(const Regeneration&) const = default;
+};
+
+/// "none", "substructures", "assembly" or "substructures+assembly".
+std::string name(const Regeneration& regeneration);
+
+/// Parses such a name; throws InputError (usage) with the nearest valid word.
+Regeneration parse_regeneration(const std::string& text);
+
 struct DataSection {
   std::vector<DataFile> substructures;  ///< uncoupled: FRFs across two files are zero by construction
   std::vector<DataFile> assembly;
+  Regeneration regenerate{};  ///< by modal models, before anything else
   bool reciprocity = false;  ///< on request: an FRF that is not there is taken from its transpose
 };
 

@@ -62,6 +62,16 @@ frf::OpenOptions read_options(const SceneItem& item) {
   return options;
 }
 
+Regeneration read_regeneration(const SceneItem& list) {
+  Regeneration chosen;
+  for (const SceneItem& item : list.list_not_empty()) {
+    const Regeneration one = item.here([&] { return parse_regeneration(item.text()); });
+    chosen.substructures |= one.substructures;
+    chosen.assembly |= one.assembly;
+  }
+  return chosen;
+}
+
 void read_all_options(const SceneItem& item, const Names& names, DataSection& data) {
   const SceneTable table = item.table(names);
   const std::vector<DataFile*> files = all_files(data);
@@ -73,11 +83,12 @@ void read_all_options(const SceneItem& item, const Names& names, DataSection& da
 }  // namespace
 
 DataSection read_data(const SceneItem& item, const Path& folder) {
-  const SceneTable table = item.table({"substructures", "assembly", "reciprocity", "files"});
+  const SceneTable table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files"});
   DataSection data;
   Names names;
   data.substructures = read_files(table.require("substructures"), folder, names);
   data.assembly = read_files(table.require("assembly"), folder, names);
+  if (const auto regenerate = table.find("regenerate")) data.regenerate = read_regeneration(*regenerate);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
   if (const auto files = table.find("files")) read_all_options(*files, names, data);
   return data;

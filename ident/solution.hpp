@@ -104,6 +104,7 @@ struct Solution {
   std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth
   RunTime runtime_s;
   Used used;
+  std::vector<std::string> warnings;      ///< what makes the numbers doubtful though they were found, one sentence each
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };
 

@@ -156,6 +156,9 @@ Solution solve(Plan& plan, const Control& control) {
   Solution out;
   const Clock::time_point start = Clock::now();
   out.dofs = plan.coordinates.joint;
+  for (const ModalRegeneration& each : plan.regenerated) {
+    if (!each.harm.empty()) out.warnings.push_back(note(each));
+  }
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
               plan.solver, 0};
   if (plan.likelihood) {

@@ -7,6 +7,7 @@
 #include "frf/error.hpp"
 #include "frf/polluter.hpp"
 #include "ident/data_source.hpp"
+#include "ident/modal_regeneration.hpp"
 #include "ident/quality.hpp"
 #include "ident/trial_noise.hpp"
 #include "ident/true_values.hpp"
@@ -88,8 +89,10 @@ std::vector<std::size_t> all_lines(const frf::FrfHeader& header) {
   return lines;
 }
 
-/// The scatter of an FRF is seen on lines next to each other, those not in use as well.
-bool needs_all_lines(const Scene& scene) { return scene.identify.variance == VarianceChoice::local; }
+/// The scatter of an FRF is seen on lines next to each other, those not in use as well; modes on all of them.
+bool needs_all_lines(const Scene& scene) {
+  return scene.identify.variance == VarianceChoice::local || scene.data.regenerate.any();
+}
 
 std::vector<frf::Excerpt> take(const Plan& plan, const frf::FrfSystem& system, std::size_t Line::*line_of,
                                const std::vector<Recorder*>& recorders) {
@@ -158,7 +161,7 @@ std::shared_ptr<TrialData> prepare(const Scene& scene, Sources substructures, So
   auto data = std::make_shared<TrialData>();
   data->scene = scene_of_excerpt(*plan);
   data->base = sets_of(excerpts);
-  data->pollution = make_pollution(excerpts);
+  data->pollution = with_regeneration(make_pollution(excerpts), scene);
   describe(*plan, *data);
   return data;
 }
@@ -225,9 +228,11 @@ Sources refer_to(const std::vector<frf::FrfSet>& sets) {
 std::shared_ptr<const TrialData> prepare(const Scene& scene, Sources substructures, Sources assembly,
                                          const frf::NoiseModel& noise) {
   frf::validate(noise);
-  const auto data = prepare(scene, std::move(substructures), std::move(assembly), noise.position_errors > 0.0,
+  const bool all_dofs = noise.position_errors > 0.0 || scene.data.regenerate.any();
+  const auto data = prepare(scene, std::move(substructures), std::move(assembly), all_dofs,
                             [&](const Excerpts& excerpts) { return pollution_of(excerpts, noise); });
   declare_noise(noise, *data);
+  declare_regeneration(*data);
   return data;
 }
 
@@ -240,8 +245,10 @@ std::shared_ptr<const TrialData> load_trial_data(const Scene& scene) {
 }
 
 std::shared_ptr<const TrialData> make_trial_data(const Scene& scene, const Measurements& base, Pollution pollution) {
-  return prepare(scene, refer_to(base.substructures), refer_to(base.assembly), false,
-                 [&](const Excerpts&) { return std::move(pollution); });
+  auto data = prepare(scene, refer_to(base.substructures), refer_to(base.assembly), scene.data.regenerate.any(),
+                      [&](const Excerpts&) { return std::move(pollution); });
+  declare_regeneration(*data);
+  return data;
 }
 
 std::shared_ptr<const TrialData> make_trial_data(const Scene& scene, const Measurements& base, const frf::NoiseModel& noise) {

@@ -3,6 +3,7 @@
 #include "frf/error.hpp"
 #include "problems/catalogue.hpp"
 #include "problems/coupling_problem.hpp"
+#include "problems/modal_set.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -43,6 +44,7 @@ Problem make(const std::string& name) {
     names.push_back(definition.name);
   }
   for (const ProblemInfo& info : list_coupling()) names.push_back(info.name);
+  for (const ProblemInfo& info : list_modal_sets()) names.push_back(info.name);
   const std::string near = nearest_word(name, names);
   throw InputError(
       {.kind = ErrorKind::usage,

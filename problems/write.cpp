@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "frf/temporary_file.hpp"
+#include "problems/modal_set.hpp"
 #include "problems/problem.hpp"
 #include "problems/set_format.hpp"
 
@@ -8,6 +9,14 @@ namespace jointid::problems {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+std::string truth_text(const ModalSet& set) {
+  const Json truth = {{"name", set.name},
+                      {"description", set.description},
+                      {"natural_frequencies_hz", set.modes.frequency_hz},
+                      {"loss_factors", set.modes.loss_factor}};
+  return truth.dump(1) + "\n";
+}
 
 /// Noise-free data as a file: a coherence would speak of noise that is not there.
 frf::FrfSet without_noise_record(frf::FrfSet set) {
@@ -70,6 +79,17 @@ std::filesystem::path write(const Problem& problem, const std::filesystem::path&
   const std::filesystem::path scene = directory / (problem.name + ".toml");
   frf::write_text(scene, scene_in_format(problem, format));
   return scene;
+}
+
+std::filesystem::path write(const ModalSet& set, const std::filesystem::path& directory, const WriteOptions& options) {
+  const SetFormat& format = find_set_format(options.format);
+  std::error_code ignored;  // shows when the file is written
+  std::filesystem::create_directories(directory, ignored);
+  const frf::FrfSet data = options.clean ? set.clean : polluted(set, options.seed, 0);
+  const std::filesystem::path file = directory / file_name(set.clean, format);
+  format.write(data, file);
+  frf::write_text(directory / "truth.json", truth_text(set));
+  return file;
 }
 
 }  // namespace jointid::problems

@@ -117,3 +117,22 @@ command_test(couple_unwritable CODE 3 ERR "absent/a.h5: cannot be written" AFTER
   ARGS couple c/coupling-C.toml --out absent/a.h5)
 command_test(couple_absent CODE 2 ERR "absent.toml" ARGS couple absent.toml)
 command_test(couple_other_scene CODE 2 ERR "couple" AFTER study_data ARGS couple a1/A1.toml)
+
+# Modal models.
+command_test(modal_set CODE 0 OUT "next: jointid modalfit" MAKES modal_data ARGS problem write modes-pair pair --format h5)
+command_test(modalfit CODE 0 OUT "101\\.000.*fit of each FRF: +0\\.0.*symmetric model: +0\\.0" AFTER modal_data
+  ARGS modalfit pair/modes-pair.h5 --real --damping hysteretic)
+command_test(modalfit_json CODE 0 OUT "^{\n  \"status\": \"ok\".*\"stabilisation\": " AFTER modal_data
+  ARGS modalfit pair/modes-pair.h5 --range 95:105 --modes 2 --json -)
+command_test(modalfit_files CODE 0 OUT "4 × 2 FRFs" MAKES modal_files AFTER modal_data
+  ARGS modalfit pair/modes-pair.h5 --real --damping hysteretic --regenerate pair_all.h5 --shapes pair_shapes.uff --csv pair.csv --report pair.html)
+command_test(modalfit_regenerated CODE 0 OUT "responses +4: .*references +4: .*not measured +none" AFTER modal_files ARGS info pair_all.h5)
+command_test(modalfit_empty_range CODE 3 ERR "range: 0 lines are in it" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --range 200:300)
+command_test(modalfit_wrong_range CODE 2 ERR "--range: '95' is not LOW:HIGH" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --range 95)
+command_test(modalfit_wrong_damping CODE 2 ERR "did you mean hysteretic" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --damping histeretic)
+command_test(modalfit_no_modes CODE 4 ERR "No mode stands out" AFTER modal_data ARGS modalfit pair/modes-pair.h5 --range 104:110)
+command_test(modalfit_absent CODE 3 ERR "absent.h5" ARGS modalfit absent.h5)
+command_test(compare_regenerated CODE 0 OUT "one, regenerated substructures" AFTER study_data
+  ARGS compare a1/A1.toml --regenerate none,substructures --trials 2)
+command_test(compare_regenerated_wrong CODE 2 ERR "--regenerate.*did you mean substructures" AFTER study_data
+  ARGS compare a1/A1.toml --regenerate substructure --trials 2)

@@ -100,7 +100,7 @@ TEST(ComparisonJson, KeepsItsKeysAndHasNullForNoNumber) {
 TEST(ComparisonCsv, HasALinePerCombinationAndMatrix) {
   const std::string csv = comparison_csv(sample_comparison());
   EXPECT_EQ(std::ranges::count(csv, '\n'), 3);
-  EXPECT_THAT(csv, HasSubstr("one,nn,WBS,0.05,qr,stiffness,0.9876,0.1,1,1.0123,0.5,1.5,0.3,0.3,,0.25,true,0.002,4000\n"));
+  EXPECT_THAT(csv, HasSubstr("one,nn,WBS,0.05,qr,stiffness,0.9876,0.1,1,1.0123,0.5,1.5,0.3,0.3,,0.25,true,0.002,4000,none\n"));
 }
 
 TEST(Comparisons, OfALikelihoodHaveNoWeighting) {

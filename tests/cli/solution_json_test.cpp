@@ -21,7 +21,7 @@ std::vector<std::string> keys(const Json& object) {
 TEST(SolutionJson, TheKeysStay) {
   const Json json = Json::parse(solution_json(sample_solution()));
   EXPECT_THAT(keys(json), ElementsAre("status", "message", "unknowns", "matrices", "dofs", "fit", "quality",
-                                      "runtime_s", "used", "variances"));
+                                      "runtime_s", "used", "variances", "warnings"));
   EXPECT_THAT(keys(json["unknowns"][0]), ElementsAre("name", "value", "unit", "std_error", "ci95", "determined"));
   EXPECT_THAT(keys(json["fit"]), ElementsAre("equations_used", "equations_dropped", "lines", "rank", "condition",
                                              "asm_frf_error", "iterations", "chi_square"));

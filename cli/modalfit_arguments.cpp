@@ -1,0 +1,73 @@
+#include "cli/modalfit_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <limits>
+#include <memory>
+
+#include "cli/of_option.hpp"
+#include "cli/open_options.hpp"
+#include "frf/error.hpp"
+
+namespace jointid::cli {
+namespace {
+
+/// One side of a range; `otherwise` where it is empty.
+double side(std::string_view text, double otherwise, const std::string& whole) {
+  if (text.empty()) return otherwise;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw InputError({ErrorKind::usage, "", "--range", "'" + whole + "' is not LOW:HIGH in Hz", "write e.g. 400:1000"});
+  }
+  return value;
+}
+
+}  // namespace
+
+std::array<double, 2> parse_range(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) side("x", 0.0, text);
+  const std::string_view all = text;
+  const std::array range = {side(all.substr(0, colon), 0.0, text), side(all.substr(colon + 1), std::numeric_limits<double>::max(), text)};
+  if (!(range[0] >= 0.0 && range[0] < range[1])) {
+    throw InputError({ErrorKind::usage, "", "--range", "'" + text + "' does not go up from 0 Hz or more", "write e.g. 400:1000"});
+  }
+  return range;
+}
+
+void add_modalfit(CLI::App& app, std::optional<Arguments>& chosen) {
+  auto owner = std::make_shared<ModalfitArguments>();
+  ModalfitArguments* arguments = owner.get();
+  CLI::App* command = app.add_subcommand("modalfit", "Find the modes behind measured FRFs and regenerate the FRFs from them");
+  command->callback([owner, &chosen] { chosen = *owner; });
+  command->add_option("FILES", arguments->files, "FRFs of one structure: UFF, HDF5, MAT or CSV")->required();
+  command->add_option_function<std::string>(
+      "--range", [arguments](const std::string& text) { arguments->fit.range_hz = parse_range(text); }, "Lines to fit, LOW:HIGH in Hz; default: all");
+  command
+      ->add_option_function<std::size_t>(
+          "--modes", [arguments](const std::size_t& count) { arguments->fit.modes = count; },
+          "Keep the most significant so many; default: all that stand out of the noise")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--real", arguments->fit.kind.real_modes, "Real modes: all coordinates move in phase or in antiphase");
+  command
+      ->add_option_function<std::string>(
+          "--damping",
+          [arguments](const std::string& text) {
+            arguments->fit.kind.damping = of_option("--damping", [&] { return modalfit::parse_damping(text); });
+          },
+          "viscous or hysteretic; default: viscous");
+  command->add_option("--regenerate", arguments->regenerate,
+                      "Write the FRFs between all coordinates, measured or not, with variances (h5, uff, mat, csv)");
+  command->add_option("--shapes", arguments->shapes, "Write the mode shapes as UFF dataset 55");
+  add_open_options(command, arguments->open);
+  command->add_option("--json", arguments->json, "Write the fit as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments->csv, "Write the modes as CSV to a file, or - for stdout");
+  command->add_option("--report", arguments->report, "Write one HTML page with stabilisation diagram and FRFs to a file, or - for stdout");
+  command->footer(
+      "Examples:\n  jointid modalfit beam.uff --report beam.html\n"
+      "  jointid modalfit beam_1.uff beam_2.uff --range 400:1000 --real --damping hysteretic\n"
+      "  jointid modalfit beam.uff --regenerate beam_modal.h5 --shapes shapes.uff");
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,115 @@
+#include "cli/modalfit_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "modalfit/mac.hpp"
+
+namespace jointid::cli {
+namespace {
+
+constexpr double alike = 0.3;
+constexpr double harm_db = 1.0;
+
+std::string decibel(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "–"; }
+
+const std::vector<modalfit::SynthesisError>& told(const ModalRun& run) { return run.symmetric ? run.of_model : run.of_fit; }
+
+std::string entry_name(const ModalRun& run, std::size_t e) {
+  const std::size_t columns = run.fit.reference.size();
+  return run.fit.response[e / columns].name() + " / " + run.fit.reference[e % columns].name();
+}
+
+std::vector<double> off_rank_one(const ModalRun& run) {
+  std::vector<double> misfits;
+  if (run.symmetric) {
+    for (const auto& mode : run.symmetric->modes) misfits.push_back(mode.misfit);
+  }
+  return misfits;
+}
+
+}  // namespace
+
+std::string model_text(const modalfit::ModelKind& kind) {
+  return modalfit::name(kind.damping) + " damping, " + (kind.real_modes ? "real" : "complex") + " modes";
+}
+
+Table modes_table(const ModalRun& run) {
+  const bool hysteretic = run.fit.kind.damping == modalfit::Damping::hysteretic;
+  Table table({{"mode"}, {"frequency Hz"}, {"std"}, {hysteretic ? "η %" : "ζ %"}, {"std"}, {"significance"}, {"rank-one misfit"}, {"", Align::left}});
+  const std::vector<double> misfits = off_rank_one(run);
+  for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
+    const modalfit::Mode& mode = run.fit.modes[r];
+    table.add({fmt::format("{}", r + 1), fmt::format("{:.4f}", mode.pole.frequency_hz), fmt::format("{:.1e}", mode.frequency_deviation_hz),
+               fmt::format("{:.4f}", 100.0 * mode.pole.damping), fmt::format("{:.1e}", 100.0 * mode.damping_deviation),
+               fmt::format("{:.3g}", mode.significance),
+               r < misfits.size() && std::isfinite(misfits[r]) ? fmt::format("{:.2f}", misfits[r]) : "–",
+               mode.inside ? "" : "outside the range"});
+  }
+  return table;
+}
+
+Table mac_table(const ModalRun& run) {
+  Table table({{"mode"}, {"mode"}, {"MAC"}});
+  const Shapes all = shapes(run);
+  for (std::size_t r = 0; r < all.of_mode.size(); ++r) {
+    for (std::size_t s = r + 1; s < all.of_mode.size(); ++s) {
+      const double mac = modalfit::mac(all.of_mode[r], all.of_mode[s]);
+      if (mac > alike) table.add({fmt::format("{}", r + 1), fmt::format("{}", s + 1), fmt::format("{:.3f}", mac)});
+    }
+  }
+  return table;
+}
+
+Table synthesis_table(const ModalRun& run, std::size_t most) {
+  Table table({{"FRF", Align::left}, {"dB rms"}, {"away from antiresonances"}});
+  const auto& errors = told(run);
+  std::vector<std::size_t> order;
+  for (std::size_t e = 0; e < errors.size(); ++e) {
+    if (errors[e].lines > 0) order.push_back(e);
+  }
+  std::ranges::sort(order, std::greater{}, [&](std::size_t e) { return errors[e].rms_db_away; });
+  order.resize(std::min(order.size(), most));
+  for (const std::size_t e : order) table.add({entry_name(run, e), decibel(errors[e].rms_db), decibel(errors[e].rms_db_away)});
+  return table;
+}
+
+std::string synthesis_text(const std::vector<modalfit::SynthesisError>& errors) {
+  const modalfit::SynthesisError all = modalfit::overall(errors);
+  return fmt::format("{} dB rms, {} dB away from antiresonances", decibel(all.rms_db), decibel(all.rms_db_away));
+}
+
+std::vector<std::string> notes(const ModalRun& run) {
+  std::vector<std::string> out;
+  if (!run.fit.message.empty()) out.push_back(run.fit.message);
+  if (!run.fit.known_noise) out.push_back("The files say nothing of their noise: it was estimated from what the fit leaves.");
+  if (!run.obstacle.empty()) out.push_back("No symmetric model: " + run.obstacle + ".");
+  const double misfit = run.fit.freedom > 0.0 ? run.fit.cost / run.fit.freedom : 1.0;
+  if (run.fit.known_noise && misfit > 2.0) {
+    out.push_back(fmt::format("The FRFs deviate from the model by {:.1f} times their noise: the structure is not that linear, or the noise is larger "
+                              "than the files say; the standard deviations are too small.", std::sqrt(misfit)));
+  }
+  if (modalfit::overall(told(run)).rms_db_away > harm_db) {
+    out.push_back("The model is more than 1 dB off away from antiresonances: regenerated FRFs would harm rather than help.");
+  }
+  return out;
+}
+
+std::string modalfit_text(const ModalRun& run) {
+  const auto& axis = run.band.frequency_hz;
+  std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses, run.band.references,
+                                 axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));
+  text += modes_table(run).text() + "\n";
+  text += "  fit of each FRF:  " + synthesis_text(run.of_fit) + "\n";
+  if (run.symmetric) text += "  symmetric model:  " + synthesis_text(run.of_model) + "\n";
+  text += fmt::format("  residuals over noise (mean square): {:.3f}, {} FRFs, {} iterations, {:.2f} s\n",
+                      run.fit.freedom > 0.0 ? run.fit.cost / run.fit.freedom : 0.0, run.fit.refined_entries, run.fit.iterations, run.fit_s);
+  if (!mac_table(run).rows().empty()) text += "\nmodes of like shapes:\n" + mac_table(run).text();
+  for (const std::string& note : notes(run)) text += "\n" + note + "\n";
+  return text;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,34 @@
+#include "cli/open_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/of_option.hpp"
+
+namespace jointid::cli {
+
+std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
+  std::vector<frf::Dof> dofs;
+  for (const std::string& text : texts) dofs.push_back(frf::Dof::parse(text));
+  return dofs;
+}
+
+void add_open_options(CLI::App* command, frf::OpenOptions& open) {
+  command->add_option_function<std::string>(
+      "--quantity", [&open](const std::string& text) {
+        open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); });
+      },
+      "receptance, mobility or accelerance, for files that do not name it");
+  const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
+    command
+        ->add_option_function<std::vector<std::string>>(
+            name,
+            [&to, name](const std::vector<std::string>& texts) { to = of_option(name, [&] { return parse_dofs(texts); }); },
+            what)
+        ->delimiter(',');
+  };
+  dofs("--response", open.response, "Response DOFs, e.g. 4:+Y,4:+RZ, for matrices without DOFs (MAT, CSV)");
+  dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
+  command->add_option("--variable", open.variable, "MAT: name of the FRF variable");
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frf/frf_source.hpp"
+#include "ident/regeneration_note.hpp"
+#include "ident/scene.hpp"
+#include "ident/trial_data.hpp"
+
+namespace jointid::ident {
+
+/// Sources with the FRFs of modal models in place of those of `sources`: real modes with hysteretic damping (5.65), fitted to the lines
+/// of the scene's range and a tenth of its width on either side. The files of an assembly are one structure and become one source, each
+/// substructure stays its own. Everything is read and fitted here. `told` gets one entry per structure.
+std::vector<std::unique_ptr<frf::FrfSource>> regenerate_sources(std::vector<std::unique_ptr<frf::FrfSource>> sources, bool one_structure,
+                                                                const Scene& scene, std::vector<ModalRegeneration>& told);
+
+/// Regenerates what the scene names after the errors of each trial have been put on it.
+Pollution with_regeneration(Pollution pollution, const Scene& scene);
+
+/// Sets that will be regenerated carry variances.
+void declare_regeneration(TrialData& data);
+
+}  // namespace jointid::ident

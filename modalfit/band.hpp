@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "frf/frf_set.hpp"
+
+namespace jointid::modalfit {
+
+/// The FRFs that are fitted, entry by entry, with the weight of every value. Entry e = response·references + reference.
+struct Band {
+  std::vector<double> frequency_hz;           ///< [F] > 0
+  std::size_t responses = 0, references = 0;
+  std::vector<std::complex<double>> values;   ///< [E,F] receptance; 0 where not measured
+  std::vector<double> weight;                 ///< [E,F,2] 1/σ of real and imaginary part; 0 where not measured
+  bool known_noise = false;                   ///< σ from variances or coherences; else up to a factor per entry, to be estimated
+  frf::Quantity quantity = frf::Quantity::receptance;  ///< as stored
+
+  std::size_t lines() const { return frequency_hz.size(); }
+  std::size_t entries() const { return responses * references; }
+  const std::complex<double>* value(std::size_t entry) const { return values.data() + entry * lines(); }
+  const double* weights(std::size_t entry) const { return weight.data() + entry * lines() * 2; }
+  double* weights(std::size_t entry) { return weight.data() + entry * lines() * 2; }
+  /// f_scale of Basis: the highest line.
+  double scale_hz() const { return frequency_hz.back(); }
+};
+
+/// Lines of the set inside `range_hz` (all without it) but 0 Hz. σ² comes from the set's variances, or by H1 from its
+/// coherences; a zero variance (an exact value) counts as 1e-6 of the modulus. Without either, σ is taken constant per entry in the
+/// stored quantity, a hundredth of its rms, until noise_laws() knows better. Throws InputError when fewer than 8 lines are left or
+/// nothing was measured on them.
+Band make_band(const frf::FrfSet& set, const std::optional<std::array<double, 2>>& range_hz);
+
+}  // namespace jointid::modalfit
