@@ -6,7 +6,6 @@
 
 #include <Eigen/LU>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -16,6 +15,7 @@
 #include <sstream>
 
 #include "bench/measure.hpp"
+#include "bench/output_of.hpp"
 #include "coupling/methods.hpp"
 #include "frf/hdf5_file.hpp"
 #include "frf/hdf5_writer.hpp"
@@ -132,14 +132,6 @@ void couple_files(const std::filesystem::path& folder, const char* method, Secon
   out.processor.push_back(static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC);
 }
 
-std::string output_of(const std::string& command) {
-  std::string text;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text.push_back(static_cast<char>(c));
-  return pclose(pipe) == 0 ? text : std::string();
-}
-
 /// Both parts as the peer reads them: complex128 [line, part, 84, 84].
 void write_raw(const std::filesystem::path& folder) {
   std::ofstream out(folder / "parts.bin", std::ios::binary);
@@ -155,7 +147,7 @@ void write_raw(const std::filesystem::path& folder) {
 /// Whether numpy's sum of |H| of each line is ours; true without numpy.
 bool compare_with_peer(const std::filesystem::path& folder) {
   write_raw(folder);
-  const std::string text = output_of(fmt::format("/usr/bin/python3 {}/coupling.py {} {} {} {} 2>/dev/null", JOINTID_PEER_DIR,
+  const std::string text = bench::output_of(fmt::format("/usr/bin/python3 {}/coupling.py {} {} {} {} 2>/dev/null", JOINTID_PEER_DIR,
                                                  (folder / "parts.bin").string(), lines, size, interface_size));
   if (text.empty()) {
     fmt::print("  numpy is missing (python3-numpy): nothing to compare with\n");

@@ -8,15 +8,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <numbers>
 #include <optional>
 #include <sstream>
 
 #include "bench/measure.hpp"
+#include "bench/output_of.hpp"
 #include "frf/noise.hpp"
 #include "frf/random.hpp"
 #include "modalfit/fit.hpp"
@@ -103,14 +102,6 @@ void write_for_peer(const std::filesystem::path& file, const modalfit::Band& ban
   for (const modalfit::Pole& pole : poles) append(out, &pole.frequency_hz, 2);
 }
 
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  std::string text;
-  char buffer[4096];
-  while (pipe && std::fgets(buffer, sizeof buffer, pipe.get())) text += buffer;
-  return text;
-}
-
 std::vector<double> numbers(const std::string& line) {
   std::istringstream stream(line);
   std::vector<double> values;
@@ -140,7 +131,7 @@ bool compare_with_peer(const modalfit::Band& band, const modalfit::ModalFit& fit
   const auto file = std::filesystem::temp_directory_path() / "jointid-bench-modalfit.bin";
   write_for_peer(file, band, choice, fit.poles());
   const std::size_t highest = 2 * orders.back().order / choice.inputs.size();
-  std::istringstream answer(output_of(fmt::format("/usr/bin/python3 {}/modalfit.py {} {} {} {} {} {} {} {} 2>/dev/null", JOINTID_PEER_DIR,
+  std::istringstream answer(bench::output_of(fmt::format("/usr/bin/python3 {}/modalfit.py {} {} {} {} {} {} {} {} 2>/dev/null", JOINTID_PEER_DIR,
                                                   file.string(), choice.outputs, choice.inputs.size(), band.lines(), band.entries(),
                                                   fit.modes.size(), highest, order_list(orders, choice.inputs.size()))));
   std::filesystem::remove(file);

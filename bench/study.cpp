@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -13,6 +12,7 @@
 #include <sstream>
 
 #include "bench/measure.hpp"
+#include "bench/output_of.hpp"
 #include "ident/study.hpp"
 #include "ident/trial_runner.hpp"
 #include "problems/in_memory.hpp"
@@ -80,14 +80,6 @@ void write_trials(const problems::Problem& problem, const std::filesystem::path&
   }
 }
 
-std::string output_of(const std::string& command) {
-  std::string text;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return text;
-  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text.push_back(static_cast<char>(c));
-  return pclose(pipe) == 0 ? text : std::string();
-}
-
 /// What the peer prints: seconds per solution, and 20 unknowns of each trial. Without numpy nothing.
 struct Peer {
   double seconds = 0.0;
@@ -95,7 +87,7 @@ struct Peer {
 };
 
 std::optional<Peer> run_peer(const std::filesystem::path& file, std::size_t lines) {
-  std::istringstream text(output_of(
+  std::istringstream text(bench::output_of(
       fmt::format("/usr/bin/python3 {}/study_a1.py {} {} {} 2>/dev/null", JOINTID_PEER_DIR, file.string(), compared, lines)));
   Peer peer;
   if (!(text >> peer.seconds)) return std::nullopt;

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdint>
-#include <memory>
 #include <sstream>
 
+#include "cli/command_options.hpp"
 #include "cli/couple_arguments.hpp"
 #include "cli/modalfit_arguments.hpp"
 #include "cli/of_option.hpp"
@@ -18,15 +18,6 @@ namespace jointid::cli {
 namespace {
 
 using Chosen = std::optional<Arguments>;
-
-/// Declares a command whose options fill a T; choosing the command stores that T.
-template <class T>
-std::pair<CLI::App*, T*> add_command(CLI::App& parent, Chosen& chosen, const char* name, const char* what) {
-  auto arguments = std::make_shared<T>();
-  CLI::App* command = parent.add_subcommand(name, what);
-  command->callback([arguments, &chosen] { chosen = *arguments; });
-  return {command, arguments.get()};
-}
 
 void add_info(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<InfoArguments>(app, chosen, "info", "Say what an FRF file holds");
@@ -75,18 +66,10 @@ void add_problem(CLI::App& app, Chosen& chosen) {
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
 }
 
-/// Where the result goes: `what` as JSON, `csv` as CSV, and a page with `page`.
-template <class Arguments>
-void add_outputs(CLI::App* command, Arguments& arguments, const std::string& what, const std::string& csv, const std::string& page) {
-  command->add_option("--json", arguments.json, "Write the " + what + " as JSON to a file, or - for stdout");
-  command->add_option("--csv", arguments.csv, "Write " + csv + " as CSV to a file, or - for stdout");
-  command->add_option("--report", arguments.report, "Write one HTML page with " + page + " to a file, or - for stdout");
-}
-
 void add_solve(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<SolveArguments>(app, chosen, "solve", "Identify the joint of a scene");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
-  add_outputs(command, *arguments, "solution", "the unknowns", "tables and plots");
+  add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
   command->footer(
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | jq .unknowns\n"
@@ -133,7 +116,7 @@ void add_study(CLI::App& app, Chosen& chosen) {
   add_trial_options(command, *arguments);
   command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
   command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
-  add_outputs(command, *arguments, "statistics", "the unknowns' statistics", "tables and histograms");
+  add_outputs(command, *arguments, "the statistics", "the unknowns' statistics", "tables and histograms");
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
       "  jointid study a1/A1.toml --trials 10000 --report a1.html\n"
@@ -158,7 +141,7 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   reproduce->excludes(scene);
   for (CLI::Option* option : alternatives) reproduce->excludes(option);
   add_trial_options(command, *arguments);
-  add_outputs(command, *arguments, "figures", "the figures", "tables and plots");
+  add_outputs(command, *arguments, "the figures", "the figures", "tables and plots");
   command->footer(
       "Examples:\n  jointid problem write B b --clean && jointid compare b/B.toml --weightings WA,WBS --deltas 0,0.05,0.1\n"
       "  jointid compare --reproduce 6.9 --report table.html");

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "cli/command_options.hpp"
 #include "cli/output.hpp"
 #include "friction/fit_start.hpp"
 #include "frf/error.hpp"
@@ -109,9 +110,7 @@ void declare(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("FILES", arguments.files, "CSV, MATLAB or HDF5 with columns of numbers")->required();
   declare_columns(command, arguments);
   declare_fit(command, arguments);
-  command.add_option("--json", arguments.json, "Write the fits as JSON to a file, or - for stdout");
-  command.add_option("--csv", arguments.csv, "Write the parameters as CSV to a file, or - for stdout");
-  command.add_option("--report", arguments.report, "Write one HTML page with tables and plots to a file, or - for stdout");
+  add_outputs(&command, arguments, "the fits", "the parameters", "tables and plots");
   command.footer(
       "Examples:\n  jointid problem write table2.1-1 curve && jointid loading-curve curve/table2.1-1.csv\n"
       "  jointid loading-curve rig.txt --displacement position --unit mm --force friction --force-unit uN --law ren,bilinear\n"

@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <limits>
-#include <memory>
 
+#include "cli/command_options.hpp"
 #include "cli/of_option.hpp"
 #include "cli/open_options.hpp"
 #include "frf/error.hpp"
@@ -37,10 +37,9 @@ std::array<double, 2> parse_range(const std::string& text) {
 }
 
 void add_modalfit(CLI::App& app, std::optional<Arguments>& chosen) {
-  auto owner = std::make_shared<ModalfitArguments>();
-  ModalfitArguments* arguments = owner.get();
-  CLI::App* command = app.add_subcommand("modalfit", "Find the modes behind measured FRFs and regenerate the FRFs from them");
-  command->callback([owner, &chosen] { chosen = *owner; });
+  const auto added = add_command<ModalfitArguments>(app, chosen, "modalfit", "Find the modes behind measured FRFs and regenerate the FRFs from them");
+  CLI::App* command = added.first;
+  ModalfitArguments* arguments = added.second;
   command->add_option("FILES", arguments->files, "FRFs of one structure: UFF, HDF5, MAT or CSV")->required();
   command->add_option_function<std::string>(
       "--range", [arguments](const std::string& text) { arguments->fit.range_hz = parse_range(text); }, "Lines to fit, LOW:HIGH in Hz; default: all");
@@ -61,9 +60,7 @@ void add_modalfit(CLI::App& app, std::optional<Arguments>& chosen) {
                       "Write the FRFs between all coordinates, measured or not, with variances (h5, uff, mat, csv)");
   command->add_option("--shapes", arguments->shapes, "Write the mode shapes as UFF dataset 55");
   add_open_options(command, arguments->open);
-  command->add_option("--json", arguments->json, "Write the fit as JSON to a file, or - for stdout");
-  command->add_option("--csv", arguments->csv, "Write the modes as CSV to a file, or - for stdout");
-  command->add_option("--report", arguments->report, "Write one HTML page with stabilisation diagram and FRFs to a file, or - for stdout");
+  add_outputs(command, *arguments, "the fit", "the modes", "stabilisation diagram and FRFs");
   command->footer(
       "Examples:\n  jointid modalfit beam.uff --report beam.html\n"
       "  jointid modalfit beam_1.uff beam_2.uff --range 400:1000 --real --damping hysteretic\n"

@@ -60,8 +60,7 @@ void PartReader::read_piece(const frf::BlockPiece& piece, std::span<const std::s
     std::vector<double> coherence(block.size());
     source.read_coherence(block, coherence);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const double half = 0.5 * frf::h1_variance(values[i], std::min(coherence[i], 1.0), source.header().averages);
-      variances[i] = coherence[i] > 0.0 ? Complex(half, half) : Complex(std::nan(""), std::nan(""));
+      variances[i] = frf::h1_part_variances(values[i], coherence[i], source.header().averages);
     }
     return;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "frf/csv_table.hpp"
 #include "frf/error.hpp"
 #include "frf/file_format.hpp"
 #include "frf/mat_variable.hpp"
@@ -29,11 +30,8 @@ NumberColumn named(std::string_view header) {
 }
 
 char separator_of(std::string_view line) {
-  line = trimmed(line);
-  for (const char separator : {';', '\t', ','}) {
-    if (line.find(separator) != std::string_view::npos) return separator;
-  }
-  return ' ';
+  const char separator = csv_separator(trimmed(line));
+  return separator == '\0' ? ' ' : separator;
 }
 
 class TextColumns {

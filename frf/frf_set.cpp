@@ -6,18 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "frf/error.hpp"
+#include "frf/header_failure.hpp"
 
 namespace jointid::frf {
 namespace {
-
-[[noreturn]] void fail(const FrfHeader& header, std::string place, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = header.file,
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
 
 void require_distinct(const FrfHeader& header, const std::vector<Dof>& dofs, const char* role) {
   if (dofs.empty()) fail(header, role, "no DOFs", "a set needs at least one response and one reference");

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <numeric>
 
-#include "frf/error.hpp"
+#include "frf/header_failure.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -49,14 +49,6 @@ std::string place_text(const FrfHeader& header, const Block& block, std::size_t 
                      header.reference[block.references[at % columns]].name(), block.lines[at / columns / rows] + 1);
 }
 
-[[noreturn]] void refuse(const FrfHeader& header, std::string place, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = header.file,
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
-
 }  // namespace
 
 void FrfSource::read(const Block& block, std::span<Complex> out) {
@@ -73,7 +65,7 @@ void FrfSource::read_variance(const Block& block, std::span<Complex> out) {
   do_read_variance(block, out);
   const auto wrong = std::find_if(out.begin(), out.end(), [](Complex v) { return v.real() < 0.0 || v.imag() < 0.0; });
   if (wrong == out.end()) return;
-  refuse(header_, "variance of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
+  fail(header_, "variance of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
          fmt::format("{} is below 0", std::min(wrong->real(), wrong->imag())), "export the variances again, or leave them out");
 }
 
@@ -83,7 +75,7 @@ void FrfSource::read_coherence(const Block& block, std::span<double> out) {
   do_read_coherence(block, out);
   const auto wrong = std::find_if(out.begin(), out.end(), [](double value) { return value < 0.0 || value > 1.0 + rounding; });
   if (wrong == out.end()) return;
-  refuse(header_, "coherence of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
+  fail(header_, "coherence of " + place_text(header_, block, static_cast<std::size_t>(wrong - out.begin())),
          fmt::format("{} is not between 0 and 1", *wrong), "export the coherences again, or leave them out");
 }
 

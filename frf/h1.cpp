@@ -1,6 +1,8 @@
 #include "frf/h1.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace jointid::frf {
@@ -18,6 +20,12 @@ double correlation(Window window, double s) {
 
 double h1_variance(std::complex<double> frf, double coherence, double averages) {
   return std::norm(frf) * (1.0 - coherence) / (coherence * (averages - 1.0));
+}
+
+std::complex<double> h1_part_variances(std::complex<double> frf, double coherence, double averages) {
+  const double part = coherence > 0.0 ? 0.5 * h1_variance(frf, std::min(coherence, 1.0), averages)
+                                      : std::numeric_limits<double>::quiet_NaN();
+  return {part, part};
 }
 
 double effective_averages(int averages, double overlap, Window window) {

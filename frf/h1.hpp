@@ -9,6 +9,10 @@ namespace jointid::frf {
 /// measured coherence unbiased). n_d > 1.
 double h1_variance(std::complex<double> frf, double coherence, double averages);
 
+/// The same halves as variances of real and imaginary part, from a measured coherence: one above 1 by rounding counts as 1, and
+/// where it is not above 0 nothing is known, NaN.
+std::complex<double> h1_part_variances(std::complex<double> frf, double coherence, double averages);
+
 /// Data windows of a spectral estimate.
 enum class Window { rectangular, hann };
 

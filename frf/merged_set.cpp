@@ -4,32 +4,14 @@
 #include <cmath>
 #include <limits>
 
-#include "frf/error.hpp"
 #include "frf/frf_system.hpp"
-#include "frf/h1.hpp"
+#include "frf/header_failure.hpp"
+#include "frf/recorded_variance.hpp"
 
 namespace jointid::frf {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-[[noreturn]] void fail(const FrfHeader& header, std::string place, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = header.file,
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
-
-bool knows_noise(const FrfSet& set) {
-  return !set.variance.empty() || (!set.coherence.empty() && set.header.averages > 1.0);
-}
-
-Complex variance_of(const FrfSet& set, std::size_t at) {
-  if (!set.variance.empty()) return set.variance[at];
-  const double half = 0.5 * h1_variance(set.values[at], std::min(set.coherence[at], 1.0), set.header.averages);
-  return {half, half};
-}
 
 void add_dofs(std::vector<Dof>& to, const std::vector<Dof>& from) {
   for (const Dof& dof : from) {
@@ -79,7 +61,7 @@ void put(const FrfSet& set, FrfSet& out) {
           fail(set.header, "FRF " + response.name() + " / " + reference.name(), "another file has it, too", "keep it in one file");
         }
         out.values[to] = sign * set.values[from];
-        if (!out.variance.empty()) out.variance[to] = variance_of(set, from);
+        if (!out.variance.empty()) out.variance[to] = recorded_variance(set, from);
       }
     }
   }

@@ -99,10 +99,7 @@ void VariancePiece::from_coherence(std::span<const std::size_t> lines, std::span
   source_.read_coherence(block(lines), coherence_);
   const double averages = source_.header().averages;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const double coherence = std::min(coherence_[i], 1.0);
-    const double part = coherence > 0.0 ? 0.5 * frf::h1_variance(values[i], coherence, averages)
-                                        : std::numeric_limits<double>::quiet_NaN();
-    out[i] = {part, part};
+    out[i] = frf::h1_part_variances(values[i], coherence_[i], averages);
   }
 }
 

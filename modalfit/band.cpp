@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frf/error.hpp"
-#include "frf/h1.hpp"
+#include "frf/header_failure.hpp"
+#include "frf/recorded_variance.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -14,14 +14,6 @@ namespace {
 using Complex = std::complex<double>;
 constexpr std::size_t least_lines = 8;
 constexpr double exact = 1e-6;
-
-[[noreturn]] void fail(const frf::FrfHeader& header, std::string place, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = header.file,
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
 
 std::vector<std::size_t> lines_in(const frf::FrfHeader& header, const std::optional<std::array<double, 2>>& range) {
   std::vector<std::size_t> lines;
@@ -36,25 +28,14 @@ std::vector<std::size_t> lines_in(const frf::FrfHeader& header, const std::optio
   return lines;
 }
 
-/// Variances of real and imaginary part of entry `at` of the set, as the set knows them.
-std::array<double, 2> recorded_variance(const frf::FrfSet& set, std::size_t at) {
-  if (!set.variance.empty()) return {set.variance[at].real(), set.variance[at].imag()};
-  const double both = frf::h1_variance(set.values[at], std::min(set.coherence[at], 1.0), set.header.averages);
-  return {0.5 * both, 0.5 * both};
-}
-
-bool knows_noise(const frf::FrfSet& set) {
-  return !set.variance.empty() || (!set.coherence.empty() && set.header.averages > 1.0);
-}
-
 void weigh_as_recorded(const frf::FrfSet& set, const std::vector<std::size_t>& lines, std::size_t entry, Band& band) {
   double* weight = band.weights(entry);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::size_t at = lines[i] * set.header.entries() + entry;
     const double least = exact * std::abs(set.values[at]);
-    const auto variance = recorded_variance(set, at);
+    const Complex variance = frf::recorded_variance(set, at);
     for (std::size_t part = 0; part < 2; ++part) {
-      const double deviation = std::max(std::sqrt(variance[part]), least);
+      const double deviation = std::max(std::sqrt(part == 0 ? variance.real() : variance.imag()), least);
       const bool known = std::isfinite(deviation) && deviation > 0.0 && band.value(entry)[i] != 0.0;
       weight[2 * i + part] = known ? 1.0 / deviation : 0.0;
     }
@@ -85,7 +66,7 @@ Band make_band(const frf::FrfSet& set, const std::optional<std::array<double, 2>
   for (const std::size_t line : lines) band.frequency_hz.push_back(set.header.frequency_hz[line]);
   band.responses = set.header.response.size();
   band.references = set.header.reference.size();
-  band.known_noise = knows_noise(set);
+  band.known_noise = frf::knows_noise(set);
   band.quantity = set.header.quantity;
   band.values.resize(band.entries() * lines.size());
   band.weight.resize(band.values.size() * 2);
