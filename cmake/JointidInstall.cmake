@@ -17,6 +17,11 @@ if(TARGET jointid::nlopt)
   set(JOINTID_HAS_NLOPT ON)
 endif()
 
+set(JOINTID_HAS_IPOPT OFF)
+if(TARGET jointid::ipopt)
+  set(JOINTID_HAS_IPOPT ON)
+endif()
+
 set(JOINTID_HAS_MPI OFF)
 if(TARGET MPI::MPI_C)
   set(JOINTID_HAS_MPI ON)
@@ -29,6 +34,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/jointid-config.cmake"
   "${PROJECT_BINARY_DIR}/jointid-config-version.cmake"
   cmake/FindJointidCeres.cmake
+  cmake/FindJointidIpopt.cmake
   cmake/FindJointidNlopt.cmake
   cmake/FindJointidSuiteSparse.cmake
   DESTINATION "${_destination}")

@@ -22,8 +22,8 @@ constexpr double global_half_width = 4.0;
 constexpr int global_evaluations = 1500;
 
 bool uses_ceres(Minimiser minimiser) {
-  if (minimiser == Minimiser::ceres && !has_ceres()) throw std::invalid_argument("this build lacks Ceres; use pattern search");
-  return minimiser != Minimiser::pattern && has_ceres();
+  if (minimiser == Minimiser::ceres && !minimise::has_ceres()) throw std::invalid_argument("this build lacks Ceres; use pattern search");
+  return minimiser != Minimiser::pattern && minimise::has_ceres();
 }
 
 /// Whether dT/du falls at once somewhere, so that residuals have kinks in the parameters where they meet samples.
@@ -35,43 +35,43 @@ bool is_sharp(const Element& element) {
   });
 }
 
-double objective(const LeastSquares& problem, const Minimum& minimum) { return problem.objective(minimum.q); }
+double objective(const minimise::LeastSquares& problem, const minimise::Minimum& minimum) { return problem.objective(minimum.q); }
 
 /// Kinks can stop Levenberg–Marquardt short of the minimum: a coarse pattern search looks beyond them.
-Minimum polished(const FitProblem& problem, Minimum minimum) {
+minimise::Minimum polished(const FitProblem& problem, minimise::Minimum minimum) {
   constexpr int rounds = 4;
   const auto f = [&](std::span<const double> q) { return problem.objective(q); };
   for (int round = 0; round < rounds; ++round) {
-    const Minimum looked = pattern_search(f, minimum.q, {.step = 0.02, .tolerance = 1e-4, .most_evaluations = 400});
+    const minimise::Minimum looked = minimise::pattern_search(f, minimum.q, {.step = 0.02, .tolerance = 1e-4, .most_evaluations = 400});
     if (!(objective(problem, looked) < objective(problem, minimum) * (1.0 - 1e-7))) break;
     const std::size_t before = minimum.iterations;
-    minimum = ceres_minimum(problem, looked.q);
+    minimum = minimise::ceres_minimum(problem, looked.q);
     minimum.iterations += before;
   }
   return minimum;
 }
 
 /// A few steps from every start, then all the way from where the best of them leads.
-Minimum by_ceres(const FitProblem& problem, const std::vector<std::vector<double>>& starts) {
-  Minimum best{starts.front(), 0, false};
+minimise::Minimum by_ceres(const FitProblem& problem, const std::vector<std::vector<double>>& starts) {
+  minimise::Minimum best{starts.front(), 0, false};
   std::size_t iterations = 0;
   for (std::size_t i = 0; i < starts.size() && starts.size() > 1; ++i) {
-    Minimum tried = ceres_minimum(problem, starts[i], {.tolerance = 1e-3, .most_iterations = 12});
+    minimise::Minimum tried = minimise::ceres_minimum(problem, starts[i], {.tolerance = 1e-3, .most_iterations = 12});
     iterations += tried.iterations;
     if (i == 0 || objective(problem, tried) < objective(problem, best)) best = std::move(tried);
   }
-  best = ceres_minimum(problem, best.q);
+  best = minimise::ceres_minimum(problem, best.q);
   best.iterations += iterations;
   const auto state = problem.state(0, best.q, false);
   return state && is_sharp(*state->element) ? polished(problem, std::move(best)) : best;
 }
 
 /// Pattern search from every start; the best.
-Minimum by_pattern(const FitProblem& problem, const std::vector<std::vector<double>>& starts) {
+minimise::Minimum by_pattern(const FitProblem& problem, const std::vector<std::vector<double>>& starts) {
   const auto f = [&](std::span<const double> q) { return problem.objective(q); };
-  Minimum best;
+  minimise::Minimum best;
   for (const std::vector<double>& start : starts) {
-    Minimum found = pattern_search(f, start);
+    minimise::Minimum found = minimise::pattern_search(f, start);
     if (best.q.empty() || objective(problem, found) < objective(problem, best)) best = std::move(found);
   }
   return best;
@@ -79,12 +79,14 @@ Minimum by_pattern(const FitProblem& problem, const std::vector<std::vector<doub
 
 std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitOptions& options) {
   if (!options.global) return problem.starts();
-  if (!has_nlopt()) throw std::invalid_argument("this build lacks NLopt; leave the global start out");
+  if (!minimise::has_nlopt()) throw std::invalid_argument("this build lacks NLopt; leave the global start out");
   const std::vector<double>& start = problem.starts().front();
-  return {nlopt_global(problem, start, global_half_width, global_evaluations * static_cast<int>(start.size()))};
+  return {minimise::nlopt_minimum([&](std::span<const double> q) { return problem.objective(q); }, start,
+                                  {.half_width = global_half_width, .evaluations = global_evaluations * static_cast<int>(start.size())})
+              .q};
 }
 
-Minimum minimise(const FitProblem& problem, const FitOptions& options) {
+minimise::Minimum minimise(const FitProblem& problem, const FitOptions& options) {
   const auto starts = starts_of(problem, options);
   return uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
 }
@@ -267,7 +269,7 @@ void judge(bool converged, Fit& fit) {
   for (std::string& finding : pairs_that_move_together(fit)) fit.findings.push_back(std::move(finding));
 }
 
-void fill(std::span<const Curve> curves, const FitProblem& problem, const FitOptions& options, const Minimum& minimum,
+void fill(std::span<const Curve> curves, const FitProblem& problem, const FitOptions& options, const minimise::Minimum& minimum,
           const FitStatistics& statistics, Fit& fit) {
   const Description describe(statistics, options);
   for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -321,7 +323,7 @@ Fit fit(std::span<const Curve> curves, const Family& family, const FitOptions& o
     out.message = std::to_string(out.rows) + " measured numbers cannot determine " + std::to_string(out.unknowns) + " unknowns";
     return out;
   }
-  const Minimum minimum = minimise(problem, options);
+  const minimise::Minimum minimum = minimise(problem, options);
   out.minimiser = uses_ceres(options.minimiser) ? "ceres" : "pattern";
   if (options.global) out.minimiser = "nlopt+" + out.minimiser;
   out.iterations = minimum.iterations;

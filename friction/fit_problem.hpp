@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "friction/fit.hpp"
-#include "friction/least_squares.hpp"
+#include "minimise/least_squares.hpp"
 #include "friction/parameter_scale.hpp"
 
 namespace jointid::friction {
@@ -21,7 +21,7 @@ struct CurveState {
 /// Weighted residuals of curves over the unknowns: parameters on their scale, one per curve or one for all. Where the law has a
 /// friction limit, ln limit stands for the parameter that the limit determines (the others nearly decide how far a curve rises, so
 /// this straightens the valley of the sum of squares); of a preset limit there is none, and with a friction coefficient ln μ.
-class FitProblem final : public LeastSquares {
+class FitProblem final : public minimise::LeastSquares {
  public:
   /// Throws std::invalid_argument for options that do not go together.
   FitProblem(std::span<const Curve> curves, const Family& family, const FitOptions& options);

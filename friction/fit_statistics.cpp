@@ -17,7 +17,7 @@ Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 }  // namespace
 
-FitStatistics::FitStatistics(const LeastSquares& problem, std::span<const double> q) {
+FitStatistics::FitStatistics(const minimise::LeastSquares& problem, std::span<const double> q) {
   const std::size_t rows = problem.residuals(), unknowns = problem.unknowns();
   std::vector<double> r(rows), numbers(rows * unknowns);
   problem.evaluate(q, r, numbers);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "friction/fit.hpp"
-#include "friction/least_squares.hpp"
+#include "minimise/least_squares.hpp"
 
 namespace jointid::friction {
 
@@ -14,7 +14,7 @@ namespace jointid::friction {
 class FitStatistics {
  public:
   /// At unknowns q of a problem; rows must be more than unknowns.
-  FitStatistics(const LeastSquares& problem, std::span<const double> q);
+  FitStatistics(const minimise::LeastSquares& problem, std::span<const double> q);
 
   double sum_of_squares() const { return sum_; }
   double residual_std() const { return std_; }

@@ -34,12 +34,13 @@ class Availability {
 
   /// Whether the direct solution, which needs no joint coordinate of the assembly, gets along without what is lacking.
   bool only_the_joint_on_the_assembly(Equation equation) const {
-    return method_ != Method::direct && !lacks(equation).empty() && direct_lacks(Equation::nn).empty();
+    return method_ != Method::direct && method_ != Method::newton && !lacks(equation).empty() && direct_lacks(Equation::nn).empty();
   }
 
   std::string lacks(Equation equation) const {
     if (method_ == Method::two) return two_lacks(equation);
     if (method_ == Method::direct) return direct_lacks(equation);
+    if (method_ == Method::newton) return newton_lacks(equation);
     switch (equation) {
       case Equation::nn:
         return first_of({responses(), references(), joint(asm_, false), joint(sub_, true)});
@@ -78,6 +79,10 @@ class Availability {
     }
     return first_of({joint(sub_, true), joint(sub_, false), joint(asm_, true),
                      equation == Equation::jn ? references() : joint(asm_, false)});
+  }
+  std::string newton_lacks(Equation equation) const {
+    if (equation != Equation::nn) return "method \"newton\" uses the equation nn only";
+    return first_of({responses(), references(), joint(sub_, true), joint(sub_, false)});
   }
   std::string direct_lacks(Equation equation) const {
     if (equation != Equation::nn) return "the direct solution uses the equation nn only";

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "ident/coordinates.hpp"
 #include "ident/couple_first.hpp"
@@ -12,13 +11,16 @@
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/line_choice.hpp"
 #include "ident/modal_regeneration.hpp"
+#include "ident/newton/newton.hpp"
+#include "ident/newton/newton_plan.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/supports.hpp"
+#include "minimise/least_squares.hpp"
 
 namespace jointid::ident {
 namespace {
 
-/// Linear methods have no errors that a prior or a bootstrap could be weighed against.
+/// Methods but the likelihood have no errors that a prior or a bootstrap could be weighed against.
 void refuse_priors(const Scene& scene) {
   const std::string method = "method \"" + name(scene.identify.method) + "\"";
   if (!scene.identify.priors.empty()) {
@@ -29,30 +31,41 @@ void refuse_priors(const Scene& scene) {
   }
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string text = "auto";
+  for (std::size_t i = 0; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];
+  return text;
+}
+
+void require_solver(const Scene& scene, const std::vector<std::string>& own) {
+  const IdentifySection& identify = scene.identify;
+  if (identify.solver != "auto" && std::ranges::find(own, identify.solver) == own.end()) {
+    fail(scene, "[identify] solver", "method \"" + name(identify.method) + "\" has no solver \"" + identify.solver + "\"",
+         "use " + listed(own));
+  }
+  const auto require = [&](bool is_there, bool asked, const std::string& library, const std::string& package) {
+    if (asked && !is_there) fail(scene, "[identify] solver", "this build lacks " + library, "use auto, or build with " + package);
+  };
+  require(minimise::has_ceres(), identify.solver == "ceres", "Ceres", "libceres-dev");
+  require(minimise::has_nlopt(), identify.solver.starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
+  require(minimise::has_ipopt(), identify.solver == "ipopt", "Ipopt", "coinor-libipopt-dev");
+}
+
+/// Solvers of a method by name, without auto.
+std::vector<std::string> solvers_of(Method method) {
+  if (method == Method::newton) return newton_solvers();
+  if (method == Method::likelihood) return {"gauss-helmert", "iqml", "ceres"};
+  return {"qr", "normal", "spqr"};
+}
+
 void require_method(const Scene& scene) {
   const IdentifySection& identify = scene.identify;
-  if (identify.method == Method::newton) {
-    fail(scene, "[identify] method", "this build has no method \"newton\"", "use one, two, direct or likelihood");
-  }
-  if (identify.method == Method::likelihood) {
-    const std::set<std::string> own = {"auto", "gauss-helmert", "iqml", "ceres"};
-    if (!own.contains(identify.solver)) {
-      fail(scene, "[identify] solver", "method \"likelihood\" has no solver \"" + identify.solver + "\"",
-           "use auto, gauss-helmert, iqml or ceres");
-    }
-    if (identify.solver == "ceres" && !JOINTID_HAVE_CERES) {
-      fail(scene, "[identify] solver", "this build lacks Ceres", "use auto, or build with libceres-dev");
-    }
-    return;
-  }
+  require_solver(scene, solvers_of(identify.method));
+  if (identify.method == Method::likelihood) return;
   refuse_priors(scene);
-  const std::set<std::string> linear = {"auto", "qr", "normal", "spqr"};
-  if (!linear.contains(identify.solver)) {
-    fail(scene, "[identify] solver", "method \"" + name(identify.method) + "\" has no solver \"" + identify.solver + "\"",
-         "use auto, qr, normal or spqr");
-  }
-  if (!identify.start.empty()) {
-    fail(scene, "[identify] start", "method \"" + name(identify.method) + "\" needs no start", "remove the key");
+  if (identify.method == Method::newton) return;
+  for (const auto& [key, given] : {std::pair("[identify] start", !identify.start.empty()), std::pair("[identify] starts", identify.starts > 0)}) {
+    if (given) fail(scene, key, "method \"" + name(identify.method) + "\" needs no start", "remove the key");
   }
 }
 
@@ -157,7 +170,7 @@ void plan_prediction(Plan& plan) {
     plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
     return;
   }
-  if (method == Method::direct) {
+  if (method == Method::direct || method == Method::newton) {
     plan.predicted_responses = at.responses;
     plan.predicted_references = at.references;
     return;
@@ -231,13 +244,19 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
     fail(scene, "[joint]", "every element of the joint is known: nothing to identify", "name an unknown");
   }
   plan->coordinates = find_coordinates(scene, plan->restriction, *plan->substructures, *plan->assembly);
-  const bool linear = scene.identify.method != Method::likelihood;
-  if (linear) plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
+  const Method method = scene.identify.method;
+  if (method != Method::likelihood) plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
   plan->lines = choose_lines(scene, *plan->substructures, *plan->assembly, plan->notes);
   plan->columns = std::make_unique<UnknownColumns>(plan->restriction, scene.joints);
   const double highest = 2.0 * std::numbers::pi * plan->lines.back().frequency_hz;
   plan->assembly_spec.omega0 = highest == 0.0 ? 1.0 : highest;
-  linear ? plan_linear(*plan) : plan_likelihood(*plan);
+  if (method == Method::likelihood) {
+    plan_likelihood(*plan);
+  } else if (method == Method::newton) {
+    plan_newton(*plan);
+  } else {
+    plan_linear(*plan);
+  }
   plan_prediction(*plan);
   tell_left_out(*plan);
   return plan;
@@ -250,6 +269,11 @@ double Plan::unscale(std::size_t column) const {
 void read_first_line(Plan& plan) {
   if (plan.builder) {
     plan.builder->read(std::array{plan.lines.front().substructures}, std::array{plan.lines.front().assembly});
+    return;
+  }
+  if (plan.newton) {
+    read_responses(plan, 1);
+    if (plan.newton->start) read_first_line(*plan.newton->start);
     return;
   }
   plan.likelihood->observations->read({plan.lines.front()}, [](std::size_t) {});

@@ -15,6 +15,7 @@
 namespace jointid::ident {
 
 struct LikelihoodPlan;
+struct NewtonPlan;
 
 /// What the stages will cost, counted before anything is done.
 struct Cost {
@@ -39,9 +40,10 @@ struct Plan {
   std::unique_ptr<UnknownColumns> columns;
   std::unique_ptr<EquationBuilder> builder;    ///< of linear methods
   std::shared_ptr<LikelihoodPlan> likelihood;  ///< of that method
+  std::shared_ptr<NewtonPlan> newton;          ///< of that method
   std::size_t entries_per_line = 0;            ///< FRFs read
   AssemblySpec assembly_spec;
-  std::string solver;                 ///< "qr", "normal" or "spqr"; of the likelihood "gauss-helmert", "iqml" or "ceres"
+  std::string solver;                 ///< by name as in [identify] solver, never "auto"
   /// Assembly FRFs that are predicted from the result for asm_frf_error; empty when the equations do not read what it needs.
   Dofs predicted_responses, predicted_references;
   Cost cost;

@@ -68,7 +68,7 @@ enum class Equation { nn, nj, jj, jn };
 std::string name(Method method);
 std::string name(Equation equation);
 
-/// Whether weighting and Δ apply: the likelihood weighs FRFs by their variances instead.
+/// Whether weighting and Δ apply: the likelihood weighs FRFs by their variances instead, newton lines by their sensitivity.
 bool weighs_equations(Method method);
 
 /// The methods and equations by name; throw InputError (usage) with the nearest valid word.
@@ -100,6 +100,7 @@ struct IdentifySection {
   /// Of files: σ² = a|H|² + b fitted to each FRF. Empty: where they come from few averages or repeats, over enough lines.
   std::optional<bool> smooth_variance;
   std::map<restrictions::Kind, Matrix> start;
+  std::size_t starts = 0;  ///< of iterative methods, all of which are followed; 0: the first that is good enough
   std::vector<Prior> priors;  ///< of method likelihood
   std::size_t bootstrap = 0;  ///< replicates of the parametric bootstrap of method likelihood; 0: none
   std::uint64_t bootstrap_seed = 1;

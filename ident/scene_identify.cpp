@@ -12,7 +12,8 @@ using restrictions::Kind;
 const std::vector<std::string> methods = {"one", "two", "direct", "newton", "likelihood"};
 const std::vector<std::string> equations = {"nn", "nj", "jj", "jn"};
 const std::vector<std::string> weightings = {"none", "WA", "WB", "WBG", "WBS"};
-const std::vector<std::string> solvers = {"auto", "qr", "normal", "spqr", "gauss-helmert", "iqml", "ceres", "nlopt", "ipopt", "pattern"};
+const std::vector<std::string> solvers = {"auto", "qr", "normal", "spqr", "gauss-helmert", "iqml", "levenberg-marquardt", "newton",
+                                          "ceres", "ipopt", "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern"};
 
 const std::vector<std::string> variances = {"auto", "file", "noise", "local"};
 
@@ -73,7 +74,7 @@ Equation parse_equation(const std::string& text) { return static_cast<Equation>(
 
 std::string name(Method method) { return methods[static_cast<std::size_t>(method)]; }
 
-bool weighs_equations(Method method) { return method != Method::likelihood; }
+bool weighs_equations(Method method) { return method != Method::likelihood && method != Method::newton; }
 
 std::string name(Equation equation) { return equations[static_cast<std::size_t>(equation)]; }
 
@@ -99,7 +100,7 @@ std::map<Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size) {
 }
 
 IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec>& joints) {
-  const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "variance",
+  const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "starts", "variance",
                                        "smooth_variance", "priors", "bootstrap", "bootstrap_seed"});
   IdentifySection identify;
   if (const auto method = table.find("method")) identify.method = read_enum<Method>(*method, methods);
@@ -110,6 +111,7 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   if (const auto word = table.find("variance")) identify.variance = read_enum<VarianceChoice>(*word, variances);
   if (const auto flag = table.find("smooth_variance")) identify.smooth_variance = flag->boolean();
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);
+  if (const auto starts = table.find("starts")) identify.starts = read_starts(*starts);
   if (const auto priors = table.find("priors")) identify.priors = read_priors(*priors);
   read_bootstrap(table, identify);
   return identify;

@@ -16,13 +16,26 @@ std::vector<Prior> read_priors(const SceneItem& item) {
   return priors;
 }
 
+namespace {
+
+std::uint64_t whole(const SceneItem& item) {
+  const double value = item.not_negative();
+  if (value > 9007199254740992.0) item.fail(number_text(value) + " is above 2^53");
+  if (value != static_cast<double>(static_cast<std::uint64_t>(value))) item.fail(number_text(value) + " is no whole number");
+  return static_cast<std::uint64_t>(value);
+}
+
+}  // namespace
+
+std::size_t read_starts(const SceneItem& item) {
+  constexpr std::size_t most = 10000;
+  const std::uint64_t starts = whole(item);
+  if (starts > most) item.fail("more than 10000 starts", "20 to 200 are usual");
+  return starts;
+}
+
 void read_bootstrap(const SceneTable& table, IdentifySection& identify) {
   constexpr std::size_t fewest = 100, most = 100000;
-  const auto whole = [](const SceneItem& item) {
-    const double value = item.not_negative();
-    if (value != static_cast<double>(static_cast<std::uint64_t>(value))) item.fail(number_text(value) + " is no whole number");
-    return static_cast<std::uint64_t>(value);
-  };
   if (const auto count = table.find("bootstrap")) {
     if (count->not_negative() > static_cast<double>(most)) count->fail("more than 100000 replicates", "200 to 1000 are usual");
     identify.bootstrap = whole(*count);
@@ -33,7 +46,6 @@ void read_bootstrap(const SceneTable& table, IdentifySection& identify) {
   const auto seed = table.find("bootstrap_seed");
   if (!seed) return;
   if (identify.bootstrap == 0) seed->fail("bootstrap_seed is given without bootstrap", "give bootstrap = 200, too");
-  if (seed->not_negative() > 9007199254740992.0) seed->fail("the seed is above 2^53");
   identify.bootstrap_seed = whole(*seed);
 }
 

@@ -29,6 +29,9 @@ std::vector<Prior> read_priors(const SceneItem& item);
 /// The keys bootstrap and bootstrap_seed of [identify].
 void read_bootstrap(const SceneTable& table, IdentifySection& identify);
 
+/// How many starts an iterative method follows.
+std::size_t read_starts(const SceneItem& item);
+
 /// [noise]
 NoiseSection read_noise(const SceneItem& item);
 

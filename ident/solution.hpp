@@ -92,6 +92,19 @@ struct Used {
   std::size_t accumulator_bytes = 0;  ///< of the reduced system and its row buffers; of the likelihood, of its data and states
 };
 
+/// Where starts of an iterative method ended.
+struct FoundMinimum {
+  double cost = 0.0;         ///< χ² of method likelihood; of newton the mean over the lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²)
+  std::size_t starts = 0;    ///< how many of the starts ended there
+  std::vector<double> values;  ///< of the unknowns, SI
+};
+
+/// What a search from several starts found.
+struct MinimumSearch {
+  std::vector<FoundMinimum> minima;  ///< best first
+  std::size_t equally_good = 0;      ///< that fit as well as the best, itself included: 1 when the joint is unique as far as was looked
+};
+
 struct Solution {
   Status status = Status::ok;
   std::string message;  ///< one or more sentences; empty when all is well
@@ -101,6 +114,7 @@ struct Solution {
   Fit fit;
   IntervalKind intervals = IntervalKind::none;
   std::optional<Identifiability> identifiability;  ///< of methods that know the covariance of their estimates
+  std::optional<MinimumSearch> search;  ///< where the scene asks for several starts
   std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth
   RunTime runtime_s;
   Used used;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ident/likelihood/likelihood.hpp"
+#include "ident/newton/newton.hpp"
 #include "ident/prediction.hpp"
 #include "ident/quality.hpp"
 
@@ -161,8 +162,8 @@ Solution solve(Plan& plan, const Control& control) {
   }
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
               plan.solver, 0};
-  if (plan.likelihood) {
-    solve_likelihood(plan, control, out);
+  if (plan.likelihood || plan.newton) {
+    plan.likelihood ? solve_likelihood(plan, control, out) : solve_newton(plan, control, out);
     if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
     out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
     return out;

@@ -442,22 +442,25 @@ bool LikelihoodEstimator::fits(const LikelihoodFit& fit) const {
   return fit.converged && 4 * outliers <= fitting && chi_square <= expected + 5.0 * std::sqrt(2.0 * std::max(0.0, expected));
 }
 
-LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch) {
+LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch, Follow follow) {
   LikelihoodFit best;
+  std::vector<LikelihoodFit::End> ends;
   std::vector<Line> lines;  // of the best
   bool any = false;
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
     LikelihoodFit fit = run_from(*start, watch);
+    if (fit.converged) ends.push_back({fit.loss, fit.theta});
     if (!any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged)) {
       best = std::move(fit);
       lines = lines_;
     }
     any = true;
     best.starts = k + 1;
-    if (fits(best)) break;
+    if (follow == Follow::until_it_fits && fits(best)) break;
   }
+  best.ends = std::move(ends);
   lines_ = std::move(lines);
   weigh_at_states(best.theta);
   return best;

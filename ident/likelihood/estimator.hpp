@@ -20,7 +20,16 @@ struct LikelihoodFit {
   double loss = 0.0;                ///< Σ L
   bool converged = false;           ///< the last step was below 10⁻³ standard deviations
   std::size_t bytes = 0;            ///< of the lines' states and what was linearised about them
+
+  struct End {
+    double loss;
+    std::vector<double> theta;
+  };
+  std::vector<End> ends;  ///< of all starts that settled
 };
+
+/// How many starts are followed.
+enum class Follow { until_it_fits, all };
 
 /// The k-th start, or empty when there is no other.
 using Starts = std::function<std::optional<std::vector<double>>(std::size_t k)>;
@@ -46,8 +55,8 @@ class LikelihoodEstimator {
   /// Normal priors count like measurements: information += 1/σ², gradient += (value − θ)/σ², cost += ((value − θ)/σ)².
   void set_priors(std::vector<ScaledPrior> priors) { priors_ = std::move(priors); }
 
-  /// From the first start, and from the next while χ² tells that the fit is not the right minimum; the best of them.
-  LikelihoodFit run(const Starts& starts, const FitWatcher& watch);
+  /// From the first start, and from the next while χ² tells that the fit is not the right minimum, or from all; the best of them.
+  LikelihoodFit run(const Starts& starts, const FitWatcher& watch, Follow follow = Follow::until_it_fits);
 
   /// The second stage alone, from a start that is nearly right.
   LikelihoodFit refine(std::vector<double> start, const FitWatcher& watch);

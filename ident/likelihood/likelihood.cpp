@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <tuple>
 
 #include "ident/likelihood/bootstrap.hpp"
@@ -16,7 +17,10 @@
 #include "ident/likelihood/joint_guess.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/likelihood/variance_sources.hpp"
+#include "ident/likelihood/predicted_start.hpp"
+#include "ident/minima.hpp"
 #include "ident/null_space.hpp"
+#include "ident/start_points.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -25,13 +29,15 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+using enum weighting::Weighting;
+
+constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear_ways = {{{wb, 0.0}, {wbg, 0.0}, {wbs, 0.1}, {wa, 0.0}}};
+
 /// Linear estimates with one weighting after the other.
 std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const Control& control) {
-  using enum weighting::Weighting;
-  constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear = {{{wb, 0.0}, {wbg, 0.0}, {wbs, 0.1}, {wa, 0.0}}};
-  if (k >= linear.size()) return std::nullopt;
+  if (k >= linear_ways.size()) return std::nullopt;
   Plan& start = *plan.likelihood->start;
-  std::tie(start.assembly_spec.weighting, start.assembly_spec.delta) = linear[k];
+  std::tie(start.assembly_spec.weighting, start.assembly_spec.delta) = linear_ways[k];
   Control quick = control;
   quick.detail = Detail::estimates;
   const Solution first = solve(start, quick);
@@ -43,35 +49,43 @@ std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const
   return theta;
 }
 
-/// The scene's start times 10^-4 to 10^4 in half decades, those first that fit the lines best: the shape of a joint is often
-/// better known than its size.
-std::vector<std::vector<double>> sized_starts(const Plan& plan, LikelihoodEstimator& estimator) {
-  constexpr std::size_t most = 5;
+/// From the scene's start in sizes that fit, the first as it is, then along method "newton" where H_jn of the assembly is not
+/// measured: what the data say of the joint then is far from linear, and its steps come nearer from farther away.
+Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
   const std::vector<double> given = scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"));
-  std::vector<std::pair<double, std::vector<double>>> sizes;
-  for (int half_decade = -8; half_decade <= 8; ++half_decade) {
-    std::vector<double> theta = given;
-    for (double& value : theta) value *= std::pow(10.0, 0.5 * half_decade);
-    sizes.emplace_back(estimator.misfit_at(theta), theta);
+  const StartPoints points(given, [&](const std::vector<double>& theta) { return estimator.misfit_at(theta); });
+  const Observations& observations = *plan.likelihood->observations;
+  if (!observations.layout().a.empty()) {
+    return [points, most](std::size_t k) { return k < most ? std::optional(points(k)) : std::nullopt; };
   }
-  std::ranges::stable_sort(sizes, {}, [](const auto& size) { return size.first; });
-  std::vector<std::vector<double>> starts;
-  for (auto& [misfit, theta] : sizes) starts.push_back(std::move(theta));
-  starts.resize(most);
-  return starts;
+  return [points, most, &plan, &observations](std::size_t k) -> std::optional<std::vector<double>> {
+    if (k >= most) return std::nullopt;
+    return k == 0 ? points(0) : predicted_start(plan, observations, points(k - 1));
+  };
+}
+
+/// Linear estimates, then random changes of the first of them.
+Starts linear_starts(Plan& plan, const Control& control, std::size_t most) {
+  return [&plan, &control, most](std::size_t k) -> std::optional<std::vector<double>> {
+    if (k >= most) return std::nullopt;
+    if (auto start = linear_start(plan, k, control)) return start;
+    const StartPoints points(*linear_start(plan, 0, control), [](const std::vector<double>&) { return 0.0; });
+    return points(StartPoints::sizes + k);
+  };
 }
 
 Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
-  if (plan.likelihood->start) return [&plan, &control](std::size_t k) { return linear_start(plan, k, control); };
-  return [starts = sized_starts(plan, estimator)](std::size_t k) {
-    return k < starts.size() ? std::optional(starts[k]) : std::nullopt;
-  };
+  const std::size_t wanted = plan.scene.identify.starts;
+  if (plan.likelihood->start) return linear_starts(plan, control, wanted > 0 ? wanted : linear_ways.size());
+  return given_starts(plan, estimator, wanted > 0 ? wanted : 2 * StartPoints::sizes);
 }
 
 LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
   const FitWatcher watch = [&](std::size_t) { stop_if(control.interrupted); };
   const Starts starts = starts_of(plan, estimator, control);
-  if (plan.solver == "gauss-helmert") return estimator.run(starts, watch);
+  if (plan.solver == "gauss-helmert") {
+    return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : Follow::until_it_fits);
+  }
   LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
   if constexpr (JOINTID_HAVE_CERES) {
     if (plan.solver == "ceres") {
@@ -100,6 +114,24 @@ ChiSquare chi_square_of(const Observations& observations, const std::vector<Scal
   }
   out.degrees_of_freedom -= static_cast<double>(fit.theta.size());
   return out;
+}
+
+/// Where the starts ended. Two ends are the same minimum when they are less than a standard deviation apart, and fit equally well
+/// when no test at 95 % could tell them apart by χ².
+MinimumSearch search_of(const Plan& plan, const LikelihoodFit& fit) {
+  const auto same = [&](const FoundMinimum& a, const FoundMinimum& b) {
+    Eigen::VectorXd apart(static_cast<Eigen::Index>(fit.theta.size()));
+    for (std::size_t c = 0; c < fit.theta.size(); ++c) apart[static_cast<Eigen::Index>(c)] = a.values[c] - b.values[c];
+    return apart.dot(fit.information * apart) < 1.0;
+  };
+  MinimumList minima;
+  for (const LikelihoodFit::End& end : fit.ends) minima.add({end.loss, 1, end.theta}, same);
+  const boost::math::chi_squared_distribution<double> distribution(static_cast<double>(fit.theta.size()));
+  MinimumSearch search = minima.result(fit.loss + boost::math::quantile(distribution, 0.95));
+  for (FoundMinimum& minimum : search.minima) {
+    for (std::size_t c = 0; c < minimum.values.size(); ++c) minimum.values[c] *= plan.unscale(c);
+  }
+  return search;
 }
 
 /// The estimates and what of them the information fixes.
@@ -161,6 +193,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   const Eigen::MatrixXd covariance = covariance_of(fit.information);
   state_errors(plan, covariance, out);
   if (plan.scene.identify.bootstrap > 0) bootstrap_errors(plan, estimator, fit, control, out);
+  if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);
   if (!fit.converged) {
     out.status = Status::not_converged;
     out.message = "The likelihood did not settle.";

@@ -4,6 +4,7 @@
 
 #include "frf/error.hpp"
 #include "ident/scene_failure.hpp"
+#include "ident/start_plan.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -59,30 +60,6 @@ void choose_blocks(Plan& plan, bool joint_on_assembly) {
                      .jj = use.jj || use.jn};
 }
 
-/// The linear estimate that the data allow: Method One, else the direct solution.
-std::unique_ptr<Plan> plan_start(const Plan& plan) {
-  Scene scene = plan.scene;
-  scene.identify.weighting = weighting::Weighting::wb;
-  scene.identify.delta = 0.0;
-  scene.identify.solver = "auto";
-  scene.identify.start.clear();
-  scene.identify.priors.clear();
-  scene.identify.bootstrap = 0;
-  scene.couple_first = {};  // done already
-  const std::vector<Equation> equations = scene.identify.equations;
-  for (const auto& [method, chosen] : {std::pair(Method::one, equations), std::pair(Method::one, std::vector<Equation>{}),
-                                       std::pair(Method::direct, std::vector<Equation>{})}) {
-    scene.identify.method = method;
-    scene.identify.equations = chosen;
-    try {
-      return make_plan(scene, plan.substructures, plan.assembly);
-    } catch (const InputError&) {
-      // The next method needs less.
-    }
-  }
-  fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
-}
-
 /// The scene's priors as of the columns they name.
 std::vector<ScaledPrior> plan_priors(const Plan& plan) {
   std::vector<std::string> names;
@@ -121,7 +98,10 @@ void plan_likelihood(Plan& plan) {
   choose_blocks(plan, joint_on_assembly);
   own.observations = std::make_unique<Observations>(plan.scene, joined(own.others, joint), own.others.size(), own.blocks,
                                                     *plan.substructures, *plan.assembly);
-  if (plan.scene.identify.start.empty()) own.start = plan_start(plan);
+  if (plan.scene.identify.start.empty()) {
+    // Method One, else the direct solution.
+    own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});
+  }
   plan.coordinates.responses = plan.coordinates.references = own.others;
   plan.entries_per_line = own.observations->entries_per_line();
   plan.solver = plan.scene.identify.solver == "auto" ? "gauss-helmert" : plan.scene.identify.solver;

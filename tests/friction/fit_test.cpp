@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "friction/law.hpp"
-#include "friction/least_squares.hpp"
+#include "minimise/least_squares.hpp"
 
 namespace jointid::friction {
 namespace {
@@ -87,7 +87,7 @@ TEST(Fit, TheStartFromFeaturesIsWhereAGlobalSearchEnds) {
     const Fit plain = fit_one(curve, each.law);
     FitOptions options;
     options.global = true;
-    if (!has_nlopt()) {
+    if (!minimise::has_nlopt()) {
       EXPECT_THROW(fit_one(curve, each.law, options), std::invalid_argument);
       continue;
     }

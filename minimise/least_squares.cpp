@@ -1,8 +1,8 @@
-#include "friction/least_squares.hpp"
+#include "minimise/least_squares.hpp"
 
 #include <limits>
 
-namespace jointid::friction {
+namespace jointid::minimise {
 
 double LeastSquares::objective(std::span<const double> q) const {
   std::vector<double> r(residuals());
@@ -12,4 +12,4 @@ double LeastSquares::objective(std::span<const double> q) const {
   return sum;
 }
 
-}  // namespace jointid::friction
+}  // namespace jointid::minimise

@@ -1,9 +1,9 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
-#include "friction/least_squares.hpp"
+#include "minimise/least_squares.hpp"
 
-namespace jointid::friction {
+namespace jointid::minimise {
 namespace {
 
 class Cost final : public ceres::CostFunction {
@@ -59,4 +59,4 @@ Minimum ceres_minimum(const LeastSquares& least_squares, std::span<const double>
   return out;
 }
 
-}  // namespace jointid::friction
+}  // namespace jointid::minimise

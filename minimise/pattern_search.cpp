@@ -1,13 +1,13 @@
 #include <limits>
 
-#include "friction/least_squares.hpp"
+#include "minimise/least_squares.hpp"
 
-namespace jointid::friction {
+namespace jointid::minimise {
 namespace {
 
-class Search {
+class Walk {
  public:
-  Search(const std::function<double(std::span<const double>)>& f, const PatternOptions& options) : f_(f), options_(options) {}
+  Walk(const Objective& f, const PatternOptions& options) : f_(f), options_(options) {}
 
   Minimum run(std::vector<double> best) {
     double least = value(best), step = options_.step;
@@ -61,16 +61,15 @@ class Search {
     return there;
   }
 
-  const std::function<double(std::span<const double>)>& f_;
+  const Objective& f_;
   const PatternOptions& options_;
   std::size_t used_ = 0;
 };
 
 }  // namespace
 
-Minimum pattern_search(const std::function<double(std::span<const double>)>& f, std::span<const double> start,
-                       const PatternOptions& options) {
-  return Search(f, options).run({start.begin(), start.end()});
+Minimum pattern_search(const Objective& f, std::span<const double> start, const PatternOptions& options) {
+  return Walk(f, options).run({start.begin(), start.end()});
 }
 
-}  // namespace jointid::friction
+}  // namespace jointid::minimise

@@ -1,0 +1,204 @@
+#include "ident/newton/iteration.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "ident/triangle.hpp"
+
+namespace jointid::ident {
+namespace {
+
+Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+std::vector<double> added(const std::vector<double>& q, const Eigen::VectorXd& step) {
+  std::vector<double> sum = q;
+  for (std::size_t i = 0; i < q.size(); ++i) sum[i] += step[at(i)];
+  return sum;
+}
+
+/// min ‖J s + F‖² of the lines used, reduced line by line to R s ≈ b; memory does not grow with the lines.
+class Linearised {
+ public:
+  Linearised(const ResponseProblem& problem, std::span<const double> q) : unknowns_(at(problem.unknowns())) {
+    Triangle triangle(problem.unknowns());
+    defined = problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
+      double* row = triangle.append(f.size());
+      for (std::size_t i = 0; i < f.size(); ++i, row += triangle.stride()) {
+        for (std::size_t t = 0; t < columns.size(); ++t) row[columns[t]] = jacobian[i * columns.size() + t];
+        row[problem.unknowns()] = -f[i];
+      }
+    });
+    triangle.flush();
+    free_ = static_cast<double>(triangle.rows_pushed()) - static_cast<double>(problem.unknowns());
+    r_ = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
+    b_ = Eigen::VectorXd(unknowns_);
+    for (Eigen::Index i = 0; i < unknowns_; ++i) {
+      for (Eigen::Index j = i; j < unknowns_; ++j) r_(i, j) = triangle(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+      b_[i] = triangle(static_cast<std::size_t>(i), problem.unknowns());
+    }
+    rest_ = std::pow(triangle(problem.unknowns(), problem.unknowns()), 2);
+    sizes_ = r_.colwise().norm().transpose();
+    largest_ = sizes_.maxCoeff();
+    for (double& size : sizes_) size = std::max(size, 1e-8 * largest_);  // an unknown without effect stays where it is
+  }
+
+  double cost() const { return rest_ + b_.squaredNorm(); }
+
+  /// The next step would be below 1e-3 of the standard deviations that the residuals tell.
+  bool settled() const { return free_ > 0.0 && b_.squaredNorm() < 1e-6 * rest_ / free_; }
+
+  /// Factors of RᵀR + λ diag(RᵀR).
+  void damp(double lambda) {
+    Eigen::MatrixXd stacked(2 * unknowns_, unknowns_);
+    stacked << r_, Eigen::MatrixXd((std::sqrt(lambda) * sizes_).asDiagonal());
+    qr_.compute(stacked);
+  }
+
+  Eigen::VectorXd step() const {
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * unknowns_);
+    right.head(unknowns_) = b_;
+    return qr_.solve(right);
+  }
+
+  /// (RᵀR + λ diag)⁻¹ v
+  Eigen::VectorXd solve(const Eigen::VectorXd& v) const {
+    const auto triangle = qr_.matrixR().topLeftCorner(unknowns_, unknowns_).triangularView<Eigen::Upper>();
+    Eigen::VectorXd x = qr_.colsPermutation().transpose() * v;
+    triangle.transpose().solveInPlace(x);
+    triangle.solveInPlace(x);
+    return qr_.colsPermutation() * x;
+  }
+
+  /// Length of a step by the sizes of the columns.
+  double length(const Eigen::VectorXd& step) const { return step.cwiseProduct(sizes_).norm(); }
+
+  bool defined = false;
+
+ private:
+  Eigen::Index unknowns_;
+  double free_ = 0.0, rest_ = 0.0, largest_ = 0.0;
+  Eigen::MatrixXd r_;
+  Eigen::VectorXd b_, sizes_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
+};
+
+/// Jᵀ of the second derivative of F along a step, from F a little way along it.
+std::optional<Eigen::VectorXd> curvature(const ResponseProblem& problem, const std::vector<double>& q, const Eigen::VectorXd& step) {
+  constexpr double way = 0.1;
+  std::vector<double> ahead;
+  if (!problem.each_line(added(q, way * step), false, [&](auto f, auto, const auto&) { ahead.insert(ahead.end(), f.begin(), f.end()); })) {
+    return std::nullopt;
+  }
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(at(q.size()));
+  auto there = ahead.begin();
+  const bool defined = problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      const double* row = jacobian.data() + i * columns.size();
+      double slope = 0.0;
+      for (std::size_t t = 0; t < columns.size(); ++t) slope += row[t] * step[at(columns[t])];
+      const double second = 2.0 / way * ((*there++ - f[i]) / way - slope);
+      for (std::size_t t = 0; t < columns.size(); ++t) out[at(columns[t])] += row[t] * second;
+    }
+  });
+  if (!defined || !out.allFinite()) return std::nullopt;
+  return out;
+}
+
+/// A damped step with its geodesic acceleration where that is shorter than three quarters of it.
+Eigen::VectorXd accelerated(const ResponseProblem& problem, const std::vector<double>& q, const Linearised& lines) {
+  const Eigen::VectorXd step = lines.step();
+  const auto bent = curvature(problem, q, step);
+  if (!bent) return step;
+  const Eigen::VectorXd acceleration = -0.5 * lines.solve(*bent);
+  return lines.length(acceleration) < 0.75 * lines.length(step) ? Eigen::VectorXd(step + acceleration) : step;
+}
+
+bool is_tiny(const Eigen::VectorXd& step, const std::vector<double>& q, double share) {
+  double largest = 0.0;
+  for (const double each : q) largest = std::max(largest, std::abs(each));
+  return step.cwiseAbs().maxCoeff() <= share * largest;
+}
+
+/// Both schemes: weights and lines where the step begins, `advance` takes it; it says whether it could.
+NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options,
+                  const std::function<std::optional<Eigen::VectorXd>(const std::vector<double>& q, Linearised& lines)>& advance) {
+  NewtonFit fit{std::move(start), 0, false};
+  while (fit.iterations < options.most_iterations) {
+    if (options.watch) options.watch();
+    ++fit.iterations;
+    problem.weigh_at(fit.q);
+    problem.select_at(fit.q, options.draw);
+    Linearised lines(problem, fit.q);
+    if (!lines.defined || !std::isfinite(lines.cost())) break;
+    if (lines.settled()) {
+      fit.converged = true;
+      break;
+    }
+    const auto step = advance(fit.q, lines);
+    if (!step) {
+      lines.damp(0.0);
+      fit.converged = is_tiny(lines.step(), fit.q, 1e-7);  // rounding hides what a step would gain
+      break;
+    }
+    fit.q = added(fit.q, *step);
+    if (is_tiny(*step, fit.q, 1e-10)) {
+      fit.converged = true;
+      break;
+    }
+  }
+  problem.select_all();
+  return fit;
+}
+
+}  // namespace
+
+NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options) {
+  double lambda = 1e-2;
+  return iterate(problem, std::move(start), options, [&](const std::vector<double>& q, Linearised& lines) -> std::optional<Eigen::VectorXd> {
+    for (; lambda < 1e12; lambda *= 10.0) {
+      lines.damp(lambda);
+      Eigen::VectorXd step = accelerated(problem, q, lines);
+      if (problem.cost(added(q, step)) < lines.cost()) {
+        lambda = std::max(0.1 * lambda, 1e-14);
+        return step;
+      }
+    }
+    lambda = 1e-2;
+    return std::nullopt;
+  });
+}
+
+NewtonFit divided_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options) {
+  return iterate(problem, std::move(start), options, [&](const std::vector<double>& q, Linearised& lines) -> std::optional<Eigen::VectorXd> {
+    lines.damp(0.0);
+    Eigen::VectorXd step = lines.step();
+    for (int division = 0; division < 15; ++division, step /= 5.0) {
+      if (problem.cost(added(q, step)) < lines.cost()) return step;
+    }
+    return std::nullopt;
+  });
+}
+
+NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
+                    const std::function<minimise::Minimum(std::span<const double>)>& minimum, const NewtonOptions& options) {
+  constexpr int most_rounds = 40;
+  NewtonFit fit{std::move(start), 0, false};
+  for (int round = 0; round < most_rounds && !fit.converged; ++round) {
+    if (options.watch) options.watch();
+    problem.weigh_at(fit.q);
+    problem.distrust_outliers(fit.q);
+    problem.select_at(fit.q, options.draw);
+    const minimise::Minimum found = minimum(fit.q);
+    fit.iterations += found.iterations;
+    Eigen::VectorXd step(at(fit.q.size()));
+    for (std::size_t i = 0; i < fit.q.size(); ++i) step[at(i)] = found.q[i] - fit.q[i];
+    fit.q = found.q;
+    if (!step.allFinite()) break;
+    fit.converged = is_tiny(step, fit.q, 1e-8);
+  }
+  problem.select_all();
+  return fit;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+
+#include "ident/newton/response_problem.hpp"
+
+namespace jointid::ident {
+
+/// Where an iteration of method "newton" ended, in the scaled unknowns of its problem.
+struct NewtonFit {
+  std::vector<double> q;
+  std::size_t iterations = 0;
+  bool converged = false;
+};
+
+struct NewtonOptions {
+  std::size_t most_iterations = 100;
+  std::function<bool()> draw{};          ///< chooses lines anew in every iteration; empty: all that may be used
+  std::function<void()> watch{};         ///< called once per iteration, may throw to stop it
+};
+
+/// Levenberg–Marquardt with geodesic acceleration (Transtrum and Sethna 2012). Weights 1/‖J‖ and the choice of lines are those of
+/// the point where a step begins; a step is taken when it lowers the cost of these lines with these weights. It ends when the next
+/// Gauss–Newton step is below 1e-3 standard deviations, as the residuals tell them, or below 1e-10 of every unknown.
+NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options = {});
+
+/// The scheme of the thesis: full Gauss–Newton steps, divided by five until the cost falls (6.85), with its weights and choice of
+/// lines. The same end.
+NewtonFit divided_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options = {});
+
+/// A minimiser for fixed weights run again and again: a few of its iterations, then new weights and lines, in at most 40 rounds until
+/// the unknowns stay.
+NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start, const std::function<minimise::Minimum(std::span<const double>)>& minimum,
+                    const NewtonOptions& options = {});
+
+}  // namespace jointid::ident

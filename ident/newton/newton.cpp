@@ -1,0 +1,215 @@
+#include "ident/newton/newton.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "frf/random.hpp"
+#include "ident/likelihood/bound_of.hpp"
+#include "ident/likelihood/joint_guess.hpp"
+#include "ident/minima.hpp"
+#include "ident/newton/iteration.hpp"
+#include "ident/newton/newton_plan.hpp"
+#include "ident/start_points.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Point = std::vector<double>;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Seven lines in ten, other ones in every iteration: each choice has local minima of its own (§6.12.2.4).
+std::function<bool()> draws_of(std::size_t start) {
+  return [start, drawn = std::uint64_t{0}]() mutable {
+    return frf::uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7;
+  };
+}
+
+/// What searches without derivatives compare: costs with the weights of each point itself.
+minimise::Objective objective_of(const ResponseProblem& problem) {
+  return [&problem](std::span<const double> q) { return problem.own_cost(q); };
+}
+
+double largest(const Point& q) {
+  double size = 0.0;
+  for (const double each : q) size = std::max(size, std::abs(each));
+  return size;
+}
+
+NewtonFit by_nlopt(const ResponseProblem& problem, const Point& start, minimise::Search search) {
+  constexpr int evaluations = 20000;
+  const minimise::Minimum found = minimise::nlopt_minimum(objective_of(problem), start,
+                                                          {.search = search,
+                                                           .half_width = 1.5 * largest(start),
+                                                           .evaluations = evaluations,
+                                                           .tolerance = search == minimise::Search::mlsl ? 0.0 : 1e-10});
+  return {found.q, found.iterations, found.converged || search == minimise::Search::mlsl};
+}
+
+/// One run of the plan's solver.
+NewtonFit run(const std::string& solver, ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
+  if (solver == "newton") return divided_newton(problem, start, options);
+  if (solver == "ceres") {
+    const auto few = [&](std::span<const double> q) { return minimise::ceres_minimum(problem, q, {.tolerance = 1e-14, .most_iterations = 4}); };
+    return in_rounds(problem, start, few, options);
+  }
+  if (solver == "ipopt") {
+    const auto few = [&](std::span<const double> q) { return minimise::ipopt_minimum(problem, q, {.tolerance = 1e-12, .most_iterations = 4, .lower = {}, .upper = {}}); };
+    return in_rounds(problem, start, few, options);
+  }
+  if (solver == "nlopt") return by_nlopt(problem, start, minimise::Search::mlsl);
+  if (solver == "nlopt-crs2") return by_nlopt(problem, start, minimise::Search::crs2);
+  if (solver == "nlopt-sbplx") return by_nlopt(problem, start, minimise::Search::sbplx);
+  if (solver == "pattern") {
+    const minimise::Minimum found = minimise::pattern_search(objective_of(problem), start,
+                                                             {.step = 0.1 * largest(start), .tolerance = 1e-9 * largest(start), .most_evaluations = 20000});
+    return {found.q, found.iterations, found.converged};
+  }
+  return damped_newton(problem, start, options);
+}
+
+bool same(const FoundMinimum& a, const FoundMinimum& b) {
+  double distance = 0.0, size = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i) {
+    distance = std::max(distance, std::abs(a.values[i] - b.values[i]));
+    size = std::max(size, std::abs(a.values[i]));
+  }
+  return distance <= 1e-3 * size;
+}
+
+/// The best of one run or several, by how well it predicts the assembly.
+class Search {
+ public:
+  Search(const Plan& plan, ResponseProblem& problem, const Control& control)
+      : problem_(problem), solver_(plan.solver), control_(control) {}
+
+  void from(const Point& start, std::size_t number) {
+    NewtonOptions options;
+    options.watch = [this] { stop_if(control_.interrupted); };
+    if (number > 0) options.draw = draws_of(number);
+    NewtonFit fit = run(solver_, problem_, start, options);
+    iterations_ += fit.iterations;
+    const double misfit = problem_.misfit(fit.q);
+    if (!std::isfinite(misfit)) return;
+    if (fit.converged) minima_.add({misfit, 1, fit.q}, same);
+    const bool better = misfit < misfit_ && fit.converged >= best_.converged;
+    if (best_.q.empty() || better || fit.converged > best_.converged) {
+      best_ = std::move(fit);
+      misfit_ = misfit;
+    }
+  }
+
+  const NewtonFit& best() const { return best_; }
+  double misfit() const { return misfit_; }
+  std::size_t iterations() const { return iterations_; }
+  const MinimumList& minima() const { return minima_; }
+
+ private:
+  ResponseProblem& problem_;
+  const std::string& solver_;
+  const Control& control_;
+  NewtonFit best_;
+  double misfit_ = std::numeric_limits<double>::infinity();
+  std::size_t iterations_ = 0;
+  MinimumList minima_;
+};
+
+Point linear_start(Plan& plan, const ResponseProblem& problem, const Control& control) {
+  Control quick = control;
+  quick.detail = Detail::estimates;
+  const Solution first = solve(*plan.newton->start, quick);
+  Point theta(plan.columns->size(), 0.0);
+  for (std::size_t c = 0; c < first.unknowns.size(); ++c) {
+    if (std::isfinite(first.unknowns[c].value)) theta[c] = first.unknowns[c].value / plan.unscale(c);
+  }
+  return problem.scaled(theta);
+}
+
+/// From the start that fits best by its size, then from others until one settles; as many as the scene asks for.
+void search(Plan& plan, const ResponseProblem& problem, const Control& control, Search& found) {
+  const std::size_t wanted = plan.scene.identify.starts;
+  const Point given = plan.newton->start ? linear_start(plan, problem, control) : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
+  if (plan.solver == "newton" && wanted == 0) {
+    found.from(given, 0);  // the thesis's scheme as it is
+    return;
+  }
+  const StartPoints starts(given, [&](const Point& q) { return problem.misfit(q); });
+  const std::size_t most = wanted > 0 ? wanted : StartPoints::sizes;
+  for (std::size_t k = 0; k < most; ++k) {
+    found.from(starts(k), k);
+    if (wanted == 0 && found.best().converged) break;
+  }
+}
+
+/// What the linearised problem at the end says of rank and condition.
+LinearSolution judge(ResponseProblem& problem, const Point& q) {
+  Accumulator accumulator(problem.unknowns());
+  Accumulator::Columns all(problem.unknowns());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  problem.weigh_at(q);
+  Triangle& triangle = accumulator.triangle(all);
+  problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
+    double* row = triangle.append(f.size());
+    for (std::size_t i = 0; i < f.size(); ++i, row += triangle.stride()) {
+      for (std::size_t t = 0; t < columns.size(); ++t) row[columns[t]] = jacobian[i * columns.size() + t];
+      row[problem.unknowns()] = -f[i];
+    }
+  });
+  accumulator.flush();
+  LinearSolution linear = solve_dense(accumulator);
+  linear.y = problem.theta(q);
+  return linear;
+}
+
+/// Fits that no F test at 95 % could tell from the best: Σ F² rises by p/(rows − p) times about two. Below rounding all fit.
+double as_good_as(double misfit, std::size_t unknowns, std::size_t rows) {
+  const double free = std::max(1.0, static_cast<double>(rows) - static_cast<double>(unknowns));
+  return std::max(misfit * (1.0 + 2.0 * static_cast<double>(unknowns) / free), 1e-20);
+}
+
+}  // namespace
+
+const std::vector<std::string>& newton_solvers() {
+  static const std::vector<std::string> names = {"levenberg-marquardt", "newton", "ceres", "ipopt", "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern"};
+  return names;
+}
+
+void solve_newton(Plan& plan, const Control& control, Solution& out) {
+  const Clock::time_point start = Clock::now();
+  ResponseProblem problem(read_responses(plan, plan.lines.size()), plan.columns->size());
+  out.runtime_s.read = seconds_since(start);
+  out.fit.lines = plan.lines.size();
+  out.fit.equations_used = problem.residuals() / 2;
+  out.fit.equations_dropped = plan.lines.size() * plan.cost.equations_per_line - out.fit.equations_used;
+  if (problem.residuals() == 0) {
+    out.status = Status::no_equations;
+    out.message = "No line has all FRFs between the coordinates used. Choose other lines, or look with `jointid info` at what the files hold.";
+    return;
+  }
+  Search found(plan, problem, control);
+  search(plan, problem, control, found);
+  out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
+  if (found.best().q.empty()) {
+    out.status = Status::no_equations;
+    out.message = "The FRFs are not defined at any start: H_bb and the start make I + Z H_bb singular on some line.";
+    return;
+  }
+  interpret(plan, judge(problem, found.best().q), out);
+  out.fit.iterations = found.iterations();
+  if (!found.best().converged) {
+    out.status = Status::not_converged;
+    out.message = "The iteration did not settle. Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
+  }
+  if (plan.scene.identify.starts > 0) {
+    out.search = found.minima().result(as_good_as(found.misfit(), problem.unknowns(), problem.residuals()));
+    for (FoundMinimum& minimum : out.search->minima) {
+      minimum.values = problem.theta(minimum.values);
+      for (std::size_t c = 0; c < minimum.values.size(); ++c) minimum.values[c] *= plan.unscale(c);
+    }
+  }
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ident/plan.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::ident {
+
+/// Method "newton" (thesis §6.12.2): the joint that predicts H_nn best, by the plan's solver.
+void solve_newton(Plan& plan, const Control& control, Solution& out);
+
+/// The solvers of method "newton", in the order in which messages name them.
+const std::vector<std::string>& newton_solvers();
+
+}  // namespace jointid::ident

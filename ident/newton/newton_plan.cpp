@@ -1,0 +1,50 @@
+#include "ident/newton/newton_plan.hpp"
+
+#include <numbers>
+
+#include "frf/error.hpp"
+#include "ident/eigen_view.hpp"
+#include "ident/scene_failure.hpp"
+#include "ident/start_plan.hpp"
+
+namespace jointid::ident {
+
+void plan_newton(Plan& plan) {
+  plan.newton = std::make_shared<NewtonPlan>();
+  NewtonPlan& own = *plan.newton;
+  const Coordinates& at = plan.coordinates;
+  const Dofs columns = joined(at.references, at.joint);
+  own.substructures = std::make_unique<Rectangle>(*plan.substructures, std::vector<Band>{{joined(at.responses, at.joint), columns}}, columns);
+  own.assembly = std::make_unique<Rectangle>(*plan.assembly, std::vector<Band>{{at.responses, at.references}}, at.references);
+  plan.entries_per_line = own.substructures->entries_per_line() + own.assembly->entries_per_line();
+  plan.solver = plan.scene.identify.solver == "auto" ? "levenberg-marquardt" : plan.scene.identify.solver;
+  if (plan.scene.identify.start.empty()) own.start = plan_start(plan, {{Method::direct, {}}});
+  plan.cost.lines = plan.lines.size();
+  plan.cost.columns = plan.columns->size();
+  plan.cost.equations_per_line = at.responses.size() * at.references.size();
+  plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
+}
+
+std::vector<ResponseLine> read_responses(Plan& plan, std::size_t count) {
+  std::vector<std::size_t> substructure_lines, assembly_lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    substructure_lines.push_back(plan.lines[i].substructures);
+    assembly_lines.push_back(plan.lines[i].assembly);
+  }
+  NewtonPlan& own = *plan.newton;
+  own.substructures->read(substructure_lines);
+  own.assembly->read(assembly_lines);
+  const std::size_t rows = plan.coordinates.responses.size(), columns = plan.coordinates.references.size();
+  const std::size_t joint = plan.coordinates.joint.size();
+  std::vector<ResponseLine> lines;
+  for (std::size_t i = 0; i < count; ++i) {
+    const View h = own.substructures->line(i);
+    ReachableFrfs frfs = {map(h.block(0, 0, rows, columns)), map(h.block(0, columns, rows, joint)), map(h.block(rows, 0, joint, columns)),
+                          map(h.block(rows, columns, joint, joint)), map(own.assembly->line(i))};
+    lines.emplace_back(std::move(frfs), JointImpedance(plan.restriction, *plan.columns, plan.assembly_spec.omega0,
+                                                       2.0 * std::numbers::pi * plan.lines[i].frequency_hz));
+  }
+  return lines;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,175 @@
+#include "ident/newton/response_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace jointid::ident {
+namespace {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+double square_sum(std::span<const double> values) {
+  return std::transform_reduce(values.begin(), values.end(), 0.0, std::plus<>(), [](double each) { return each * each; });
+}
+
+}  // namespace
+
+ResponseProblem::ResponseProblem(std::vector<ResponseLine> lines, std::size_t unknowns)
+    : lines_(std::move(lines)), weight_(lines_.size(), 1.0), scale_(unknowns, 1.0), used_(lines_.size(), 1) {
+  const std::vector<double> free(unknowns, 0.0);
+  std::vector<std::vector<double>> norms(unknowns);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!line_rows(i, free, true)) continue;
+    const std::size_t count = lines_[i].columns().size();
+    for (std::size_t t = 0; t < count; ++t) {
+      double sum = 0.0;
+      for (std::size_t row = 0; row < lines_[i].rows(); ++row) sum += jacobian_[row * count + t] * jacobian_[row * count + t];
+      norms[lines_[i].columns()[t]].push_back(std::sqrt(sum));
+    }
+  }
+  for (std::size_t t = 0; t < unknowns; ++t) {
+    const double middle = median(std::move(norms[t]));
+    if (middle > 0.0) scale_[t] = 1.0 / middle;
+  }
+}
+
+std::size_t ResponseProblem::residuals() const {
+  std::size_t rows = 0;
+  for (const ResponseLine& line : lines_) rows += line.rows();
+  return rows;
+}
+
+std::vector<double> ResponseProblem::scaled(const std::vector<double>& theta) const {
+  std::vector<double> q(theta);
+  for (std::size_t t = 0; t < q.size(); ++t) q[t] /= scale_[t];
+  return q;
+}
+
+std::vector<double> ResponseProblem::theta(std::span<const double> q) const {
+  std::vector<double> theta(q.begin(), q.end());
+  for (std::size_t t = 0; t < theta.size(); ++t) theta[t] *= scale_[t];
+  return theta;
+}
+
+/// F, and the Jacobian by θ, of a line into f_ and jacobian_.
+bool ResponseProblem::line_rows(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const {
+  const ResponseLine& own = lines_[line];
+  f_.resize(own.rows());
+  if (own.rows() == 0) return false;
+  if (!with_jacobian) return own.residual(theta, f_.data());
+  jacobian_.resize(own.rows() * own.columns().size());
+  return own.linearise(theta, f_.data(), jacobian_.data());
+}
+
+bool ResponseProblem::each_line(std::span<const double> q, bool with_jacobian, const RowVisitor& visit) const {
+  const std::vector<double> at = theta(q);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!used_[i] || lines_[i].rows() == 0) continue;
+    if (!line_rows(i, at, with_jacobian)) return false;
+    const auto& columns = lines_[i].columns();
+    for (double& each : f_) each *= weight_[i];
+    if (with_jacobian) {
+      for (std::size_t k = 0; k < jacobian_.size(); ++k) jacobian_[k] *= weight_[i] * scale_[columns[k % columns.size()]];
+    }
+    visit(f_, with_jacobian ? std::span<const double>(jacobian_) : std::span<const double>(), columns);
+  }
+  return true;
+}
+
+bool ResponseProblem::evaluate(std::span<const double> q, std::span<double> r, std::span<double> jacobian) const {
+  std::ranges::fill(r, 0.0);
+  std::ranges::fill(jacobian, 0.0);
+  std::size_t row = 0;
+  return each_line(q, !jacobian.empty(), [&](std::span<const double> f, std::span<const double> own, const auto& columns) {
+    for (std::size_t i = 0; i < f.size(); ++i, ++row) {
+      r[row] = f[i];
+      for (std::size_t t = 0; t < columns.size() && !own.empty(); ++t) {
+        jacobian[row * unknowns() + columns[t]] = own[i * columns.size() + t];
+      }
+    }
+  });
+}
+
+double ResponseProblem::jacobian_norm(std::size_t line, const std::vector<double>& theta) const {
+  if (!line_rows(line, theta, true)) return 0.0;
+  const auto& columns = lines_[line].columns();
+  double sum = 0.0;
+  for (std::size_t k = 0; k < jacobian_.size(); ++k) {
+    const double each = jacobian_[k] * scale_[columns[k % columns.size()]];
+    sum += each * each;
+  }
+  return std::sqrt(sum);
+}
+
+void ResponseProblem::weigh_at(std::span<const double> q) {
+  const std::vector<double> at = theta(q);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const double norm = jacobian_norm(i, at);
+    weight_[i] = norm > 0.0 ? 1.0 / norm : 0.0;
+  }
+}
+
+void ResponseProblem::distrust_outliers(std::span<const double> q) {
+  const std::vector<double> at = theta(q);
+  std::vector<double> sizes(lines_.size(), 0.0), known;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!line_rows(i, at, false)) continue;
+    sizes[i] = weight_[i] * std::sqrt(square_sum(f_) / static_cast<double>(f_.size()));
+    known.push_back(sizes[i]);
+  }
+  const double limit = 2.25 * median(std::move(known));
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (sizes[i] > limit) weight_[i] *= std::sqrt(limit / sizes[i]);
+  }
+}
+
+void ResponseProblem::select_at(std::span<const double> q, const std::function<bool()>& draw) {
+  const std::vector<double> at = theta(q);
+  for (std::size_t i = 0; i < lines_.size(); ++i) used_[i] = lines_[i].rows() > 0 && lines_[i].correlation(at) > 0.0;
+  const std::size_t least = 2 * unknowns();
+  if (selected() < least) select_all();
+  if (!draw) return;
+  const std::vector<char> before = used_;
+  for (char& used : used_) used = draw() && used;
+  if (selected() < least) used_ = before;
+}
+
+void ResponseProblem::select_all() { std::ranges::fill(used_, char{1}); }
+
+std::size_t ResponseProblem::selected() const { return static_cast<std::size_t>(std::ranges::count(used_, char{1})); }
+
+double ResponseProblem::cost(std::span<const double> q) const {
+  double sum = 0.0;
+  const bool defined = each_line(q, false, [&](std::span<const double> f, auto, const auto&) { sum += square_sum(f); });
+  return defined ? sum : std::numeric_limits<double>::infinity();
+}
+
+double ResponseProblem::own_cost(std::span<const double> q) const {
+  const std::vector<double> at = theta(q);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const double norm = jacobian_norm(i, at);
+    if (norm > 0.0) sum += square_sum(f_) / (norm * norm);
+  }
+  return sum;
+}
+
+double ResponseProblem::misfit(std::span<const double> q) const {
+  const std::vector<double> at = theta(q);
+  double sum = 0.0, lines = 0.0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].rows() == 0 || !(lines_[i].change() > 0.0)) continue;
+    lines += 1.0;
+    sum += line_rows(i, at, false) ? std::log1p(square_sum(f_) / lines_[i].change()) : std::numeric_limits<double>::infinity();
+  }
+  return lines > 0.0 ? sum / lines : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+
+#include "ident/newton/response_line.hpp"
+#include "minimise/least_squares.hpp"
+
+namespace jointid::ident {
+
+/// All lines of (6.12) as least squares Σ α_i²‖F_i‖² in scaled unknowns q = θ/scale, with lines weighted by α_i and some left out.
+class ResponseProblem final : public minimise::LeastSquares {
+ public:
+  /// `unknowns`: of the whole problem.
+  ResponseProblem(std::vector<ResponseLine> lines, std::size_t unknowns);
+
+  std::size_t unknowns() const override { return scale_.size(); }
+  std::size_t residuals() const override;
+  bool evaluate(std::span<const double> q, std::span<double> r, std::span<double> jacobian) const override;
+
+  /// θ/scale, with scales such that every unknown moves the FRFs of the free joint about as much: thesis §6.12.2.2 wants unknowns
+  /// of about one size.
+  std::vector<double> scaled(const std::vector<double>& theta) const;
+  std::vector<double> theta(std::span<const double> q) const;
+  const std::vector<double>& scale() const { return scale_; }
+
+  /// α_i = 1/‖J(ω_i)‖ at q (6.93): every line counts the same, however near it is to a resonance.
+  void weigh_at(std::span<const double> q);
+
+  /// Lines that fit worse than 2.25 times the median count for less, by Huber's weight; after weigh_at().
+  void distrust_outliers(std::span<const double> q);
+
+  /// Uses the lines on which predicted and measured FRFs correlate (§6.12.2.4: not those between a predicted resonance and the
+  /// measured one); all lines where fewer than two per unknown do. `draw` chooses among them, in the order of the lines.
+  void select_at(std::span<const double> q, const std::function<bool()>& draw = {});
+  void select_all();
+  std::size_t selected() const;
+
+  /// Calls `visit` with the weighted residuals and Jacobian of every line used: rows [count × unknowns + 1], the last column F,
+  /// and which columns they are in. False where one is not defined. Memory: one line.
+  using RowVisitor = std::function<void(std::span<const double> f, std::span<const double> jacobian, const std::vector<std::size_t>& columns)>;
+  bool each_line(std::span<const double> q, bool with_jacobian, const RowVisitor& visit) const;
+
+  /// Σ α²‖F‖² of the lines used.
+  double cost(std::span<const double> q) const;
+
+  /// Σ‖F_i‖²/‖J_i‖² with the weights of q itself, over all lines: an objective for searches that compare far points.
+  double own_cost(std::span<const double> q) const;
+
+  /// How badly a joint predicts the assembly: mean over the lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²). A few lines do not decide it.
+  double misfit(std::span<const double> q) const;
+
+ private:
+  bool line_rows(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const;
+  double jacobian_norm(std::size_t line, const std::vector<double>& theta) const;
+
+  std::vector<ResponseLine> lines_;
+  std::vector<double> weight_, scale_;
+  std::vector<char> used_;
+  mutable std::vector<double> f_, jacobian_;  ///< of the line at hand
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace jointid::minimise {
+
+/// Residuals r(q) whose sum of squares is made small.
+class LeastSquares {
+ public:
+  virtual ~LeastSquares() = default;
+  virtual std::size_t unknowns() const = 0;
+  virtual std::size_t residuals() const = 0;
+  /// Fills r and, unless it is empty, the Jacobian [residuals, unknowns] row by row. False where r is not defined.
+  virtual bool evaluate(std::span<const double> q, std::span<double> r, std::span<double> jacobian) const = 0;
+
+  /// Σ r², +infinity where r is not defined.
+  double objective(std::span<const double> q) const;
+};
+
+struct Minimum {
+  std::vector<double> q;
+  std::size_t iterations = 0;
+  bool converged = false;
+};
+
+/// Levenberg–Marquardt of Ceres, until a step lowers Σ r² by less than `tolerance` times it. A build without Ceres throws
+/// std::logic_error; has_ceres() says which it is.
+struct CeresOptions {
+  double tolerance = 1e-10;
+  int most_iterations = 100;
+};
+Minimum ceres_minimum(const LeastSquares& problem, std::span<const double> start, const CeresOptions& options = {});
+bool has_ceres();
+
+/// What is made small where only values are known; +infinity where it is not defined.
+using Objective = std::function<double(std::span<const double> q)>;
+
+/// Derivative-free searches of NLopt.
+enum class Search {
+  direct,  ///< DIRECT-L: divides the box again and again
+  mlsl,    ///< multi-level single linkage: Sbplx from a low-discrepancy sequence of starts
+  crs2,    ///< controlled random search with local mutation
+  sbplx    ///< simplices in subspaces, from the start only
+};
+
+/// Best point that a search finds in the box start ± half_width; the start where it finds none better. `converged` when it ended by
+/// its tolerance, which of these only crs2 and sbplx do. A build without NLopt throws std::logic_error; has_nlopt() says which it is.
+struct NloptOptions {
+  Search search = Search::direct;
+  double half_width = 1.0;
+  int evaluations = 10000;
+  double tolerance = 0.0;  ///< relative, of every unknown; 0: all evaluations are used
+  unsigned long seed = 1;  ///< of crs2
+};
+Minimum nlopt_minimum(const Objective& objective, std::span<const double> start, const NloptOptions& options);
+bool has_nlopt();
+
+/// Interior-point minimum of Σ r² by Ipopt with the Gauss–Newton Hessian 2JᵀJ, within lower ≤ q ≤ upper where given. One solve at a
+/// time runs, others wait: Debian's Ipopt is not thread-safe. A build without Ipopt throws std::logic_error; has_ipopt() says which it is.
+struct IpoptOptions {
+  double tolerance = 1e-10;
+  int most_iterations = 100;
+  std::vector<double> lower, upper;  ///< [unknowns], ±infinity where there is none; empty: none
+};
+Minimum ipopt_minimum(const LeastSquares& problem, std::span<const double> start, const IpoptOptions& options = {});
+bool has_ipopt();
+
+/// Pattern search of Hooke and Jeeves (thesis §2.13): exploratory moves along the axes, then moves along the way that they went;
+/// the step is halved when none helps, until it is below `tolerance`.
+struct PatternOptions {
+  double step = 0.1;
+  double tolerance = 1e-10;
+  std::size_t most_evaluations = 200000;
+};
+Minimum pattern_search(const Objective& f, std::span<const double> start, const PatternOptions& options = {});
+
+}  // namespace jointid::minimise
