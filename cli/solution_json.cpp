@@ -77,6 +77,16 @@ Json fit(const ident::Fit& fit) {
           {"chi_square", chi_square(fit.chi_square)}};
 }
 
+/// Where the starts ended, best first.
+Json minima(const ident::MinimumSearch& search) {
+  Json all = Json::array();
+  for (const auto& [cost, starts, values] : search.minima) {
+    Json& each = all.emplace_back(Json{{"cost", value(cost)}, {"starts", starts}, {"values", Json::array()}});
+    for (const double unknown : values) each["values"].push_back(value(unknown));
+  }
+  return {{"equally_good", search.equally_good}, {"minima", all}};
+}
+
 Json quality(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
   Json all = Json::object();
   for (const auto& [kind, figures] : by_kind) {
@@ -110,6 +120,7 @@ std::string solution_json(const ident::Solution& solution) {
   json["dofs"] = Json::array();
   for (const auto& dof : solution.dofs) json["dofs"].push_back(dof.name());
   json["fit"] = fit(solution.fit);
+  if (solution.search) json["search"] = minima(*solution.search);
   if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);
   const auto& time = solution.runtime_s;

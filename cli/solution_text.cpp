@@ -85,6 +85,30 @@ std::string fit_text(const ident::Fit& fit) {
   return "\nfit\n" + table.text();
 }
 
+std::string verdict(const ident::MinimumSearch& search) {
+  if (search.minima.empty()) return "no start settled";
+  if (search.equally_good == 1) return "unique among the minima found";
+  return fmt::format("{} minima fit equally well: the data do not say which is the joint", search.equally_good);
+}
+
+/// Minima of several starts, best first; those that fit equally well with their unknowns.
+std::string search_text(const ident::Solution& solution) {
+  if (!solution.search) return "";
+  constexpr std::size_t most = 10;
+  const ident::MinimumSearch& search = *solution.search;
+  Table table({{"minimum"}, {"cost"}, {"starts"}});
+  for (std::size_t i = 0; i < std::min(most, search.minima.size()); ++i) {
+    table.add({fmt::format("{}", i + 1), number(search.minima[i].cost), fmt::format("{}", search.minima[i].starts)});
+  }
+  std::string text = "\nminima: " + verdict(search) + "\n" + table.text();
+  for (std::size_t i = 1; i < std::min(most, search.equally_good); ++i) {
+    text += fmt::format("  {}:", i + 1);
+    for (std::size_t u = 0; u < solution.unknowns.size(); ++u) text += " " + solution.unknowns[u].name + " = " + number(search.minima[i].values[u]);
+    text += "\n";
+  }
+  return text;
+}
+
 std::string variances_text(const std::vector<ident::VarianceSource>& files) {
   if (files.empty()) return "";
   Table table({{"file", Align::left}, {"", Align::left}});
@@ -115,7 +139,7 @@ std::string time_text(const ident::RunTime& time) {
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
   return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + identifiability_text(solution) +
-         fit_text(solution.fit) + variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
+         fit_text(solution.fit) + search_text(solution) + variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 
 std::string unknowns_csv(const ident::Solution& solution) {

@@ -64,7 +64,9 @@ std::vector<Reproduced> reproduce(const ThesisTable& table, const ident::TrialOp
     const TableRun& run = table.runs[r];
     auto found = problems.find(run.problem);
     if (found == problems.end()) found = problems.emplace(run.problem, make(run.problem)).first;
-    const Outcome outcome = run_trials_of(run, found->second, ident::counting_parts(options, r, table.runs.size()));
+    Problem problem = found->second;
+    if (run.noise_free) problem.noise = frf::NoiseModel{.level = 0.0};
+    const Outcome outcome = run_trials_of(run, problem, ident::counting_parts(options, r, table.runs.size()));
     for (std::size_t e = 0; e < table.entries.size(); ++e) {
       const TableEntry& entry = table.entries[e];
       if (entry.run != r) continue;

@@ -23,6 +23,7 @@ struct TableRun {
   std::vector<ident::Equation> equations;  ///< empty: the problem's own
   std::optional<weighting::Weighting> weighting;
   std::optional<double> delta;
+  bool noise_free = false;
 };
 
 enum class TableFigure { element, rjcf, arvf };

@@ -442,6 +442,14 @@ bool LikelihoodEstimator::fits(const LikelihoodFit& fit) const {
   return fit.converged && 4 * outliers <= fitting && chi_square <= expected + 5.0 * std::sqrt(2.0 * std::max(0.0, expected));
 }
 
+namespace {
+
+std::ptrdiff_t times_reached(double loss, const std::vector<LikelihoodFit::End>& ends) {
+  return std::ranges::count_if(ends, [loss](const LikelihoodFit::End& end) { return end.loss <= loss + 1e-3 * std::max(1.0, loss); });
+}
+
+}  // namespace
+
 LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch, Follow follow) {
   LikelihoodFit best;
   std::vector<LikelihoodFit::End> ends;
@@ -458,7 +466,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     }
     any = true;
     best.starts = k + 1;
-    if (follow == Follow::until_it_fits && fits(best)) break;
+    if (follow != Follow::all && fits(best) && (follow == Follow::until_it_fits || times_reached(best.loss, ends) > 1)) break;
   }
   best.ends = std::move(ends);
   lines_ = std::move(lines);

@@ -29,7 +29,11 @@ struct LikelihoodFit {
 };
 
 /// How many starts are followed.
-enum class Follow { until_it_fits, all };
+enum class Follow {
+  until_it_fits,        ///< by χ²
+  until_reached_twice,  ///< it fits, and two starts ended in the best: for data with several minima that χ² cannot tell from noise
+  all
+};
 
 /// The k-th start, or empty when there is no other.
 using Starts = std::function<std::optional<std::vector<double>>(std::size_t k)>;

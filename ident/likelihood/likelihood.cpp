@@ -84,7 +84,9 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
   const FitWatcher watch = [&](std::size_t) { stop_if(control.interrupted); };
   const Starts starts = starts_of(plan, estimator, control);
   if (plan.solver == "gauss-helmert") {
-    return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : Follow::until_it_fits);
+    const bool several_minima = !plan.likelihood->start && plan.likelihood->observations->layout().a.empty();
+    const Follow usual = several_minima ? Follow::until_reached_twice : Follow::until_it_fits;
+    return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual);
   }
   LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
   if constexpr (JOINTID_HAVE_CERES) {

@@ -70,6 +70,8 @@ class Linearised {
     return qr_.colsPermutation() * x;
   }
 
+  const Eigen::MatrixXd& triangle() const { return r_; }
+
   /// Length of a step by the sizes of the columns.
   double length(const Eigen::VectorXd& step) const { return step.cwiseProduct(sizes_).norm(); }
 
@@ -180,6 +182,24 @@ NewtonFit divided_newton(ResponseProblem& problem, std::vector<double> start, co
   });
 }
 
+RoundCoordinates::RoundCoordinates(ResponseProblem& problem, std::vector<double> centre) : centre_(std::move(centre)) {
+  problem.weigh_at(centre_);
+  const Linearised lines(problem, centre_);
+  r_ = lines.triangle();
+  const double least = 1e-8 * r_.diagonal().cwiseAbs().maxCoeff();
+  for (double& pivot : r_.diagonal()) {
+    if (std::abs(pivot) < least) pivot = least;
+  }
+  const Eigen::Map<const Eigen::VectorXd> from(centre_.data(), r_.rows());
+  size_ = (r_ * from).norm();
+}
+
+std::vector<double> RoundCoordinates::point(std::span<const double> x) const {
+  Eigen::VectorXd step = Eigen::Map<const Eigen::VectorXd>(x.data(), r_.rows());
+  r_.triangularView<Eigen::Upper>().solveInPlace(step);
+  return added(centre_, step);
+}
+
 NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
                     const std::function<minimise::Minimum(std::span<const double>)>& minimum, const NewtonOptions& options) {
   constexpr int most_rounds = 40;
@@ -195,7 +215,7 @@ NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
     for (std::size_t i = 0; i < fit.q.size(); ++i) step[at(i)] = found.q[i] - fit.q[i];
     fit.q = found.q;
     if (!step.allFinite()) break;
-    fit.converged = is_tiny(step, fit.q, 1e-8);
+    fit.converged = is_tiny(step, fit.q, 1e-10);
   }
   problem.select_all();
   return fit;

@@ -28,6 +28,23 @@ NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, con
 /// lines. The same end.
 NewtonFit divided_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options = {});
 
+/// Coordinates in which the linearised problem at a point is a sphere, for searches that know no derivatives:
+/// q = centre + R⁻¹x with RᵀR = JᵀJ (weighted) there.
+class RoundCoordinates {
+ public:
+  RoundCoordinates(ResponseProblem& problem, std::vector<double> centre);
+
+  std::vector<double> point(std::span<const double> x) const;
+
+  /// ‖R·centre‖: how far the free joint is.
+  double size() const { return size_; }
+
+ private:
+  std::vector<double> centre_;
+  Eigen::MatrixXd r_;
+  double size_ = 0.0;
+};
+
 /// A minimiser for fixed weights run again and again: a few of its iterations, then new weights and lines, in at most 40 rounds until
 /// the unknowns stay.
 NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start, const std::function<minimise::Minimum(std::span<const double>)>& minimum,

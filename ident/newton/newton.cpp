@@ -28,25 +28,31 @@ std::function<bool()> draws_of(std::size_t start) {
   };
 }
 
-/// What searches without derivatives compare: costs with the weights of each point itself.
-minimise::Objective objective_of(const ResponseProblem& problem) {
-  return [&problem](std::span<const double> q) { return problem.own_cost(q); };
+/// A search without derivatives. It compares misfits: weights by sensitivity would favour points whose resonances lie on the lines.
+NewtonFit by_values(ResponseProblem& problem, const Point& start,
+                    const std::function<minimise::Minimum(const minimise::Objective&, const Point& origin, double size)>& minimum) {
+  const RoundCoordinates round(problem, start);
+  const minimise::Objective objective = [&](std::span<const double> x) { return problem.misfit(round.point(x)); };
+  const minimise::Minimum found = minimum(objective, Point(start.size(), 0.0), round.size());
+  return {round.point(found.q), found.iterations, found.converged};
 }
 
-double largest(const Point& q) {
-  double size = 0.0;
-  for (const double each : q) size = std::max(size, std::abs(each));
-  return size;
+constexpr int evaluations = 20000;
+
+NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, minimise::Search search) {
+  const bool ends_by_tolerance = search != minimise::Search::mlsl;
+  NewtonFit fit = by_values(problem, start, [&](const minimise::Objective& objective, const Point& origin, double size) {
+    return minimise::nlopt_minimum(objective, origin,
+                                   {.search = search, .half_width = size, .evaluations = evaluations, .tolerance = ends_by_tolerance ? 1e-10 : 0.0});
+  });
+  fit.converged = fit.converged || !ends_by_tolerance;
+  return fit;
 }
 
-NewtonFit by_nlopt(const ResponseProblem& problem, const Point& start, minimise::Search search) {
-  constexpr int evaluations = 20000;
-  const minimise::Minimum found = minimise::nlopt_minimum(objective_of(problem), start,
-                                                          {.search = search,
-                                                           .half_width = 1.5 * largest(start),
-                                                           .evaluations = evaluations,
-                                                           .tolerance = search == minimise::Search::mlsl ? 0.0 : 1e-10});
-  return {found.q, found.iterations, found.converged || search == minimise::Search::mlsl};
+NewtonFit by_pattern(ResponseProblem& problem, const Point& start) {
+  return by_values(problem, start, [](const minimise::Objective& objective, const Point& origin, double size) {
+    return minimise::pattern_search(objective, origin, {.step = 0.1 * size, .tolerance = 1e-10 * size, .most_evaluations = evaluations});
+  });
 }
 
 /// One run of the plan's solver.
@@ -63,11 +69,7 @@ NewtonFit run(const std::string& solver, ResponseProblem& problem, const Point& 
   if (solver == "nlopt") return by_nlopt(problem, start, minimise::Search::mlsl);
   if (solver == "nlopt-crs2") return by_nlopt(problem, start, minimise::Search::crs2);
   if (solver == "nlopt-sbplx") return by_nlopt(problem, start, minimise::Search::sbplx);
-  if (solver == "pattern") {
-    const minimise::Minimum found = minimise::pattern_search(objective_of(problem), start,
-                                                             {.step = 0.1 * largest(start), .tolerance = 1e-9 * largest(start), .most_evaluations = 20000});
-    return {found.q, found.iterations, found.converged};
-  }
+  if (solver == "pattern") return by_pattern(problem, start);
   return damped_newton(problem, start, options);
 }
 
@@ -95,11 +97,9 @@ class Search {
     const double misfit = problem_.misfit(fit.q);
     if (!std::isfinite(misfit)) return;
     if (fit.converged) minima_.add({misfit, 1, fit.q}, same);
-    const bool better = misfit < misfit_ && fit.converged >= best_.converged;
-    if (best_.q.empty() || better || fit.converged > best_.converged) {
-      best_ = std::move(fit);
-      misfit_ = misfit;
-    }
+    if (!best_.q.empty() && misfit >= misfit_) return;
+    best_ = std::move(fit);
+    misfit_ = misfit;
   }
 
   const NewtonFit& best() const { return best_; }

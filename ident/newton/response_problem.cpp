@@ -25,8 +25,10 @@ ResponseProblem::ResponseProblem(std::vector<ResponseLine> lines, std::size_t un
     : lines_(std::move(lines)), weight_(lines_.size(), 1.0), scale_(unknowns, 1.0), used_(lines_.size(), 1) {
   const std::vector<double> free(unknowns, 0.0);
   std::vector<std::vector<double>> norms(unknowns);
+  std::vector<double> changes;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     if (!line_rows(i, free, true)) continue;
+    changes.push_back(std::sqrt(lines_[i].change()));
     const std::size_t count = lines_[i].columns().size();
     for (std::size_t t = 0; t < count; ++t) {
       double sum = 0.0;
@@ -34,9 +36,10 @@ ResponseProblem::ResponseProblem(std::vector<ResponseLine> lines, std::size_t un
       norms[lines_[i].columns()[t]].push_back(std::sqrt(sum));
     }
   }
+  const double change = median(std::move(changes));
   for (std::size_t t = 0; t < unknowns; ++t) {
     const double middle = median(std::move(norms[t]));
-    if (middle > 0.0) scale_[t] = 1.0 / middle;
+    if (middle > 0.0) scale_[t] = (change > 0.0 ? change : 1.0) / middle;
   }
 }
 
@@ -149,16 +152,6 @@ double ResponseProblem::cost(std::span<const double> q) const {
   double sum = 0.0;
   const bool defined = each_line(q, false, [&](std::span<const double> f, auto, const auto&) { sum += square_sum(f); });
   return defined ? sum : std::numeric_limits<double>::infinity();
-}
-
-double ResponseProblem::own_cost(std::span<const double> q) const {
-  const std::vector<double> at = theta(q);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const double norm = jacobian_norm(i, at);
-    if (norm > 0.0) sum += square_sum(f_) / (norm * norm);
-  }
-  return sum;
 }
 
 double ResponseProblem::misfit(std::span<const double> q) const {

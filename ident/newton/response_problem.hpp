@@ -17,8 +17,8 @@ class ResponseProblem final : public minimise::LeastSquares {
   std::size_t residuals() const override;
   bool evaluate(std::span<const double> q, std::span<double> r, std::span<double> jacobian) const override;
 
-  /// θ/scale, with scales such that every unknown moves the FRFs of the free joint about as much: thesis §6.12.2.2 wants unknowns
-  /// of about one size.
+  /// θ/scale, with scales such that a unit of every unknown would move the FRFs of the free joint about as far as the joint does:
+  /// thesis §6.12.2.2 wants unknowns of about one size.
   std::vector<double> scaled(const std::vector<double>& theta) const;
   std::vector<double> theta(std::span<const double> q) const;
   const std::vector<double>& scale() const { return scale_; }
@@ -42,9 +42,6 @@ class ResponseProblem final : public minimise::LeastSquares {
 
   /// Σ α²‖F‖² of the lines used.
   double cost(std::span<const double> q) const;
-
-  /// Σ‖F_i‖²/‖J_i‖² with the weights of q itself, over all lines: an objective for searches that compare far points.
-  double own_cost(std::span<const double> q) const;
 
   /// How badly a joint predicts the assembly: mean over the lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²). A few lines do not decide it.
   double misfit(std::span<const double> q) const;

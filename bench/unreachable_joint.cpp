@@ -1,0 +1,154 @@
+// Joints whose coordinates cannot be reached on the assembly (case H4, only H_nn): how many starts lead to the joint, and how far off the
+// estimates are with 5 % noise, solver by solver on the same data and starts. Prints the tables of docs/unreachable-joints.md.
+//   bench_unreachable_joint [SEEDS [STARTS [SOLVER ...]]]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "ident/likelihood/bound.hpp"
+#include "ident/prediction.hpp"
+#include "ident/solve.hpp"
+#include "problems/in_memory.hpp"
+
+namespace {
+
+using namespace jointid;
+
+struct Way {
+  std::string label;
+  ident::Method method;
+  std::string solver;
+  bool slow;  ///< searches without derivatives: a tenth of the starts and seeds
+};
+
+const std::vector<Way> ways = {{"likelihood (default)", ident::Method::likelihood, "gauss-helmert", false},
+                               {"newton (default)", ident::Method::newton, "levenberg-marquardt", false},
+                               {"newton, thesis", ident::Method::newton, "newton", false},
+                               {"newton, ceres", ident::Method::newton, "ceres", false},
+                               {"newton, ipopt", ident::Method::newton, "ipopt", false},
+                               {"newton, nlopt (MLSL)", ident::Method::newton, "nlopt", true},
+                               {"newton, nlopt-crs2", ident::Method::newton, "nlopt-crs2", true},
+                               {"newton, nlopt-sbplx", ident::Method::newton, "nlopt-sbplx", true},
+                               {"newton, pattern", ident::Method::newton, "pattern", true}};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values.empty() ? std::nan("") : values[values.size() / 2];
+}
+
+class Bench {
+ public:
+  Bench() : problem_(problems::make("H4")), base_(problems::scene(problem_)) {
+    for (const problems::ExactUnknown& unknown : problem_.unknowns) truth_.push_back(unknown.value);
+  }
+
+  ident::Scene scene(const Way& way) const {
+    ident::Scene out = base_;
+    out.identify.method = way.method;
+    out.identify.solver = way.solver;
+    return out;
+  }
+
+  /// The largest relative error of an element.
+  double error(const ident::Solution& solution) const {
+    double largest = 0.0;
+    for (std::size_t u = 0; u < truth_.size(); ++u) largest = std::max(largest, std::abs(solution.unknowns[u].value / truth_[u] - 1.0));
+    return std::isfinite(largest) ? largest : 1e300;
+  }
+
+  ident::Solution solve(const ident::Scene& scene, problems::Measurement data) const {
+    const auto plan = problems::plan(scene, std::move(data));
+    ident::Control control;
+    control.threads = 1;
+    control.detail = ident::Detail::estimates;
+    return ident::solve(*plan, control);
+  }
+
+  void starts(const Way& way, std::size_t count) const {
+    ident::Scene scene = this->scene(way);
+    const problems::Measurement exact = {problem_.substructures, problem_.assembly};
+    const ident::Matrix thesis = scene.identify.start.at(restrictions::Kind::stiffness), truth = scene.truth.at(restrictions::Kind::stiffness);
+    std::vector<std::string> named;
+    for (const auto& [label, from, factor] : {std::tuple("thesis", thesis, 1.0), std::tuple("rigid", thesis, 1e3), std::tuple("free", thesis, 1e-5)}) {
+      scene.identify.start[restrictions::Kind::stiffness] = scaled(from, [f = factor] { return f; });
+      const ident::Solution solution = solve(scene, exact);
+      named.push_back(fmt::format("{}, {}", text(error(solution)), solution.fit.iterations));
+    }
+    std::mt19937_64 generator(20261121);
+    std::uniform_real_distribution<double> change(0.2, 1.8);
+    std::size_t reached = 0;
+    std::vector<double> iterations, times;
+    for (std::size_t k = 0; k < count; ++k) {
+      scene.identify.start[restrictions::Kind::stiffness] = scaled(truth, [&] { return change(generator); });
+      const ident::Solution solution = solve(scene, exact);
+      times.push_back(1e3 * solution.runtime_s.total);
+      if (error(solution) > 1e-8) continue;
+      ++reached;
+      iterations.push_back(static_cast<double>(solution.fit.iterations));
+    }
+    fmt::print("| {} | {} | {} | {} | {} of {} | {:.0f} | {:.0f} |\n", way.label, named[0], named[1], named[2], reached, count, median(iterations), median(times));
+    std::fflush(stdout);
+  }
+
+  void noise(const Way& way, std::size_t seeds) const {
+    const ident::Scene scene = this->scene(way);
+    const auto exact = problems::plan(scene, {problem_.substructures, problem_.assembly});
+    ident::Scene bounded = scene;
+    bounded.identify.method = ident::Method::likelihood;
+    bounded.identify.solver = "auto";
+    const std::vector<double> bound = ident::cramer_rao_bound(*problems::plan(bounded, {problem_.substructures, problem_.assembly}), truth_, ident::Control());
+    std::vector<double> errors, decibels, ratios, times;
+    std::size_t settled = 0;
+    for (std::size_t seed = 1; seed <= seeds; ++seed) {
+      const ident::Solution solution = solve(scene, problems::polluted(problem_, seed, 0));
+      settled += solution.status == ident::Status::ok;
+      times.push_back(1e3 * solution.runtime_s.total);
+      errors.push_back(error(solution));
+      const ident::DecibelError error = ident::predict(*exact, solution.bands, ident::Control());
+      decibels.push_back(std::sqrt(error.sum_of_squares / static_cast<double>(error.entries)));
+      double squares = 0.0;
+      for (std::size_t u = 0; u < truth_.size(); ++u) squares += std::pow((solution.unknowns[u].value - truth_[u]) / bound[u], 2);
+      ratios.push_back(std::sqrt(squares / static_cast<double>(truth_.size())));
+    }
+    const auto good = std::count_if(errors.begin(), errors.end(), [](double error) { return error <= 0.5; });
+    fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {} | {:.0f} |\n", way.label, seeds, settled, good, text(median(errors)), median(decibels),
+               text(median(ratios)), median(times));
+    std::fflush(stdout);
+  }
+
+ private:
+  static std::string text(double value) { return value > 99.0 ? ">99" : fmt::format("{:.2g}", value); }
+
+  template <class Factor>
+  static ident::Matrix scaled(ident::Matrix matrix, Factor factor) {
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+      for (std::size_t j = i; j < matrix.size(); ++j) matrix[j][i] = matrix[i][j] *= factor();
+    }
+    return matrix;
+  }
+
+  problems::Problem problem_;
+  ident::Scene base_;
+  std::vector<double> truth_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t seeds = argc > 1 ? std::stoul(argv[1]) : 100, starts = argc > 2 ? std::stoul(argv[2]) : 200;
+  const std::vector<std::string> wanted(argv + std::min(argc, 3), argv + argc);
+  const Bench bench;
+  const auto each = [&](const auto& run) {
+    for (const Way& way : ways) {
+      if (wanted.empty() || std::find(wanted.begin(), wanted.end(), way.solver) != wanted.end()) run(way);
+    }
+  };
+  fmt::print("| noise-free | thesis's start: largest error, iterations | rigid | free | random starts that reach it | iterations | ms |\n|---|---|---|---|---|---|---|\n");
+  each([&](const Way& way) { bench.starts(way, way.slow ? starts / 10 : starts); });
+  fmt::print("\n| 5 % noise | seeds | settled | largest error below 0.5 | its median | assembly FRFs, dB | rms error / bound | ms |\n|---|---|---|---|---|---|---|---|\n");
+  each([&](const Way& way) { bench.noise(way, way.slow ? seeds / 10 : seeds); });
+}
