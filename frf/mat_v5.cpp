@@ -1,9 +1,7 @@
 #include <matio.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <numeric>
 #include <span>
@@ -169,26 +167,6 @@ class MatV5 final : public MatFile {
 };
 
 }  // namespace
-
-bool is_whole_v5(const std::filesystem::path& path) {
-  constexpr std::uintmax_t header_bytes = 128;
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  std::ifstream in(path, std::ios::binary);
-  std::array<unsigned char, 8> tag{};
-  const auto read_tag = [&](std::uintmax_t at) {
-    in.seekg(static_cast<std::streamoff>(at));
-    return static_cast<bool>(in.read(reinterpret_cast<char*>(tag.data()), tag.size()));
-  };
-  if (size < header_bytes || !read_tag(header_bytes - tag.size())) return false;
-  const bool little_endian = tag[6] == 'I' && tag[7] == 'M';
-  std::uintmax_t at = header_bytes;
-  while (at < size && read_tag(at)) {
-    std::uintmax_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = 256 * length + tag[little_endian ? 7 - i : 4 + i];
-    at += tag.size() + length;
-  }
-  return at == size;
-}
 
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) {
   return std::make_unique<MatV5>(path);

@@ -63,6 +63,12 @@ std::string V5Check::walk(const Element& element, Extent extent) {
   return name;
 }
 
+std::vector<std::string> V5Check::names() const {
+  std::vector<std::string> names;
+  for (const Element& element : elements_) names.push_back(element.name);
+  return names;
+}
+
 void V5Check::require_whole(const std::string& name) {
   const auto element = std::ranges::find(elements_, name, &Element::name);
   if (element == elements_.end()) fail("variable " + name, "is not there");

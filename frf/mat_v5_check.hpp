@@ -17,6 +17,9 @@ class V5Check {
   /// Walks the file but for the numbers and characters of its variables.
   explicit V5Check(const std::filesystem::path& path);
 
+  /// In the order of the file.
+  std::vector<std::string> names() const;
+
   /// Walks a variable to its end; of packed ones the checksum must agree.
   void require_whole(const std::string& name);
 
