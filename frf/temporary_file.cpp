@@ -21,9 +21,20 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
                                  std::to_string(count++));
 }
 
+/// The file that a link stands for.
+std::filesystem::path without_links(const std::filesystem::path& target) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(target, error)) return target;
+  std::filesystem::path file = std::filesystem::canonical(target, error);
+  return error ? target : file;
+}
+
 }  // namespace
 
-TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(without_links(target)) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(target_, ignored);
+  if (exists(status) && !is_regular_file(status)) fail("there is something else than a file");
   std::filesystem::path name = temporary_name(target_);
   const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) fail(std::strerror(errno));

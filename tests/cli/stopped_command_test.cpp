@@ -1,6 +1,8 @@
 // Every command that writes files, stopped at the calls by which it does: killed, interrupted, and with the disk full from there on.
 // A file of before is whole, or the new one is.
 #include <gmock/gmock.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -171,6 +173,62 @@ TEST_P(StoppedCommand, OnAFullDiskItSaysSoAndLeavesNothingElse) {
     }
     expect_whole(folder, is_journal);
   }
+}
+
+/// A disk of its own in a folder, of some kilobytes and full but for `free` bytes; it goes with the process's view of the disks.
+class FullDisk {
+ public:
+  /// False when this user may not mount.
+  static bool may_mount() {
+    static const bool may = ::unshare(CLONE_NEWNS) == 0 || ::unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0;
+    return may && ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0;
+  }
+
+  explicit FullDisk(const std::filesystem::path& folder) : folder_(folder) {
+    if (::mount("none", folder.c_str(), "tmpfs", 0, "size=128k") != 0) throw std::runtime_error("cannot mount a tmpfs");
+  }
+  ~FullDisk() { ::umount(folder_.c_str()); }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+  void fill() const {
+    std::ofstream ballast(folder_ / "ballast", std::ios::binary);
+    while (ballast.put('.').flush()) {
+    }
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The same command with its outputs in the folder "small".
+Writing into_small(Writing writing) {
+  for (std::string& word : writing.command) {
+    if (word.starts_with("x.") || word == "new") word = "small/" + word;
+  }
+  for (std::string& output : writing.outputs) output = "small/" + output;
+  return writing;
+}
+
+TEST_P(StoppedCommand, OnASmallDiskThatIsFullNothingChanges) {
+  if (!FullDisk::may_mount()) GTEST_SKIP() << "this user may not mount a tmpfs";
+  const Writing writing = into_small(GetParam());
+  Writing without_old = writing;
+  without_old.outputs.clear();
+  const StoppedFolder folder(without_old);
+  std::filesystem::create_directory(folder.path("small"));
+  const FullDisk disk(folder.path("small"));
+  for (const std::string& output : writing.outputs) {
+    if (!output.starts_with("small/new")) folder.write(output, "old");
+  }
+  disk.fill();
+  auto before = folder.content();
+  const Outcome outcome = folder.run(writing, {});
+  EXPECT_EQ(outcome.code, 3) << outcome.err;
+  EXPECT_THAT(outcome.err, StartsWith("jointid: error: small/"));
+  auto after = folder.content();
+  for (auto* content : {&before, &after}) std::erase_if(*content, [](const auto& file) { return is_journal(file.first) || file.first == "small/new"; });
+  EXPECT_EQ(after, before);
 }
 
 void add_coupling(const InputFolder& folder) { problems::write(problems::make_coupling("coupling-A"), folder.path(), {}); }
