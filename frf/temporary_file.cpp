@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -19,6 +20,25 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
   static std::atomic<unsigned> count = 0;
   return target.parent_path() / ("." + target.filename().string() + "." + std::to_string(::getpid()) + "." +
                                  std::to_string(count++));
+}
+
+/// Names of the files that are being written, for remove_unfinished(); with more than these at once, some are not noted.
+using Name = std::atomic<const char*>;
+static_assert(Name::is_always_lock_free);  // what a signal handler may touch
+std::array<Name, 64> unfinished{};
+
+void note(const char* name) {
+  for (Name& slot : unfinished) {
+    const char* none = nullptr;
+    if (slot.compare_exchange_strong(none, name)) return;
+  }
+}
+
+void forget(const char* name) {
+  for (Name& slot : unfinished) {
+    const char* noted = name;
+    if (slot.compare_exchange_strong(noted, nullptr)) return;
+  }
 }
 
 /// The file that a link stands for.
@@ -40,17 +60,21 @@ TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(without_lin
   if (descriptor < 0) fail(std::strerror(errno));
   ::close(descriptor);
   path_ = std::move(name);
+  note(path_.c_str());
 }
 
 TemporaryFile::~TemporaryFile() {
   std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove(path_, ignored);
+  if (path_.empty()) return;
+  std::filesystem::remove(path_, ignored);
+  forget(path_.c_str());
 }
 
 void TemporaryFile::commit() {
   std::error_code error;
   std::filesystem::rename(path_, target_, error);
   if (error) fail(error.message());
+  forget(path_.c_str());
   path_.clear();
 }
 
@@ -60,6 +84,12 @@ void TemporaryFile::fail(const std::string& why) const {
                     .place = {},
                     .problem = "cannot be written: " + why,
                     .remedy = "check the folder, its permissions and the space left on the disk"});
+}
+
+void remove_unfinished() noexcept {
+  for (const Name& slot : unfinished) {
+    if (const char* name = slot.load()) ::unlink(name);
+  }
 }
 
 void write_text(const std::filesystem::path& target, std::string_view text) {

@@ -31,6 +31,9 @@ class TemporaryFile {
   std::filesystem::path path_;  ///< empty once committed
 };
 
+/// Removes the temporaries of all files that are being written, for a signal handler that ends the process.
+void remove_unfinished() noexcept;
+
 /// Writes `text` to `target` by way of a temporary. Throws InputError when the disk does not take it.
 void write_text(const std::filesystem::path& target, std::string_view text);
 

@@ -1,6 +1,6 @@
 /* To be preloaded: counts the calls by which a process makes, fills, renames and removes regular files, and stops it at one of them.
  * STOP_AT: number of the call, from 1. STOP_HOW: "kill", half of what that call would write is written, then SIGKILL; "interrupt",
- * SIGINT before it; "full", that call and all writes after it find the disk full. STOP_COUNT: a file that gets the number of calls
+ * SIGINT before it; "insist", two of them; "full", that call and all writes after it find the disk full. STOP_COUNT: a file that gets the number of calls
  * at the end. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -33,7 +33,8 @@ static int is_killed(void) {
   const char *at = getenv("STOP_AT"), *how = getenv("STOP_HOW");
   const long call = __atomic_add_fetch(&calls, 1, __ATOMIC_SEQ_CST);
   if (at == NULL || how == NULL || call != atol(at)) return 0;
-  if (strcmp(how, "interrupt") == 0) kill(getpid(), SIGINT);
+  if (strcmp(how, "interrupt") == 0 || strcmp(how, "insist") == 0) raise(SIGINT);
+  if (strcmp(how, "insist") == 0) raise(SIGINT);
   if (strcmp(how, "full") == 0) disk_is_full = 1;
   return strcmp(how, "kill") == 0;
 }

@@ -161,6 +161,15 @@ TEST_P(StoppedCommand, InterruptedItLeavesNothingElse) {
   }
 }
 
+TEST_P(StoppedCommand, InterruptedTwiceItLeavesNothingElse) {
+  for (const std::size_t moment : moments()) {
+    const StoppedFolder folder(GetParam());
+    const Outcome outcome = folder.run(GetParam(), {{"STOP_AT", std::to_string(moment)}, {"STOP_HOW", "insist"}});
+    EXPECT_EQ(outcome.code, 130) << "at call " << moment << ": " << outcome.err;
+    expect_whole(folder, is_journal);
+  }
+}
+
 TEST_P(StoppedCommand, OnAFullDiskItSaysSoAndLeavesNothingElse) {
   for (const std::size_t moment : moments()) {
     const StoppedFolder folder(GetParam());
