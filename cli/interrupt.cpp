@@ -6,6 +6,7 @@
 #include <csignal>
 
 #include "cli/exit_code.hpp"
+#include "frf/temporary_file.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -14,7 +15,9 @@ std::atomic<bool> asked_to_end = false;
 static_assert(std::atomic<bool>::is_always_lock_free);  // what a signal handler may touch
 
 extern "C" void on_signal(int) {
-  if (asked_to_end.exchange(true)) _exit(static_cast<int>(ExitCode::interrupted));
+  if (!asked_to_end.exchange(true)) return;
+  frf::remove_unfinished();
+  _exit(static_cast<int>(ExitCode::interrupted));
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   check_targets(arguments.scene, {{"--json", arguments.json}});
   const auto plan = ident::make_plan(ident::read_scene(arguments.scene));
   std::optional<ident::BoundReport> bound;
+  catch_interrupts();
   if (arguments.bound) {
-    catch_interrupts();
     Progress progress;
     bound = ident::predict_bound(*plan, arguments.candidates, progress.control());
   }

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 
 if(NOT CMAKE_BUILD_TYPE)
-  set(CMAKE_BUILD_TYPE Release CACHE STRING "Dev, Release or Asan" FORCE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Dev, Release, Asan or Fuzz" FORCE)
 endif()
 
 find_program(CCACHE_PROGRAM ccache)
@@ -24,6 +24,10 @@ set(CMAKE_CXX_FLAGS_DEV "-O2 -g1")
 set(CMAKE_CXX_FLAGS_ASAN
     "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=null,alignment -fno-sanitize-recover=all -DEIGEN_MALLOC_ALREADY_ALIGNED=1 -Wno-maybe-uninitialized")
 set(CMAKE_EXE_LINKER_FLAGS_ASAN "-fsanitize=address,undefined")
+# For clang: the same with counters of coverage for libFuzzer.
+set(CMAKE_CXX_FLAGS_FUZZ
+    "-O1 -g1 -fno-omit-frame-pointer -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize=null,alignment -fno-sanitize-recover=all")
+set(CMAKE_EXE_LINKER_FLAGS_FUZZ "-fsanitize=address,undefined")
 
 add_library(jointid_warnings INTERFACE)
 target_compile_options(jointid_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion

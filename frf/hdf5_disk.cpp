@@ -27,11 +27,15 @@ Disk& disk(H5FD_t* file) { return *reinterpret_cast<Disk*>(file); }
 const Disk& disk(const H5FD_t* file) { return *reinterpret_cast<const Disk*>(file); }
 
 H5FD_t* open_disk(const char* name, unsigned, hid_t access, haddr_t) {
+  int* const error = *static_cast<int* const*>(H5Pget_driver_info(access));
   const int descriptor = ::open(name, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) return nullptr;
+  if (descriptor < 0) {
+    *error = errno;
+    return nullptr;
+  }
   auto* opened = new Disk;
   opened->descriptor = descriptor;
-  opened->error = *static_cast<int* const*>(H5Pget_driver_info(access));
+  opened->error = error;
   return &opened->base;
 }
 

@@ -21,6 +21,19 @@ Silence::Silence() {
 
 Silence::~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
 
+void limit_metadata(const Handle& file) {
+  constexpr std::size_t most_bytes = std::size_t{64} << 10;
+  H5AC_cache_config_t config{};
+  config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  if (H5Fget_mdc_config(file.get(), &config) < 0) return;
+  config.set_initial_size = true;
+  config.initial_size = config.min_size = config.max_size = most_bytes;
+  config.incr_mode = H5C_incr__off;
+  config.flash_incr_mode = H5C_flash_incr__off;
+  config.decr_mode = H5C_decr__off;
+  H5Fset_mdc_config(file.get(), &config);
+}
+
 std::string last_failure() {
   std::string text;
   const auto keep_first = [](unsigned, const H5E_error2_t* error, void* kept) -> herr_t {

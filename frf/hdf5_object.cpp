@@ -73,6 +73,19 @@ void require_own_storage(const Dataset& dataset) {
   }
 }
 
+void require_known_filters(const Dataset& dataset) {
+  const Handle plist(H5Dget_create_plist(dataset.id.get()));
+  const int count = H5Pget_nfilters(plist.get());
+  for (int i = 0; i < count; ++i) {
+    unsigned flags = 0, config = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(plist.get(), static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, &config);
+    if (filter >= 0 && H5Zfilter_avail(filter) > 0) continue;
+    fail(dataset, "is packed by filter " + std::to_string(filter) + ", which the HDF5 library here does not have",
+         "repack it where it was written: h5repack -f GZIP=6");
+  }
+}
+
 std::vector<std::size_t> extents(const Object& object) {
   const Handle space(H5Dget_space(object.id.get()));
   const int rank = H5Sget_simple_extent_ndims(space.get());
@@ -156,6 +169,7 @@ Dataset to_dataset(const Object& file, Handle id, std::string place) {
   if (H5Iget_type(dataset.id.get()) != H5I_DATASET) fail(dataset, "is not a dataset");
   dataset.dims = extents(dataset);
   require_own_storage(dataset);
+  require_known_filters(dataset);
   require_stored(dataset);
   return dataset;
 }

@@ -1,21 +1,17 @@
 #include <matio.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <fstream>
 #include <functional>
 #include <numeric>
 #include <span>
 
 #include "frf/error.hpp"
+#include "frf/mat_v5_check.hpp"
 #include "frf/mat_variable.hpp"
 
 namespace jointid::frf {
 namespace {
-
-/// Deflate packs at best 1032 bytes into one; a variable that declares more was tampered with.
-constexpr double best_compression = 1100.0;
 
 struct CloseMat {
   void operator()(mat_t* mat) const { Mat_Close(mat); }
@@ -121,18 +117,15 @@ std::vector<std::string> characters(const matvar_t& variable) {
 class MatV5 final : public MatFile {
  public:
   explicit MatV5(const std::filesystem::path& path)
-      : MatFile(path.string()),
-        bytes_(std::filesystem::file_size(path)),
-        mat_(Mat_Open(file_.c_str(), MAT_ACC_RDONLY)) {
-    if (!mat_ || !is_whole_v5(path))
-      fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
+      : MatFile(path.string()), check_(path), mat_(Mat_Open(file_.c_str(), MAT_ACC_RDONLY)) {
+    if (!mat_) fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
     while (const Variable next{Mat_VarReadNextInfo(mat_.get())}) {
       if (next->name != nullptr) variables_.push_back({next->name, kind_of(*next), dims_of(*next)});
     }
   }
 
   MatVariable read(const MatInfo& info) override {
-    require_plausible(info);
+    check_.require_whole(info.name);
     const Variable variable(Mat_VarRead(mat_.get(), info.name.c_str()));
     if (!variable || kind_of(*variable) != info.kind || dims_of(*variable) != info.dims) {
       fail(info.name, "cannot be read; the file is damaged or truncated");
@@ -148,15 +141,6 @@ class MatV5 final : public MatFile {
   }
 
  private:
-  void require_plausible(const MatInfo& info) const {
-    double elements = 1.0;
-    for (const std::size_t extent : info.dims) elements *= static_cast<double>(extent);
-    if (elements > best_compression * static_cast<double>(bytes_)) {
-      fail(info.name, "declares " + std::to_string(elements) + " elements in a file of " +
-                          std::to_string(bytes_) + " bytes");
-    }
-  }
-
   void require_data(const MatInfo& info, const matvar_t& variable) const {
     const auto* split = static_cast<const mat_complex_split_t*>(variable.data);
     const bool complete = variable.data != nullptr &&
@@ -178,31 +162,11 @@ class MatV5 final : public MatFile {
     return texts;
   }
 
-  std::uintmax_t bytes_;
+  mat::V5Check check_;
   Mat mat_;
 };
 
 }  // namespace
-
-bool is_whole_v5(const std::filesystem::path& path) {
-  constexpr std::uintmax_t header_bytes = 128;
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  std::ifstream in(path, std::ios::binary);
-  std::array<unsigned char, 8> tag{};
-  const auto read_tag = [&](std::uintmax_t at) {
-    in.seekg(static_cast<std::streamoff>(at));
-    return static_cast<bool>(in.read(reinterpret_cast<char*>(tag.data()), tag.size()));
-  };
-  if (size < header_bytes || !read_tag(header_bytes - tag.size())) return false;
-  const bool little_endian = tag[6] == 'I' && tag[7] == 'M';
-  std::uintmax_t at = header_bytes;
-  while (at < size && read_tag(at)) {
-    std::uintmax_t length = 0;
-    for (std::size_t i = 0; i < 4; ++i) length = 256 * length + tag[little_endian ? 7 - i : 4 + i];
-    at += tag.size() + length;
-  }
-  return at == size;
-}
 
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) {
   return std::make_unique<MatV5>(path);

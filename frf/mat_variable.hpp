@@ -51,10 +51,6 @@ class MatFile {
 /// By matio (v5, v6, v7); a build without it throws InputError that says so.
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path);
 
-/// Whether the elements of a v5 file end where the file ends: a header of 128 bytes, then elements of a type,
-/// a length in bytes and as many bytes. matio fills what a truncated file lacks with zeros and says nothing.
-bool is_whole_v5(const std::filesystem::path& path);
-
 /// By HDF5 (v7.3).
 std::unique_ptr<MatFile> open_mat_variables_v73(const std::filesystem::path& path);
 

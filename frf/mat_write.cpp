@@ -8,7 +8,7 @@
 #include "frf/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/mat_file.hpp"
-#include "frf/mat_variable.hpp"
+#include "frf/mat_v5_check.hpp"
 #include "frf/temporary_file.hpp"
 
 namespace jointid::frf {
@@ -32,13 +32,12 @@ class MatWriter {
     return ok_;
   }
 
-  std::uintmax_t bytes() const { return bytes_; }
+  const std::vector<std::string>& names() const { return names_; }
 
   void write_reals(const char* name, std::vector<std::size_t> dims, const std::vector<double>& values) {
     std::vector<double> copy = values;
     write(Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(dims.size()), dims.data(),
                         copy.data(), 0));
-    bytes_ += copy.size() * sizeof(double);
   }
 
   void write_complex(const char* name, std::vector<std::size_t> dims, std::vector<double> re,
@@ -46,7 +45,6 @@ class MatWriter {
     mat_complex_split_t split{re.data(), im.data()};
     write(Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(dims.size()), dims.data(), &split,
                         MAT_F_COMPLEX));
-    bytes_ += 2 * re.size() * sizeof(double);
   }
 
   void write_text(const char* name, const std::string& text) { write(character_row(name, text)); }
@@ -66,12 +64,13 @@ class MatWriter {
 
   void write(matvar_t* variable) {
     ok_ = ok_ && variable != nullptr && Mat_VarWrite(mat_, variable, MAT_COMPRESSION_NONE) == 0;
+    if (ok_) names_.emplace_back(variable->name);
     Mat_VarFree(variable);
   }
 
   mat_t* mat_;
   bool ok_;
-  std::uintmax_t bytes_ = 0;  ///< of numbers, which the file must hold at least
+  std::vector<std::string> names_;
 };
 
 /// Values [F,R,C] of a set in MATLAB's order, each through `of(line, index in the set)`.
@@ -120,6 +119,15 @@ void write_all(MatWriter& writer, const FrfSet& set) {
   }
 }
 
+/// Whether the variables are there, each of the size that it declares: matio does not notice a disk that is full.
+bool holds(const std::filesystem::path& path, const std::vector<std::string>& names) {
+  try {
+    return mat::V5Check(path).names() == names;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 void write_mat(const FrfSet& set, const std::filesystem::path& path) {
@@ -130,8 +138,7 @@ void write_mat(const FrfSet& set, const std::filesystem::path& path) {
   }
   MatWriter writer(temporary.path());
   write_all(writer, set);
-  if (!writer.close() || std::filesystem::file_size(temporary.path()) < writer.bytes() ||
-      !is_whole_v5(temporary.path())) {
+  if (!writer.close() || !holds(temporary.path(), writer.names())) {
     temporary.fail("matio did not write all of it");
   }
   temporary.commit();

@@ -35,6 +35,7 @@ class TableReader::File {
     if (hdf5::text_attribute(file_, "format") != "jointid-table") {
       hdf5::fail(file_, "is no table of trials", "give the file that `jointid study` wrote");
     }
+    hdf5::limit_metadata(file_.id);
     header_.texts = root_texts(file_);
     const auto names = hdf5::read_texts(hdf5::open_dataset(file_, "column"));
     const auto units = hdf5::read_texts(hdf5::open_dataset(file_, "unit"));

@@ -61,6 +61,7 @@ class TableWriter::File {
  public:
   File(const std::filesystem::path& path, const TableHeader& header, std::size_t rows)
       : output_(path), columns_(header.columns.size()), total_(rows) {
+    hdf5::limit_metadata(output_.file());
     output_.require(write_header(header));
     rows_ = create_rows(output_.file(), rows, columns_);
     output_.require(rows_.is_open());

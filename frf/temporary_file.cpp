@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -21,25 +22,59 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
                                  std::to_string(count++));
 }
 
+/// Names of the files that are being written, for remove_unfinished(); with more than these at once, some are not noted.
+using Name = std::atomic<const char*>;
+static_assert(Name::is_always_lock_free);  // what a signal handler may touch
+std::array<Name, 64> unfinished{};
+
+void note(const char* name) {
+  for (Name& slot : unfinished) {
+    const char* none = nullptr;
+    if (slot.compare_exchange_strong(none, name)) return;
+  }
+}
+
+void forget(const char* name) {
+  for (Name& slot : unfinished) {
+    const char* noted = name;
+    if (slot.compare_exchange_strong(noted, nullptr)) return;
+  }
+}
+
+/// The file that a link stands for.
+std::filesystem::path without_links(const std::filesystem::path& target) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(target, error)) return target;
+  std::filesystem::path file = std::filesystem::canonical(target, error);
+  return error ? target : file;
+}
+
 }  // namespace
 
-TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(without_links(target)) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(target_, ignored);
+  if (exists(status) && !is_regular_file(status)) fail("there is something else than a file");
   std::filesystem::path name = temporary_name(target_);
   const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0) fail(std::strerror(errno));
   ::close(descriptor);
   path_ = std::move(name);
+  note(path_.c_str());
 }
 
 TemporaryFile::~TemporaryFile() {
   std::error_code ignored;
-  if (!path_.empty()) std::filesystem::remove(path_, ignored);
+  if (path_.empty()) return;
+  std::filesystem::remove(path_, ignored);
+  forget(path_.c_str());
 }
 
 void TemporaryFile::commit() {
   std::error_code error;
   std::filesystem::rename(path_, target_, error);
   if (error) fail(error.message());
+  forget(path_.c_str());
   path_.clear();
 }
 
@@ -49,6 +84,12 @@ void TemporaryFile::fail(const std::string& why) const {
                     .place = {},
                     .problem = "cannot be written: " + why,
                     .remedy = "check the folder, its permissions and the space left on the disk"});
+}
+
+void remove_unfinished() noexcept {
+  for (const Name& slot : unfinished) {
+    if (const char* name = slot.load()) ::unlink(name);
+  }
 }
 
 void write_text(const std::filesystem::path& target, std::string_view text) {

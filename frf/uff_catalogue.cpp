@@ -62,7 +62,6 @@ class CatalogueBuilder {
     set_axis(datasets_[records.front()]);
     for (const std::size_t record : records) check(record);
     const UnitTable units(file_, datasets_);
-    catalogue_.grid.resize(header_.entries());
     for (const std::size_t record : records) place(record, units.at(datasets_[record]));
     header_.quantity = interpret(records.front(), units.at(datasets_[records.front()])).quantity;
     header_.nodes = read_nodes(file_, datasets_, units);
@@ -115,16 +114,16 @@ class CatalogueBuilder {
     const Dof reference = dataset.function->reference.dof();
     const std::size_t r = find_coordinate(header_.response, response);
     const std::size_t c = find_coordinate(header_.reference, reference);
-    GridRecord& record = catalogue_.grid[r * header_.reference.size() + c];
-    if (record.measured()) {
+    const auto [at, is_first] = catalogue_.grid.try_emplace(r * header_.reference.size() + c);
+    if (!is_first) {
       dataset.place.fail("record 6",
                          "the FRF of response " + response.name() + " and reference " + reference.name() +
-                             " is already in " + datasets_[record.dataset].place.dataset,
+                             " is already in " + datasets_[at->second.dataset].place.dataset,
                          "keep one of the two records");
     }
     const Ordinate ordinate = interpret(index, factors);
     const int sign = response.sign * header_.response[r].sign * reference.sign * header_.reference[c].sign;
-    record = {
+    at->second = {
         .dataset = index, .quantity = ordinate.quantity, .factor = sign * ordinate.to_si, .coherence = npos};
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "frf/frf_source.hpp"
@@ -10,20 +11,18 @@ namespace jointid::frf::uff {
 
 /// The record behind one element of the response × reference grid.
 struct GridRecord {
-  std::size_t dataset = npos;  ///< index into Catalogue::datasets, npos if not measured
+  std::size_t dataset = npos;  ///< index into Catalogue::datasets
   Quantity quantity = Quantity::receptance;
   double factor = 1.0;           ///< to SI and to the signs of the header's DOFs
   std::size_t coherence = npos;  ///< index of the coherence record of the same DOFs
-
-  bool measured() const { return dataset != npos; }
 };
 
 /// The FRF records of a file as a grid.
 struct Catalogue {
   FrfHeader header;
   std::vector<Dataset> datasets;
-  std::vector<GridRecord> grid;     ///< [R,C]
-  std::size_t first_record = npos;  ///< index of the first FRF record, whose axis is the header's
+  std::map<std::size_t, GridRecord> grid;  ///< by r·C + c; what is not there was not measured, and takes no memory
+  std::size_t first_record = npos;         ///< index of the first FRF record, whose axis is the header's
 };
 
 /// Builds the grid from the headers of all records of function type 4.

@@ -54,14 +54,12 @@ void attach_coherences(ByteFile& file, Catalogue& catalogue) {
       found[coordinates(*dataset.function)].push_back(i);
     }
   }
-  for (const GridRecord& record : catalogue.grid) {
-    if (!record.measured()) continue;
+  for (const auto& [at, record] : catalogue.grid) {
     const auto match = found.find(coordinates(*catalogue.datasets[record.dataset].function));
     if (match == found.end() || match->second.size() != 1) return;
   }
   std::size_t first = npos;
-  for (GridRecord& record : catalogue.grid) {
-    if (!record.measured()) continue;
+  for (auto& [at, record] : catalogue.grid) {
     record.coherence = found.at(coordinates(*catalogue.datasets[record.dataset].function)).front();
     require_readable(catalogue.datasets[record.coherence]);
     require_plausible_size(file, catalogue.datasets[record.coherence]);

@@ -28,6 +28,7 @@ class UffSource final : public FrfSource {
   };
 
   void do_read(const Block& block, std::span<Complex> out) override {
+    std::ranges::fill(out, Complex(std::nan(""), std::nan("")));
     for_each_record(block, [&](const uff::GridRecord& record, std::size_t offset, std::size_t stride) {
       read_frf(record, block.lines, out.subspan(offset), stride);
     });
@@ -36,33 +37,31 @@ class UffSource final : public FrfSource {
   void do_read_variance(const Block&, std::span<Complex>) override {}
 
   void do_read_coherence(const Block& block, std::span<double> out) override {
+    std::ranges::fill(out, std::nan(""));
     for_each_record(block, [&](const uff::GridRecord& record, std::size_t offset, std::size_t stride) {
-      const Window window = record.measured() ? values(record.coherence, block.lines) : Window{};
-      for (std::size_t i = 0; i < block.lines.size(); ++i) {
-        out[offset + i * stride] = record.measured() ? window.at(block.lines[i]).real() : std::nan("");
-      }
+      const Window window = values(record.coherence, block.lines);
+      for (std::size_t i = 0; i < block.lines.size(); ++i) out[offset + i * stride] = window.at(block.lines[i]).real();
     });
   }
 
+  /// Calls use(record, place of its first line, entries from line to line) for what was measured.
   template <class Use>
   void for_each_record(const Block& block, Use use) const {
     const std::size_t stride = block.responses.size() * block.references.size();
     for (std::size_t r = 0; r < block.responses.size(); ++r) {
       for (std::size_t c = 0; c < block.references.size(); ++c) {
-        use(catalogue_.grid[block.responses[r] * header_.reference.size() + block.references[c]],
-            r * block.references.size() + c, stride);
+        const auto found = catalogue_.grid.find(block.responses[r] * header_.reference.size() + block.references[c]);
+        if (found != catalogue_.grid.end()) use(found->second, r * block.references.size() + c, stride);
       }
     }
   }
 
   void read_frf(const uff::GridRecord& record, std::span<const std::size_t> lines, std::span<Complex> out,
                 std::size_t stride) {
-    const Window window = record.measured() ? values(record.dataset, lines) : Window{};
+    const Window window = values(record.dataset, lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const double frequency = header_.frequency_hz[lines[i]];
-      out[i * stride] = record.measured()
-                            ? record.factor * window.at(lines[i]) * to_receptance(record.quantity, frequency)
-                            : Complex(std::nan(""), std::nan(""));
+      out[i * stride] = record.factor * window.at(lines[i]) * to_receptance(record.quantity, frequency);
     }
   }
 

@@ -85,6 +85,63 @@ Spoil hdf5_coherence(std::string file, std::vector<double> values) {
   });
 }
 
+namespace {
+
+hid_t complex_type() {
+  const hid_t type = H5Tcreate(H5T_COMPOUND, 16);
+  H5Tinsert(type, "r", 0, H5T_NATIVE_DOUBLE);
+  H5Tinsert(type, "i", 8, H5T_NATIVE_DOUBLE);
+  return type;
+}
+
+void zero_frf(hid_t file, hid_t type, const std::vector<hsize_t>& dims) {
+  std::size_t count = 2;
+  for (const hsize_t extent : dims) count *= extent;
+  set_dataset(file, "frf", type, dims, std::vector<double>(count).data());
+}
+
+/// frf anew, with nothing in it.
+void create_frf(hid_t file, hid_t type, const std::vector<hsize_t>& dims, hid_t create) {
+  H5Ldelete(file, "frf", H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr);
+  const hid_t dataset = H5Dcreate2(file, "frf", type, space, H5P_DEFAULT, create, H5P_DEFAULT);
+  if (dataset < 0) throw std::runtime_error("cannot make frf");
+  H5Dclose(dataset);
+  set_text_attribute(file, "frf", "quantity", "receptance");
+  set_text_attribute(file, "frf", "unit", "m/N");
+}
+
+}  // namespace
+
+Spoil hdf5_real_frf(std::string file, std::vector<unsigned long long> dims) {
+  return in_file(file, [=](hid_t id) { zero_frf(id, H5T_NATIVE_DOUBLE, {dims.begin(), dims.end()}); });
+}
+
+Spoil hdf5_complex_frf(std::string file, std::vector<unsigned long long> dims) {
+  return in_file(file, [=](hid_t id) { zero_frf(id, complex_type(), {dims.begin(), dims.end()}); });
+}
+
+Spoil hdf5_filtered_frf(std::string file, int filter) {
+  return in_file(file, [=](hid_t id) {
+    const hid_t create = H5Pcreate(H5P_DATASET_CREATE);
+    const hsize_t chunk[] = {1, 2, 1};
+    H5Pset_chunk(create, 3, chunk);
+    H5Pset_filter(create, filter, H5Z_FLAG_OPTIONAL, 0, nullptr);
+    create_frf(id, complex_type(), {3, 2, 1}, create);
+    const hid_t frf = H5Dopen2(id, "frf", H5P_DEFAULT);
+    const std::vector<double> line(4);
+    for (hsize_t i = 0; i < 3; ++i) {
+      const hsize_t at[] = {i, 0, 0};
+      H5Dwrite_chunk(frf, H5P_DEFAULT, 0, at, line.size() * sizeof(double), line.data());
+    }
+    H5Dclose(frf);
+  });
+}
+
+Spoil hdf5_empty_frf(std::string file, std::vector<unsigned long long> dims) {
+  return in_file(file, [=](hid_t id) { create_frf(id, complex_type(), {dims.begin(), dims.end()}, H5P_DEFAULT); });
+}
+
 Spoil hdf5_external_link(std::string file, std::string dataset) {
   return in_file(file, [=](hid_t id) {
     H5Ldelete(id, dataset.c_str(), H5P_DEFAULT);

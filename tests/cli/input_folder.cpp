@@ -50,7 +50,9 @@ std::map<std::string, std::string> InputFolder::content() const {
   std::map<std::string, std::string> all;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
     const std::string name = entry.path().lexically_relative(folder_).string();
-    all[name] = entry.is_directory() ? "/" : text(name);
+    if (entry.is_symlink()) all[name] = "link to " + std::filesystem::read_symlink(entry.path()).string();
+    else if (entry.is_directory()) all[name] = "/";
+    else all[name] = entry.is_regular_file() ? text(name) : "no file";
   }
   return all;
 }

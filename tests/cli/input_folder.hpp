@@ -27,7 +27,7 @@ class InputFolder {
   /// Replaces the first `from` of a file; throws when there is none.
   void replace(const std::string& name, const std::string& from, const std::string& to) const;
 
-  /// Everything in it: relative name and bytes ("/" for folders).
+  /// Everything in it: relative name and bytes ("/" for folders, "link to …", "no file" for pipes).
   std::map<std::string, std::string> content() const;
 
  private:

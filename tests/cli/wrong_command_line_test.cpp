@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include "wrong_input.hpp"
 
 namespace jointid::cli {
@@ -34,6 +36,12 @@ const Wrong command_lines[] = {
     {"SecondOutputUnwritable", {}, {"solve", "A1.toml", "--json", "old.json", "--csv", "absent/a.csv"}, 3,
      {"absent/a.csv: ", "cannot be written", "make the folder"}},
     {"UnwritableFolder", {}, {"solve", "A1.toml", "--json", "/proc/a.json"}, 3, {"/proc/a.json: ", "cannot be written", "check the folder"}},
+    {"OutputIsAPipe", [](const auto& folder) { ::mkfifo(folder.path("new").c_str(), 0600); }, {"solve", "A1.toml", "--json", "new"}, 3,
+     {"new: ", "cannot be written: there is something else than a file"}},
+    {"OutputIsALinkToAPipe", [](const auto& folder) {
+       ::mkfifo(folder.path("pipe").c_str(), 0600);
+       std::filesystem::create_symlink("pipe", folder.path("new"));
+     }, {"solve", "A1.toml", "--json", "new"}, 3, {"pipe: ", "cannot be written: there is something else than a file"}},
     {"UnknownFormat", {}, {"convert", "a.h5", "new.xls"}, 2, {"new.xls: ", "'xls' is no format", ".h5, .uff, .mat or .csv"}},
     {"NoFormat", {}, {"convert", "a.h5", "new"}, 2, {"new: ", "no extension", ".h5, .uff, .mat or .csv"}},
     {"UffToAnAbsentFolder", {}, {"convert", "a.h5", "absent/new.uff"}, 3,

@@ -22,6 +22,10 @@ const Wrong any_files[] = {
      {"a.uff: ", "begins with 'the FRFs are lost'", "give jointid-frf HDF5, UFF"}},
     {"Bytes", holds("a.mat", "\x7f" "ELF\x02\x01\x01"), convert("a.mat"), 3,
      {"a.mat: ", "begins with bytes 7f 45 4c 46", "give jointid-frf HDF5, UFF"}},
+    {"LinkToNothing", [](const auto& folder) { std::filesystem::create_symlink("absent.h5", folder.path("link.h5")); },
+     {"info", "link.h5"}, 3, {"link.h5: ", "no such file", "check its path"}},
+    {"LinkToItself", [](const auto& folder) { std::filesystem::create_symlink("link.h5", folder.path("link.h5")); },
+     {"info", "link.h5"}, 3, {"link.h5: ", "cannot be opened: Too many levels of symbolic links"}},
     {"Device", {}, {"info", "/dev/null"}, 3, {"/dev/null: ", "is not a regular file", "copy its data into one"}},
 };
 INSTANTIATE_TEST_SUITE_P(File, WrongInput, testing::ValuesIn(any_files), name_of);
@@ -46,6 +50,11 @@ const Wrong hdf5_files[] = {
      {"a.h5: ", "response", "1:-Y appears twice", "keep one of the two"}},
     {"DofText", hdf5_texts("a.h5", "response_dof", {"1:+Y", "two"}), convert("a.h5"), 3,
      {"a.h5: ", "response_dof", "'two' is not a DOF", "write node:direction"}},
+    {"Rank", hdf5_complex_frf("a.h5", {3, 2}), convert("a.h5"), 3, {"a.h5: ", "frf: ", "has dimensions [3,2]", "[3,2,1]", "store it as"}},
+    {"RealFrf", hdf5_real_frf("a.h5", {3, 2, 1}), convert("a.h5"), 3, {"a.h5: ", "frf: ", "does not hold complex numbers"}},
+    {"UnknownFilter", hdf5_filtered_frf("a.h5", 32001), convert("a.h5"), 3, {"a.h5: ", "frf: ", "packed by filter 32001", "which the HDF5 library here does not have", "h5repack -f GZIP=6"}},
+    {"DeclaredAndNotStored", hdf5_empty_frf("a.h5", {1000000, 1000, 1000}), convert("a.h5"), 3,
+     {"a.h5: ", "frf: ", "declares 16000000", "MB and stores 0", "not written to its end"}},
     {"ExternalLink", hdf5_external_link("a.h5", "frf"), convert("a.h5"), 3,
      {"a.h5: ", "frf: ", "is a link to somewhere else", "copy the data into this file"}},
     {"Coherence", hdf5_coherence("a.h5", {1.0, 0.5, 1.5, 0.5, 0.5, 0.5}), convert("a.h5"), 3,

@@ -67,6 +67,14 @@ const Wrong scenes[] = {
      {"A1.toml: line 5, [data] assembly[1]: ", "one run has no scatter", "or more runs"}},
     {"RepeatsThatDisagree", scene("\"A1_assembly.h5\"", "[\"A1_assembly.h5\", \"a.h5\"]"), solve(), 3,
      {"a.h5: repeats: ", "10 to 30 Hz in 3 lines", "differ from those of ", "A1_assembly.h5", "as files of their own"}},
+    {"Deep", [](const auto& folder) { folder.write("A1.toml", "a = " + std::string(100000, '[')); }, solve(), 2, {"A1.toml: line 1, column ", "nest"}},
+    {"DeepKey", [](const auto& folder) {
+       std::string key = "a";
+       for (int i = 0; i < 100000; ++i) key += ".a";
+       folder.write("A1.toml", key + " = 1");
+     }, solve(), 2, {"A1.toml: line 1: ", "more than 32 parts"}},
+    {"Huge", [](const auto& folder) { folder.write("A1.toml", std::string(std::size_t{17} << 20, '#')); }, solve(), 2,
+     {"A1.toml: ", "larger than 16 MiB", "is it a scene?"}},
     {"FileTwice", scene("A1_substructure_2.h5", "A1_substructure_1.h5"), solve(), 2,
      {"A1.toml: line 4, [data] substructures[2]: ", "'A1_substructure_1.h5' is named twice"}},
 };

@@ -266,7 +266,7 @@ TEST_F(MatV5File, DamagedFilesAreErrorsAndNothingIsPrinted) {
   }
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
-  EXPECT_THAT(messages, ::testing::Each(HasSubstr("it is damaged or truncated")));
+  EXPECT_THAT(messages, ::testing::Each(HasSubstr("is damaged or truncated")));
 }
 
 TEST_F(MatV5File, AFolderThatIsNotThereIsAnError) {

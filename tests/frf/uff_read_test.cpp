@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <malloc.h>
 
 #include <cmath>
 #include <numbers>
@@ -526,6 +527,31 @@ TEST(UffRead, HeaderErrorsNameTheRecord) {
   text.replace(text.find("         6         3"), 10, "         x");
   EXPECT_THAT(load_error(text),
               AllOf(HasSubstr("dataset 58 number 1, record 7 (byte 7)"), HasSubstr("'x' in columns 1-10")));
+}
+
+/// Bytes that the process has from the C library; 0 under the sanitizers, which have their own.
+std::size_t bytes_in_use() {
+  const auto info = ::mallinfo2();
+  return info.uordblks + info.hblkhd;
+}
+
+TEST(UffRead, RecordsThatShareNoDofTakeNoMoreThanTheyAre) {
+  std::string bytes;
+  for (int node = 1; node <= 1500; ++node) {
+    Record record = simple_record(node);
+    record.response_node = record.reference_node = node;
+    bytes += record.str();
+  }
+  const TemporaryUff file(bytes);
+  const std::size_t before = bytes_in_use();
+  const auto source = open_uff(file);
+  EXPECT_LT(bytes_in_use(), before + 4 * bytes.size());
+  const std::vector<std::size_t> line = {1}, pair = {7, 1499};
+  std::vector<Complex> values(4);
+  source->read({line, pair, pair}, values);
+  EXPECT_EQ(values[0], Complex(9.0, 4.5));
+  EXPECT_TRUE(std::isnan(values[1].real()) && std::isnan(values[2].real()));
+  EXPECT_EQ(values[3], Complex(1501.0, 750.5));
 }
 
 }  // namespace
