@@ -30,7 +30,16 @@ class Direct final : public EquationBuilder {
     if (!map(sub).allFinite() || !map(h_nn).allFinite()) return false;
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> decomposition(map(h_ba));
     if (decomposition.rank() < static_cast<Eigen::Index>(joint_)) return false;
-    h_nj_ = map(h_ab) - (map(h_aa) - map(h_nn)) * (decomposition.pseudoInverse() * map(h_bb));
+    const Eigen::MatrixXcd inverse = decomposition.pseudoInverse(), carried = inverse * map(h_bb);
+    h_nj_ = map(h_ab) - (map(h_aa) - map(h_nn)) * carried;
+    product_.wants_error_scale = out.wants_error_scale;
+    if (out.wants_error_scale) {
+      const Eigen::MatrixXd moved = ((map(h_aa) - map(h_nn)) * inverse).cwiseAbs();
+      const RowMatrixXd error = map(h_ab).cwiseAbs() + (map(h_aa).cwiseAbs() + map(h_nn).cwiseAbs()) * carried.cwiseAbs() +
+                                moved * (map(h_ba).cwiseAbs() * carried.cwiseAbs() + map(h_bb).cwiseAbs());
+      a_error_.assign(error.data(), error.data() + error.size());
+      product_.a_error = a_error_;
+    }
     product_.frequency_hz = out.frequency_hz;
     product_.a = {h_nj_.data(), rows_, joint_, joint_};
     product_.b = h_ba;
@@ -46,6 +55,7 @@ class Direct final : public EquationBuilder {
   Dofs columns_;
   std::size_t rows_, joint_;
   RowMatrixXc h_nj_;
+  std::vector<double> a_error_;
   LineProduct product_;
 };
 
