@@ -30,6 +30,7 @@ Structure chain(std::int64_t first, std::int64_t grounded, std::int64_t link, co
     out.add(Kind::mass, {at(node), {}}, scene.seed == 0 ? step : uniform(random));
     const double stiffness = spring * (scene.seed == 0 ? 1.0 / step : uniform(random));
     if (node < first + 3) out.add(Kind::stiffness, {at(node), at(node + 1)}, node == link ? stiffness / scene.gap : stiffness);
+    if (node < first + 2) out.add(Kind::stiffness, {at(node), at(node + 2)}, 0.4 * stiffness);
   }
   if (!scene.free_free) out.add(Kind::stiffness, {at(grounded), {}}, spring);
   out.add_proportional_damping(scene.loss_factor);

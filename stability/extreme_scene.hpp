@@ -12,8 +12,8 @@ namespace jointid::stability {
 /// What the joint's matrices are declared as.
 enum class Form { springs, symmetric };
 
-/// Two chains of four masses of about 1 kg and springs of about 1e6 N/m (natural frequencies 40 to 320 Hz), joined by two springs
-/// with hysteretic damping between their ends: 3–5 and 4–6.
+/// Two chains of four masses of about 1 kg, springs of about 1e6 N/m between neighbours and softer ones to the next but one,
+/// joined by two springs with hysteretic damping between their ends: 3–5 and 4–6.
 struct ExtremeScene {
   double joint_stiffness = 1.0;  ///< of spring 3–5 over 1e6 N/m
   double second_spring = 1.0;    ///< spring 4–6 over spring 3–5

@@ -90,12 +90,13 @@ Rows hilbert(std::size_t size) {
 
 Rows laeuchli(std::size_t unknowns, double delta) {
   Rows rows{unknowns, {}, {}};
-  std::vector<double> e(unknowns, 1.0);
-  add_row(rows, e, sum(e));
+  std::vector<double> e(unknowns, 1.0), y;
+  for (std::size_t j = 0; j < unknowns; ++j) y.push_back(std::sqrt(static_cast<double>(j + 1)));
+  add_row(rows, e, sum(y));
   for (std::size_t j = 0; j < unknowns; ++j) {
     e.assign(unknowns, 0.0);
     e[j] = delta;
-    add_row(rows, e, delta);
+    add_row(rows, e, delta * y[j]);
   }
   return rows;
 }

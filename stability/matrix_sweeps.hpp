@@ -10,7 +10,7 @@ namespace jointid::stability {
 /// 1/(i+j+1), size × size; every y = 1, the right-hand side rounded to double.
 Rows hilbert(std::size_t size);
 
-/// [1 1 … 1; δI] of Läuchli, y = 1: the normal equations lose δ² against 1.
+/// [1 1 … 1; δI] of Läuchli, y = √1, √2, …: the normal equations lose δ² against 1.
 Rows laeuchli(std::size_t unknowns, double delta);
 
 /// Rows of a smooth problem (monomials on [0,1]) with weights that fall from 1 to 1/spread in random order, as Powell and
