@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -48,13 +49,17 @@ std::vector<double> bounds(const Plan& plan, const LinearSolution& linear, const
   const std::vector<double> of_unknown = column_errors(plan, scale);
   double moved = known_errors(plan, scale), amplified = 0.0;
   for (std::size_t j = 0; j < linear.y.size(); ++j) {
-    const double error = of_unknown[plan.columns->unknown_of(j)];
-    moved += error * std::abs(linear.y[j]);
-    amplified += error * linear.inverse_norms[j];
+    const double of_column = of_unknown[plan.columns->unknown_of(j)];
+    moved += of_column * std::abs(linear.y[j]);
+    amplified += of_column * linear.inverse_norms[j];
   }
-  const double total = frf_error(plan) * (scale.right() + 2.0 * moved + 2.0 * linear.residual_norm * amplified);
+  const double error = frf_error(plan), lost = 2.0 * error * amplified;
+  const double total = error * (scale.right() + 2.0 * moved + 2.0 * linear.residual_norm * amplified);
   std::vector<double> out = linear.rounding;
-  for (std::size_t j = 0; j < out.size(); ++j) out[j] += linear.inverse_norms[j] * total;
+  for (std::size_t j = 0; j < out.size(); ++j) {
+    out[j] += linear.inverse_norms[j] * total;
+    out[j] = lost < 1.0 ? out[j] / (1.0 - lost) : std::numeric_limits<double>::infinity();
+  }
   return out;
 }
 
@@ -82,6 +87,7 @@ std::vector<double> relative(const Plan& plan, const std::vector<double>& y, con
 }
 
 std::string percent(double share) {
+  if (!std::isfinite(share)) return "any multiple";
   std::ostringstream text;
   text.precision(2);
   share < 10.0 ? text << 100.0 * share << " %" : text << share << " times";

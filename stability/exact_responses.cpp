@@ -38,12 +38,25 @@ double stored(const Exact& value, Storage storage) {
 Pair<Exact> solve_exactly(const Pair<Exact>& z, const Pair<Exact>& f) { return solve(z, f); }
 Pair<long double> solve_exactly(const Pair<long double>& z, const Pair<long double>& f) { return solve(z, f); }
 
-frf::FrfSet exact_responses(const problems::Structure& structure, const problems::ResponseRequest& request, Storage storage) {
+frf::FrfSet exact_responses(const problems::Structure& structure, const std::vector<ExactSpring>& springs,
+                            const problems::ResponseRequest& request, Storage storage) {
   frf::FrfSet set;
   set.header = problems::response_header(structure.nodes(), request);
   if (storage == Storage::single_precision) set.header.precision = 0x1p-24;
-  const Real<Exact> k = matrix(structure, Kind::stiffness), m = matrix(structure, Kind::mass),
-                    c = matrix(structure, Kind::viscous_damping), d = matrix(structure, Kind::hysteretic_damping);
+  const auto with_springs = [&](Kind kind) {
+    Real<Exact> out = matrix(structure, kind);
+    for (const ExactSpring& spring : springs) {
+      if (spring.kind != kind) continue;
+      const auto i = static_cast<Eigen::Index>(structure.index(spring.first)), j = static_cast<Eigen::Index>(structure.index(spring.second));
+      out(i, i) += Exact(spring.value);
+      out(j, j) += Exact(spring.value);
+      out(i, j) -= Exact(spring.value);
+      out(j, i) -= Exact(spring.value);
+    }
+    return out;
+  };
+  const Real<Exact> k = with_springs(Kind::stiffness), m = with_springs(Kind::mass), c = with_springs(Kind::viscous_damping),
+                    d = with_springs(Kind::hysteretic_damping);
   Pair<Exact> forces(k.rows(), static_cast<Eigen::Index>(request.reference.size()));
   for (std::size_t i = 0; i < request.reference.size(); ++i) {
     forces.re(static_cast<Eigen::Index>(structure.index(request.reference[i])), static_cast<Eigen::Index>(i)) = request.reference[i].sign;

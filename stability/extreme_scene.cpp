@@ -46,11 +46,13 @@ struct Joint {
 
   double value(Kind kind, double stiffness) const { return kind == Kind::stiffness ? stiffness : loss * stiffness; }
 
-  void join(Structure& structure) const {
+  std::vector<ExactSpring> springs() const {
+    std::vector<ExactSpring> out;
     for (const Kind kind : {Kind::stiffness, Kind::hysteretic_damping}) {
-      structure.add(kind, {dofs[0], dofs[2]}, value(kind, first));
-      structure.add(kind, {dofs[1], dofs[3]}, value(kind, second));
+      out.push_back({kind, dofs[0], dofs[2], value(kind, first)});
+      out.push_back({kind, dofs[1], dofs[3], value(kind, second)});
     }
+    return out;
   }
 
   /// Springs as listed, or the upper triangle row by row.
@@ -93,9 +95,15 @@ std::vector<double> lines(const ExtremeScene& scene, const std::vector<Structure
   return out;
 }
 
+void add(const std::vector<ExactSpring>& springs, Structure& structure) {
+  for (const auto& [kind, first, second, value] : springs) structure.add(kind, {first, second}, value);
+}
+
 /// 50 digits for as many lines as they are affordable for, else LU with refinement: FRFs that are right to the last bit but one.
-frf::FrfSet responses(const Structure& structure, const problems::ResponseRequest& request, Storage storage) {
-  if (request.frequency_hz.size() <= most_exact_lines) return exact_responses(structure, request, storage);
+frf::FrfSet responses(Structure structure, const std::vector<ExactSpring>& springs, const problems::ResponseRequest& request,
+                      Storage storage) {
+  if (request.frequency_hz.size() <= most_exact_lines) return exact_responses(structure, springs, request, storage);
+  add(springs, structure);
   return problems::frequency_response(structure, request);
 }
 
@@ -109,15 +117,16 @@ std::unique_ptr<frf::FrfSystem> system(const char* name, const std::vector<frf::
 
 ExtremeProblem make(const ExtremeScene& given) {
   const std::vector<Structure> parts = {chain(1, 1, 3, given), chain(5, 8, 5, given)};
-  Structure assembly = problems::merged(parts[0], parts[1]);
+  const Structure apart = problems::merged(parts[0], parts[1]);
   const Joint joint(given);
-  joint.join(assembly);
+  Structure assembly = apart;
+  add(joint.springs(), assembly);
   const std::vector<double> frequency_hz = lines(given, {parts[0], parts[1], assembly});
   ExtremeProblem out;
   for (const Structure& part : parts) {
-    out.sets.substructures.push_back(responses(part, {part.dofs(), part.dofs(), frequency_hz, 0.0}, given.storage));
+    out.sets.substructures.push_back(responses(part, {}, {part.dofs(), part.dofs(), frequency_hz, 0.0}, given.storage));
   }
-  out.sets.assembly.push_back(responses(assembly, {assembly.dofs(), assembly.dofs(), frequency_hz, 0.0}, given.storage));
+  out.sets.assembly.push_back(responses(apart, joint.springs(), {apart.dofs(), apart.dofs(), frequency_hz, 0.0}, given.storage));
   out.scene.file = "stability";
   out.scene.joints = {joint.spec(given.form)};
   out.scene.identify.method = given.method;
