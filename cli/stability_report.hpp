@@ -26,9 +26,10 @@ struct DigitTable {
 };
 DigitTable digit_table(const std::vector<stability::Measured>& rows);
 
-/// That table with its conditions; one row per measurement with time, memory and outcome; verdicts of sweeps and random scenes.
+/// That table with its conditions; one row per method and solver with range of digits, time, memory and outcomes; verdicts of sweeps
+/// and random scenes.
 Table digits_table(const stability::Sweep& sweep, const std::vector<stability::Measured>& rows);
-Table cost_table(const stability::Sweep& sweep, const std::vector<stability::Measured>& rows);
+Table cost_table(const std::vector<stability::Measured>& rows);
 Table verdict_table(const StabilityReport& report);
 
 std::string stability_text(const StabilityReport& report);

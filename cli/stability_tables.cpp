@@ -1,12 +1,14 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
 
 #include "cli/cost_table.hpp"
 #include "cli/stability_report.hpp"
-#include "cli/words.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -22,8 +24,41 @@ double digits_of(const Measured& row) { return std::isnan(row.digits_kept) ? row
 
 std::string one_decimal(double value) { return std::isnan(value) ? "–" : fmt::format("{:.1f}", value); }
 
-std::string outcome_of(const Measured& row) {
-  return words(ident::name(row.status)) + (row.warned ? ", warned" : "") + ": " + stability::name(row.verdict);
+/// "8.2 … 15.5", of what is there.
+std::string range(const std::vector<Measured>& rows, const std::function<double(const Measured&)>& number) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Measured& row : rows) {
+    const double each = number(row);
+    if (std::isnan(each)) continue;
+    low = std::min(low, each);
+    high = std::max(high, each);
+  }
+  if (low > high) return "–";
+  return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} … {:.4g}", std::round(10.0 * low) / 10.0, std::round(10.0 * high) / 10.0);
+}
+
+/// "14 right, 2 told".
+std::string outcomes(const std::vector<Measured>& rows) {
+  std::vector<std::string> words;
+  for (const Verdict verdict : {Verdict::right, Verdict::told, Verdict::silent_wrong, Verdict::false_alarm}) {
+    const auto count = std::ranges::count(rows, verdict, &Measured::verdict);
+    if (count > 0) words.push_back(fmt::format("{} {}", count, stability::name(verdict)));
+  }
+  return words.empty() ? "–" : fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// One way over all values of a sweep: median time, most memory.
+CostRow cost_of(std::vector<Measured> rows) {
+  const auto stated = [](const Measured& row) { return row.digits_stated.value_or(std::nan("")); };
+  CostRow out;
+  out.way = {rows.front().method, rows.front().solver, range(rows, [](const Measured& row) { return static_cast<double>(row.lines); }),
+             fmt::format("{}", rows.back().unknowns), range(rows, [](const Measured& row) { return row.digits_true; }), range(rows, stated)};
+  out.accuracy = range(rows, digits_of);
+  out.outcome = outcomes(rows);
+  for (const Measured& row : rows) out.bytes = std::max(out.bytes, row.bytes);
+  std::ranges::sort(rows, {}, &Measured::seconds);
+  out.seconds = rows[rows.size() / 2].seconds;
+  return out;
 }
 
 template <class Rows>
@@ -75,19 +110,14 @@ Table digits_table(const stability::Sweep& sweep, const std::vector<Measured>& r
   return table;
 }
 
-Table cost_table(const stability::Sweep& sweep, const std::vector<Measured>& rows) {
+Table cost_table(const std::vector<Measured>& rows) {
   std::vector<CostRow> out;
-  for (const Measured& row : rows) {
-    const std::string stated = row.digits_stated ? one_decimal(*row.digits_stated) : "–";
-    out.push_back({{fmt::format("{:g}", row.value), row.method, row.solver, fmt::format("{}", row.lines), fmt::format("{}", row.unknowns),
-                    fmt::format("{}", row.rank), one_decimal(row.digits_true), stated},
-                   one_decimal(digits_of(row)),
-                   row.seconds,
-                   row.bytes,
-                   outcome_of(row)});
+  for (const std::string& way : digit_table(rows).ways) {
+    std::vector<Measured> of_way;
+    std::ranges::copy_if(rows, std::back_inserter(of_way), [&](const Measured& row) { return way_of(row) == way; });
+    out.push_back(cost_of(of_way));
   }
-  return cost_table({{sweep.varied}, {"method", Align::left}, {"solver", Align::left}, {"lines"}, {"unknowns"}, {"rank"}, {"digits true"}, {"stated"}},
-                    "digits", "outcome", out);
+  return cost_table({{"method", Align::left}, {"solver", Align::left}, {"lines"}, {"unknowns"}, {"digits true"}, {"stated"}}, "digits", "outcome", out);
 }
 
 Table verdict_table(const StabilityReport& report) {

@@ -10,7 +10,7 @@ std::string stability_text(const StabilityReport& report) {
     const auto rows = report.of(sweep.name);
     if (rows.empty()) continue;
     text += fmt::format("{}: {}; digits kept\n{}\ncost and outcome\n{}\n", sweep.name, sweep.title, digits_table(sweep, rows).text(),
-                        cost_table(sweep, rows).text());
+                        cost_table(rows).text());
   }
   text +=
       "digits: of the unknowns, each times the norm of its column, against the same identification in 50 digits; of the likelihood, against the truth\n"

@@ -45,7 +45,7 @@ std::string stability_report(const StabilityReport& report) {
     page.section(sweep.title);
     page.add(PlotGroup{"", {{"", {digits_plot(sweep, rows)}}}});
     page.add(digits_table(sweep, rows));
-    page.add(cost_table(sweep, rows));
+    page.add(cost_table(rows));
   }
   page.add(Text{"Digits: of the unknowns, each times the norm of its column, against the same identification in 50 digits; of the likelihood, "
                 "against the truth. Grey: what the condition allows.",

@@ -23,6 +23,7 @@ struct NistFile {
     const std::regex parameter("^ *[Bb][0-9]+ *=? +(.*)$");
     bool in_data = false;
     for (std::size_t number = 1; std::getline(in, line); ++number) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
       std::smatch found;
       if (number >= 60 && std::regex_search(line, std::regex("^Data:"))) {
         in_data = true;

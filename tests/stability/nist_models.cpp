@@ -14,6 +14,11 @@ template <class T>
 using B = std::span<const T>;
 using X = std::span<const double>;
 
+double arctan(double x) { return std::atan(x); }
+
+/// That of glibc loses imaginary parts as small as those of complex steps.
+std::complex<double> arctan(std::complex<double> x) { return {std::atan(x.real()), x.imag() / (1.0 + x.real() * x.real())}; }
+
 template <class T>
 T exponentials(X x, B<T> b) {
   return b[0] * exp(-b[1] * x[0]) + b[2] * exp(-b[3] * x[0]) + b[4] * exp(-b[5] * x[0]);
@@ -72,7 +77,7 @@ const std::map<std::string, Model<T>>& models() {
       {"Nelson", [](X x, B<T> b) -> T { return b[0] - b[1] * x[0] * exp(-b[2] * x[1]); }},
       {"Rat42", [](X x, B<T> b) -> T { return b[0] / (1.0 + exp(b[1] - b[2] * x[0])); }},
       {"Rat43", [](X x, B<T> b) -> T { return b[0] / pow(1.0 + exp(b[1] - b[2] * x[0]), 1.0 / b[3]); }},
-      {"Roszman1", [](X x, B<T> b) -> T { return b[0] - b[1] * x[0] - atan(b[2] / (x[0] - b[3])) / pi; }},
+      {"Roszman1", [](X x, B<T> b) -> T { return b[0] - b[1] * x[0] - arctan(T(b[2] / (x[0] - b[3]))) / pi; }},
       {"Thurber", cubic_ratio<T>}};
   return all;
 }

@@ -28,6 +28,8 @@ class Certified final : public friction::LeastSquares {
   std::vector<double> column(std::size_t which) const {
     std::vector<double> out;
     for (const auto& parameter : file_.parameters) out.push_back(std::stod(parameter[which]));
+    // Copies of Roszman1 are about that say 1.20196866396E-0 here, far from the residual sum of squares that they certify.
+    if (file_.name == "Roszman1" && which == 2) out[0] = 2.0196866396E-01;
     return out;
   }
   void scale(const std::vector<double>& unit) { unit_ = unit; }
@@ -138,7 +140,7 @@ class NistNonlinear : public testing::Test {
 TEST_F(NistNonlinear, FromTheGivenStarts) { expect_solved(53, minimise); }
 
 TEST_F(NistNonlinear, FromSeveralStarts) {
-  expect_solved(54, [](Certified& problem, const std::vector<double>& start) { return multi_start(problem, start, 8); });
+  expect_solved(54, [](Certified& problem, const std::vector<double>& start) { return multi_start(problem, start, 4); });
 }
 
 }  // namespace
