@@ -83,6 +83,7 @@ std::vector<double> relative(const Plan& plan, const std::vector<double>& y, con
   for (std::size_t j = 0; j < y.size(); ++j) largest[of(j)] = std::max(largest[of(j)], std::abs(y[j]));
   std::vector<double> out;
   for (std::size_t j = 0; j < y.size(); ++j) out.push_back(bound[j] == 0.0 ? 0.0 : bound[j] / largest[of(j)]);
+  for (double& share : out) share = std::isnan(share) ? std::numeric_limits<double>::infinity() : share;
   return out;
 }
 

@@ -60,7 +60,7 @@ Verdict judged(const ident::Solution& solution, const std::vector<double>& truth
   for (std::size_t j = 0; j < truth.size(); ++j) {
     const double error = std::abs(solution.unknowns[j].value - truth[j]);
     const std::optional<double> bound = stated(solution.unknowns[j]);
-    worst = std::max(worst, error / largest(truth));
+    worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / largest(truth));
     has_bound = has_bound || bound;
     beyond = beyond || (bound && !(error <= 10.0 * *bound));
   }
@@ -117,7 +117,8 @@ Measured measure(const ExtremeProblem& problem, const std::string& solver, const
   if (exact) out.digits_kept = digits(kept_error(solution, *exact));
   double worst = 0.0;
   for (std::size_t j = 0; j < problem.truth.size(); ++j) {
-    worst = std::max(worst, std::abs(solution.unknowns[j].value - problem.truth[j]) / largest(problem.truth));
+    const double error = std::abs(solution.unknowns[j].value - problem.truth[j]);
+    worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / largest(problem.truth));
   }
   out.digits_true = digits(worst);
   if (solver != "svd") out.verdict = judged(solution, problem.truth);
