@@ -10,6 +10,7 @@
 #include "cli/modalfit_arguments.hpp"
 #include "cli/of_option.hpp"
 #include "cli/open_options.hpp"
+#include "cli/stability_arguments.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "frf/error.hpp"
@@ -167,6 +168,9 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   declare(*loading_curve, *loading_curve_arguments);
   add_couple(app, chosen);
   add_modalfit(app, chosen);
+  auto [stability, stability_arguments] = add_command<StabilityArguments>(
+      app, chosen, "stability", "Measure how many digits every solver keeps on extreme cases, against 50-digit arithmetic");
+  declare(*stability, *stability_arguments);
   add_info(app, chosen);
   add_convert(app, chosen);
   add_problem(app, chosen);

@@ -85,9 +85,16 @@ struct ModalfitArguments {
   Target json, csv, report;
 };
 
+struct StabilityArguments {
+  std::vector<std::string> sweeps;  ///< by name; empty: all
+  std::size_t scenes = 200;         ///< drawn at random
+  std::uint64_t seed = 1;
+  Target json, csv, report;
+};
+
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
                                SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments, CoupleArguments,
-                               ModalfitArguments>;
+                               ModalfitArguments, StabilityArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

@@ -18,5 +18,6 @@ ExitCode execute(const CompareArguments& arguments, std::ostream& out);
 ExitCode execute(const LoadingCurveArguments& arguments, std::ostream& out);
 ExitCode execute(const CoupleArguments& arguments, std::ostream& out);
 ExitCode execute(const ModalfitArguments& arguments, std::ostream& out);
+ExitCode execute(const StabilityArguments& arguments, std::ostream& out);
 
 }  // namespace jointid::cli

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "cli/cost_table.hpp"
 #include "cli/words.hpp"
 
 namespace jointid::cli {
@@ -104,19 +105,19 @@ Table figures_table(const std::vector<Combination>& all, std::size_t matrix) {
 }
 
 Table cost_table(const std::vector<Combination>& all) {
-  std::vector<Column> columns = way_columns();
-  columns.insert(columns.end(), {{"ms per solve"}, {"kB"}, {"trials", Align::left}});
-  Table table(std::move(columns));
+  std::vector<CostRow> rows;
   for (const Combination& each : all) {
+    double worst = 0.0;
+    for (const ident::MatrixFigures& figures : each.matrices) {
+      const double error = figures.rms_relative_error.median;
+      worst = std::isnan(error) ? error : std::max(worst, error);
+    }
     std::vector<std::string> statuses;
     for (const auto& [status, count] : each.statuses) statuses.push_back(fmt::format("{} {}", count, words(ident::name(status))));
-    std::vector<std::string> cells = way_cells(each.way);
-    cells.insert(cells.end(), {short_number(1e3 * each.solve_s),
-                               fmt::format("{:.1f}", static_cast<double>(each.accumulator_bytes) / 1e3),
-                               fmt::format("{}", fmt::join(statuses, ", "))});
-    table.add(std::move(cells));
+    rows.push_back({way_cells(each.way), short_number(worst), each.solve_s, each.accumulator_bytes,
+                    fmt::format("{}", fmt::join(statuses, ", "))});
   }
-  return table;
+  return cost_table(way_columns(), "rms error", "trials", rows);
 }
 
 std::vector<std::string> left_out_lines(const std::vector<ident::LeftOut>& left_out) {

@@ -24,7 +24,7 @@ std::vector<PairTable> pair_tables(const std::vector<ident::Combination>& all, s
 /// One row per combination: figures of merit of the matrix, bias, time, and whether it is on the Pareto front.
 Table figures_table(const std::vector<ident::Combination>& all, std::size_t matrix);
 
-/// One row per combination: time, memory and how the trials ended.
+/// One row per combination: rms error of its worst matrix (median), time, memory and how the trials ended.
 Table cost_table(const std::vector<ident::Combination>& all);
 
 /// "two nn, 30 combinations: reason": one line for those that follow each other with the same method, equations and reason.

@@ -24,6 +24,7 @@ Json unknown(const ident::Estimate& estimate) {
           {"unit", estimate.unit},
           {"std_error", value(estimate.std_error)},
           {"ci95", value(estimate.ci95)},
+          {"rounding", value(estimate.rounding)},
           {"determined", estimate.determined}};
 }
 
@@ -72,6 +73,7 @@ Json fit(const ident::Fit& fit) {
           {"lines", fit.lines},
           {"rank", fit.rank},
           {"condition", value(fit.condition)},
+          {"digits", value(fit.digits)},
           {"asm_frf_error", value(fit.asm_frf_error)},
           {"iterations", fit.iterations},
           {"chi_square", chi_square(fit.chi_square)}};

@@ -76,6 +76,7 @@ std::string fit_text(const ident::Fit& fit) {
   table.add({"equations dropped", fmt::format("{}", fit.equations_dropped)});
   table.add({"rank", fmt::format("{}", fit.rank)});
   if (!fit.chi_square) table.add({"condition", number(fit.condition)});
+  if (fit.digits) table.add({"digits left by rounding", fmt::format("{:.1f}", *fit.digits)});
   if (fit.iterations > 0) table.add({"iterations", fmt::format("{}", fit.iterations)});
   if (fit.chi_square) {
     table.add({"χ² / degrees of freedom", chi_square_text(*fit.chi_square)});

@@ -32,6 +32,7 @@ struct FrfHeader {
   NoiseRecord noise = NoiseRecord::none;
   double averages = 0.0;  ///< number of averages behind a coherence, 0 if none
   std::size_t repeats = 0;  ///< runs whose scatter gave the variances, 0 if none
+  double precision = 0x1p-53;  ///< largest relative rounding error of the numbers as they were stored
   std::vector<Node> nodes;
 
   std::size_t lines() const { return frequency_hz.size(); }

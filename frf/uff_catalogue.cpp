@@ -95,9 +95,16 @@ class CatalogueBuilder {
                          "put FRFs with different axes into different files");
     }
     if (header.even) require_axis(catalogue_, dataset, even_abscissa(header));
+    header_.precision = std::max(header_.precision, precision(dataset));
     require_plausible_size(file_, dataset);
     add(header_.response, header.response.dof());
     add(header_.reference, header.reference.dof());
+  }
+
+  /// Text has the formats E13.5 and E20.12.
+  static double precision(const Dataset& dataset) {
+    if (dataset.binary) return dataset.function->is_double() ? 0x1p-53 : 0x1p-24;
+    return dataset.function->is_double() ? 5e-13 : 5e-6;
   }
 
   static void add(std::vector<Dof>& dofs, const Dof& dof) {

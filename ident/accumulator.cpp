@@ -14,6 +14,12 @@ ComplexTriangle& Accumulator::complex_triangle(const Columns& columns, const Col
   return complex_.emplace(columns, ComplexPart{ComplexTriangle(real.size()), real, imaginary}).first->second.triangle;
 }
 
+std::size_t Accumulator::rows_pushed() const {
+  std::size_t rows = 0;
+  for (const auto& [columns, triangle] : triangles_) rows += triangle.rows_pushed();
+  return rows;
+}
+
 std::size_t Accumulator::bytes() const {
   std::size_t bytes = 0;
   for (const auto& [columns, triangle] : triangles_) bytes += triangle.bytes();

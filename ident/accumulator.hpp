@@ -28,6 +28,7 @@ class Accumulator {
   std::size_t columns() const { return columns_; }
   Reduction reduction() const { return reduction_; }
   const std::map<Columns, Triangle>& triangles() const { return triangles_; }
+  std::size_t rows_pushed() const;  ///< since the last clear(), after flush()
   std::size_t bytes() const;  ///< of all triangles and buffers
 
   /// Reduces all buffers and moves complex rows into the real triangles; needed before the triangles are read.

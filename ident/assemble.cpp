@@ -14,14 +14,16 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 class Assembler final : public ChunkWorker {
  public:
   /// Shares the plan's own builder, or has one of its own when others work beside it.
-  Assembler(Plan& plan, bool alone, Assembled& total, double& read_time)
+  Assembler(Plan& plan, bool alone, bool measures_rounding, Assembled& total, double& read_time)
       : plan_(plan),
         own_builder_(alone ? nullptr : make_builder(plan)),
         builder_(alone ? *plan.builder : *own_builder_),
-        assembler_(plan.assembly_spec),
+        assembler_(plan.assembly_spec, measures_rounding),
         chunk_(plan.columns->size(), total.accumulator.reduction()),
         total_(total),
-        read_time_(read_time) {}
+        read_time_(read_time) {
+    product_.wants_error_scale = measures_rounding;
+  }
 
   void read(std::size_t first, std::size_t last) override {
     const Clock::time_point start = Clock::now();
@@ -57,6 +59,7 @@ class Assembler final : public ChunkWorker {
     total_.equations.used += assembler_.count().used;
     total_.equations.dropped += assembler_.count().dropped + unusable_ * plan_.cost.equations_per_line;
     total_.lines += assembler_.lines_used();
+    total_.rounding.merge(assembler_.rounding());
   }
 
  private:
@@ -77,13 +80,14 @@ class Assembler final : public ChunkWorker {
 Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
   const Clock::time_point start = Clock::now();
   const Reduction reduction = plan.solver == "normal" ? Reduction::normal : Reduction::orthogonal;
-  Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0};
+  Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0, {}};
+  const bool measures_rounding = control.detail == Detail::full;
   const std::size_t chunk = chunk_lines(plan.builder->entries_per_line());
   const std::size_t count = worker_count(plan.lines.size(), chunk, control.threads);
   double read_time = 0.0;
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   for (std::size_t i = 0; i < count; ++i) {
-    workers.push_back(std::make_unique<Assembler>(plan, count == 1, out, read_time));
+    workers.push_back(std::make_unique<Assembler>(plan, count == 1, measures_rounding, out, read_time));
   }
   run_chunks(plan.lines.size(), chunk, "assembling", workers, control);
   runtime.read += read_time;

@@ -30,7 +30,11 @@ class Direct final : public EquationBuilder {
     if (!map(sub).allFinite() || !map(h_nn).allFinite()) return false;
     const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> decomposition(map(h_ba));
     if (decomposition.rank() < static_cast<Eigen::Index>(joint_)) return false;
-    h_nj_ = map(h_ab) - (map(h_aa) - map(h_nn)) * (decomposition.pseudoInverse() * map(h_bb));
+    // Solved, not multiplied by an inverse: its error would be amplified by C₁ − C₂ once more.
+    const Eigen::MatrixXcd carried = decomposition.solve(RowMatrixXc(map(h_bb)));
+    h_nj_ = map(h_ab) - (map(h_aa) - map(h_nn)) * carried;
+    product_.wants_error_scale = out.wants_error_scale;
+    if (out.wants_error_scale) measure_errors(map(h_aa), map(h_ab), map(h_ba), map(h_bb), map(h_nn), decomposition.pseudoInverse(), carried);
     product_.frequency_hz = out.frequency_hz;
     product_.a = {h_nj_.data(), rows_, joint_, joint_};
     product_.b = h_ba;
@@ -43,9 +47,22 @@ class Direct final : public EquationBuilder {
   Dofs columns() const override { return columns_; }
 
  private:
+  /// H_nj = H_ab − C X, C = H_aa − H_nn, H_ba X = H_bb: C moves by the errors of its terms, X by H_ba⁺(δH_ba X + δH_bb), where
+  /// δH_ba is also what the solution of the system is off by, relative to its largest element.
+  template <class Block>
+  void measure_errors(const Block& h_aa, const Block& h_ab, const Block& h_ba, const Block& h_bb, const Block& h_nn,
+                      const Eigen::MatrixXcd& inverse, const Eigen::MatrixXcd& x) {
+    const Eigen::MatrixXd carried = x.cwiseAbs(), moved = ((h_aa - h_nn) * inverse).cwiseAbs();
+    const Eigen::MatrixXd inverted = Eigen::MatrixXd::Constant(h_ba.rows(), h_ba.cols(), h_ba.cwiseAbs().maxCoeff());
+    const RowMatrixXd error = h_ab.cwiseAbs() + (h_aa.cwiseAbs() + h_nn.cwiseAbs()) * carried + moved * (inverted * carried + h_bb.cwiseAbs());
+    a_error_.assign(error.data(), error.data() + error.size());
+    product_.a_error = a_error_;
+  }
+
   Dofs columns_;
   std::size_t rows_, joint_;
   RowMatrixXc h_nj_;
+  std::vector<double> a_error_;
   LineProduct product_;
 };
 

@@ -42,7 +42,8 @@ void make_expanders(AssemblySpec& spec) {
   }
 }
 
-LineAssembler::LineAssembler(const AssemblySpec& spec) : spec_(spec), expanders_(spec.expanders) {}
+LineAssembler::LineAssembler(const AssemblySpec& spec, bool measures_rounding)
+    : spec_(spec), measures_rounding_(measures_rounding), expanders_(spec.expanders) {}
 
 void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
   line_columns_ = spec_.columns->at(line.frequency_hz);
@@ -60,6 +61,22 @@ void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
     push_weighted_after(line, accumulator);
   } else {
     for (std::size_t g = 0; g < group_count_; ++g) push(line, groups_[g], accumulator);
+    if (measures_rounding_) measure_rounding(line, 1.0);
+  }
+}
+
+void LineAssembler::measure_rounding(const LineProduct& line, double factor) {
+  for (std::size_t g = 0; g < group_count_; ++g) {
+    const Group& group = groups_[g];
+    const Support& support = spec_.supports[group.support];
+    rounding_.add(line,
+                  {.a_dofs = support.a_dofs,
+                   .b_dofs = support.b_dofs,
+                   .rows = group.rows,
+                   .columns = group.columns,
+                   .row_weight = group.row_weight,
+                   .column_weight = group.column_weight},
+                  factor);
   }
 }
 
@@ -265,6 +282,7 @@ void LineAssembler::push_weighted_after(const LineProduct& line, Accumulator& ac
       for (std::size_t u = 0; u < groups_[g].row_length; ++u) to.data[i * to.stride + u] = factor * from[u];
     }
   }
+  if (measures_rounding_) measure_rounding(line, factor);
 }
 
 }  // namespace jointid::ident

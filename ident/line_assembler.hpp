@@ -5,6 +5,7 @@
 
 #include "ident/accumulator.hpp"
 #include "ident/kronecker.hpp"
+#include "ident/rounding_scale.hpp"
 #include "ident/row_expander.hpp"
 #include "ident/unknown_columns.hpp"
 #include "weighting/line_weights.hpp"
@@ -42,7 +43,8 @@ struct EquationCount {
 /// none where that is cheaper by counted flops), T_f and T.
 class LineAssembler {
  public:
-  explicit LineAssembler(const AssemblySpec& spec);
+  /// With `measures_rounding`, rounding() is kept up; it takes about as long as reading C once.
+  explicit LineAssembler(const AssemblySpec& spec, bool measures_rounding = false);
 
   void add(const LineProduct& line, Accumulator& accumulator);
 
@@ -50,9 +52,11 @@ class LineAssembler {
   void reset_counts() {
     count_ = {};
     lines_used_ = 0;
+    rounding_ = {};
   }
   const EquationCount& count() const { return count_; }
   std::size_t lines_used() const { return lines_used_; }
+  const RoundingScale& rounding() const { return rounding_; }
 
  private:
   struct Group {
@@ -78,9 +82,12 @@ class LineAssembler {
   Rows append(const Group& group, std::size_t equations, Accumulator& accumulator);
   bool is_complex(const Group& group, const Accumulator& accumulator) const;
   void expand(const Group& group, bool complex, std::size_t first, std::size_t count, const Rows& to);
+  void measure_rounding(const LineProduct& line, double factor);
   void add_column_norms(const Group& group, bool complex, const Rows& rows);
 
   const AssemblySpec& spec_;
+  bool measures_rounding_;
+  RoundingScale rounding_;
   std::vector<RowExpander> expanders_;  ///< one per support
   KroneckerCompressor compressor_;
   Compressed compressed_;

@@ -3,6 +3,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace jointid::ident {
@@ -34,6 +35,11 @@ struct LineProduct {
   std::vector<std::uint8_t> column_class;  ///< [L]
   bool wanted[2][2] = {};                  ///< [row class][column class] named by the scene
   bool a_is_unit = false;
+
+  /// How large the errors of A and of C₁ − C₂ are where every FRF has a relative error of 1, row-major [M×N] and [M×L];
+  /// empty where they are those of the elements themselves, |A| and |C₁| + |C₂|. Only for who set wants_error_scale.
+  std::span<const double> a_error, c_error;
+  bool wants_error_scale = false;
 };
 
 }  // namespace jointid::ident

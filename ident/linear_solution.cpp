@@ -9,6 +9,7 @@
 
 #include "ident/column_scaling.hpp"
 #include "ident/null_space.hpp"
+#include "ident/rounding.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -56,6 +57,13 @@ void judge(const MatrixXd& triangle, LinearSolution& out) {
   if (rank < n) tell_null_space(svd.matrixV().rightCols(n - rank), out);
 }
 
+/// ‖rows of R⁻¹‖ of an upper triangle whose columns stand in the order of `permutation`.
+template <class Matrix, class Permutation>
+VectorXd inverse_rows(const Matrix& r, const Permutation& permutation) {
+  const MatrixXd inverse = r.template triangularView<Eigen::Upper>().solve(MatrixXd::Identity(r.rows(), r.cols()));
+  return permutation * VectorXd(inverse.rowwise().norm());
+}
+
 }  // namespace
 
 LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
@@ -85,6 +93,12 @@ LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
   y = scale.asDiagonal() * y;
   out.y.assign(y.begin(), y.end());
   if (condition == Condition::skip && qr.rank() == n) return out;
+  if (qr.rank() == n) {
+    const VectorXd columns = triangle.colwise().stableNorm();
+    const VectorXd rows = inverse_rows(qr.matrixR().topLeftCorner(n, n), qr.colsPermutation());
+    bound_rounding({rows.cwiseProduct(scale), columns.cwiseQuotient(scale), std::hypot(right.norm(), system(n, n))},
+                   Reduction::orthogonal, accumulator.rows_pushed(), out);
+  }
   if (n <= svd_limit || qr.rank() < n) {
     judge(triangle, out);
   } else {
@@ -93,7 +107,7 @@ LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
   return out;
 }
 
-LinearSolution solve_normal(Accumulator& accumulator) {
+LinearSolution solve_normal(Accumulator& accumulator, Condition condition) {
   accumulator.flush();
   const Index n = index(accumulator.columns());
   MatrixXd product = MatrixXd::Zero(n + 1, n + 1);
@@ -117,6 +131,12 @@ LinearSolution solve_normal(Accumulator& accumulator) {
   out.condition = definite ? 1.0 / std::sqrt(cholesky.rcond()) : std::numeric_limits<double>::infinity();
   out.y.assign(y.begin(), y.end());
   out.residual_norm = std::sqrt(std::max(0.0, product(n, n) - y.dot(product.col(n).head(n))));
+  if (definite && condition == Condition::compute) {
+    const VectorXd columns = product.diagonal().head(n).cwiseSqrt();
+    const VectorXd rows = inverse_rows(MatrixXd(cholesky.matrixU()), MatrixXd::Identity(n, n));
+    bound_rounding({rows.cwiseProduct(scale), columns, std::sqrt(product(n, n))}, Reduction::normal,
+                   accumulator.rows_pushed(), out);
+  }
   return out;
 }
 

@@ -19,9 +19,13 @@ struct LinearSolution {
   double residual_norm = 0.0;  ///< of the compressed weighted rows
   std::vector<FreeDirection> free_directions;
   std::vector<std::size_t> undetermined;  ///< columns with a share in a free direction, ascending
+  /// ‖row j of E⁺‖₂: by so much, at most, y_j changes when the right-hand side changes by 1. With Condition::compute and full rank.
+  std::vector<double> inverse_norms;
+  /// Of y: first-order bound of what the rounding of the solver does, for the rows as they were pushed. As inverse_norms.
+  std::vector<double> rounding;
 };
 
-/// Whether LinearSolution::condition is computed; it takes an SVD, which costs more than a small solution itself.
+/// Whether LinearSolution::condition, inverse_norms and rounding are computed; that costs more than a small solution itself.
 enum class Condition { skip, compute };
 
 /// Column-pivoted QR of the stacked triangles, columns scaled by powers of two (which rounds nothing). A pivot counts as
@@ -29,11 +33,12 @@ enum class Condition { skip, compute };
 LinearSolution solve_dense(Accumulator& accumulator, Condition condition = Condition::compute);
 
 /// Sparse QR (SPQR) of the stacked triangles, for systems whose equations touch few of many columns. Same scaling; a column
-/// counts as dependent when its pivot is ≤ 16·n·ε times the largest column norm.
-LinearSolution solve_sparse(Accumulator& accumulator);
+/// counts as dependent when its pivot is ≤ 16·n·ε times the largest column norm. The norms of the rows of E⁺ are estimated from
+/// random right-hand sides, within about a factor of 1.5.
+LinearSolution solve_sparse(Accumulator& accumulator, Condition condition = Condition::compute);
 
 /// Cholesky factorisation of the normal equations: the labelled fast mode. Loses twice the digits of solve_dense; rank is 0
 /// when the matrix is not numerically positive definite.
-LinearSolution solve_normal(Accumulator& accumulator);
+LinearSolution solve_normal(Accumulator& accumulator, Condition condition = Condition::compute);
 
 }  // namespace jointid::ident

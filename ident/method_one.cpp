@@ -43,6 +43,7 @@ class MethodOne final : public EquationBuilder {
     product_.b = sub.block(n_rows_.size(), 0, joint_, columns);
     product_.c1 = sub.block(0, 0, rows, columns);
     product_.c2 = asm_.block(0, 0, rows, columns);
+    product_.wants_error_scale = out.wants_error_scale;
     out = product_;
     return true;
   }

@@ -51,6 +51,8 @@ class MethodTwo final : public EquationBuilder {
     product_.b = asm_view.block(static_cast<std::size_t>(n), 0, joint_, columns_.size());
     product_.c1 = {c1_.data(), joint_, columns_.size(), columns_.size()};
     product_.c2 = {c2_.data(), joint_, columns_.size(), columns_.size()};
+    product_.wants_error_scale = out.wants_error_scale;
+    if (out.wants_error_scale) measure_errors(h, z_b, h_asm);
     out = product_;
     return true;
   }
@@ -58,8 +60,22 @@ class MethodTwo final : public EquationBuilder {
   Dofs columns() const override { return columns_; }
 
  private:
+  /// An error δH of the inverted matrix moves C₁ − C₂ by Z_b δH·(Z H_asm). Rows n of Z H_asm are those of the unit matrix, rows b
+  /// differ from them by the joint's forces, −(C₁ − C₂). To this comes Z_b times the errors of H_asm.
+  template <class Sub, class Asm>
+  void measure_errors(const Sub& h, const RowMatrixXc& z_b, const Asm& h_asm) {
+    const Eigen::MatrixXd z = z_b.cwiseAbs(), amplified = z * h.cwiseAbs();
+    RowMatrixXd error = amplified.rightCols(index(joint_)) * (c1_ - c2_).cwiseAbs() + z * h_asm.cwiseAbs();
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      error.col(index(k)) += amplified.col(index(frf::find_coordinate(all_, columns_[k])));
+    }
+    c_error_.assign(error.data(), error.data() + error.size());
+    product_.c_error = c_error_;
+  }
+
   Dofs all_, columns_;
   std::size_t joint_;
+  std::vector<double> c_error_;
   RowMatrixXc c1_, c2_;
   LineProduct product_;
 };

@@ -7,8 +7,6 @@
 namespace jointid::ident {
 namespace {
 
-using RowMatrixXd = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// Predicts chunks of lines and adds their errors up in order.
 class Predictor final : public ChunkWorker {
  public:

@@ -10,6 +10,8 @@ std::string name(Status status) {
       return "no_equations";
     case Status::not_converged:
       return "not_converged";
+    case Status::imprecise:
+      return "imprecise";
     case Status::ok:
       break;
   }

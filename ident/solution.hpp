@@ -16,7 +16,8 @@ enum class Status {
   ok,
   rank_deficient,  ///< the data do not fix every unknown; the rest of the numbers hold
   no_equations,    ///< nothing was left to solve
-  not_converged
+  not_converged,
+  imprecise  ///< rounding alone can move an unknown by as much as its size
 };
 
 std::string name(Status status);
@@ -33,6 +34,9 @@ struct Estimate {
   bool determined = true;           ///< false: the data do not fix it, see Solution::message
   std::optional<double> std_error;  ///< empty where the method has no honest one
   std::optional<std::array<double, 2>> ci95;
+  /// First-order bound of what rounding does to the value, that of the FRFs and that of the arithmetic, in its unit; of linear
+  /// methods with Detail::full.
+  std::optional<double> rounding;
 };
 
 using Matrices = std::map<restrictions::Kind, Matrix>;
@@ -58,6 +62,8 @@ struct Fit {
   std::size_t lines = 0;
   std::size_t rank = 0;
   double condition = 0.0;                ///< of the column-scaled weighted system, 2-norm
+  /// Decimal digits that rounding leaves of the worst unknown, relative to the largest of its joint and unit; not below 0.
+  std::optional<double> digits;
   std::size_t iterations = 0;            ///< of iterative methods
   std::optional<ChiSquare> chi_square;   ///< of methods that weigh FRFs by their variances
   std::optional<double> asm_frf_error;   ///< dB; empty when the scene's equations do not read what it needs

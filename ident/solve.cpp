@@ -8,6 +8,7 @@
 #include "ident/newton/newton.hpp"
 #include "ident/prediction.hpp"
 #include "ident/quality.hpp"
+#include "ident/rounding_judgement.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -121,8 +122,8 @@ void interpret(const Plan& plan, const LinearSolution& linear, Solution& out) {
 }
 
 LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition) {
-  if (plan.solver == "normal") return solve_normal(accumulator);
-  return plan.solver == "spqr" ? solve_sparse(accumulator) : solve_dense(accumulator, condition);
+  if (plan.solver == "normal") return solve_normal(accumulator, condition);
+  return plan.solver == "spqr" ? solve_sparse(accumulator, condition) : solve_dense(accumulator, condition);
 }
 
 namespace {
@@ -141,13 +142,14 @@ std::optional<double> assembly_error(Plan& plan, const Solution& solution, const
   return std::sqrt(error.sum_of_squares / static_cast<double>(error.entries));
 }
 
-void identify(Plan& plan, Accumulator& accumulator, const Control& control, Solution& out) {
+void identify(Plan& plan, Assembled& system, const Control& control, Solution& out) {
   LinearSolution linear;
   {
     const Stopwatch watch(out.runtime_s.solve);
-    linear = solve(plan, accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
+    linear = solve(plan, system.accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
   }
   interpret(plan, linear, out);
+  if (control.detail == Detail::full) judge_rounding(plan, linear, system.rounding, out);
   if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 
@@ -174,7 +176,7 @@ Solution solve(Plan& plan, const Control& control) {
   out.fit.lines = system.lines;
   out.used.accumulator_bytes = system.accumulator.bytes();
   if (system.equations.used > 0) {
-    identify(plan, system.accumulator, control, out);
+    identify(plan, system, control, out);
   } else {
     out.status = Status::no_equations;
     out.message = without_equations(plan);

@@ -5,6 +5,7 @@
 
 #include "ident/linear_solution.hpp"
 #include "ident/plan.hpp"
+#include "ident/rounding_scale.hpp"
 #include "ident/solution.hpp"
 
 namespace jointid::ident {
@@ -43,6 +44,7 @@ struct Assembled {
   Accumulator accumulator;
   EquationCount equations;
   std::size_t lines = 0;
+  RoundingScale rounding;  ///< only with Detail::full
 };
 Assembled assemble(Plan& plan, RunTime& runtime, const Control& control = {});
 

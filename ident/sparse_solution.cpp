@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "ident/column_scaling.hpp"
 #include "ident/linear_solution.hpp"
 #include "ident/null_space.hpp"
+#include "ident/rounding.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -26,7 +28,7 @@ class Common {
 /// The stacked triangles as scaled triplets, and their right-hand side.
 struct StackedTriangles {
   std::size_t rows = 0, entries = 0;
-  std::vector<double> scale;
+  std::vector<double> scale, column_norm;
 
   explicit StackedTriangles(const Accumulator& accumulator) {
     std::vector<double> norm2(accumulator.columns(), 0.0);
@@ -37,7 +39,10 @@ struct StackedTriangles {
         for (std::size_t i = 0; i <= j; ++i) norm2[columns[j]] += triangle(i, j) * triangle(i, j);
       }
     }
-    for (const double square : norm2) scale.push_back(power_of_two_scale(std::sqrt(square)));
+    for (const double square : norm2) {
+      scale.push_back(power_of_two_scale(std::sqrt(square)));
+      column_norm.push_back(std::sqrt(square));
+    }
   }
 };
 
@@ -126,9 +131,24 @@ class Staircase {
   std::vector<double> pivot_;
 };
 
+/// ‖rows of R⁻¹‖: with normal numbers of variance 1 on the right, those are the standard deviations of the unknowns.
+Eigen::VectorXd inverse_rows(const Staircase& staircase, std::size_t n) {
+  constexpr int samples = 16;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n));
+  for (int i = 0; i < samples; ++i) {
+    std::vector<double> right(n);
+    for (double& each : right) each = normal(random);
+    const std::vector<double> x = staircase.solve(std::move(right));
+    squares += Eigen::Map<const Eigen::VectorXd>(x.data(), squares.size()).cwiseAbs2();
+  }
+  return (squares / samples).cwiseSqrt();
+}
+
 }  // namespace
 
-LinearSolution solve_sparse(Accumulator& accumulator) {
+LinearSolution solve_sparse(Accumulator& accumulator, Condition asked) {
   accumulator.flush();
   const std::size_t n = accumulator.columns();
   const StackedTriangles stacked(accumulator);
@@ -164,12 +184,18 @@ LinearSolution solve_sparse(Accumulator& accumulator) {
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto [least, most] = std::minmax_element(staircase.pivots().begin(), staircase.pivots().end(), smaller);
   out.condition = out.rank < n ? std::numeric_limits<double>::infinity() : std::abs(*most / *least);
+  const double right_norm = cholmod_l_norm_dense(right, 2, cc);
   cholmod_dense* solution = cholmod_l_zeros(n, 1, CHOLMOD_REAL, cc);
   std::copy(out.y.begin(), out.y.end(), static_cast<double*>(solution->x));
   double one[2] = {1.0, 0.0}, minus_one[2] = {-1.0, 0.0};
   cholmod_l_sdmult(matrix, 0, one, minus_one, solution, right, cc);
   out.residual_norm = cholmod_l_norm_dense(right, 2, cc);
   for (std::size_t j = 0; j < n; ++j) out.y[j] *= stacked.scale[j];
+  if (asked == Condition::compute && out.rank == n) {
+    const auto map = [n](const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(n)); };
+    bound_rounding({inverse_rows(staircase, n).cwiseProduct(map(stacked.scale)), map(stacked.column_norm), right_norm},
+                   Reduction::orthogonal, accumulator.rows_pushed(), out);
+  }
 
   cholmod_l_free_dense(&solution, cc);
   cholmod_l_free_dense(&q_right, cc);

@@ -50,8 +50,8 @@ Minimum ceres_minimum(const LeastSquares& least_squares, std::span<const double>
   options.linear_solver_type = ceres::DENSE_QR;
   options.max_num_iterations = given.most_iterations;
   options.function_tolerance = given.tolerance;
-  options.gradient_tolerance = 1e-14;
-  options.parameter_tolerance = 1e-11;
+  options.gradient_tolerance = given.gradient_tolerance;
+  options.parameter_tolerance = given.parameter_tolerance;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   out.iterations = summary.iterations.size();

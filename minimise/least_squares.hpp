@@ -32,6 +32,8 @@ struct Minimum {
 struct CeresOptions {
   double tolerance = 1e-10;
   int most_iterations = 100;
+  double parameter_tolerance = 1e-11;  ///< or a step is shorter than this times q
+  double gradient_tolerance = 1e-14;   ///< or no element of the gradient is larger
 };
 Minimum ceres_minimum(const LeastSquares& problem, std::span<const double> start, const CeresOptions& options = {});
 bool has_ceres();

@@ -38,6 +38,7 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
                   {"equations dropped", fmt::format("{}", fit.equations_dropped)},
                   {"rank", fmt::format("{} of {}", fit.rank, solution.unknowns.size())},
                   {"condition", fit.chi_square ? "–" : number(fit.condition)},
+                  {"digits left by rounding", fit.digits ? fmt::format("{:.1f}", *fit.digits) : "–"},
                   {"iterations", fit.iterations > 0 ? fmt::format("{}", fit.iterations) : "–"},
                   {"χ² / degrees of freedom", fit.chi_square ? chi_square_text(*fit.chi_square) : "–"},
                   {"outlying lines", fit.chi_square ? fmt::format("{}", fit.chi_square->outlying_lines) : "–"},

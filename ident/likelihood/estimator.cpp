@@ -177,13 +177,20 @@ void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd&
   }
 }
 
+/// Of a line that cannot be linearised where it stands, such as one on an undamped resonance of the predicted assembly: no
+/// information, no step, and the χ² that is expected.
+ReducedLine LikelihoodEstimator::says_nothing(const Line& line) const {
+  const auto p = at(line.joint.columns().size()), v = at(2 * observations_.layout().variables());
+  return {Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p), Eigen::MatrixXd::Zero(v, p), LineStep::Zero(v), line.redundancy};
+}
+
 void LikelihoodEstimator::linearise_all(const std::vector<double>& theta) {
   for_lines([&](std::size_t i, LineModel& model) {
     Line& line = lines_[i];
     model.linearise(observations_.lines()[i], line.joint, line.joint.at(theta), line.state, true);
     std::optional<ReducedLine> reduced = model.reduce(0.0);
     for (double damping = 1e-3; !reduced && damping < 1e12; damping *= 10.0) reduced = model.reduce(damping);
-    if (reduced) line.reduced = std::move(*reduced);
+    line.reduced = reduced ? std::move(*reduced) : says_nothing(line);
   });
 }
 

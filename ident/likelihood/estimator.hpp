@@ -111,6 +111,7 @@ class LikelihoodEstimator {
   LikelihoodFit begun(std::vector<double> start);
   void finish(LikelihoodFit& fit) const;
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
+  ReducedLine says_nothing(const Line& line) const;
   void linearise_all(const std::vector<double>& theta);
   void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);
   void approach(std::size_t line, LineModel& model, const ComplexMatrix& z);

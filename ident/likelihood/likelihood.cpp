@@ -196,9 +196,11 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   state_errors(plan, covariance, out);
   if (plan.scene.identify.bootstrap > 0) bootstrap_errors(plan, estimator, fit, control, out);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);
-  if (!fit.converged) {
+  const bool finite = std::ranges::all_of(fit.theta, [](double value) { return std::isfinite(value); });
+  if (!fit.converged || !finite) {
     out.status = Status::not_converged;
-    out.message = "The likelihood did not settle.";
+    out.message = finite ? "The likelihood did not settle."
+                         : "The likelihood broke down: is a line on a resonance without any damping? Leave such lines out.";
   }
   out.variances = variance_sources(plan);
   out.fit.lines = plan.lines.size();

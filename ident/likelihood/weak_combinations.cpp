@@ -73,7 +73,7 @@ std::vector<double> relative_scales(const Plan& plan, const std::vector<double>&
 
 std::vector<WeakCombination> weak_combinations(const MatrixXd& covariance, const std::vector<std::string>& names) {
   std::vector<WeakCombination> out;
-  if (covariance.size() == 0) return out;
+  if (covariance.size() == 0 || !covariance.allFinite()) return out;
   const Solver eigen(covariance);
   std::set<std::set<Index>> told;
   for (Index which = covariance.rows() - 1; which >= 0 && out.size() < most; --which) {

@@ -136,3 +136,11 @@ command_test(compare_regenerated CODE 0 OUT "one, regenerated substructures" AFT
   ARGS compare a1/A1.toml --regenerate none,substructures --trials 2)
 command_test(compare_regenerated_wrong CODE 2 ERR "--regenerate.*did you mean substructures" AFTER study_data
   ARGS compare a1/A1.toml --regenerate substructure --trials 2)
+
+# Digits of every solver.
+command_test(stability CODE 0 OUT "stiffness: .*condition +normal +qr +svd +spqr +two +direct +likelihood.*random scenes +20 .* 0 +[0-9]+\n" MAKES stability_reported
+  ARGS stability --sweeps stiffness,laeuchli --scenes 20 --report stability.html)
+command_test(stability_json CODE 0 OUT "\"digits_kept\": " ARGS stability --sweeps laeuchli --scenes 0 --json -)
+command_test(stability_csv CODE 0 OUT "^sweep,value,method,solver,.*\nlaeuchli,1,rows,spqr," ARGS stability --sweeps laeuchli --scenes 0 --csv -)
+command_test(stability_unknown CODE 2 ERR "--sweeps: 'stifness' is no sweep.*did you mean 'stiffness'" ARGS stability --sweeps stifness)
+command_test(stability_unwritable CODE 3 ERR "absent/a.html: cannot be written" ARGS stability --report absent/a.html)

@@ -1,0 +1,41 @@
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/report/stability_report.hpp"
+#include "cli/stability_report.hpp"
+
+namespace jointid::cli {
+namespace {
+
+StabilityReport measured(const StabilityArguments& arguments) {
+  catch_interrupts();
+  Progress progress;
+  const stability::Watch watch{[&progress](const std::string& what) { progress.show(what); }, interrupted};
+  StabilityReport report;
+  report.seed = arguments.seed;
+  report.rows = stability::run_sweeps(arguments.sweeps, watch);
+  report.count = stability::count_verdicts(arguments.seed, 0, arguments.scenes, watch);
+  return report;
+}
+
+bool keeps_silent(const StabilityReport& report) {
+  for (const stability::Measured& row : report.rows) {
+    if (row.verdict == stability::Verdict::silent_wrong) return true;
+  }
+  return report.count.silent_wrong > 0;
+}
+
+}  // namespace
+
+ExitCode execute(const StabilityArguments& arguments, std::ostream& out) {
+  check_targets({}, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+  const StabilityReport report = measured(arguments);
+  if (arguments.json) write_target(*arguments.json, stability_json(report), out);
+  if (arguments.csv) write_target(*arguments.csv, stability_csv(report), out);
+  if (arguments.report) write_target(*arguments.report, report::stability_report(report), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << stability_text(report);
+  return keeps_silent(report) ? ExitCode::unusable : ExitCode::done;
+}
+
+}  // namespace jointid::cli

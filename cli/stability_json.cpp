@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/stability_report.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+Json row(const stability::Measured& each) {
+  return {{"sweep", each.sweep},
+          {"value", each.value},
+          {"method", each.method},
+          {"solver", each.solver},
+          {"lines", each.lines},
+          {"unknowns", each.unknowns},
+          {"digits_kept", value(each.digits_kept)},
+          {"digits_true", value(each.digits_true)},
+          {"digits_stated", each.digits_stated ? value(*each.digits_stated) : Json(nullptr)},
+          {"condition", value(each.condition)},
+          {"rank", each.rank},
+          {"solve_s", each.seconds},
+          {"accumulator_bytes", each.bytes},
+          {"status", ident::name(each.status)},
+          {"warned", each.warned},
+          {"verdict", stability::name(each.verdict)}};
+}
+
+std::string field(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
+
+}  // namespace
+
+std::string stability_json(const StabilityReport& report) {
+  Json rows = Json::array();
+  for (const stability::Measured& each : report.rows) rows.push_back(row(each));
+  const stability::Count& count = report.count;
+  const Json json = {{"rows", rows},
+                     {"random_scenes",
+                      {{"seed", report.seed},
+                       {"scenes", count.scenes},
+                       {"refused", count.refused},
+                       {"right", count.right},
+                       {"told", count.told},
+                       {"silent_wrong", count.silent_wrong},
+                       {"silent_wrong_scenes", count.silent},
+                       {"false_alarm", count.false_alarm}}}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string stability_csv(const StabilityReport& report) {
+  std::string csv = csv_line({"sweep", "value", "method", "solver", "lines", "unknowns", "digits_kept", "digits_true", "digits_stated", "condition",
+                              "rank", "solve_s", "accumulator_bytes", "status", "warned", "verdict"});
+  for (const stability::Measured& each : report.rows) {
+    csv += csv_line({each.sweep, field(each.value), each.method, each.solver, fmt::format("{}", each.lines), fmt::format("{}", each.unknowns),
+                     field(each.digits_kept), field(each.digits_true), each.digits_stated ? field(*each.digits_stated) : "", field(each.condition),
+                     fmt::format("{}", each.rank), field(each.seconds), fmt::format("{}", each.bytes), ident::name(each.status),
+                     each.warned ? "true" : "false", stability::name(each.verdict)});
+  }
+  return csv;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,128 @@
+#include "stability/measurement.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "ident/solve.hpp"
+#include "stability/svd_solution.hpp"
+
+namespace jointid::stability {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+ident::Control one_thread() {
+  ident::Control control;
+  control.threads = 1;
+  return control;
+}
+
+ident::Solution solved(const ExtremeProblem& problem, const std::string& solver) {
+  if (solver != "svd") return ident::solve(*problem.plan(solver), one_thread());
+  using Clock = std::chrono::steady_clock;
+  const auto plan = problem.plan("qr");
+  ident::Solution out;
+  ident::Assembled system = ident::assemble(*plan, out.runtime_s, one_thread());
+  const auto start = Clock::now();
+  const ident::LinearSolution linear = solve_svd(system.accumulator);
+  out.runtime_s.solve = std::chrono::duration<double>(Clock::now() - start).count();
+  out.fit.lines = system.lines;
+  out.used.accumulator_bytes = system.accumulator.bytes();
+  ident::interpret(*plan, linear, out);
+  return out;
+}
+
+/// ‖W(y − y₅₀)‖/‖Wy₅₀‖.
+double kept_error(const ident::Solution& solution, const ExactEstimate& exact) {
+  double difference = 0.0, size = 0.0;
+  for (std::size_t j = 0; j < exact.values.size(); ++j) {
+    difference = std::hypot(difference, exact.column_norms[j] * (solution.unknowns[j].value - exact.values[j]));
+    size = std::hypot(size, exact.column_norms[j] * exact.values[j]);
+  }
+  return difference / size;
+}
+
+double largest(const std::vector<double>& values) {
+  double out = 0.0;
+  for (const double value : values) out = std::max(out, std::abs(value));
+  return out;
+}
+
+/// What the solution states of the error of an unknown.
+std::optional<double> stated(const ident::Estimate& unknown) { return unknown.rounding ? unknown.rounding : unknown.std_error; }
+
+Verdict judged(const ident::Solution& solution, const std::vector<double>& truth) {
+  const bool told = solution.status != ident::Status::ok || !solution.warnings.empty();
+  bool beyond = false, has_bound = false;
+  double worst = 0.0;
+  for (std::size_t j = 0; j < truth.size(); ++j) {
+    const double error = std::abs(solution.unknowns[j].value - truth[j]);
+    const std::optional<double> bound = stated(solution.unknowns[j]);
+    worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / largest(truth));
+    has_bound = has_bound || bound;
+    beyond = beyond || (bound && !(error <= 10.0 * *bound));
+  }
+  if (told) return worst < 1e-6 ? Verdict::false_alarm : Verdict::told;
+  if (!has_bound) return Verdict::not_judged;
+  if (beyond) return Verdict::silent_wrong;
+  return worst < 1e-6 ? Verdict::right : Verdict::told;
+}
+
+}  // namespace
+
+std::string name(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::told:
+      return "told";
+    case Verdict::right:
+      return "right";
+    case Verdict::silent_wrong:
+      return "silent wrong";
+    case Verdict::false_alarm:
+      return "false alarm";
+    case Verdict::not_judged:
+      break;
+  }
+  return "–";
+}
+
+double digits(double relative_error) {
+  if (std::isnan(relative_error)) return 0.0;
+  return std::clamp(-std::log10(relative_error), 0.0, 16.0);
+}
+
+std::optional<ExactEstimate> exact_estimate(const ExtremeProblem& problem) {
+  if (problem.scene.identify.method == ident::Method::likelihood) return std::nullopt;
+  return identify_exactly(*problem.plan("qr"), problem.sets);
+}
+
+Measured measure(const ExtremeProblem& problem, const std::string& solver, const std::optional<ExactEstimate>& exact) {
+  const ident::Solution solution = solved(problem, solver);
+  Measured out;
+  out.method = ident::name(problem.scene.identify.method);
+  out.solver = solver == "svd" ? solver : solution.used.solver;
+  out.lines = solution.fit.lines;
+  out.unknowns = problem.truth.size();
+  out.digits_kept = out.digits_true = nan;
+  out.digits_stated = solution.fit.digits;
+  out.condition = exact ? exact->condition : nan;
+  out.rank = solution.fit.rank;
+  out.seconds = solution.runtime_s.assemble + solution.runtime_s.solve;
+  out.bytes = solution.used.accumulator_bytes;
+  out.status = solution.status;
+  out.warned = !solution.warnings.empty();
+  if (solution.unknowns.size() != problem.truth.size()) return out;
+  if (exact) out.digits_kept = digits(kept_error(solution, *exact));
+  double worst = 0.0;
+  for (std::size_t j = 0; j < problem.truth.size(); ++j) {
+    const double error = std::abs(solution.unknowns[j].value - problem.truth[j]);
+    worst = std::isnan(error) ? HUGE_VAL : std::max(worst, error / largest(problem.truth));
+  }
+  out.digits_true = digits(worst);
+  if (solver != "svd") out.verdict = judged(solution, problem.truth);
+  return out;
+}
+
+}  // namespace jointid::stability

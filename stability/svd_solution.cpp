@@ -1,0 +1,37 @@
+#include "stability/svd_solution.hpp"
+
+#include <Eigen/SVD>
+#include <limits>
+
+#include "ident/column_scaling.hpp"
+
+namespace jointid::stability {
+
+ident::LinearSolution solve_svd(ident::Accumulator& accumulator) {
+  accumulator.flush();
+  const std::size_t n = accumulator.columns();
+  std::size_t rows = 0;
+  for (const auto& [columns, triangle] : accumulator.triangles()) rows += columns.size() + 1;
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(n));
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(system.rows());
+  Eigen::Index row = 0;
+  for (const auto& [columns, triangle] : accumulator.triangles()) {
+    for (std::size_t i = 0; i <= columns.size(); ++i, ++row) {
+      for (std::size_t j = i; j < columns.size(); ++j) system(row, static_cast<Eigen::Index>(columns[j])) = triangle(i, j);
+      right[row] = triangle(i, columns.size());
+    }
+  }
+  const Eigen::VectorXd scale = ident::power_of_two_scales(system);
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(system * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
+  const Eigen::VectorXd y = scale.asDiagonal() * svd.solve(right);
+  ident::LinearSolution out;
+  out.y.assign(y.begin(), y.end());
+  out.rank = static_cast<std::size_t>(svd.rank());
+  const double least = svd.singularValues()[svd.singularValues().size() - 1];
+  out.condition = least > 0.0 ? svd.singularValues()[0] / least : std::numeric_limits<double>::infinity();
+  out.residual_norm = (system * y - right).norm();
+  return out;
+}
+
+}  // namespace jointid::stability

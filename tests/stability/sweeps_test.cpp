@@ -1,0 +1,114 @@
+#include "stability/sweeps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "frf/error.hpp"
+#include "stability/matrix_sweeps.hpp"
+
+namespace jointid::stability {
+namespace {
+
+Measured measured(const ExtremeScene& scene, const std::string& solver) {
+  const ExtremeProblem problem = make(scene);
+  return measure(problem, solver, exact_estimate(problem));
+}
+
+/// What has to be left: all but what the condition takes, and one.
+double allowed(const Measured& row) { return 15.0 - std::log10(row.condition) - 1.0; }
+
+TEST(Stability, CompressedQrKeepsWhatTheConditionAllows) {
+  for (const Form form : {Form::springs, Form::symmetric}) {
+    for (const double stiffness : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+      ExtremeScene scene;
+      scene.form = form;
+      scene.joint_stiffness = stiffness;
+      const Measured row = measured(scene, "qr");
+      EXPECT_GE(row.digits_kept, std::min(10.0, allowed(row))) << stiffness << ", condition " << row.condition;
+    }
+  }
+}
+
+TEST(Stability, NormalEquationsLoseTwiceAsMany) {
+  for (const double delta : {1e-4, 1e-5, 1e-6}) {
+    const Measured qr = measure(laeuchli(5, delta), "qr"), normal = measure(laeuchli(5, delta), "normal");
+    const double lost = std::log10(qr.condition);
+    EXPECT_GE(qr.digits_kept, 15.0 - lost - 1.0);
+    EXPECT_GE(16.0 - normal.digits_kept, 1.6 * lost) << "they lost " << 16.0 - normal.digits_kept << " at " << delta;
+  }
+}
+
+TEST(Stability, EveryOrthogonalRouteAgreesOnHardRows) {
+  for (const char* solver : {"qr", "svd", "spqr"}) {
+    for (const Rows& rows : {hilbert(8), laeuchli(5, 1e-8), weighted(60, 5, 1e4)}) {
+      const Measured row = measure(rows, solver);
+      EXPECT_GE(row.digits_kept, std::min(15.0, allowed(row))) << solver << ", condition " << row.condition;
+    }
+  }
+}
+
+TEST(Stability, RefinementGivesAllDigitsOfHardRows) {
+  for (const Rows& rows : {hilbert(10), laeuchli(5, 1e-10), weighted(60, 5, 1e14)}) {
+    EXPECT_GE(measure(rows, "qr refined").digits_kept, 15.0);
+  }
+}
+
+TEST(Stability, ExactIdentificationOfEveryMethodFindsTheTruth) {
+  for (const ident::Method method : {ident::Method::one, ident::Method::two, ident::Method::direct}) {
+    ExtremeScene scene;
+    scene.method = method;
+    for (const auto weighting : {weighting::Weighting::none, weighting::Weighting::wa, weighting::Weighting::wbg}) {
+      scene.weighting = weighting;
+      const ExtremeProblem problem = make(scene);
+      const ExactEstimate exact = *exact_estimate(problem);
+      for (std::size_t j = 0; j < problem.truth.size(); ++j) {
+        EXPECT_NEAR(exact.values[j] / problem.truth[j], 1.0, 1e-10) << ident::name(method);
+      }
+      const Measured row = measure(problem, "qr", exact);
+      EXPECT_GE(row.digits_kept, 10.0) << ident::name(method);
+      EXPECT_EQ(row.verdict, Verdict::right);
+    }
+  }
+}
+
+TEST(Stability, TheStatedBoundCoversTheErrorAndIsNotIdle) {
+  ExtremeScene scene;
+  for (const double stiffness : {1e-4, 1.0, 1e4}) {
+    for (const Storage storage : {Storage::double_precision, Storage::single_precision}) {
+      scene.joint_stiffness = stiffness;
+      scene.storage = storage;
+      const Measured row = measured(scene, "qr");
+      ASSERT_TRUE(row.digits_stated);
+      EXPECT_LE(*row.digits_stated, row.digits_true + 1.0) << stiffness;
+      EXPECT_GE(*row.digits_stated, row.digits_true - 5.0) << stiffness;
+    }
+  }
+}
+
+TEST(Stability, WhatRoundingDestroysIsImprecise) {
+  ExtremeScene scene;
+  scene.joint_stiffness = 1e9;
+  scene.storage = Storage::single_precision;
+  const Measured row = measured(scene, "qr");
+  EXPECT_NE(row.status, ident::Status::ok);
+  EXPECT_EQ(row.verdict, Verdict::told);
+}
+
+TEST(Stability, SweepsKeepTheirPromises) {
+  for (const Measured& row : run_sweeps({"spread", "coincident", "single"})) {
+    EXPECT_NE(row.verdict, Verdict::silent_wrong) << row.sweep << " " << row.value << " " << row.solver;
+  }
+}
+
+TEST(Stability, AnUnknownSweepIsAnError) {
+  try {
+    run_sweeps({"stifness"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'stiffness'"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace jointid::stability
