@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 namespace jointid::frf::mat {
 namespace {
@@ -20,7 +21,9 @@ class Stored final : public Bytes {
 
   void read(std::span<unsigned char> out) override {
     take(out.size());
-    if (!file_.read(reinterpret_cast<char*>(out.data()), static_cast<std::streamsize>(out.size()))) throw Damaged("the file is shorter than it was");
+    if (!file_.read(reinterpret_cast<char*>(out.data()), static_cast<std::streamsize>(out.size()))) {
+      throw Damaged("the file is shorter than it was");
+    }
   }
 
   void skip(std::uint64_t count) override {
@@ -75,7 +78,8 @@ class Inflated final : public Bytes {
     }
     const int outcome = inflate(&stream_, Z_NO_FLUSH);
     at_end_ = outcome == Z_STREAM_END;
-    if (outcome != Z_OK && !at_end_) throw Damaged(std::string("its packed data cannot be unpacked") + (stream_.msg == nullptr ? "" : std::string(" (") + stream_.msg + ")"));
+    if (outcome == Z_OK || at_end_) return;
+    throw Damaged("its packed data cannot be unpacked" + (stream_.msg == nullptr ? "" : " (" + std::string(stream_.msg) + ")"));
   }
 
   Stored packed_;
