@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "ident/column_scaling.hpp"
 #include "ident/null_space.hpp"
@@ -57,10 +58,19 @@ void judge(const MatrixXd& triangle, LinearSolution& out) {
   if (rank < n) tell_null_space(svd.matrixV().rightCols(n - rank), out);
 }
 
-/// ‖rows of R⁻¹‖ of an upper triangle whose columns stand in the order of `permutation`.
+/// Normal numbers of variance 1/columns: the norms of the rows of R⁻¹G are about those of R⁻¹.
+MatrixXd random_columns(Index rows, Index columns) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal(0.0, 1.0 / std::sqrt(static_cast<double>(columns)));
+  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
+}
+
+/// ‖rows of R⁻¹‖ of an upper triangle whose columns stand in the order of `permutation`; of a large one estimated.
 template <class Matrix, class Permutation>
 VectorXd inverse_rows(const Matrix& r, const Permutation& permutation) {
-  const MatrixXd inverse = r.template triangularView<Eigen::Upper>().solve(MatrixXd::Identity(r.rows(), r.cols()));
+  const Index n = r.rows();
+  const MatrixXd right = n <= svd_limit ? MatrixXd(MatrixXd::Identity(n, n)) : random_columns(n, 16);
+  const MatrixXd inverse = r.template triangularView<Eigen::Upper>().solve(right);
   return permutation * VectorXd(inverse.rowwise().norm());
 }
 

@@ -90,7 +90,7 @@ std::string name(Verdict verdict) {
 
 double digits(double relative_error) {
   if (std::isnan(relative_error)) return 0.0;
-  return std::clamp(-std::log10(relative_error), 0.0, 16.0);
+  return std::clamp(-std::log10(relative_error), 0.0, 16.0) + 0.0;  // no -0
 }
 
 std::optional<ExactEstimate> exact_estimate(const ExtremeProblem& problem) {
