@@ -112,6 +112,7 @@ TEST(Dependency, CaseCWithConsistentErrorsHasItsSecondResonanceWithinOnePercent)
   int within = 0;
   std::vector<std::uint64_t> seeds = {40, 93};  // one of the two dependent pairs by far the more dependent
   for (std::uint64_t seed = 1; seed <= 20; ++seed) seeds.push_back(seed);
+  for (std::uint64_t seed = 1001; seed <= 1020; ++seed) seeds.push_back(seed);  // drawn after the rule was fixed
   for (const std::uint64_t seed : seeds) {
     const auto [error, left_out] = at.automatic(seed);
     within += error < 0.01 ? 1 : 0;
@@ -121,7 +122,7 @@ TEST(Dependency, CaseCWithConsistentErrorsHasItsSecondResonanceWithinOnePercent)
     EXPECT_GT(at.error(all), 0.05) << "all pairs, seed " << seed;
   }
   EXPECT_LT(at.automatic(1).first, 0.01);
-  EXPECT_GE(within, 19);
+  EXPECT_GE(within, 38);
 }
 
 }  // namespace
