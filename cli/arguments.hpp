@@ -74,7 +74,7 @@ struct CoupleArguments {
   std::filesystem::path scene, out;  ///< out: empty for the scene's name with .coupled.h5 in the current folder
   bool bounds = false;
   std::size_t threads = 0;  ///< 0: all cores
-  Target json, csv;
+  Target json, csv, report;
 };
 
 struct ModalfitArguments {

@@ -111,6 +111,12 @@ command_test(couple_bounds CODE 0 OUT "with all conditions: " AFTER couple_data 
 command_test(couple_json CODE 0 OUT "\"left_out\": true" AFTER couple_data ARGS couple c/coupling-C.toml --out couple_json.h5 --json -)
 command_test(couple_csv CODE 0 OUT "^frequency_hz,condition,kept,usable,alpha_1,alpha_2,alpha_3\n5," AFTER couple_data
   ARGS couple c/coupling-C.toml --out couple_csv.h5 --csv -)
+command_test(couple_report CODE 0 OUT "with all conditions: " AFTER couple_data MAKES couple_reported
+  ARGS couple c/coupling-C.toml --bounds --out couple_report.h5 --report couple.html)
+command_test(couple_report_stdout CODE 0 OUT "^<!DOCTYPE html>.*5:.Y = 7:.Y.*2 of 5 conditions are left out" AFTER couple_data
+  ARGS couple c/coupling-C.toml --out couple_stdout.h5 --report -)
+command_test(couple_report_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER couple_data
+  ARGS couple c/coupling-C.toml --out couple_absent.h5 --report absent/a.html)
 command_test(couple_onto_part CODE 2 ERR "it is a part of the scene" AFTER couple_data
   ARGS couple c/coupling-C.toml --out c/coupling-C_part_1.h5)
 command_test(couple_unwritable CODE 3 ERR "absent/a.h5: cannot be written" AFTER couple_data
