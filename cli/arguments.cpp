@@ -7,6 +7,7 @@
 
 #include "cli/command_options.hpp"
 #include "cli/couple_arguments.hpp"
+#include "cli/equivalent_arguments.hpp"
 #include "cli/modalfit_arguments.hpp"
 #include "cli/of_option.hpp"
 #include "cli/open_options.hpp"
@@ -166,6 +167,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
       add_command<LoadingCurveArguments>(app, chosen, "loading-curve", "Find the law of a friction joint from measured curves");
   declare(*loading_curve, *loading_curve_arguments);
   add_couple(app, chosen);
+  add_equivalent(app, chosen);
   add_modalfit(app, chosen);
   add_info(app, chosen);
   add_convert(app, chosen);

@@ -77,6 +77,11 @@ struct CoupleArguments {
   Target json, csv, report;
 };
 
+struct EquivalentArguments {
+  std::filesystem::path scene;
+  Target json, csv;
+};
+
 struct ModalfitArguments {
   std::vector<std::filesystem::path> files;
   frf::OpenOptions open;
@@ -87,7 +92,7 @@ struct ModalfitArguments {
 
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
                                SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments, CoupleArguments,
-                               ModalfitArguments>;
+                               EquivalentArguments, ModalfitArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {
