@@ -72,6 +72,7 @@ class Levels {
   /// Lines on which all that is needed was measured.
   JointLines lines_of(const Measured& level) const {
     JointLines out;
+    out.relative = scene_.relative;
     std::vector<Complex> h1_rigid, h3_rigid;
     const std::vector<std::size_t> at = frf::match_lines(parts_.frequency_hz, level.frequency_hz);
     const std::vector<std::size_t> at_rigid = rigid_ ? frf::match_lines(parts_.frequency_hz, rigid_->frequency_hz) : at;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace jointid::ident {
 namespace {
@@ -12,6 +13,8 @@ constexpr int most_steps = 100, most_halvings = 30;
 constexpr double small_step = 1e-12;  ///< of |h|
 
 Complex determinant(const JointLines& lines, std::size_t i) { return lines.a[i] * lines.b[i] - lines.c[i] * lines.c[i]; }
+
+double weight_of(const JointLines& lines, Complex value) { return lines.relative ? 1.0 / std::norm(value) : 1.0; }
 
 /// r = value − (D + own·h)/(gap + h) and dr/dh.
 struct Residual {
@@ -33,10 +36,12 @@ Trial evaluate(const JointLines& lines, Complex h) {
   double weight = 0.0;
   for (std::size_t i = 0; i < lines.a.size(); ++i) {
     const Complex d = determinant(lines, i);
-    for (const Residual& each : {residual(lines.h1[i], lines.a[i], d, lines.gap[i], h), residual(lines.h3[i], lines.c[i], d, lines.gap[i], h)}) {
-      out.cost += std::norm(each.r);
-      pull += std::conj(each.slope) * each.r;
-      weight += std::norm(each.slope);
+    for (const auto& [value, own] : {std::pair(lines.h1[i], lines.a[i]), std::pair(lines.h3[i], lines.c[i])}) {
+      const Residual each = residual(value, own, d, lines.gap[i], h);
+      const double w = weight_of(lines, value);
+      out.cost += w * std::norm(each.r);
+      pull += w * std::conj(each.slope) * each.r;
+      weight += w * std::norm(each.slope);
     }
   }
   out.step = weight > 0.0 ? -pull / weight : Complex(0.0);
@@ -96,7 +101,9 @@ EquivalentJoint equivalent_joint(const JointLines& lines) {
     }
   }
   double size = 0.0;
-  for (std::size_t i = 0; i < lines.a.size(); ++i) size += std::norm(lines.h1[i]) + std::norm(lines.h3[i]);
+  for (const auto* frf : {&lines.h1, &lines.h3}) {
+    for (const Complex value : *frf) size += weight_of(lines, value) * std::norm(value);
+  }
   const Complex z = 1.0 / h;
   out.stiffness = z.real();
   out.damping = z.imag();

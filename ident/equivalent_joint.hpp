@@ -11,6 +11,9 @@ struct JointLines {
   std::vector<std::complex<double>> a, b, c;  ///< without the joint: h_11, h_22, h_12
   std::vector<std::complex<double>> h1, h3;   ///< with it: h_11, h_21
   std::vector<std::complex<double>> gap;      ///< h_a + h_b − 2h_c, or what stands for it
+  /// Residuals over |h1| and |h3|, as the errors of FRFs are proportional to them; else as they are, so that the lines next to the
+  /// resonance decide, where the gap is least accurate.
+  bool relative = false;
 };
 
 /// The gap of (7.11), from the FRFs without the joint.
@@ -27,7 +30,7 @@ std::complex<double> real_frf(std::complex<double> h);
 struct EquivalentJoint {
   double stiffness = 0.0;  ///< k_j, N/m
   double damping = 0.0;    ///< d_j, N/m
-  double misfit = 0.0;     ///< √(Σ|r|²/Σ|h|²) over h1 and h3
+  double misfit = 0.0;     ///< √(Σ|r|²/Σ|h|²) over h1 and h3; rms of |r|/|h| of relative ones
   bool settled = true;     ///< false: no minimum was found
 };
 

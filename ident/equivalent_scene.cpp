@@ -6,13 +6,15 @@
 namespace jointid::ident {
 namespace {
 
+const std::vector<std::string> weightings = {"none", "relative"};
+
 DisplacementLevel read_level(const SceneItem& item, const Path& folder) {
   const SceneTable table = item.table({"assembly", "displacement"});
   return {{folder / table.require("assembly").text_not_empty(), {}}, table.require("displacement").positive()};
 }
 
 void read_equivalent(const SceneItem& item, const Path& folder, EquivalentScene& scene) {
-  const SceneTable table = item.table({"dofs", "levels", "rigid", "real"});
+  const SceneTable table = item.table({"dofs", "levels", "rigid", "real", "weighting"});
   const SceneItem dofs = table.require("dofs");
   const std::vector<frf::Dof> ends = dofs.dofs();
   if (ends.size() != 2) dofs.fail("a joint with one stiffness and one damping has two ends", "name two DOFs");
@@ -20,6 +22,7 @@ void read_equivalent(const SceneItem& item, const Path& folder, EquivalentScene&
   for (const SceneItem& level : table.require("levels").list_not_empty()) scene.levels.push_back(read_level(level, folder));
   if (const auto rigid = table.find("rigid")) scene.rigid = DataFile{folder / rigid->text_not_empty(), {}};
   if (const auto real = table.find("real")) scene.real = real->boolean();
+  if (const auto weighting = table.find("weighting")) scene.relative = weighting->word(weightings) == "relative";
 }
 
 }  // namespace

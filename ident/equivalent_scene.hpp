@@ -21,6 +21,7 @@ struct EquivalentScene {
   std::vector<DisplacementLevel> levels;
   std::optional<DataFile> rigid;  ///< the assembly with the joint clamped: then (7.18), else (7.11)
   bool real = false;              ///< (7.19) for the parts
+  bool relative = false;          ///< residuals over the FRFs, see JointLines
 };
 
 /// Reads a scene. Throws InputError (usage) as read_scene().

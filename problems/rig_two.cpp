@@ -90,7 +90,7 @@ std::string scene_of(const RigTwo& rig) {
   return "title = \"" + rig.name + ": " + rig.description + "\"\n\n[data]\nparts = [\"" + rig.parts.header.file +
          "\"]\n\n[frequency]\nrange = [48.0, 57.0]  # Hz; the first resonance of the assembly is at 57.05 Hz and below\n\n[equivalent]\ndofs = [\"" +
          middle_1.name() + "\", \"" + middle_2.name() + "\"]  # excited at the first\nlevels = [  # amplitude of the relative displacement in m\n" + levels +
-         "]\nrigid = \"" + rig.rigid.header.file + "\"  # (7.18); without it (7.11)\nreal = true  # (7.19)\n";
+         "]\nrigid = \"" + rig.rigid.header.file + "\"  # (7.18); without it (7.11)\nreal = true  # (7.19)\nweighting = \"relative\"\n";
 }
 
 const Clamping& find(const std::string& name) {

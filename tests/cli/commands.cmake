@@ -121,6 +121,16 @@ command_test(couple_onto_part CODE 2 ERR "it is a part of the scene" AFTER coupl
   ARGS couple c/coupling-C.toml --out c/coupling-C_part_1.h5)
 command_test(couple_unwritable CODE 3 ERR "absent/a.h5: cannot be written" AFTER couple_data
   ARGS couple c/coupling-C.toml --out absent/a.h5)
+command_test(rig2_written CODE 0 OUT "next: jointid equivalent" MAKES rig2_data ARGS problem write rig2 rig2)
+command_test(equivalent CODE 0 OUT "by \\(7\\.18\\), FRFs of the parts made real.*4e-07 +[67][0-9.e+]+ " AFTER rig2_data
+  ARGS equivalent rig2/rig2.toml)
+command_test(equivalent_csv CODE 0 AFTER rig2_data MAKES rig2_csv ARGS equivalent rig2/rig2.toml --csv rig2.csv)
+command_test(equivalent_json CODE 0 OUT "\"equation\": \"7.18\"" AFTER rig2_data ARGS equivalent rig2/rig2.toml --json -)
+command_test(equivalent_fitted CODE 0 OUT "friction limit +1[3-5]\\.[0-9]+ +N" AFTER rig2_csv
+  ARGS loading-curve rig2.csv --stiffness stiffness --damping damping --law ren)
+command_test(equivalent_absent CODE 2 ERR "absent.toml" ARGS equivalent absent.toml)
+command_test(equivalent_other_scene CODE 2 ERR "equivalent" AFTER couple_data ARGS equivalent c/coupling-C.toml)
+command_test(equivalent_unwritable CODE 3 ERR "absent/a.csv: cannot be written" AFTER rig2_data ARGS equivalent rig2/rig2.toml --csv absent/a.csv)
 command_test(couple_absent CODE 2 ERR "absent.toml" ARGS couple absent.toml)
 command_test(couple_other_scene CODE 2 ERR "couple" AFTER study_data ARGS couple a1/A1.toml)
 
