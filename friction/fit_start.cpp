@@ -41,16 +41,7 @@ Features features_of_equivalents(const Curve& curve) {
   const auto last = static_cast<std::size_t>(std::ranges::max_element(curve.u) - curve.u.begin());
   const double stiffness = *std::ranges::max_element(curve.value);
   const double from_damping = 0.25 * std::numbers::pi * curve.u[last] * curve.damping[last];
-  const double limit = std::max(from_damping, 0.5 * curve.value[last] * curve.u[last]);
-  if (stiffness > 0.0 && limit > 0.0) return {stiffness, limit};
-  // Errors outweigh the joint: sizes alone.
-  Features sizes;
-  for (std::size_t i = 0; i < curve.u.size(); ++i) {
-    const double size = std::hypot(curve.value[i], curve.damping[i]);
-    sizes.stiffness = std::max(sizes.stiffness, size);
-    sizes.limit = std::max(sizes.limit, 0.25 * std::numbers::pi * curve.u[i] * size);
-  }
-  return sizes;
+  return {stiffness, std::max(from_damping, 0.5 * curve.value[last] * curve.u[last])};
 }
 
 /// Features times the factors that the first look at a curve is usually off by.
