@@ -7,6 +7,7 @@
 
 #include "cli/command_options.hpp"
 #include "cli/couple_arguments.hpp"
+#include "cli/equivalent_arguments.hpp"
 #include "cli/modalfit_arguments.hpp"
 #include "cli/of_option.hpp"
 #include "cli/open_options.hpp"
@@ -167,6 +168,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
       add_command<LoadingCurveArguments>(app, chosen, "loading-curve", "Find the law of a friction joint from measured curves");
   declare(*loading_curve, *loading_curve_arguments);
   add_couple(app, chosen);
+  add_equivalent(app, chosen);
   add_modalfit(app, chosen);
   auto [stability, stability_arguments] = add_command<StabilityArguments>(
       app, chosen, "stability", "Measure how many digits every solver keeps on extreme cases, against 50-digit arithmetic");

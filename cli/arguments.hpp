@@ -74,6 +74,11 @@ struct CoupleArguments {
   std::filesystem::path scene, out;  ///< out: empty for the scene's name with .coupled.h5 in the current folder
   bool bounds = false;
   std::size_t threads = 0;  ///< 0: all cores
+  Target json, csv, report;
+};
+
+struct EquivalentArguments {
+  std::filesystem::path scene;
   Target json, csv;
 };
 
@@ -94,7 +99,7 @@ struct StabilityArguments {
 
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
                                SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments, CoupleArguments,
-                               ModalfitArguments, StabilityArguments>;
+                               EquivalentArguments, ModalfitArguments, StabilityArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

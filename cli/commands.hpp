@@ -17,6 +17,7 @@ ExitCode execute(const StudyArguments& arguments, std::ostream& out);
 ExitCode execute(const CompareArguments& arguments, std::ostream& out);
 ExitCode execute(const LoadingCurveArguments& arguments, std::ostream& out);
 ExitCode execute(const CoupleArguments& arguments, std::ostream& out);
+ExitCode execute(const EquivalentArguments& arguments, std::ostream& out);
 ExitCode execute(const ModalfitArguments& arguments, std::ostream& out);
 ExitCode execute(const StabilityArguments& arguments, std::ostream& out);
 

@@ -15,9 +15,11 @@ void add_couple(CLI::App& app, std::optional<Arguments>& chosen) {
   command->add_option("--threads", arguments->threads, "0 for all cores; the results do not depend on it")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  add_outputs(command, *arguments, "what was done", "condition numbers and alphas line by line");
+  add_outputs(command, *arguments, "what was done", "condition numbers, alphas and singular values line by line",
+              "predicted FRFs, conditions and thresholds");
   command->footer(
       "Examples:\n  jointid problem write coupling-C c && jointid couple c/coupling-C.toml --bounds\n"
+      "  jointid couple c/coupling-C.toml --bounds --report c.html\n"
       "  jointid couple c/coupling-C.toml --out assembly.h5 --json -");
 }
 

@@ -5,6 +5,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "cli/report/couple_report.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::cli {
@@ -32,7 +33,7 @@ void require_other_files(const ident::CoupleScene& scene, const std::filesystem:
 
 ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   const std::filesystem::path path = result_path(arguments);
-  check_targets(arguments.scene, {{"--out", path.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}});
+  check_targets(arguments.scene, {{"--out", path.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   const ident::CoupleScene scene = ident::read_couple_scene(arguments.scene);
   require_other_files(scene, path, arguments.bounds);
   catch_interrupts();
@@ -42,7 +43,8 @@ ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   const ident::CoupleResult result = ident::couple(scene, path, arguments.bounds, control);
   if (arguments.json) write_target(*arguments.json, couple_json(scene, result), out);
   if (arguments.csv) write_target(*arguments.csv, couple_csv(result), out);
-  if (!takes_output({arguments.json, arguments.csv})) out << couple_text(scene, result);
+  if (arguments.report) write_target(*arguments.report, report::couple_report(scene, result), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << couple_text(scene, result);
   if (result.status == ident::Status::ok) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + result.message);
   return ExitCode::unusable;

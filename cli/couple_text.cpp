@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -21,38 +22,43 @@ std::string frequencies_text(const std::vector<double>& frequencies_hz) {
   return text.empty() ? "none found" : text + " Hz";
 }
 
-std::string conditions_text(const coupling::Dependencies& dependencies) {
+std::string kept_text(const ident::CoupleScene& scene, const ident::CoupleResult& result) {
+  const std::string rule = kept_rule(scene);
+  if (rule.empty()) return {};
+  std::string text;
+  for (const auto& [kept, lines] : kept_counts(result)) {
+    text += fmt::format("{}{} on {} line{}", text.empty() ? "" : ", ", kept, lines, lines == 1 ? "" : "s");
+  }
+  return fmt::format("  kept        {}; of {}: {}\n", rule, result.result.conditions, text);
+}
+
+}  // namespace
+
+Table conditions_table(const coupling::Dependencies& dependencies) {
   Table table({{"condition", Align::left}, {"alpha"}, {"5 %"}, {"95 %"}, {"", Align::left}});
   for (const coupling::Dependency& condition : dependencies.conditions) {
     table.add({condition.condition, number(condition.median), number(condition.lower), number(condition.upper),
                condition.dependent ? "left out" : ""});
   }
-  return "dependency of the conditions, median over the lines\n" + table.text() + "  " + dependencies.reason + "\n";
+  return table;
 }
 
-std::string kept_text(const ident::CoupleScene& scene, const ident::CoupleResult& result) {
+std::string kept_rule(const ident::CoupleScene& scene) {
   using coupling::Threshold;
-  std::string text;
-  for (const auto& [kept, lines] : kept_counts(result)) {
-    text += fmt::format("{}{} on {} line{}", text.empty() ? "" : ", ", kept, lines, lines == 1 ? "" : "s");
-  }
-  const std::string of = fmt::format(" of {} ", result.result.conditions);
   switch (scene.options.threshold) {
     case Threshold::fixed:
-      return "  kept        singular values" + of + "above " + number(scene.options.epsilon) + " of the largest: " + text + "\n";
+      return "singular values above " + number(scene.options.epsilon) + " of the largest";
     case Threshold::noise:
-      return "  kept        singular values" + of + "above 3 standard deviations of the noise: " + text + "\n";
+      return "singular values above 3 standard deviations of the noise";
     case Threshold::picard:
-      return "  kept        singular values" + of + "before the forces grow (Picard): " + text + "\n";
+      return "singular values before the forces grow (Picard)";
     case Threshold::alpha:
-      return "  kept        conditions" + of + "with alpha above " + number(scene.options.alpha) + ": " + text + "\n";
+      return "conditions with alpha above " + number(scene.options.alpha);
     case Threshold::none:
       break;
   }
   return {};
 }
-
-}  // namespace
 
 std::string coupling_method_text(const ident::CoupleScene& scene) {
   std::string text = coupling::name(scene.options.method);
@@ -90,7 +96,10 @@ std::string couple_text(const ident::CoupleScene& scene, const ident::CoupleResu
   if (const std::size_t worst = worst_line(result); worst != frf::npos) {
     text += fmt::format("  condition   at most {} at {} Hz\n", number(result.records[worst].condition), number(result.frequency_hz[worst]));
   }
-  if (result.dependencies) text += conditions_text(*result.dependencies);
+  if (result.dependencies) {
+    text += "dependency of the conditions, median over the lines\n" + conditions_table(*result.dependencies).text() + "  " +
+            result.dependencies->reason + "\n";
+  }
   text += "resonances\n  " + result.result.path.string() + ": " + frequencies_text(result.result.resonances_hz) + "\n";
   if (result.with_all) {
     text += "  " + result.with_all->path.string() + ", with all conditions: " + frequencies_text(result.with_all->resonances_hz) + "\n";
@@ -100,15 +109,22 @@ std::string couple_text(const ident::CoupleScene& scene, const ident::CoupleResu
 }
 
 std::string couple_csv(const ident::CoupleResult& result) {
+  using coupling::LineRecord;
+  constexpr std::array<std::pair<const char*, std::vector<double> LineRecord::*>, 3> lists = {
+      {{"alpha", &LineRecord::alpha}, {"sigma", &LineRecord::sigma}, {"limit", &LineRecord::limit}}};
   std::vector<std::string> head = {"frequency_hz", "condition", "kept", "usable"};
-  const std::size_t alphas = result.records.empty() ? 0 : result.records.front().alpha.size();
-  for (std::size_t p = 0; p < alphas; ++p) head.push_back(fmt::format("alpha_{}", p + 1));
+  for (const auto& [name, list] : lists) {
+    const std::size_t count = result.records.empty() ? 0 : (result.records.front().*list).size();
+    for (std::size_t p = 0; p < count; ++p) head.push_back(fmt::format("{}_{}", name, p + 1));
+  }
   std::string text = csv_line(head);
   for (std::size_t line = 0; line < result.records.size(); ++line) {
-    const coupling::LineRecord& record = result.records[line];
+    const LineRecord& record = result.records[line];
     std::vector<std::string> row = {fmt::format("{}", result.frequency_hz[line]), fmt::format("{}", record.condition),
                                     fmt::format("{}", record.kept), record.usable ? "1" : "0"};
-    for (const double alpha : record.alpha) row.push_back(fmt::format("{}", alpha));
+    for (const auto& [name, list] : lists) {
+      for (const double value : record.*list) row.push_back(fmt::format("{}", value));
+    }
     text += csv_line(row);
   }
   return text;

@@ -82,11 +82,29 @@ std::string synthesis_text(const std::vector<modalfit::SynthesisError>& errors) 
   return fmt::format("{} dB rms, {} dB away from antiresonances", decibel(all.rms_db), decibel(all.rms_db_away));
 }
 
+namespace {
+
+/// Modes whose peaks only the first or last lines see.
+std::string edge_note(const ModalRun& run) {
+  constexpr std::size_t few = 3;
+  const std::vector<double>& axis = run.band.frequency_hz;
+  if (axis.size() <= 2 * few) return {};
+  std::string modes;
+  for (const modalfit::Mode& mode : run.fit.modes) {
+    const double f = mode.pole.frequency_hz;
+    if (mode.inside && (f < axis[few] || f > axis[axis.size() - 1 - few])) modes += fmt::format("{}{:.6g}", modes.empty() ? "" : ", ", f);
+  }
+  return modes.empty() ? modes : "At the edge of the range, where few lines tell a mode from what lies beyond: " + modes + " Hz.";
+}
+
+}  // namespace
+
 std::vector<std::string> notes(const ModalRun& run) {
   std::vector<std::string> out;
   if (!run.fit.message.empty()) out.push_back(run.fit.message);
   if (!run.fit.known_noise) out.push_back("The files say nothing of their noise: it was estimated from what the fit leaves.");
   if (!run.obstacle.empty()) out.push_back("No symmetric model: " + run.obstacle + ".");
+  if (const std::string edge = edge_note(run); !edge.empty()) out.push_back(edge);
   const double misfit = run.fit.freedom > 0.0 ? run.fit.cost / run.fit.freedom : 1.0;
   if (run.fit.known_noise && misfit > 2.0) {
     out.push_back(fmt::format("The FRFs deviate from the model by {:.1f} times their noise: the structure is not that linear, or the noise is larger "

@@ -4,6 +4,7 @@
 #include "problems/coupling_problem.hpp"
 #include "problems/loading_curves.hpp"
 #include "problems/modal_set.hpp"
+#include "problems/rig_two.hpp"
 
 namespace jointid::cli {
 
@@ -12,6 +13,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   for (const auto& problem : problems::list()) table.add({problem.name, problem.description});
   for (const auto& curve : problems::loading_curves()) table.add({curve.name, curve.description});
   for (const auto& problem : problems::list_coupling()) table.add({problem.name, problem.description});
+  for (const auto& rig : problems::list_rig_two()) table.add({rig.name, rig.description});
   for (const auto& set : problems::list_modal_sets()) table.add({set.name, set.description});
   out << table.text(0);
   return ExitCode::done;
@@ -27,6 +29,11 @@ ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   if (problems::is_coupling(arguments.name)) {
     const auto scene = problems::write(problems::make_coupling(arguments.name), arguments.directory, arguments.options);
     out << "wrote " << scene.string() << "\nnext: jointid couple " << scene.string() << '\n';
+    return ExitCode::done;
+  }
+  if (problems::is_rig_two(arguments.name)) {
+    const auto scene = problems::write(problems::make_rig_two(arguments.name), arguments.directory, arguments.options);
+    out << "wrote " << scene.string() << "\nnext: jointid equivalent " << scene.string() << " --csv joint.csv\n";
     return ExitCode::done;
   }
   if (problems::is_modal_set(arguments.name)) {

@@ -89,12 +89,14 @@ class Line {
     const bool may_drop = options_.threshold != Threshold::none;
     if (!may_drop && !(reciprocal > singular * static_cast<double>(conditions_.size()))) return unusable(out.record.condition);
     ComplexMatrix inverse;
-    if (options_.threshold == Threshold::none || options_.threshold == Threshold::alpha) {
+    if (!truncates()) {
       run(out);
       if (options_.uncertainty) inverse = jump_receptance(joint_.h, conditions_).partialPivLu().inverse();
     } else {
       Truncation truncation = truncate();
       out.record.kept = static_cast<std::size_t>(truncation.kept);
+      out.record.sigma.assign(truncation.sigma.begin(), truncation.sigma.end());
+      out.record.limit.assign(truncation.limit.begin(), truncation.limit.end());
       inverse = std::move(truncation.inverse);
       out.frf = one_step<ComplexMatrix>(joint_.h, conditions_, frame_.wanted,
                                         [&](const ComplexMatrix&, const ComplexMatrix& y) { return ComplexMatrix(inverse * y); });
@@ -109,6 +111,8 @@ class Line {
     return joint_.h.topLeftCorner(count_, count_).allFinite() && (joint_.z.size() == 0 || joint_.z.allFinite());
   }
 
+  bool truncates() const { return options_.threshold != Threshold::none && options_.threshold != Threshold::alpha; }
+
   CoupledLine unusable(double condition) const {
     CoupledLine out;
     const auto rows = static_cast<Index>(frame_.wanted.rows.size()), columns = static_cast<Index>(frame_.wanted.columns.size());
@@ -117,6 +121,7 @@ class Line {
     out.record.condition = condition;
     out.record.usable = false;
     if (options_.method == Method::mtc) out.record.alpha.assign(conditions_.size(), nan);
+    if (truncates()) out.record.sigma.assign(conditions_.size(), nan), out.record.limit = out.record.sigma;
     return out;
   }
 

@@ -11,7 +11,9 @@ struct LineRecord {
   double condition = 0.0;     ///< of S in the 1-norm, with all conditions that are met on some line; NaN when not measured
   std::size_t kept = 0;       ///< singular values, or conditions, that were used
   bool usable = true;         ///< false: something needed was not measured, or S is singular; the FRFs are then NaN
-  std::vector<double> alpha;  ///< mtc: of each condition, before it is coupled
+  std::vector<double> alpha{};  ///< mtc: of each condition, before it is coupled
+  std::vector<double> sigma{};  ///< fixed, noise, picard: singular values of S, descending
+  std::vector<double> limit{};  ///< as long as sigma: what each had to exceed, see Truncation
 };
 
 /// The rows and columns of a line's H.

@@ -9,7 +9,7 @@ double alpha(Complex ii, Complex jj, Complex ij) {
 }
 
 MtcResult mtc(const MatrixRef& h, const Conditions& conditions, const Wanted& wanted, double epsilon) {
-  MtcSteps<Complex> steps(h);
+  MtcSteps<Complex> steps(h, static_cast<Index>(conditions.size()));
   MtcResult out;
   for (const Condition& condition : conditions) {
     const auto now = steps.receptances(condition);
@@ -17,12 +17,7 @@ MtcResult mtc(const MatrixRef& h, const Conditions& conditions, const Wanted& wa
     out.coupled.push_back(!(out.alpha.back() <= epsilon));
     if (out.coupled.back()) steps.couple(condition);
   }
-  out.frf.resize(static_cast<Index>(wanted.rows.size()), static_cast<Index>(wanted.columns.size()));
-  for (Index c = 0; c < out.frf.cols(); ++c) {
-    for (Index r = 0; r < out.frf.rows(); ++r) {
-      out.frf(r, c) = steps(wanted.rows[static_cast<std::size_t>(r)], wanted.columns[static_cast<std::size_t>(c)]);
-    }
-  }
+  out.frf = steps.frf(wanted);
   return out;
 }
 

@@ -10,15 +10,17 @@ namespace jointid::coupling {
 
 /// Multi-step two-coordinate coupling (thesis §5.6.4): one condition at a time, H ← H − d dᵀ/(h_ii + h_jj − 2h_ij) with
 /// d = h_i − h_j, for a matrix that need not be symmetric H ← H − (H b)(bᵀH)/(bᵀH b). Once coupled, the second coordinate is
-/// deleted, so that step k of n rows costs (n − k)(n − k + 1) multiplications (5.45). `Scalar` is a type of numbers so that
-/// operations can be counted.
+/// deleted, so that m steps of n coordinates cost Σ(n − k)(n − k + 1) multiplications (5.45). The steps are kept as
+/// H − U Vᵀ, one column of U and V for each, and worked out where the next steps and the result need them: one product of
+/// matrices at the end in place of one pass through H per step. `Scalar` is a type of numbers so that operations can be counted.
 template <class Scalar>
 class MtcSteps {
  public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  explicit MtcSteps(Matrix h) : h_(std::move(h)), rows_(h_.rows()), columns_(h_.cols()) {
+  /// At most `most` conditions will be coupled; `h` has to stay.
+  MtcSteps(const Eigen::Ref<const Matrix>& h, Index most) : h_(h), left_(h.rows(), most), right_(h.cols(), most) {
     for (Index i = 0; i < h_.rows(); ++i) row_at_.push_back(i), row_of_.push_back(i), same_.push_back({i, 1.0});
     for (Index i = 0; i < h_.cols(); ++i) column_at_.push_back(i), column_of_.push_back(i);
   }
@@ -46,17 +48,26 @@ class MtcSteps {
     const double sign = i.sign * j.sign;
     const bool ground = j.coordinate < 0;
     const Index gone = ground ? i.coordinate : j.coordinate;
-    Vector column = h_.col(column_at_[index(i.coordinate)]).head(rows_);
-    Vector row = h_.row(row_at_[index(i.coordinate)]).head(columns_).transpose();
+    // The row before the deletion, as the pivot needs it; the column after.
+    Vector row = h_(i.coordinate, column_of_).transpose(), at_row = left_.row(row_at_[index(i.coordinate)]).head(steps_);
     if (!ground) {
-      subtract(column, h_.col(column_at_[index(gone)]).head(rows_), sign);
-      subtract(row, h_.row(row_at_[index(gone)]).head(columns_).transpose(), sign);
+      subtract(row, h_(gone, column_of_).transpose(), sign);
+      subtract(at_row, left_.row(row_at_[index(gone)]).head(steps_).transpose(), sign);
     }
+    take(row, right_, at_row);
     Scalar pivot = row[column_at_[index(i.coordinate)]];
-    if (!ground) pivot -= signed_value(row[column_at_[index(gone)]], sign);
-    remove(gone, column, row);
-    const Vector scaled = row.head(columns_) * (Scalar(1.0) / pivot);
-    h_.topLeftCorner(rows_, columns_).noalias() -= column.head(rows_) * scaled.transpose();
+    Vector at_column = right_.row(column_at_[index(i.coordinate)]).head(steps_);
+    if (!ground) {
+      pivot -= signed_value(row[column_at_[index(gone)]], sign);
+      subtract(at_column, right_.row(column_at_[index(gone)]).head(steps_).transpose(), sign);
+    }
+    remove(gone, row);
+    Vector column = h_(row_of_, i.coordinate);
+    if (!ground) subtract(column, h_(row_of_, gone), sign);
+    take(column, left_, at_column);
+    left_.col(steps_).head(column.size()) = column;
+    right_.col(steps_).head(row.size()) = row * (Scalar(1.0) / pivot);
+    ++steps_;
     same_[index(gone)] = ground ? Same{-1, 0.0} : Same{i.coordinate, sign};
   }
 
@@ -67,9 +78,25 @@ class MtcSteps {
     return signed_value(at(r, c), r.sign * c.sign);
   }
 
+  /// All of them at the wanted rows and columns.
+  Matrix frf(const Wanted& wanted) const {
+    std::vector<Index> rows, columns;
+    const Matrix left = gathered(wanted.rows, left_, row_at_, rows), right = gathered(wanted.columns, right_, column_at_, columns);
+    Matrix out = h_(rows, columns);
+    out.noalias() -= left * right.transpose();
+    for (Index r = 0; r < out.rows(); ++r) {
+      for (Index c = 0; c < out.cols(); ++c) {
+        const double sign = find(wanted.rows[index(r)]).sign * find(wanted.columns[index(c)]).sign;
+        if (sign != 1.0) out(r, c) = sign == 0.0 ? Scalar(0.0) : -out(r, c);
+      }
+    }
+    return out;
+  }
+
  private:
+  /// What a coordinate has become: sign times another; 0 times −1 for ground.
   struct Same {
-    Index coordinate;  ///< −1: ground
+    Index coordinate;
     double sign;
   };
 
@@ -85,7 +112,28 @@ class MtcSteps {
   }
 
   bool is_coordinate(Index i) const { return i < static_cast<Index>(same_.size()); }
-  Scalar at(const Same& i, const Same& j) const { return h_(row_at_[index(i.coordinate)], column_at_[index(j.coordinate)]); }
+
+  Scalar at(const Same& i, const Same& j) const {
+    Scalar value = h_(i.coordinate, j.coordinate);
+    const Index r = row_at_[index(i.coordinate)], c = column_at_[index(j.coordinate)];
+    for (Index k = 0; k < steps_; ++k) value -= left_(r, k) * right_(c, k);
+    return value;
+  }
+
+  /// What the steps so far take from a column or row of H.
+  void take(Vector& from, const Matrix& factors, const Vector& by) const {
+    for (Index k = 0; k < steps_; ++k) from -= factors.col(k).head(from.size()) * by[k];
+  }
+
+  /// Rows of a factor for wanted coordinates, and the coordinates that stand for them (any for ground).
+  Matrix gathered(const std::vector<Index>& wanted, const Matrix& factor, const std::vector<Index>& place, std::vector<Index>& stands) const {
+    Matrix out(static_cast<Index>(wanted.size()), steps_);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      stands.push_back(std::max(Index{0}, find(wanted[i]).coordinate));
+      out.row(static_cast<Index>(i)) = factor.row(place[index(stands.back())]).head(steps_);
+    }
+    return out;
+  }
 
   Same find(Index coordinate) const {
     Same here{coordinate, 1.0};
@@ -105,17 +153,18 @@ class MtcSteps {
     return {find(condition.first), j};
   }
 
-  /// Puts the row and the column of a coordinate last and forgets them.
-  void remove(Index coordinate, Vector& column, Vector& row) {
+  /// Forgets a coordinate: in `row` and in the factors the last takes its place.
+  void remove(Index coordinate, Vector& row) {
     const Index r = row_at_[index(coordinate)], c = column_at_[index(coordinate)];
-    --rows_;
-    --columns_;
-    h_.row(r).swap(h_.row(rows_));
-    h_.col(c).swap(h_.col(columns_));
-    std::swap(column[r], column[rows_]);
-    std::swap(row[c], row[columns_]);
-    exchange(row_at_, row_of_, r, rows_);
-    exchange(column_at_, column_of_, c, columns_);
+    const Index last_row = static_cast<Index>(row_of_.size()) - 1, last_column = static_cast<Index>(column_of_.size()) - 1;
+    row[c] = row[last_column];
+    row.conservativeResize(last_column);
+    left_.row(r).head(steps_).swap(left_.row(last_row).head(steps_));
+    right_.row(c).head(steps_).swap(right_.row(last_column).head(steps_));
+    exchange(row_at_, row_of_, r, last_row);
+    exchange(column_at_, column_of_, c, last_column);
+    row_of_.pop_back();
+    column_of_.pop_back();
   }
 
   static void exchange(std::vector<Index>& at, std::vector<Index>& of, Index one, Index two) {
@@ -124,10 +173,12 @@ class MtcSteps {
     at[index(of[index(two)])] = two;
   }
 
-  Matrix h_;
-  Index rows_, columns_;                                      ///< not deleted yet, first in h_
-  std::vector<Index> row_at_, row_of_, column_at_, column_of_;  ///< where row i of H is now, and back
-  std::vector<Same> same_;                                    ///< what a deleted coordinate has become
+  Eigen::Ref<const Matrix> h_;
+  Matrix left_, right_;  ///< U and V; row k belongs to the coordinates row_of_[k] and column_of_[k]
+  Index steps_ = 0;
+  std::vector<Index> row_at_, column_at_;  ///< place in U and V by row and column of H
+  std::vector<Index> row_of_, column_of_;  ///< and back; those that are not deleted
+  std::vector<Same> same_;
 };
 
 }  // namespace jointid::coupling

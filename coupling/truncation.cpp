@@ -13,12 +13,17 @@ using Svd = Eigen::BDCSVD<ComplexMatrix>;
 
 Svd decompose(const MatrixRef& s) { return Svd(s, Eigen::ComputeThinU | Eigen::ComputeThinV); }
 
-/// The first k singular values.
-Truncation keep(const Svd& svd, Index k) {
+/// Keeps the singular values up to the first that is not above limit(i, σ).
+template <class Limit>
+Truncation keep(const Svd& svd, Limit limit) {
   Truncation out;
   out.sigma = svd.singularValues();
-  out.kept = k;
-  out.threshold = k < out.sigma.size() ? out.sigma[k] : 0.0;
+  out.limit = Eigen::VectorXd::Zero(out.sigma.size());
+  for (; out.kept < out.sigma.size(); ++out.kept) {
+    out.limit[out.kept] = limit(out.kept, out.sigma);
+    if (!(out.sigma[out.kept] > out.limit[out.kept])) break;
+  }
+  const Index k = out.kept;
   const Eigen::VectorXcd inverse = out.sigma.head(k).cwiseInverse().cast<Complex>();
   out.inverse = svd.matrixV().leftCols(k) * inverse.asDiagonal() * svd.matrixU().leftCols(k).adjoint();
   return out;
@@ -27,33 +32,26 @@ Truncation keep(const Svd& svd, Index k) {
 }  // namespace
 
 Truncation truncate_fixed(const MatrixRef& s, double epsilon) {
-  const Svd svd = decompose(s);
-  Index k = 0;
-  while (k < s.rows() && svd.singularValues()[k] > epsilon * svd.singularValues()[0]) ++k;
-  return keep(svd, k);
+  return keep(decompose(s), [&](Index, const Eigen::VectorXd& sigma) { return epsilon * sigma[0]; });
 }
 
 Truncation truncate_noise(const MatrixRef& s, const Eigen::Ref<const Eigen::MatrixXd>& variance) {
   const Svd svd = decompose(s);
-  Index k = 0;
-  for (; k < s.rows(); ++k) {
-    const Eigen::VectorXd u = svd.matrixU().col(k).cwiseAbs2(), v = svd.matrixV().col(k).cwiseAbs2();
-    if (!(svd.singularValues()[k] > told_apart * std::sqrt(u.dot(variance * v)))) break;
-  }
-  return keep(svd, k);
+  return keep(svd, [&](Index i, const Eigen::VectorXd&) {
+    const Eigen::VectorXd u = svd.matrixU().col(i).cwiseAbs2(), v = svd.matrixV().col(i).cwiseAbs2();
+    return told_apart * std::sqrt(u.dot(variance * v));
+  });
 }
 
 Truncation truncate_picard(const MatrixRef& s, const MatrixRef& y) {
   const Svd svd = decompose(s);
   const Eigen::VectorXd parts = (svd.matrixU().adjoint() * y).rowwise().norm();
   double largest = 0.0;
-  Index k = 0;
-  for (; k < s.rows() && svd.singularValues()[k] > 0.0; ++k) {
-    const double force = parts[k] / svd.singularValues()[k];
-    if (k > 0 && force > growth * largest) break;
-    largest = std::max(largest, force);
-  }
-  return keep(svd, k);
+  return keep(svd, [&](Index i, const Eigen::VectorXd& sigma) {
+    const double limit = i == 0 || parts[i] == 0.0 ? 0.0 : parts[i] / (growth * largest);
+    largest = std::max(largest, parts[i] / sigma[i]);
+    return limit;
+  });
 }
 
 }  // namespace jointid::coupling

@@ -9,7 +9,7 @@ struct Truncation {
   ComplexMatrix inverse;      ///< [m, m]
   Eigen::VectorXd sigma;      ///< [m] descending
   Index kept = 0;             ///< k
-  double threshold = 0.0;     ///< the largest singular value that was dropped is not above it
+  Eigen::VectorXd limit;      ///< [m] what σ_i has to exceed; 0 behind the first that was dropped
 };
 
 /// Keeps σ_i > epsilon·σ_1 (5.67).

@@ -129,6 +129,14 @@ CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_
   return {path, reader.layout().conditions.size() - dropped, weighting::find_resonances(header.frequency_hz, level.values())};
 }
 
+std::vector<std::string> met(const std::vector<std::string>& conditions, const std::vector<bool>& left_out) {
+  std::vector<std::string> out;
+  for (std::size_t p = 0; p < conditions.size(); ++p) {
+    if (left_out.empty() || !left_out[p]) out.push_back(conditions[p]);
+  }
+  return out;
+}
+
 void judge(CoupleResult& out) {
   out.unusable_lines = static_cast<std::size_t>(std::ranges::count(out.records, false, &coupling::LineRecord::usable));
   if (out.unusable_lines == 0) return;
@@ -159,7 +167,8 @@ CoupleResult couple(const CoupleScene& scene, const Path& out, bool bounds, cons
     mtc.threads = control.threads;
     coupling::AssemblyReader reader(parts, scene.assembly, mtc, where);
     lines = choose_lines(scene, reader.header().frequency_hz);
-    result.dependencies = coupling::find_dependencies(reader.layout().condition_names, survey(reader, lines, control));
+    result.survey = survey(reader, lines, control);
+    result.dependencies = coupling::find_dependencies(reader.layout().condition_names, result.survey);
   }
   if (bounds) {
     coupling::AssemblyReader with_all(parts, scene.assembly, options, where);
@@ -174,6 +183,7 @@ CoupleResult couple(const CoupleScene& scene, const Path& out, bool bounds, cons
   result.responses = reader.header().response.size();
   result.references = reader.header().reference.size();
   for (const std::size_t line : lines) result.frequency_hz.push_back(reader.header().frequency_hz[line]);
+  result.conditions = met(reader.layout().condition_names, options.left_out);
   result.result = write(reader, lines, out, control, result.records);
   judge(result);
   return result;

@@ -20,8 +20,10 @@ struct CoupleResult {
   std::size_t lines = 0, unusable_lines = 0, lines_without_partner = 0;
   std::size_t responses = 0, references = 0;
   std::vector<double> frequency_hz;
+  std::vector<std::string> conditions;        ///< names of those met on every line, unless a threshold drops some
   std::vector<coupling::LineRecord> records;  ///< by line
   std::optional<coupling::Dependencies> dependencies;
+  std::vector<coupling::LineRecord> survey;  ///< by line, with the alphas of all of `dependencies`
   CoupledFile result;
   std::optional<CoupledFile> with_all;  ///< bounds: the same with the dependent conditions
 };

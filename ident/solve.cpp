@@ -142,6 +142,16 @@ std::optional<double> assembly_error(Plan& plan, const Solution& solution, const
   return std::sqrt(error.sum_of_squares / static_cast<double>(error.entries));
 }
 
+/// What the FRFs' variances do not say of their errors.
+void warn_of_shared_errors(const Plan& plan, Solution& out) {
+  if (!plan.likelihood) return;
+  std::string which;
+  if (!plan.scene.couple_first.pairs.empty()) which = "the FRFs of the coupled parts";
+  if (!plan.regenerated.empty()) which += (which.empty() ? "" : " and ") + std::string("regenerated FRFs");
+  if (which.empty()) return;
+  out.warnings.push_back("The likelihood takes the errors of FRFs for independent; those of " + which + " are not, so that standard errors and intervals are too small.");
+}
+
 void identify(Plan& plan, Assembled& system, const Control& control, Solution& out) {
   LinearSolution linear;
   {
@@ -162,6 +172,7 @@ Solution solve(Plan& plan, const Control& control) {
   for (const ModalRegeneration& each : plan.regenerated) {
     if (!each.harm.empty()) out.warnings.push_back(note(each));
   }
+  warn_of_shared_errors(plan, out);
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
               plan.solver, 0};
   if (plan.likelihood || plan.newton) {

@@ -14,7 +14,8 @@
 namespace jointid::modalfit {
 namespace {
 
-constexpr int most_rounds = 6;
+constexpr int most_rounds = 10;
+constexpr double most_noise_change = 0.05;  ///< of the variances from round to round, where they are estimated
 /// A pole beyond the range that wanders longer has no place of its own.
 constexpr std::size_t most_trial_iterations = 12;
 
@@ -90,9 +91,14 @@ class Fitter {
       out.iterations += refined.iterations;
       if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, refined.poles);
       poles = select(refined.poles, beyond);
-      if ((poles.size() == refined.poles.size() && round > 0) || stopped()) break;
+      if ((poles.size() == refined.poles.size() && round > 0 && noise_agrees(refined)) || stopped()) break;
     }
     return refined;
+  }
+
+  /// Whether the weights of the refinement were those of the noise that it leaves.
+  bool noise_agrees(const RefinedPoles& refined) const {
+    return band_.known_noise || !(std::abs(refined.cost - refined.freedom) > most_noise_change * refined.freedom);
   }
 
   /// What is where modes are wanted, and significant.

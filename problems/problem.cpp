@@ -4,6 +4,7 @@
 #include "problems/catalogue.hpp"
 #include "problems/coupling_problem.hpp"
 #include "problems/modal_set.hpp"
+#include "problems/rig_two.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -44,6 +45,7 @@ Problem make(const std::string& name) {
     names.push_back(definition.name);
   }
   for (const ProblemInfo& info : list_coupling()) names.push_back(info.name);
+  for (const ProblemInfo& info : list_rig_two()) names.push_back(info.name);
   for (const ProblemInfo& info : list_modal_sets()) names.push_back(info.name);
   const std::string near = nearest_word(name, names);
   throw InputError(

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cli/report/decimate.hpp"
+#include "cli/report/frf_curves.hpp"
 #include "ident/decibel_error.hpp"
 
 namespace jointid::cli::report {
@@ -17,19 +17,6 @@ using Values = std::vector<double>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Zero has no place on a logarithmic axis.
-Values magnitudes(const std::vector<ident::Complex>& frf) {
-  Values out;
-  for (const ident::Complex& value : frf) out.push_back(std::abs(value) > 0.0 ? std::abs(value) : nan);
-  return out;
-}
-
-Values phases_deg(const std::vector<ident::Complex>& frf, const std::vector<std::size_t>& indices) {
-  Values out;
-  for (const std::size_t i : indices) out.push_back(std::arg(frf[i]) * 180.0 / std::numbers::pi);
-  return out;
-}
-
 bool has_any(const Values& values) {
   return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
 }
@@ -38,12 +25,6 @@ double largest(const ident::RegeneratedFrf& frf) {
   double out = 0.0;
   for (const ident::Complex& value : frf.measured) out = std::fmax(out, std::abs(value));
   return out;
-}
-
-/// Of a receptance.
-std::string unit(const ident::FrfEntry& entry) {
-  const std::string response = entry.response.is_rotation() ? "rad" : "m";
-  return response + (entry.reference.is_rotation() ? "/(N·m)" : "/N");
 }
 
 std::string entry_name(const ident::RegeneratedFrf& frf) {
@@ -67,7 +48,7 @@ Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std:
   CurvePlot magnitude, phase;
   magnitude.title = "Magnitude of " + frf.entry.response.name() + " / " + frf.entry.reference.name();
   magnitude.x = {"frequency (Hz)", false};
-  magnitude.y = {"receptance (" + unit(frf.entry) + ")", true};
+  magnitude.y = {receptance_label(frf.entry.response, frf.entry.reference), true};
   magnitude.x_values = picked(frequency_hz, kept);
   magnitude.series = overlay(picked(curves[0], kept), picked(curves[1], kept));
   magnitude.band = used_hz;

@@ -111,10 +111,26 @@ command_test(couple_bounds CODE 0 OUT "with all conditions: " AFTER couple_data 
 command_test(couple_json CODE 0 OUT "\"left_out\": true" AFTER couple_data ARGS couple c/coupling-C.toml --out couple_json.h5 --json -)
 command_test(couple_csv CODE 0 OUT "^frequency_hz,condition,kept,usable,alpha_1,alpha_2,alpha_3\n5," AFTER couple_data
   ARGS couple c/coupling-C.toml --out couple_csv.h5 --csv -)
+command_test(couple_report CODE 0 OUT "with all conditions: " AFTER couple_data MAKES couple_reported
+  ARGS couple c/coupling-C.toml --bounds --out couple_report.h5 --report couple.html)
+command_test(couple_report_stdout CODE 0 OUT "^<!DOCTYPE html>.*5:.Y = 7:.Y.*2 of 5 conditions are left out" AFTER couple_data
+  ARGS couple c/coupling-C.toml --out couple_stdout.h5 --report -)
+command_test(couple_report_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER couple_data
+  ARGS couple c/coupling-C.toml --out couple_absent.h5 --report absent/a.html)
 command_test(couple_onto_part CODE 2 ERR "it is a part of the scene" AFTER couple_data
   ARGS couple c/coupling-C.toml --out c/coupling-C_part_1.h5)
 command_test(couple_unwritable CODE 3 ERR "absent/a.h5: cannot be written" AFTER couple_data
   ARGS couple c/coupling-C.toml --out absent/a.h5)
+command_test(rig2_written CODE 0 OUT "next: jointid equivalent" MAKES rig2_data ARGS problem write rig2 rig2)
+command_test(equivalent CODE 0 OUT "by \\(7\\.18\\), FRFs of the parts made real.*4e-07 +[67][0-9.e+]+ " AFTER rig2_data
+  ARGS equivalent rig2/rig2.toml)
+command_test(equivalent_csv CODE 0 AFTER rig2_data MAKES rig2_csv ARGS equivalent rig2/rig2.toml --csv rig2.csv)
+command_test(equivalent_json CODE 0 OUT "\"equation\": \"7.18\"" AFTER rig2_data ARGS equivalent rig2/rig2.toml --json -)
+command_test(equivalent_fitted CODE 0 OUT "friction limit +1[3-5]\\.[0-9]+ +N" AFTER rig2_csv
+  ARGS loading-curve rig2.csv --stiffness stiffness --damping damping --law ren)
+command_test(equivalent_absent CODE 2 ERR "absent.toml" ARGS equivalent absent.toml)
+command_test(equivalent_other_scene CODE 2 ERR "equivalent" AFTER couple_data ARGS equivalent c/coupling-C.toml)
+command_test(equivalent_unwritable CODE 3 ERR "absent/a.csv: cannot be written" AFTER rig2_data ARGS equivalent rig2/rig2.toml --csv absent/a.csv)
 command_test(couple_absent CODE 2 ERR "absent.toml" ARGS couple absent.toml)
 command_test(couple_other_scene CODE 2 ERR "couple" AFTER study_data ARGS couple a1/A1.toml)
 

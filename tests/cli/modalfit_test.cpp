@@ -70,6 +70,14 @@ TEST_F(Modalfit, ShapesInUff55GiveTheFrfs) {
   }
 }
 
+TEST_F(Modalfit, ModesAtTheEdgeOfTheRangeAreNamed) {
+  EXPECT_THAT(notes(run({})), testing::Not(testing::Contains(testing::HasSubstr("edge"))));
+  ModalfitArguments arguments;
+  arguments.files = {file_};
+  arguments.fit.range_hz = {99.97, 106.0};  // lines 0.02 Hz apart
+  EXPECT_THAT(notes(run_modalfit(arguments)), testing::Contains(testing::HasSubstr("what lies beyond: 100 Hz")));
+}
+
 TEST_F(Modalfit, JsonHasModesAndErrors) {
   const auto json = nlohmann::json::parse(modalfit_json(run({modalfit::Damping::hysteretic, true})));
   EXPECT_EQ(json["status"], "ok");

@@ -66,15 +66,15 @@ inline CountedCoupling count_multiplications(const ComplexMatrix& h, Index pairs
   const CountedMatrix forces = product(gauss_jordan_inverse(jump_receptance(counted, conditions)), y);
   const CountedMatrix one = CountedMatrix(counted(wanted.rows, wanted.columns)) - product(x, forces);
   out.grc = Counted::multiplications;
-  MtcSteps<Counted> steps(counted);
+  MtcSteps<Counted> steps(counted, pairs);
   Counted::multiplications = 0;
   for (const Condition& condition : conditions) steps.couple(condition);
-  out.mtc = Counted::multiplications;
   for (std::size_t r = 0; r < wanted.rows.size(); ++r) {
     for (std::size_t c = 0; c < wanted.columns.size(); ++c) {
       out.difference = std::max(out.difference, std::abs(steps(wanted.rows[r], wanted.columns[c]).value - one(static_cast<Index>(r), static_cast<Index>(c)).value));
     }
   }
+  out.mtc = Counted::multiplications;
   return out;
 }
 

@@ -145,13 +145,18 @@ TEST(CoupleFirst, TheProposedLineFindsTheJointThatAStiffOneSpoils) {
   const CaseG g("G6");
   for (const std::uint64_t seed : {1, 2, 3}) {
     EXPECT_GT(largest_error(g.solution(g.scene(Method::one), seed)), 0.5) << "seed " << seed;
-    const std::string line = proposed_line(g.solution(g.scene(Method::likelihood), seed));
+    const Solution uncoupled = g.solution(g.scene(Method::likelihood), seed);
+    EXPECT_LT(largest_error(uncoupled), 0.03) << "seed " << seed;  // the likelihood does not need the line, and knows what it cannot see:
+    EXPECT_GT(uncoupled.unknowns.at(3).std_error.value() / uncoupled.unknowns.at(3).value, 0.1) << "seed " << seed;
+    const std::string line = proposed_line(uncoupled);
     ASSERT_EQ(line, "couple_first = [[\"4:+RZ\", \"5:+RZ\"]]\n");
     EXPECT_LT(largest_error(g.solution(g.scene(Method::one, line), seed)), 0.1) << "seed " << seed;
     const Solution coupled = g.solution(g.scene(Method::likelihood, line), seed);
     EXPECT_LT(largest_error(coupled), 0.03) << "seed " << seed;
     EXPECT_EQ(coupled.unknowns.size(), 3u);
     EXPECT_EQ(proposed_line(coupled), "");
+    EXPECT_TRUE(uncoupled.warnings.empty());
+    EXPECT_THAT(coupled.warnings, ElementsAre(HasSubstr("those of the FRFs of the coupled parts are not")));
   }
 }
 

@@ -41,6 +41,20 @@ TEST_F(MeasuredModes, SixResonancesOfAFreeBeam) {
   }
 }
 
+/// The first lines tell the noise of the others nothing; without them the fit has to find another one, and be weighted by it.
+TEST_F(MeasuredModes, TheNoiseOfTheWeightsIsTheNoiseThatIsLeft) {
+  const auto path = file("uff/measurement.uff");
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing: no external data";
+  const frf::FrfSet set = frf::load(*frf::open(path));
+  for (const double low : {5.0, 20.0}) {
+    Band band = make_band(set, std::array{low, 1000.0});
+    const ModalFit found = fit(band, set.header, {});
+    EXPECT_NEAR(found.cost / found.freedom, 1.0, 0.06) << low;
+    EXPECT_TRUE(std::ranges::any_of(found.modes, [](const Mode& mode) { return std::abs(mode.pole.frequency_hz - 900.87) < 0.1; })) << low;
+    EXPECT_EQ(found.modes_inside(), 7u) << low;
+  }
+}
+
 TEST_F(MeasuredModes, SisoFrf) {
 #if JOINTID_HAVE_MATIO
   const auto path = file("siso-coherence/case1.mat");

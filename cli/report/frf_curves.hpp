@@ -1,0 +1,22 @@
+#pragma once
+
+#include <complex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "frf/dof.hpp"
+
+/// FRFs as curves of a page.
+namespace jointid::cli::report {
+
+/// |H|; NaN for zero, which has no place on a logarithmic axis.
+std::vector<double> magnitudes(std::span<const std::complex<double>> frf);
+
+/// Phases in degrees at some of the points.
+std::vector<double> phases_deg(std::span<const std::complex<double>> frf, std::span<const std::size_t> indices);
+
+/// "receptance (m/N)", with rad and N·m for rotations.
+std::string receptance_label(const frf::Dof& response, const frf::Dof& reference);
+
+}  // namespace jointid::cli::report

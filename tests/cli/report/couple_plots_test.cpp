@@ -1,0 +1,107 @@
+#include "cli/report/couple_plots.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "cli/report/couple_report.hpp"
+#include "frf/hdf5_file.hpp"
+#include "problems/coupling_problem.hpp"
+
+namespace jointid::cli::report {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const CurvePlot& curves(const PlotGroup& group, std::size_t choice, std::size_t plot) { return std::get<CurvePlot>(group.choices.at(choice).plots.at(plot)); }
+
+TEST(CouplePlots, TheIntervalOfAMagnitudeIsThatOfTheErrorAlongIt) {
+  const frf::Dof dof = frf::Dof::parse("1:+Y");
+  // Real: the imaginary error turns H, and does not lengthen it. 3 + 4i: (9·0.25 + 16·1)/25² = (0.1708…)².
+  const PredictedFrf frf{dof, dof, {2.0, {3.0, 4.0}, 0.0}, {{0.01, 5.0}, {0.25, 1.0}, {0.01, 0.01}}, {}};
+  const PlotGroup group = predicted_plots({10.0, 20.0, 30.0}, {frf}, 100);
+  const auto& series = curves(group, 0, 0).series;
+  ASSERT_EQ(series.size(), 3u);
+  EXPECT_NEAR(series[1].y[0], 2.0 * std::exp(1.959964 * 0.05), 1e-6);
+  EXPECT_NEAR(series[2].y[0], 2.0 / std::exp(1.959964 * 0.05), 1e-6);
+  EXPECT_NEAR(std::log(series[1].y[1] / 5.0) / 1.959964, std::sqrt(18.25) / 25.0, 1e-6);
+  EXPECT_TRUE(std::isnan(series[0].y[2]) && std::isnan(series[1].y[2]) && std::isnan(series[2].y[2]));
+}
+
+class CoupleReport : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("jointid-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    scene_ = ident::read_couple_scene(problems::write(problems::make_coupling("coupling-C"), folder_, {.format = "h5", .seed = 1, .clean = false}));
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  ident::CoupleResult couple(bool bounds) const { return ident::couple(scene_, folder_ / "out.h5", bounds); }
+
+  fs::path folder_;
+  ident::CoupleScene scene_;
+};
+
+TEST_F(CoupleReport, ReadsBackWhatWasWritten) {
+  scene_.options.uncertainty = true;
+  scene_.options.noise = frf::NoiseModel{.level = 0.05};
+  const ident::CoupleResult result = couple(true);
+  const std::vector<PredictedFrf> frfs = read_predicted(result, 8);
+  const frf::FrfSet set = frf::load(*frf::open_hdf5(result.result.path)), all = frf::load(*frf::open_hdf5(result.with_all->path));
+  ASSERT_EQ(frfs.size(), 8u);
+  for (std::size_t e = 0; e < frfs.size(); ++e) {
+    const std::size_t r = frf::find_coordinate(set.header.response, frfs[e].response), c = frf::find_coordinate(set.header.reference, frfs[e].reference);
+    EXPECT_EQ(r == c, e < set.header.response.size()) << "point FRFs come first";
+    for (const std::size_t line : {std::size_t{0}, std::size_t{64}, set.header.lines() - 1}) {
+      EXPECT_EQ(frfs[e].value[line], set.values[set.index(line, r, c)]);
+      EXPECT_EQ(frfs[e].variance[line], set.variance[set.index(line, r, c)]);
+      EXPECT_EQ(frfs[e].with_all[line], all.values[all.index(line, r, c)]);
+    }
+  }
+  EXPECT_EQ(read_predicted(result, 1000).size(), set.header.entries());
+}
+
+TEST_F(CoupleReport, SaysWhatIsLeftOutAndWhy) {
+  const std::string page = couple_report(scene_, couple(true));
+  EXPECT_THAT(page, HasSubstr("3 of 5"));
+  EXPECT_THAT(page, HasSubstr("2 of 5 conditions are left out: the alphas have a gap"));
+  EXPECT_THAT(page, HasSubstr("with all conditions"));
+  scene_.find_dependent = false;
+  const std::string plain = couple_report(scene_, couple(false));
+  EXPECT_THAT(plain, Not(HasSubstr("with all conditions")));
+  EXPECT_THAT(plain, Not(HasSubstr("left out")));
+}
+
+TEST_F(CoupleReport, TheThresholdPartsTheSingularValuesOfEveryLine) {
+  scene_.find_dependent = false;
+  scene_.options.method = coupling::Method::grc;
+  for (const auto threshold : {coupling::Threshold::fixed, coupling::Threshold::picard}) {
+    scene_.options.threshold = threshold;
+    const ident::CoupleResult result = couple(false);
+    const PlotGroup group = condition_plots(result, 10000);
+    const auto& series = curves(group, 0, 1).series;
+    const auto& kept = curves(group, 0, 2).series[0].y;
+    ASSERT_EQ(series.size(), 6u);
+    for (std::size_t line = 0; line < kept.size(); ++line) {
+      const double level = std::isnan(series[5].y[line]) ? 0.0 : series[5].y[line];
+      const bool drops = kept[line] < 5.0;
+      const double judged = series[drops ? static_cast<std::size_t>(kept[line]) : 4].y[line];
+      ASSERT_EQ(drops, judged <= level) << coupling::name(threshold) << " line " << line;
+    }
+  }
+}
+
+TEST(CouplePlots, AlphasThatAreNotThereAreLeftOut) {
+  EXPECT_THAT(alpha_plots({1.0}, {coupling::LineRecord{}}, {"a"}, {}, 10).choices, IsEmpty());
+  const PlotGroup group = alpha_plots({1.0, 2.0}, {coupling::LineRecord{.alpha = {0.5}}, coupling::LineRecord{.alpha = {std::nan("")}}}, {"a"}, 0.3, 10);
+  EXPECT_THAT(curves(group, 0, 0).series[0].y, ElementsAre(0.5, testing::IsNan()));
+  EXPECT_EQ(curves(group, 0, 0).level, 0.3);
+}
+
+}  // namespace
+}  // namespace jointid::cli::report
