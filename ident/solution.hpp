@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ident/admissibility.hpp"
 #include "ident/identifiability.hpp"
 #include "ident/scene.hpp"
 
@@ -33,6 +34,7 @@ struct Estimate {
   bool determined = true;           ///< false: the data do not fix it, see Solution::message
   std::optional<double> std_error;  ///< empty where the method has no honest one
   std::optional<std::array<double, 2>> ci95;
+  std::string limit{};  ///< the constraint that holds it: "tied", "at its lower bound", "K is singular"; empty: none
 };
 
 using Matrices = std::map<restrictions::Kind, Matrix>;
@@ -100,6 +102,7 @@ struct Solution {
   std::vector<BandMatrices> bands;  ///< at least one
   Fit fit;
   IntervalKind intervals = IntervalKind::none;
+  std::optional<Admissibility> admissibility;      ///< where the scene has constraints
   std::optional<Identifiability> identifiability;  ///< of methods that know the covariance of their estimates
   std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth
   RunTime runtime_s;

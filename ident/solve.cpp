@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "ident/admissible/admissible_linear.hpp"
+#include "ident/admissible/outcome.hpp"
 #include "ident/likelihood/likelihood.hpp"
 #include "ident/prediction.hpp"
 #include "ident/quality.hpp"
@@ -140,13 +142,20 @@ std::optional<double> assembly_error(Plan& plan, const Solution& solution, const
   return std::sqrt(error.sum_of_squares / static_cast<double>(error.entries));
 }
 
-void identify(Plan& plan, Accumulator& accumulator, const Control& control, Solution& out) {
+void identify(Plan& plan, Accumulator& accumulator, std::size_t rows, const Control& control, Solution& out) {
   LinearSolution linear;
+  bool settled = true;
   {
     const Stopwatch watch(out.runtime_s.solve);
     linear = solve(plan, accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
+    if (plan.admissible) out.admissibility = constrain(plan, accumulator, rows, linear, settled);
   }
   interpret(plan, linear, out);
+  if (plan.admissible) tell_outcome(plan, out);
+  if (!settled) {
+    out.status = Status::not_converged;
+    out.message += "The constrained least-squares problem did not settle.";
+  }
   if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 
@@ -173,7 +182,7 @@ Solution solve(Plan& plan, const Control& control) {
   out.fit.lines = system.lines;
   out.used.accumulator_bytes = system.accumulator.bytes();
   if (system.equations.used > 0) {
-    identify(plan, system.accumulator, control, out);
+    identify(plan, system.accumulator, system.equations.rows, control, out);
   } else {
     out.status = Status::no_equations;
     out.message = without_equations(plan);

@@ -67,6 +67,9 @@ std::unique_ptr<Plan> plan_start(const Plan& plan) {
   scene.identify.solver = "auto";
   scene.identify.start.clear();
   scene.identify.priors.clear();
+  scene.identify.bounds.clear();
+  scene.identify.ties.clear();
+  for (restrictions::JointSpec& joint : scene.joints) joint.definite.clear();
   scene.identify.bootstrap = 0;
   scene.couple_first = {};  // done already
   const std::vector<Equation> equations = scene.identify.equations;

@@ -1,0 +1,51 @@
+#include "ident/admissible/admissible_fit.hpp"
+
+#include <algorithm>
+
+#include "ident/admissible/semidefinite_least_squares.hpp"
+#include "ident/admissible/tied_least_squares.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::VectorXd;
+
+bool inside(const std::vector<SymmetricBlock>& blocks, const VectorXd& theta) {
+  return std::ranges::all_of(blocks, [&](const SymmetricBlock& block) {
+    const VectorXd scale = balance(block, theta);
+    return least_eigenvalue(scale.asDiagonal() * block.at(theta) * scale.asDiagonal()) >= 0.0;
+  });
+}
+
+}  // namespace
+
+AdmissibleFit nearest_admissible(const AdmissibleSet& set, const VectorXd& theta, const Eigen::MatrixXd& root, double unit) {
+  const TiedLeastSquares tied = tied_least_squares(root, theta, set.offset, set.directions);
+  AdmissibleFit out;
+  out.theta = tied.theta;
+  out.null_space = tied.null_space;
+  out.condition = tied.condition;
+  out.tie_cost = (root * (tied.theta - theta)).squaredNorm();
+  out.shares.assign(set.inequalities.size(), 0.0);
+  out.at_limit.assign(set.inequalities.size(), 0);
+  out.forces.resize(set.inequalities.size());
+  std::vector<SymmetricBlock> blocks;
+  for (const Inequality& inequality : set.inequalities) blocks.push_back(inequality.block);
+  if (!inside(blocks, tied.theta)) {
+    const SemidefiniteFit fit = solve_semidefinite(blocks, tied.theta, unit * tied.basis);
+    const VectorXd moved = unit * (tied.basis * fit.x);
+    out.theta += moved;
+    out.iterations = fit.iterations;
+    out.converged = fit.converged;
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      VectorXd& force = out.forces[k] = VectorXd::Zero(theta.size());
+      blocks[k].add_adjoint(unit * unit * fit.multiplier[k], force);
+      out.shares[k] = force.dot(moved);
+      out.at_limit[k] = fit.at_limit[k];
+    }
+  }
+  out.cost = (root * (out.theta - theta)).squaredNorm();
+  return out;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ident/linear_solution.hpp"
+#include "ident/plan.hpp"
+#include "ident/solution.hpp"
+
+namespace jointid::ident {
+
+/// Moves a least-squares solution to the nearest joint that meets the plan's constraints, in the metric of its own normal
+/// equations: the constrained least-squares solution, exactly. `rows` is the number of compressed real rows. With ties,
+/// rank and free directions become those of the unknowns that the ties leave.
+Admissibility constrain(const Plan& plan, const Accumulator& accumulator, std::size_t rows, LinearSolution& linear, bool& converged);
+
+}  // namespace jointid::ident
