@@ -17,6 +17,14 @@ bool inside(const std::vector<SymmetricBlock>& blocks, const VectorXd& theta) {
   });
 }
 
+/// Away from the limits by what rounding may have crossed them: a matrix that vanishes has no largest eigenvalue to compare with.
+VectorXd pushed_inside(const AdmissibleSet& set, const VectorXd& theta, const VectorXd& estimate) {
+  constexpr double length = 1e-13;
+  const bool cone = set.ties.empty() && std::ranges::all_of(set.inequalities, [](const auto& each) { return each.block.constant.isZero(0.0); });
+  const double size = cone ? estimate.cwiseAbs().maxCoeff() / set.inside.cwiseAbs().maxCoeff() : 1.0;
+  return theta + length * (size * set.inside - theta);
+}
+
 }  // namespace
 
 AdmissibleFit nearest_admissible(const AdmissibleSet& set, const VectorXd& theta, const Eigen::MatrixXd& root, double unit) {
@@ -34,7 +42,7 @@ AdmissibleFit nearest_admissible(const AdmissibleSet& set, const VectorXd& theta
   if (!inside(blocks, tied.theta)) {
     const SemidefiniteFit fit = solve_semidefinite(blocks, tied.theta, unit * tied.basis);
     const VectorXd moved = unit * (tied.basis * fit.x);
-    out.theta += moved;
+    out.theta = pushed_inside(set, tied.theta + moved, theta);
     out.iterations = fit.iterations;
     out.converged = fit.converged;
     for (std::size_t k = 0; k < blocks.size(); ++k) {

@@ -20,6 +20,7 @@ struct Inequality {
 /// The joints that a scene takes for possible: a convex set of the scaled unknowns θ = offset + directions·w with S_k(θ) ⪰ 0.
 struct AdmissibleSet {
   std::vector<Inequality> inequalities;
+  Eigen::VectorXd inside;                    ///< some θ with all S_k ≻ 0; empty without inequalities
   std::vector<std::string> ties;             ///< as the scene has them
   std::vector<Eigen::Index> tied;            ///< columns in ties
   Eigen::VectorXd offset;                    ///< of the ties; empty without them

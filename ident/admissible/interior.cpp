@@ -42,12 +42,7 @@ VectorXd units_of(const std::vector<SymmetricBlock>& blocks, Index unknowns) {
 
 }  // namespace
 
-bool has_room(const std::vector<SymmetricBlock>& blocks, const AdmissibleSet& set) {
-  if (blocks.empty()) return true;
-  Index unknowns = std::max<Index>(1, set.offset.size());
-  for (const SymmetricBlock& block : blocks) {
-    if (!block.unknowns.empty()) unknowns = std::max(unknowns, block.unknowns.back() + 1);
-  }
+std::optional<VectorXd> interior_point(const std::vector<SymmetricBlock>& blocks, const AdmissibleSet& set, Index unknowns) {
   const bool tied = set.directions.size() > 0;
   const VectorXd unit = units_of(blocks, unknowns);
   const VectorXd inverse = unit.cwiseInverse();
@@ -76,7 +71,10 @@ bool has_room(const std::vector<SymmetricBlock>& blocks, const AdmissibleSet& se
     raised.push_back(std::move(own));
   }
   const SemidefiniteFit fit = solve_semidefinite(raised, origin, basis);
-  return origin[unknowns] + fit.x[directions.cols()] > room;
+  const VectorXd found = origin + basis * fit.x;
+  const bool inside = std::ranges::all_of(raised, [&](const SymmetricBlock& block) { return least_eigenvalue(block.at(found)) > -0.5 * room; });
+  if (!inside || !(found[unknowns] > room)) return std::nullopt;
+  return unit.asDiagonal() * found.head(unknowns);
 }
 
 }  // namespace jointid::ident

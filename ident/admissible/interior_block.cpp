@@ -1,5 +1,6 @@
 #include "ident/admissible/interior_block.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,17 @@ constexpr double drift = 1e-9;  ///< of S(x) − S that steps leave when the sta
 
 MatrixXd symmetric(const MatrixXd& m) { return 0.5 * (m + m.transpose()); }
 
-double room_of(const Eigen::LLT<MatrixXd>& root, const MatrixXd& step) {
-  const MatrixXd half = root.matrixL().solve(step);
-  const double least = least_eigenvalue(symmetric(root.matrixL().solve(MatrixXd(half.transpose()))));
+/// The lower Cholesky factor; false when the matrix is not positive definite.
+bool factored(const MatrixXd& matrix, MatrixXd& root) {
+  const Eigen::LLT<MatrixXd> cholesky(matrix);
+  root = cholesky.matrixL();
+  return cholesky.info() == Eigen::Success;
+}
+
+double room_of(const MatrixXd& root, const MatrixXd& step) {
+  const auto lower = root.triangularView<Eigen::Lower>();
+  const MatrixXd half = lower.solve(step);
+  const double least = least_eigenvalue(symmetric(lower.solve(MatrixXd(half.transpose()))));
   return least >= -0.95 ? 1.0 / 0.95 : -1.0 / least;
 }
 
@@ -31,7 +40,7 @@ InteriorBlock::InteriorBlock(const SymmetricBlock& block, const VectorXd& origin
   std::iota(of_.unknowns.begin(), of_.unknowns.end(), Index{0});
   violation_ = std::max(0.0, -least_eigenvalue(at_origin_));
   for (Index j = 0; j < basis.cols(); ++j) sensitivity_ = std::max(sensitivity_, along(VectorXd::Unit(basis.cols(), j)).norm());
-  if (at_origin_.norm() > 0.0) sensitivity_ = std::min(sensitivity_, at_origin_.norm());
+  sensitivity_ = std::min(sensitivity_, std::max(1.0, at_origin_.norm()));
 }
 
 MatrixXd InteriorBlock::along(const VectorXd& x) const { return of_.linear_part(basis_ * x); }
@@ -52,15 +61,13 @@ void InteriorBlock::begin(double mu) {
 
 bool InteriorBlock::factor(const VectorXd& x) {
   missing_ = at_origin_ + along(x) - s_;
-  s_root_.compute(s_ + missing_);
-  if (missing() <= drift && s_root_.info() == Eigen::Success) {
+  if (missing() <= drift && factored(s_ + missing_, s_root_)) {
     s_ += missing_;  // what many steps have rounded
     missing_.setZero();
   }
-  s_root_.compute(s_);
-  lambda_root_.compute(lambda_);
-  if (s_root_.info() != Eigen::Success || lambda_root_.info() != Eigen::Success) return false;
-  s_inverse_ = symmetric(s_root_.solve(MatrixXd::Identity(size(), size())));
+  if (!factored(s_, s_root_) || !factored(lambda_, lambda_root_)) return false;
+  const MatrixXd half = s_root_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(size(), size()));
+  s_inverse_ = half.transpose() * half;
   return s_inverse_.allFinite();
 }
 

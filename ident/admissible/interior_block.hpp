@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Cholesky>
-
 #include "ident/admissible/symmetric_block.hpp"
 
 namespace jointid::ident {
@@ -54,8 +52,8 @@ class InteriorBlock {
   SymmetricBlock of_;      ///< its unknowns are the rows of basis_
   Eigen::MatrixXd basis_, at_origin_;
   double violation_ = 0.0, sensitivity_ = 0.0;
-  Eigen::MatrixXd s_, lambda_, s_inverse_, missing_, ds_, d_lambda_, second_;
-  Eigen::LLT<Eigen::MatrixXd> s_root_, lambda_root_;
+  Eigen::MatrixXd s_, lambda_, s_inverse_, missing_, ds_, d_lambda_;
+  Eigen::MatrixXd s_root_, lambda_root_;  ///< lower Cholesky factors
 };
 
 }  // namespace jointid::ident

@@ -111,16 +111,20 @@ void add_ties(const Plan& plan, const std::vector<std::string>& names, Admissibl
 }
 
 /// All inequalities together must leave room; if they do not, perhaps one alone does not.
-void require_room(const Scene& scene, const AdmissibleSet& set) {
+void require_room(const Scene& scene, Index unknowns, AdmissibleSet& set) {
   std::vector<SymmetricBlock> all;
   std::string texts;
   for (const Inequality& inequality : set.inequalities) {
     all.push_back(inequality.block);
     texts += (texts.empty() ? "" : ", ") + inequality.text;
   }
-  if (has_room(all, set)) return;
+  if (all.empty()) return;
+  if (auto inside = interior_point(all, set, unknowns)) {
+    set.inside = std::move(*inside);
+    return;
+  }
   for (const Inequality& inequality : set.inequalities) {
-    if (has_room({inequality.block}, set)) continue;
+    if (interior_point({inequality.block}, set, unknowns)) continue;
     fail(scene, inequality.place, "no joint" + std::string(set.ties.empty() ? "" : " that meets the ties") + " has " + inequality.text +
                                       " with room to spare: the pattern or its known elements forbid it or force it to its edge",
          "remove it, or change the pattern (a zero on the diagonal forces its row to zero)");
@@ -157,7 +161,7 @@ std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
   const std::vector<std::string> names = names_of(plan);
   add_bounds(plan, names, *set);
   add_ties(plan, names, *set);
-  require_room(plan.scene, *set);
+  require_room(plan.scene, static_cast<Index>(names.size()), *set);
   std::erase_if(set->inequalities, [](const Inequality& inequality) { return inequality.block.unknowns.empty(); });  // known to hold
   return set;
 }

@@ -1,5 +1,6 @@
 #include "ident/admissible/semidefinite_least_squares.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #include "ident/admissible/symmetric_block.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "ident/column_scaling.hpp"
@@ -30,14 +31,18 @@ SymmetricBlock scaled(SymmetricBlock block, const Eigen::VectorXd& scale) {
 }
 
 Eigen::VectorXd balance(const SymmetricBlock& block, const Eigen::VectorXd& theta) {
+  constexpr double cancelled = 1e-6;  // what is left of larger terms by chance is no size
   Eigen::VectorXd largest = block.at(theta).diagonal().cwiseAbs();
-  Eigen::VectorXd coefficient = Eigen::VectorXd::Zero(block.size());
-  for (const auto& entries : block.coefficients) {
-    for (const auto& [row, column, value] : entries) {
-      if (row == column) coefficient[row] = std::max(coefficient[row], std::abs(value));
+  Eigen::VectorXd terms = block.constant.diagonal().cwiseAbs(), coefficient = Eigen::VectorXd::Zero(block.size());
+  for (std::size_t u = 0; u < block.unknowns.size(); ++u) {
+    for (const auto& [row, column, value] : block.coefficients[u]) {
+      if (row != column) continue;
+      coefficient[row] = std::max(coefficient[row], std::abs(value));
+      terms[row] += std::abs(theta[block.unknowns[u]] * value);
     }
   }
   for (Eigen::Index i = 0; i < largest.size(); ++i) {
+    largest[i] = std::max(largest[i], cancelled * terms[i]);
     largest[i] = power_of_two_scale(std::sqrt(largest[i] > 0.0 ? largest[i] : coefficient[i]));
   }
   return largest;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 
 #include "joint_eigenvalues.hpp"
 #include "likelihood_accuracy.hpp"
@@ -12,7 +13,7 @@ using restrictions::Kind;
 
 constexpr std::size_t seeds = 200;
 
-struct Run {
+struct Setting {
   const char* problem;
   Method method;
 };
@@ -44,10 +45,10 @@ std::size_t settled(const std::vector<Trial>& trials) {
   return static_cast<std::size_t>(std::ranges::count(trials, Status::ok, &Trial::status));
 }
 
-class AdmissibleAccuracy : public ::testing::TestWithParam<Run> {};
+class AdmissibleAccuracy : public ::testing::TestWithParam<Setting> {};
 
 TEST_P(AdmissibleAccuracy, ConstraintsDoNotMakeErrorsLarger) {
-  const Run way = GetParam();
+  const Setting way = GetParam();
   LikelihoodCase run(way.problem);
   run.at(0.05);
   run.scene.identify.method = way.method;
@@ -82,9 +83,34 @@ TEST_P(AdmissibleAccuracy, ConstraintsDoNotMakeErrorsLarger) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, AdmissibleAccuracy,
-                         ::testing::Values(Run{"A1", Method::one}, Run{"C1", Method::one}, Run{"D1", Method::one},
-                                           Run{"A1", Method::likelihood}, Run{"C1", Method::likelihood},
-                                           Run{"D1", Method::likelihood}));
+                         ::testing::Values(Setting{"A1", Method::one}, Setting{"C1", Method::one}, Setting{"D1", Method::one},
+                                           Setting{"A1", Method::likelihood}, Setting{"C1", Method::likelihood},
+                                           Setting{"D1", Method::likelihood}));
+
+/// As case B5 of Table 7.4: joint B from FRFs regenerated from modal data, without the ends of the range.
+TEST(AdmissibleRegenerated, CaseB5TellsTheConstraintAndItsCost) {
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "jointid_admissible_b5";
+  Scene scene = read_scene(problems::write(problems::make("rig1"), folder, {}));
+  scene.data.regenerate = {.substructures = true, .assembly = true};
+  scene.frequency.range_hz = Range{116.0, 1676.0};
+  const Solution free = solve(*make_plan(scene));
+  scene.joints[0].definite = {Kind::stiffness, Kind::hysteretic_damping};
+  const Solution found = solve(*make_plan(scene));
+  std::filesystem::remove_all(folder);
+  ASSERT_EQ(found.status, Status::ok);
+  std::printf("least over largest eigenvalue %.3g without, %.3g with; cost %.4g by %zu equations\n", least_relative_eigenvalue(free),
+              least_relative_eigenvalue(found), found.admissibility->chi_square, found.admissibility->equations);
+  for (const ConstraintOutcome& each : found.admissibility->constraints) {
+    std::printf("  %s: %zu of %zu at the limit, cost %.4g\n", each.text.c_str(), each.at_limit, each.size, each.chi_square);
+  }
+  for (const auto& [kind, figures] : found.quality) {
+    std::printf("  %s: rms relative error %.4g without, %.4g with\n", restrictions::symbol(kind).c_str(),
+                free.quality.at(kind).rms_relative_error, figures.rms_relative_error);
+  }
+  EXPECT_GE(least_relative_eigenvalue(found), -1e-10);
+  EXPECT_GE(found.admissibility->chi_square, 0.0);
+  EXPECT_EQ(found.admissibility->equations > 0, least_relative_eigenvalue(free) < 0.0);
+}
 
 }  // namespace
 }  // namespace jointid::ident

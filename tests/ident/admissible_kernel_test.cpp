@@ -52,7 +52,7 @@ struct Sample {
     const MatrixXd error = 0.2 * draw(n, n);
     matrix = half * half.transpose() + error + error.transpose();
     theta = upper(matrix);
-    root = MatrixXd::Identity(theta.size(), theta.size()) + 0.5 * draw(theta.size(), theta.size());
+    root = MatrixXd::Identity(theta.size(), theta.size()) + 0.5 / std::sqrt(double(theta.size())) * draw(theta.size(), theta.size());
   }
 
   MatrixXd draw(Index rows, Index columns) {
@@ -77,8 +77,8 @@ RC_GTEST_PROP(SemidefiniteLeastSquares, MeetsTheConditionsOfKarushKuhnAndTucker,
   block.add_adjoint(fit.multiplier[0], force);
   RC_ASSERT((basis.transpose() * force - fit.x).norm() < 1e-5 * std::max(1.0, fit.x.norm()));
   const MatrixXd value = block.at(sample.theta + basis * fit.x);
-  RC_ASSERT(least_eigenvalue(value) > -1e-12 * value.norm());
-  RC_ASSERT(least_eigenvalue(fit.multiplier[0]) >= 0.0);
+  RC_ASSERT(least_eigenvalue(value) > -1e-12 * sample.theta.norm());
+  RC_ASSERT(least_eigenvalue(fit.multiplier[0]) >= -1e-12 * fit.multiplier[0].norm());
   RC_ASSERT(value.cwiseProduct(fit.multiplier[0]).sum() < 1e-7 * std::max(1.0, fit.x.squaredNorm()));
 }
 
