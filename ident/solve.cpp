@@ -148,10 +148,10 @@ void identify(Plan& plan, Accumulator& accumulator, std::size_t rows, const Cont
   {
     const Stopwatch watch(out.runtime_s.solve);
     linear = solve(plan, accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
-    if (plan.admissible) out.admissibility = constrain(plan, accumulator, rows, linear, settled);
+    if (plan.admissible && linear.rank > 0) out.admissibility = constrain(plan, accumulator, rows, linear, settled);
   }
   interpret(plan, linear, out);
-  if (plan.admissible) tell_outcome(plan, out);
+  if (out.admissibility) tell_outcome(plan, out);
   if (!settled) {
     out.status = Status::not_converged;
     out.message += "The constrained least-squares problem did not settle.";

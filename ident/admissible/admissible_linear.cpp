@@ -30,7 +30,7 @@ Admissibility constrain(const Plan& plan, const Accumulator& accumulator, std::s
   const Eigen::MatrixXd root = system.leftCols(n);
   const VectorXd theta = Eigen::Map<const VectorXd>(linear.y.data(), n);
   const double residual = (root * theta - system.col(n)).norm();
-  const bool measurable = rows > linear.y.size() && residual > 0.0;
+  const bool measurable = rows > linear.y.size();
   const double deviation = measurable ? residual / std::sqrt(static_cast<double>(rows - linear.y.size())) : 0.0;
   const double unit = std::max(deviation, 1e-11 * system.col(n).norm());  // exact data: as far as arithmetic goes
   const AdmissibleFit fit = nearest_admissible(*plan.admissible, theta, root, unit);
@@ -38,7 +38,7 @@ Admissibility constrain(const Plan& plan, const Accumulator& accumulator, std::s
   linear.y.assign(fit.theta.begin(), fit.theta.end());
   linear.residual_norm = (root * fit.theta - system.col(n)).norm();
   if (!plan.admissible->ties.empty()) tell_rank(fit, linear);
-  return outcome_of(*plan.admissible, fit, measurable ? deviation : std::numeric_limits<double>::quiet_NaN());
+  return outcome_of(*plan.admissible, fit, measurable ? unit : std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace jointid::ident
