@@ -9,6 +9,7 @@
 #include "cli/dof_list.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
+#include "ident/admissible/constraint_phrases.hpp"
 #include "ident/likelihood/variance_sources.hpp"
 
 namespace jointid::cli {
@@ -91,7 +92,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"lines", lines_text(plan.lines)});
   table.add({"unknowns", unknowns_text(plan)});
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
-  return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() + cost_text(plan.cost) +
+  return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() + phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
          variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("notes", plan.notes);
 }
 
@@ -113,6 +114,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundR
   for (const auto& unknown : plan.restriction.unknowns) {
     json["unknowns"].push_back({{"name", unknown.name}, {"unit", unknown.unit}});
   }
+  json["constraints"] = ident::constraint_phrases(plan);
   json["predicts_assembly"] = !plan.predicted_responses.empty();
   json["cost"] = cost_json(plan.cost);
   json["variances"] = variances_json(ident::variance_sources(plan));

@@ -18,14 +18,27 @@ Json value(const std::optional<std::array<double, 2>>& pair) {
   return pair ? Json::array({value((*pair)[0]), value((*pair)[1])}) : Json(nullptr);
 }
 
-Json unknown(const ident::Estimate& estimate) {
-  return {{"name", estimate.name},
+Json unknown(const ident::Estimate& estimate, bool constrained) {
+  Json json = {{"name", estimate.name},
           {"value", value(estimate.value)},
           {"unit", estimate.unit},
           {"std_error", value(estimate.std_error)},
           {"ci95", value(estimate.ci95)},
           {"rounding", value(estimate.rounding)},
           {"determined", estimate.determined}};
+  if (constrained) json["limit"] = estimate.limit.empty() ? Json(nullptr) : Json(estimate.limit);
+  return json;
+}
+
+Json admissibility(const ident::Admissibility& found) {
+  Json json = {{"chi_square", value(found.chi_square)},
+               {"scale", found.from_variances ? "variances" : "residuals"},
+               {"equations", found.equations},
+               {"constraints", Json::array()}};
+  for (const auto& [text, size, at_limit, chi_square] : found.constraints) {
+    json["constraints"].push_back({{"constraint", text}, {"size", size}, {"at_limit", at_limit}, {"chi_square", value(chi_square)}});
+  }
+  return json;
 }
 
 Json matrix(const ident::Matrix& rows) {
@@ -116,13 +129,14 @@ std::string solution_json(const ident::Solution& solution) {
   const bool several = solution.bands.size() > 1;
   Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}};
   json["unknowns"] = Json::array();
-  for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate));
+  for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate, solution.admissibility.has_value()));
   json["matrices"] = solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
   if (several) json["bands"] = bands(solution.bands);
   json["dofs"] = Json::array();
   for (const auto& dof : solution.dofs) json["dofs"].push_back(dof.name());
   json["fit"] = fit(solution.fit);
   if (solution.search) json["search"] = minima(*solution.search);
+  if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
   if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);
   const auto& time = solution.runtime_s;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/admissibility_text.hpp"
 #include "cli/identifiability_text.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
@@ -63,7 +64,7 @@ std::string unknowns_text(const ident::Solution& solution) {
   for (const auto& estimate : solution.unknowns) {
     std::vector<std::string> cells = {estimate.name, number(estimate.value), estimate.unit};
     if (errors) cells.insert(cells.end(), {number_or_dash(estimate.std_error), interval(estimate)});
-    cells.push_back(estimate.determined ? "" : "not determined by the data");
+    cells.push_back(estimate.determined ? estimate.limit : "not determined by the data");
     table.add(std::move(cells));
   }
   return "\nunknowns\n" + table.text();
@@ -139,7 +140,7 @@ std::string time_text(const ident::RunTime& time) {
 }  // namespace
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
-  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + identifiability_text(solution) +
+  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + constraints_text(solution) + identifiability_text(solution) +
          fit_text(solution.fit) + search_text(solution) + variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 

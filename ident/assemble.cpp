@@ -58,6 +58,7 @@ class Assembler final : public ChunkWorker {
     chunk_.clear();
     total_.equations.used += assembler_.count().used;
     total_.equations.dropped += assembler_.count().dropped + unusable_ * plan_.cost.equations_per_line;
+    total_.equations.rows += assembler_.count().rows;
     total_.lines += assembler_.lines_used();
     total_.rounding.merge(assembler_.rounding());
   }

@@ -1,5 +1,6 @@
 #include "ident/convergence.hpp"
 
+#include "ident/admissible/admissible_linear.hpp"
 #include "ident/chunk_pipeline.hpp"
 
 namespace jointid::ident {
@@ -44,7 +45,9 @@ class Follower final : public ChunkWorker {
   void judge(std::size_t i) {
     accumulator_.flush();
     if (accumulator_.triangles().empty()) return;
-    const LinearSolution linear = solve(plan_, accumulator_, Condition::skip);
+    LinearSolution linear = solve(plan_, accumulator_, Condition::skip);
+    bool settled = true;
+    if (plan_.admissible) constrain(plan_, accumulator_, assembler_.count().rows, linear, settled);
     if (linear.rank < plan_.columns->size()) return;
     Solution solution;
     interpret(plan_, linear, solution);

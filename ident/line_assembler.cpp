@@ -201,6 +201,7 @@ LineAssembler::Rows LineAssembler::append(const Group& group, std::size_t equati
     group_columns_.push_back(line_columns_[unknown]);
   }
   const RowExpander& expander = expanders_[group.support];
+  count_.rows += 2 * equations;
   if (is_complex(group, accumulator)) {
     ComplexTriangle& triangle =
         accumulator.complex_triangle(group_columns_, expander.pair()->stiffness, expander.pair()->damping);

@@ -36,6 +36,7 @@ void make_expanders(AssemblySpec& spec);
 struct EquationCount {
   std::size_t used = 0;
   std::size_t dropped = 0;
+  std::size_t rows = 0;  ///< real rows written, after compression
 };
 
 /// Turns the equations of one line after the other into weighted, compressed real rows of an accumulator:

@@ -10,6 +10,7 @@
 
 #include "ident/column_scaling.hpp"
 #include "ident/null_space.hpp"
+#include "ident/reduced_system.hpp"
 #include "ident/rounding.hpp"
 
 namespace jointid::ident {
@@ -23,32 +24,6 @@ using Eigen::VectorXd;
 constexpr Index svd_limit = 300;
 
 Index index(std::size_t i) { return static_cast<Index>(i); }
-
-MatrixXd dense(const Triangle& triangle) {
-  const std::size_t n = triangle.unknowns();
-  MatrixXd system = MatrixXd::Zero(index(n + 1), index(n + 1));
-  for (std::size_t i = 0; i <= n; ++i) {
-    for (std::size_t j = i; j <= n; ++j) system(index(i), index(j)) = triangle(i, j);
-  }
-  return system;
-}
-
-/// The triangles reduced to one over all columns, as rows [R | Qᵀp], with the residual norm as last diagonal element.
-MatrixXd reduce(const Accumulator& accumulator) {
-  const std::size_t n = accumulator.columns();
-  const auto& triangles = accumulator.triangles();
-  if (triangles.size() == 1 && triangles.begin()->first.size() == n) return dense(triangles.begin()->second);
-  Triangle whole(n);
-  for (const auto& [columns, triangle] : triangles) {
-    for (std::size_t i = 0; i <= columns.size(); ++i) {
-      double* row = whole.append(1);
-      for (std::size_t j = i; j < columns.size(); ++j) row[columns[j]] = triangle(i, j);
-      row[n] = triangle(i, columns.size());
-    }
-  }
-  whole.flush();
-  return dense(whole);
-}
 
 void judge(const MatrixXd& triangle, LinearSolution& out) {
   const Index n = triangle.cols(), rank = index(out.rank);
@@ -79,7 +54,7 @@ VectorXd inverse_rows(const Matrix& r, const Permutation& permutation) {
 LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
   accumulator.flush();
   const Index n = index(accumulator.columns());
-  MatrixXd system = reduce(accumulator);
+  MatrixXd system = reduced_system(accumulator);
   const VectorXd scale = power_of_two_scales(system.leftCols(n));
   system.leftCols(n) *= scale.asDiagonal();
   const MatrixXd triangle = system.topLeftCorner(n, n);
@@ -120,15 +95,7 @@ LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
 LinearSolution solve_normal(Accumulator& accumulator, Condition condition) {
   accumulator.flush();
   const Index n = index(accumulator.columns());
-  MatrixXd product = MatrixXd::Zero(n + 1, n + 1);
-  for (const auto& [columns, triangle] : accumulator.triangles()) {
-    std::vector<std::size_t> place = columns;
-    place.push_back(accumulator.columns());
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      for (std::size_t j = i; j < place.size(); ++j) product(index(place[i]), index(place[j])) += triangle(i, j);
-    }
-  }
-  product = MatrixXd(product.selfadjointView<Eigen::Upper>());
+  const MatrixXd product = normal_product(accumulator);
   VectorXd scale(n);
   for (Index j = 0; j < n; ++j) scale[j] = power_of_two_scale(std::sqrt(product(j, j)));
   const MatrixXd scaled = scale.asDiagonal() * product.topLeftCorner(n, n) * scale.asDiagonal();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ident/admissible/admissible_set.hpp"
 #include "ident/coordinates.hpp"
 #include "ident/couple_first.hpp"
 #include "ident/data_source.hpp"
@@ -69,9 +70,8 @@ void require_method(const Scene& scene) {
   }
 }
 
-/// Joints with the node positions of the files where the scene gives none.
-std::vector<restrictions::JointSpec> with_node_positions(std::vector<restrictions::JointSpec> joints,
-                                                         const frf::FrfSystem& system) {
+/// Gives joints the node positions of the files where they have none.
+void add_node_positions(const frf::FrfSystem& system, std::vector<restrictions::JointSpec>& joints) {
   for (restrictions::JointSpec& joint : joints) {
     for (std::size_t s = 0; s < system.source_count(); ++s) {
       for (const frf::Node& node : system.source(s).header().nodes) {
@@ -79,13 +79,15 @@ std::vector<restrictions::JointSpec> with_node_positions(std::vector<restriction
       }
     }
   }
-  return joints;
 }
 
 /// What the joints make of the unknowns; an error in them names the scene.
-restrictions::Restriction build_restriction(const Scene& scene, const frf::FrfSystem& substructures) {
+restrictions::Restriction build_restriction(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
+  std::vector<restrictions::JointSpec> joints = scene.joints;
+  add_node_positions(substructures, joints);
+  add_node_positions(assembly, joints);
   try {
-    return restrictions::build(with_node_positions(scene.joints, substructures));
+    return restrictions::build(joints);
   } catch (const InputError& error) {
     fail(scene, error.parts().place, error.parts().problem, error.parts().remedy);
   }
@@ -239,7 +241,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   plan->scene = scene;
   plan->substructures = couple_first(plan->scene, std::move(substructures), plan->notes);
   plan->assembly = std::move(assembly);
-  plan->restriction = build_restriction(scene, *plan->substructures);
+  plan->restriction = build_restriction(scene, *plan->substructures, *plan->assembly);
   if (plan->restriction.unknowns.empty()) {
     fail(scene, "[joint]", "every element of the joint is known: nothing to identify", "name an unknown");
   }
@@ -250,6 +252,10 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   plan->columns = std::make_unique<UnknownColumns>(plan->restriction, scene.joints);
   const double highest = 2.0 * std::numbers::pi * plan->lines.back().frequency_hz;
   plan->assembly_spec.omega0 = highest == 0.0 ? 1.0 : highest;
+  plan->admissible = plan_admissible(*plan);
+  if (plan->admissible && method == Method::newton) {
+    fail(scene, "[identify] method", "method \"newton\" has no constraints", "use method \"likelihood\", or leave definite, bounds and ties out");
+  }
   if (method == Method::likelihood) {
     plan_likelihood(*plan);
   } else if (method == Method::newton) {

@@ -14,6 +14,7 @@
 
 namespace jointid::ident {
 
+struct AdmissibleSet;
 struct LikelihoodPlan;
 struct NewtonPlan;
 
@@ -41,6 +42,7 @@ struct Plan {
   std::unique_ptr<EquationBuilder> builder;    ///< of linear methods
   std::shared_ptr<LikelihoodPlan> likelihood;  ///< of that method
   std::shared_ptr<NewtonPlan> newton;          ///< of that method
+  std::shared_ptr<const AdmissibleSet> admissible;  ///< empty where the scene has no constraints
   std::size_t entries_per_line = 0;            ///< FRFs read
   AssemblySpec assembly_spec;
   std::string solver;                 ///< by name as in [identify] solver, never "auto"

@@ -90,6 +90,12 @@ struct Prior {
   double deviation = 1.0;  ///< standard deviation, SI, > 0
 };
 
+/// lower ≤ unknown ≤ upper, of which one may be infinite.
+struct Bound {
+  std::string unknown;  ///< its name as printed
+  double lower = 0.0, upper = 0.0;  ///< SI
+};
+
 struct IdentifySection {
   Method method = Method::one;
   std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
@@ -102,6 +108,8 @@ struct IdentifySection {
   std::map<restrictions::Kind, Matrix> start;
   std::size_t starts = 0;  ///< of iterative methods, all of which are followed; 0: the first that is good enough
   std::vector<Prior> priors;  ///< of method likelihood
+  std::vector<Bound> bounds;
+  std::vector<std::string> ties;  ///< linear equations between unknowns: "K(1,1) = K(2,2)"
   std::size_t bootstrap = 0;  ///< replicates of the parametric bootstrap of method likelihood; 0: none
   std::uint64_t bootstrap_seed = 1;
 };

@@ -101,7 +101,7 @@ std::map<Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size) {
 
 IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec>& joints) {
   const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "starts", "variance",
-                                       "smooth_variance", "priors", "bootstrap", "bootstrap_seed"});
+                                       "smooth_variance", "priors", "bounds", "ties", "bootstrap", "bootstrap_seed"});
   IdentifySection identify;
   if (const auto method = table.find("method")) identify.method = read_enum<Method>(*method, methods);
   if (const auto list = table.find("equations")) identify.equations = read_equations(*list);
@@ -113,6 +113,8 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   if (const auto start = table.find("start")) identify.start = read_start(*start, joints);
   if (const auto starts = table.find("starts")) identify.starts = read_starts(*starts);
   if (const auto priors = table.find("priors")) identify.priors = read_priors(*priors);
+  if (const auto bounds = table.find("bounds")) identify.bounds = read_bounds(*bounds);
+  if (const auto ties = table.find("ties")) identify.ties = read_ties(*ties);
   read_bootstrap(table, identify);
   return identify;
 }

@@ -69,7 +69,9 @@ JointSpec read_joint(const SceneItem& item, std::vector<std::string> keys, const
   }
   for (const restrictions::Kind kind : restrictions::all_kinds) {
     const auto matrix = table.find(restrictions::key(kind));
-    if (matrix) joint.matrices[kind] = read_matrix_spec(*matrix, kind, joint);
+    if (!matrix) continue;
+    joint.matrices[kind] = read_matrix_spec(*matrix, kind, joint);
+    if (read_definite(*matrix)) joint.definite.insert(kind);
   }
   if (joint.matrices.empty()) item.fail("the joint has no matrix", "give it one of " + one_of(kind_keys()));
   return joint;

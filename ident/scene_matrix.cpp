@@ -60,6 +60,18 @@ MatrixSpec read_form(const SceneItem& form, const std::string& key) {
   return read_springs(form);
 }
 
+/// The one key of the matrix that declares its form.
+std::pair<std::string, SceneItem> find_form(const SceneTable& table) {
+  std::optional<std::pair<std::string, SceneItem>> form;
+  for (const auto& member : table.members()) {
+    if (member.first == "definite") continue;
+    if (form) table.itself().fail("the matrix has more than one form", "give one of pattern, matrix or springs");
+    form = member;
+  }
+  if (!form) table.itself().fail("the matrix has no form", "give one of pattern, matrix or springs");
+  return *form;
+}
+
 bool lacks_positions(const MatrixSpec& spec, const JointSpec& joint) {
   const Pattern* pattern = std::get_if<Pattern>(&spec);
   return pattern != nullptr && *pattern == Pattern::free &&
@@ -70,18 +82,18 @@ bool lacks_positions(const MatrixSpec& spec, const JointSpec& joint) {
 }  // namespace
 
 MatrixSpec read_matrix_spec(const SceneItem& item, restrictions::Kind kind, const JointSpec& joint) {
-  const SceneTable table = item.table({"pattern", "matrix", "springs"});
-  if (table.members().size() != 1) {
-    item.fail(table.members().empty() ? "the matrix has no form" : "the matrix has more than one form",
-              "give one of pattern, matrix or springs");
-  }
-  const auto& [key, form] = table.members().front();
+  const auto [key, form] = find_form(item.table({"pattern", "matrix", "springs", "definite"}));
   MatrixSpec spec = read_form(form, key);
   if (lacks_positions(spec, joint)) return spec;
   JointSpec alone = joint;
   alone.matrices = {{kind, spec}};
   form.here([&] { return restrictions::build({alone}); });
   return spec;
+}
+
+bool read_definite(const SceneItem& item) {
+  const auto definite = item.open_table().find("definite");
+  return definite && definite->boolean();
 }
 
 }  // namespace jointid::ident

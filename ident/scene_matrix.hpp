@@ -9,4 +9,7 @@ namespace jointid::ident {
 restrictions::MatrixSpec read_matrix_spec(const SceneItem& item, restrictions::Kind kind,
                                           const restrictions::JointSpec& joint);
 
+/// Its key `definite`: whether it is required to be positive semidefinite.
+bool read_definite(const SceneItem& item);
+
 }  // namespace jointid::ident

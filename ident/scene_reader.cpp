@@ -81,6 +81,11 @@ double SceneItem::number() const {
   return number;
 }
 
+double SceneItem::number_or_infinity() const {
+  const auto* number = std::get_if<double>(&value_->content);
+  return number != nullptr && std::isinf(*number) ? *number : this->number();
+}
+
 double SceneItem::positive() const {
   const double value = number();
   if (!(value > 0.0)) fail("expected a number above 0, found " + number_text(value));

@@ -25,6 +25,7 @@ class SceneItem {
       : value_(&value), file_(&file), table_(std::move(table)), key_(std::move(key)) {}
 
   double number() const;         ///< integer or float, finite
+  double number_or_infinity() const;  ///< a number, inf or -inf
   double positive() const;       ///< a number > 0
   double not_negative() const;   ///< a number ≥ 0
   bool boolean() const;

@@ -26,6 +26,12 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<restricti
 /// [identify] priors: a table of [value, standard deviation]; the names are checked against the unknowns by the plan.
 std::vector<Prior> read_priors(const SceneItem& item);
 
+/// [identify] bounds: a table of [lowest, highest] or of the words "positive" and "negative".
+std::vector<Bound> read_bounds(const SceneItem& item);
+
+/// [identify] ties: a list of equations, whose names the plan reads.
+std::vector<std::string> read_ties(const SceneItem& item);
+
 /// The keys bootstrap and bootstrap_seed of [identify].
 void read_bootstrap(const SceneTable& table, IdentifySection& identify);
 

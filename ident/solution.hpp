@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ident/admissibility.hpp"
 #include "ident/identifiability.hpp"
 #include "ident/scene.hpp"
 
@@ -37,6 +38,7 @@ struct Estimate {
   /// First-order bound of what rounding does to the value, that of the FRFs and that of the arithmetic, in its unit; of linear
   /// methods with Detail::full.
   std::optional<double> rounding;
+  std::string limit{};  ///< the constraint that holds it: "tied", "at its lower bound", "K is singular"; empty: none
 };
 
 using Matrices = std::map<restrictions::Kind, Matrix>;
@@ -119,6 +121,7 @@ struct Solution {
   std::vector<BandMatrices> bands;  ///< at least one
   Fit fit;
   IntervalKind intervals = IntervalKind::none;
+  std::optional<Admissibility> admissibility;      ///< where the scene has constraints
   std::optional<Identifiability> identifiability;  ///< of methods that know the covariance of their estimates
   std::optional<MinimumSearch> search;  ///< where the scene asks for several starts
   std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth

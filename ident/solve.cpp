@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "ident/admissible/admissible_linear.hpp"
+#include "ident/admissible/outcome.hpp"
 #include "ident/likelihood/likelihood.hpp"
 #include "ident/newton/newton.hpp"
 #include "ident/prediction.hpp"
@@ -154,12 +156,22 @@ void warn_of_shared_errors(const Plan& plan, Solution& out) {
 
 void identify(Plan& plan, Assembled& system, const Control& control, Solution& out) {
   LinearSolution linear;
+  bool settled = true;
   {
     const Stopwatch watch(out.runtime_s.solve);
     linear = solve(plan, system.accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
+    if (plan.admissible && linear.rank > 0) out.admissibility = constrain(plan, system.accumulator, system.equations.rows, linear, settled);
   }
   interpret(plan, linear, out);
-  if (control.detail == Detail::full) judge_rounding(plan, linear, system.rounding, out);
+  if (out.admissibility) {
+    tell_outcome(plan, out);
+  } else if (control.detail == Detail::full) {
+    judge_rounding(plan, linear, system.rounding, out);
+  }
+  if (!settled) {
+    out.status = Status::not_converged;
+    out.message += "The constrained least-squares problem did not settle.";
+  }
   if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 

@@ -8,6 +8,7 @@ namespace jointid::ident {
 std::unique_ptr<Plan> plan_start(const Plan& plan, const std::vector<std::pair<Method, std::vector<Equation>>>& choices) {
   Scene scene = plan.scene;
   scene.identify = {};
+  for (restrictions::JointSpec& joint : scene.joints) joint.definite.clear();
   scene.couple_first = {};  // done already
   for (const auto& [method, equations] : choices) {
     scene.identify.method = method;

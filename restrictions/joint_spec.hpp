@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,6 +45,7 @@ struct JointSpec {
   std::string name;  ///< empty when the scene has one joint only; else the prefix of its unknowns
   std::vector<frf::Dof> dofs;
   std::map<Kind, MatrixSpec> matrices;
+  std::set<Kind> definite{};  ///< matrices that are required to be positive semidefinite
   /// Frequency bands [lo, hi) in Hz over which the unknowns of this joint are identified separately; empty: one for all.
   std::vector<std::array<double, 2>> bands_hz;
   std::map<std::int64_t, std::array<double, 3>> node_positions;  ///< m; used by Pattern::free only

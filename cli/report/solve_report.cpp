@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cli/admissibility_text.hpp"
 #include "cli/identifiability_text.hpp"
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
@@ -55,7 +56,7 @@ void add_unknowns(const ident::Solution& solution, ReportPage& page) {
   for (const ident::Estimate& estimate : solution.unknowns) {
     if (bars.bars.size() == most_bars) break;
     bars.bars.push_back({estimate.name, estimate.value, estimate.unit, estimate.ci95, std::nullopt,
-                         estimate.determined ? "" : "not determined by the data"});
+                         estimate.determined ? estimate.limit : "not determined by the data"});
   }
   page.section("Identified values");
   page.add(bars);
@@ -66,6 +67,13 @@ void add_unknowns(const ident::Solution& solution, ReportPage& page) {
   page.add(Text{intervals ? "Bars of one matrix and unit share a scale; the brackets are 95 % intervals."
                           : "Bars of one matrix and unit share a scale. This method states no intervals.",
                 true});
+}
+
+void add_constraints(const ident::Solution& solution, ReportPage& page) {
+  if (!solution.admissibility) return;
+  page.section("Constraints");
+  page.add(constraints_table(*solution.admissibility));
+  page.add(Text{constraints_sum(*solution.admissibility) + ".", true});
 }
 
 void add_identifiability(const ident::Solution& solution, ReportPage& page) {
@@ -160,6 +168,7 @@ std::string solve_report(ident::Plan& plan, const ident::Solution& solution, con
   ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);
   add_summary(solution, page);
   add_unknowns(solution, page);
+  add_constraints(solution, page);
   add_identifiability(solution, page);
   add_matrices(plan, solution, page);
   add_quality(plan, solution, control, page);

@@ -48,7 +48,9 @@ std::vector<Replicate> bootstrap(Plan& plan, const LikelihoodEstimator& fitted, 
     data.draw(exact, {identify.bootstrap_seed, b, 0});
     LikelihoodEstimator estimator(data, plan.restriction, *plan.columns, plan.assembly_spec.omega0, 1);
     estimator.set_priors(drawn(own.priors, fit.theta, {identify.bootstrap_seed, b, 1}));
-    replicates[b] = replicate_of(estimator.refine(fit.theta, watch));
+    LikelihoodFit refined = estimator.refine(fit.theta, watch);
+    if (plan.admissible) refined = estimator.constrain(std::move(refined), *plan.admissible, watch).fit;
+    replicates[b] = replicate_of(refined);
   };
   const int threads = control.threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(control.threads);
   oneapi::tbb::task_arena(threads).execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, replicates.size(), run_one); });

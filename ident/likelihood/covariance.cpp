@@ -29,6 +29,12 @@ Eigen::MatrixXd covariance_of(const Eigen::MatrixXd& information) {
   return vectors * scaled.eigen.eigenvalues().cwiseMax(least).cwiseInverse().asDiagonal() * vectors.transpose();
 }
 
+Eigen::MatrixXd root_of(const Eigen::MatrixXd& information) {
+  const Scaled scaled(information);
+  return scaled.eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * scaled.eigen.eigenvectors().transpose() *
+         scaled.scale.cwiseInverse().asDiagonal();
+}
+
 Eigen::MatrixXd null_space_of(const Eigen::MatrixXd& information) {
   const Scaled scaled(information);
   return scaled.scale.asDiagonal() * scaled.eigen.eigenvectors().leftCols(scaled.null_dimension);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/guess_y.hpp"
@@ -81,6 +82,20 @@ class StepLength {
   Eigen::VectorXd last_;
   double last_size_ = 0.0, last_scale_ = 1.0;
 };
+
+/// Shares a cost out: to the ties what they have of it in the quadratic model, the rest by how far each condition pulled the
+/// estimate the way it went.
+void share_out(const Eigen::VectorXd& free, double cost, double tie_share, AdmissibleFit& fit) {
+  std::vector<double> pulls;
+  double sum = 0.0;
+  for (const Eigen::VectorXd& force : fit.forces) {
+    pulls.push_back(force.size() > 0 ? force.dot(fit.theta - free) : 0.0);
+    sum += pulls.back();
+  }
+  fit.cost = cost;
+  fit.tie_cost = sum > 0.0 ? tie_share * cost : (tie_share > 0.0 ? cost : 0.0);
+  for (std::size_t k = 0; k < pulls.size(); ++k) fit.shares[k] = sum > 0.0 ? (cost - fit.tie_cost) * pulls[k] / sum : 0.0;
+}
 
 std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step, double scale) {
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] += scale * step[at(i)];
@@ -327,9 +342,19 @@ void LikelihoodEstimator::follow(const std::vector<Line>& before, const std::vec
   relax_all(theta);
 }
 
+/// The step to the minimum of the quadratic model, over the admissible joints where there are constraints.
+Eigen::VectorXd LikelihoodEstimator::joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information,
+                                                const Eigen::VectorXd& gradient) {
+  const Eigen::VectorXd step = determined_step(information, gradient);
+  if (admissible_ == nullptr) return step;
+  const Eigen::VectorXd from = Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()));
+  nearest_ = nearest_admissible(*admissible_, from + step, root_of(information), std::sqrt(tolerance_));
+  return nearest_.theta - from;
+}
+
 bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
   relax_all(fit.theta);
-  choose_tolerance();
+  if (admissible_ == nullptr) choose_tolerance();
   weigh();
   double loss = total(fit.theta);
   StepLength length;
@@ -340,10 +365,11 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     watch(++fit.iterations);
     linearise_all(fit.theta);
     sum(fit.theta, fit.information, gradient);
-    const Eigen::VectorXd step = determined_step(fit.information, gradient);
+    const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
     const double size = norm_of(step, fit.information) / std::sqrt(tolerance_);
     const std::vector<Line> before = lines_;
     double scale = length.next(step, fit.information);
+    if (admissible_ != nullptr) scale = std::min(scale, 1.0);
     for (int attempt = 0;; ++attempt, scale *= 0.25) {
       if (attempt == 8) {
         lines_ = before;
@@ -423,6 +449,34 @@ LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWa
   fit.converged = project(fit, 1e-2, watch);
   finish(fit);
   return fit;
+}
+
+ConstrainedFit LikelihoodEstimator::constrain(LikelihoodFit fit, const AdmissibleSet& set, const FitWatcher& watch) {
+  const auto vector = [](const std::vector<double>& theta) { return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()))); };
+  AdmissibleFit unmoved = nearest_admissible(set, vector(fit.theta), root_of(fit.information), std::sqrt(tolerance_));
+  if (unmoved.theta == vector(fit.theta)) return {std::move(fit), std::move(unmoved)};
+  const std::size_t before = std::exchange(fit.iterations, 0);
+  fit.converged = project(fit, settled, watch) && fit.converged;  // so that both minima are of the same weights
+  const double free_loss = total(fit.theta);
+  const Eigen::VectorXd free = vector(fit.theta);
+  admissible_ = &set;
+  nearest_ = nearest_admissible(set, free, root_of(fit.information), std::sqrt(tolerance_));
+  const bool moves = nearest_.theta != free;
+  const double tie_share = nearest_.cost > 0.0 ? nearest_.tie_cost / nearest_.cost : 0.0;
+  if (moves) {
+    fit.theta.assign(nearest_.theta.begin(), nearest_.theta.end());
+    fit.converged = project(fit, settled, watch) && nearest_.converged;
+  }
+  admissible_ = nullptr;
+  fit.iterations += before;
+  fit.line_cost.clear();
+  fit.line_weight.clear();
+  fit.bytes = 0;
+  finish(fit);
+  ConstrainedFit out{std::move(fit), std::move(nearest_)};
+  out.admissible.theta = vector(out.fit.theta);
+  share_out(free, moves ? std::max(0.0, out.fit.loss - free_loss) : 0.0, tie_share, out.admissible);
+  return out;
 }
 
 void LikelihoodEstimator::weigh_at_states(const std::vector<double>& theta) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "ident/admissible/admissible_fit.hpp"
 #include "ident/likelihood/likelihood_data.hpp"
 #include "ident/likelihood/line_model.hpp"
 #include "ident/likelihood/scaled_prior.hpp"
@@ -33,6 +34,12 @@ enum class Follow {
   until_it_fits,        ///< by χ²
   until_reached_twice,  ///< it fits, and two starts ended in the best: for data with several minima that χ² cannot tell from noise
   all
+};
+
+/// The estimate under the constraints of a scene, and what they cost.
+struct ConstrainedFit {
+  LikelihoodFit fit;
+  AdmissibleFit admissible;  ///< costs are those of Σ L; theta is that of the fit
 };
 
 /// The k-th start, or empty when there is no other.
@@ -69,6 +76,12 @@ class LikelihoodEstimator {
   /// joint, whitened by the covariance that the last joint gives them. Each step costs as much as one of the Gauss–Helmert
   /// iteration and no line can get stuck, but errors of the coefficients bias it: for small noise only as good as run().
   LikelihoodFit run_whitened(std::vector<double> start, const FitWatcher& watch);
+
+  /// From an estimate of run(), refine() or another solver on to the minimum of Σ L over the joints of `set`, with weights of lines
+  /// and variances as they are: Gauss–Newton steps, each to the minimum of the quadratic model under the constraints
+  /// (nearest_admissible() in the metric of the information), shortened until Σ L falls. All steps stay in the set, which is
+  /// convex. The estimate itself when it is in the set.
+  ConstrainedFit constrain(LikelihoodFit fit, const AdmissibleSet& set, const FitWatcher& watch);
 
   /// How far the lines are from fitting a joint, to rank starts by: Σ r log(1 + χ²/r) over the lines, r their redundancy, with χ²
   /// as linearised where the iteration would begin. A few lines near resonances do not decide it.
@@ -123,11 +136,14 @@ class LikelihoodEstimator {
   void weigh_at_states(const std::vector<double>& theta);
   bool fits(const LikelihoodFit& fit) const;
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
+  Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
 
   LikelihoodData& observations_;
   std::size_t unknowns_, threads_;
   std::vector<Line> lines_;
   std::vector<ScaledPrior> priors_;
+  const AdmissibleSet* admissible_ = nullptr;  ///< while a fit is constrained
+  AdmissibleFit nearest_;                      ///< of the last step under constraints
   double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
 };
 

@@ -8,6 +8,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <tuple>
 
+#include "ident/admissible/outcome.hpp"
 #include "ident/likelihood/bootstrap.hpp"
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/bundle.hpp"
@@ -95,7 +96,7 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
     }
   }
   // Brings the lines to this joint for what is said of them afterwards.
-  if (control.detail == Detail::full || plan.scene.identify.bootstrap > 0) estimator.information_at(fit.theta);
+  if (control.detail == Detail::full || plan.scene.identify.bootstrap > 0 || plan.admissible) estimator.information_at(fit.theta);
   return fit;
 }
 
@@ -136,11 +137,27 @@ MinimumSearch search_of(const Plan& plan, const LikelihoodFit& fit) {
   return search;
 }
 
+bool tied(const Plan& plan) { return plan.admissible && !plan.admissible->ties.empty(); }
+
+/// The information on the unknowns that the ties leave.
+Eigen::MatrixXd within_ties(const Plan& plan, const Eigen::MatrixXd& information) {
+  const Eigen::MatrixXd& directions = plan.admissible->directions;
+  return directions.transpose() * information * directions;
+}
+
+/// Of all unknowns. Inequalities are left out of it: they make errors smaller, and the distribution is no longer normal then.
+Eigen::MatrixXd covariance_under_ties(const Plan& plan, const Eigen::MatrixXd& information) {
+  if (!tied(plan)) return covariance_of(information);
+  const Eigen::MatrixXd& directions = plan.admissible->directions;
+  return directions * covariance_of(within_ties(plan, information)) * directions.transpose();
+}
+
 /// The estimates and what of them the information fixes.
-LinearSolution with_rank(const LikelihoodFit& fit) {
+LinearSolution with_rank(const Plan& plan, const LikelihoodFit& fit) {
   LinearSolution linear;
   linear.y = fit.theta;
-  const Eigen::MatrixXd free = null_space_of(fit.information);
+  const Eigen::MatrixXd free =
+      tied(plan) ? plan.admissible->directions * null_space_of(within_ties(plan, fit.information)) : null_space_of(fit.information);
   linear.rank = fit.theta.size() - static_cast<std::size_t>(free.cols());
   if (free.cols() > 0) tell_null_space(free, linear);
   return linear;
@@ -189,10 +206,16 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   read_observations(plan, control);
   out.runtime_s.read = seconds_since(start);
   LikelihoodEstimator estimator = make_estimator(plan, control);
-  const LikelihoodFit fit = fit_by_solver(plan, estimator, control);
+  LikelihoodFit fit = fit_by_solver(plan, estimator, control);
+  if (plan.admissible) {
+    auto [constrained, admissible] = estimator.constrain(std::move(fit), *plan.admissible, [&](std::size_t) { stop_if(control.interrupted); });
+    fit = std::move(constrained);
+    out.admissibility = outcome_of(*plan.admissible, admissible, 1.0);
+    out.admissibility->from_variances = true;
+  }
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
-  interpret(plan, with_rank(fit), out);
-  const Eigen::MatrixXd covariance = covariance_of(fit.information);
+  interpret(plan, with_rank(plan, fit), out);
+  const Eigen::MatrixXd covariance = covariance_under_ties(plan, fit.information);
   state_errors(plan, covariance, out);
   if (plan.scene.identify.bootstrap > 0) bootstrap_errors(plan, estimator, fit, control, out);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);
@@ -210,6 +233,8 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   out.fit.iterations = fit.iterations;
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;
   out.fit.chi_square = chi_square_of(observations, plan.likelihood->priors, fit);
+  if (tied(plan)) out.fit.chi_square->degrees_of_freedom += static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());
+  if (plan.admissible) tell_outcome(plan, out);
   if (control.detail == Detail::full) out.identifiability = identifiability_of(plan, estimator, covariance, out);
 }
 

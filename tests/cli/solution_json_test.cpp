@@ -73,6 +73,16 @@ TEST(SolutionJson, OfALikelihoodHasChiSquareAndVariancesButNoWeighting) {
   EXPECT_EQ(json["variances"][0]["origin"], "the law of [noise]");
 }
 
+TEST(SolutionJson, ConstraintsSayWhatHoldsAndWhatItCosts) {
+  const Json json = Json::parse(solution_json(sample_constrained()));
+  EXPECT_EQ(json["unknowns"][0]["limit"], "K is singular");
+  EXPECT_TRUE(json["unknowns"][1]["limit"].is_null());
+  EXPECT_EQ(json["admissibility"]["chi_square"], 12.5);
+  EXPECT_EQ(json["admissibility"]["scale"], "variances");
+  EXPECT_EQ(json["admissibility"]["constraints"][0]["at_limit"], 1);
+  EXPECT_FALSE(Json::parse(solution_json(sample_solution())).contains("admissibility"));
+}
+
 TEST(SolutionJson, NamesThatAreNotUtf8DoNotBreakIt) {
   auto solution = sample_solution();
   solution.message = "caf\xe9";

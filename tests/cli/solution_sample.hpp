@@ -45,4 +45,13 @@ inline ident::Solution sample_likelihood() {
   return solution;
 }
 
+/// The same under constraints, of which one holds.
+inline ident::Solution sample_constrained() {
+  ident::Solution solution = sample_solution();
+  solution.unknowns[0].limit = "K is singular";
+  solution.admissibility = ident::Admissibility{
+      .chi_square = 12.5, .equations = 3, .from_variances = true, .constraints = {{"K positive semidefinite", 2, 1, 12.5}, {"k2 >= 0", 1, 0, 0.0}}};
+  return solution;
+}
+
 }  // namespace jointid::cli

@@ -7,6 +7,7 @@
 namespace jointid::cli {
 namespace {
 
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -61,6 +62,15 @@ TEST(SolutionText, OfALikelihoodHasItsOwnFiguresAndNoWeighting) {
   EXPECT_THAT(text, testing::ContainsRegex("outlying lines +2\n"));
   EXPECT_THAT(text, testing::AllOf(HasSubstr("a.uff  the law of [noise]\n"), HasSubstr("b.uff: too few lines\n")));
   EXPECT_THAT(text, Not(HasSubstr("condition")));
+}
+
+TEST(SolutionText, ConstraintsSayWhatHoldsAndWhatItCosts) {
+  const std::string text = solution_text(sample_constrained(), "");
+  EXPECT_THAT(text, ContainsRegex("K\\(1,1\\) .*K is singular"));
+  EXPECT_THAT(text, ContainsRegex("K positive semidefinite +1 of 2 +12.5"));
+  EXPECT_THAT(text, ContainsRegex("k2 >= 0 +no +0"));
+  EXPECT_THAT(text, HasSubstr("χ² rises by 12.5, 3 equations hold"));
+  EXPECT_THAT(solution_text(sample_solution(), ""), Not(HasSubstr("constraints")));
 }
 
 TEST(UnknownsCsv, EmptyWhereNotComputed) {

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ident/linear_solution.hpp"
+#include "ident/plan.hpp"
+#include "ident/solution.hpp"
+
+namespace jointid::ident {
+
+/// Moves a least-squares solution to the nearest joint that meets the plan's constraints, in the metric of its own normal
+/// equations: the constrained least-squares solution, exactly. The deviation that costs are counted in is at least 1e-11 of the
+/// right side, which exact data do not reach. `rows` is the number of compressed real rows. With ties,
+/// rank and free directions become those of the unknowns that the ties leave.
+Admissibility constrain(const Plan& plan, const Accumulator& accumulator, std::size_t rows, LinearSolution& linear, bool& converged);
+
+}  // namespace jointid::ident

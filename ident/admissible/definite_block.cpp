@@ -1,0 +1,79 @@
+#include "ident/admissible/definite_block.hpp"
+
+#include <Eigen/QR>
+#include <cmath>
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double asymmetry = 1e-12;  ///< of coefficients that rounding makes, in parts of the largest
+constexpr double unreached = 1e-10;  ///< a direction that coefficients reach less is none
+
+bool symmetric(const MatrixXd& m) { return (m - m.transpose()).cwiseAbs().maxCoeff() <= asymmetry * m.cwiseAbs().maxCoeff(); }
+
+/// Orthonormal basis of what the matrices reach together, each counted by its largest element.
+MatrixXd range_of(const std::vector<MatrixXd>& matrices, Index size) {
+  MatrixXd side_by_side = MatrixXd::Zero(size, size * static_cast<Index>(matrices.size()));
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    const double largest = matrices[i].cwiseAbs().maxCoeff();
+    if (largest > 0.0) side_by_side.middleCols(size * static_cast<Index>(i), size) = matrices[i] / largest;
+  }
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  qr.setThreshold(unreached);
+  qr.compute(side_by_side);
+  if (qr.rank() == size) return MatrixXd::Identity(size, size);
+  return qr.householderQ() * MatrixXd::Identity(size, qr.rank());
+}
+
+std::vector<BlockEntry> entries_of(const MatrixXd& matrix) {
+  std::vector<BlockEntry> entries;
+  for (Index column = 0; column < matrix.cols(); ++column) {
+    for (Index row = 0; row < matrix.rows(); ++row) {
+      if (matrix(row, column) != 0.0) entries.push_back({row, column, matrix(row, column)});
+    }
+  }
+  return entries;
+}
+
+}  // namespace
+
+std::optional<SymmetricBlock> definite_block(const restrictions::MatrixTerms& matrix, std::size_t first, std::size_t count,
+                                             const std::map<std::size_t, std::size_t>& column_of, double unit) {
+  const auto size = static_cast<Index>(count);
+  const auto at = [&](std::size_t i) { return static_cast<Index>(i - first); };
+  std::map<std::size_t, MatrixXd> coefficients;  // by column
+  for (const restrictions::Term& term : matrix.terms) {
+    const auto column = column_of.find(term.unknown);
+    if (column == column_of.end()) continue;
+    MatrixXd& own = coefficients.try_emplace(column->second, MatrixXd::Zero(size, size)).first->second;
+    own(at(term.row), at(term.column)) += term.coefficient;
+  }
+  MatrixXd known = MatrixXd::Zero(size, size);
+  for (const restrictions::Known& element : matrix.known) {
+    if (element.row < first || element.row >= first + count) continue;
+    known(at(element.row), at(element.column)) += element.value / unit;
+  }
+  std::vector<MatrixXd> all = {known};
+  for (const auto& [column, own] : coefficients) all.push_back(own);
+  for (const MatrixXd& each : all) {
+    if (!symmetric(each)) return std::nullopt;
+  }
+  const MatrixXd basis = range_of(all, size);
+  const bool whole = basis.cols() == size;
+  const auto reduced = [&](const MatrixXd& full) -> MatrixXd {
+    if (whole) return full;
+    const MatrixXd inner = basis.transpose() * full * basis;
+    return 0.5 * (inner + inner.transpose());
+  };
+  SymmetricBlock block{.constant = reduced(known), .unknowns = {}, .coefficients = {}};
+  for (const auto& [column, own] : coefficients) {
+    block.unknowns.push_back(static_cast<Index>(column));
+    block.coefficients.push_back(entries_of(reduced(own)));
+  }
+  return block;
+}
+
+}  // namespace jointid::ident

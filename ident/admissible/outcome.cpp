@@ -1,0 +1,81 @@
+#include "ident/admissible/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modalfit/selection.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::Index;
+
+std::size_t count(Index n) { return static_cast<std::size_t>(n); }
+
+std::size_t free_unknowns(const AdmissibleSet& set) { return count(set.directions.cols()); }
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
+  return all;
+}
+
+void cut_intervals(const std::vector<Bound>& bounds, Solution& out) {
+  for (const auto& [unknown, lower, upper] : bounds) {
+    const auto found = std::ranges::find(out.unknowns, unknown, &Estimate::name);
+    if (!found->ci95) continue;
+    for (double& end : *found->ci95) end = std::clamp(end, lower, upper);
+  }
+}
+
+void warn(const Admissibility& found, Solution& out) {
+  constexpr double deviations = 3.09;  // one in a thousand
+  if (!found.from_variances || found.equations == 0) return;
+  if (!(found.chi_square > modalfit::chi_square_quantile(static_cast<double>(found.equations), deviations))) return;
+  out.warnings.push_back("The constraints raise χ² by " + rounded(found.chi_square) + " (" + std::to_string(found.equations) +
+                         " equations hold): the data contradict them, or the variances are too small.");
+}
+
+}  // namespace
+
+Admissibility outcome_of(const AdmissibleSet& set, const AdmissibleFit& fit, double unit) {
+  Admissibility out;
+  const double scale = 1.0 / (unit * unit);
+  out.chi_square = fit.cost * scale;
+  if (!set.ties.empty()) {
+    const std::size_t ties = count(set.offset.size()) - free_unknowns(set);
+    out.constraints.push_back({joined(set.ties), ties, ties, fit.tie_cost * scale});
+    out.equations += ties;
+  }
+  for (std::size_t k = 0; k < set.inequalities.size(); ++k) {
+    const SymmetricBlock& block = set.inequalities[k].block;
+    const std::size_t zero = count(fit.at_limit[k]);
+    out.constraints.push_back({set.inequalities[k].text, count(block.size()), zero, fit.shares[k] * scale});
+    out.equations += std::min(zero * (zero + 1) / 2, block.unknowns.size());
+  }
+  return out;
+}
+
+void tell_outcome(const Plan& plan, Solution& out) {
+  const AdmissibleSet& set = *plan.admissible;
+  const Admissibility& found = *out.admissibility;
+  const std::size_t first = set.ties.empty() ? 0 : 1;
+  for (const Index column : set.tied) out.unknowns[count(column)].limit = "tied";
+  for (std::size_t k = 0; k < set.inequalities.size(); ++k) {
+    const Inequality& inequality = set.inequalities[k];
+    for (const Index column : inequality.block.unknowns) {
+      Estimate& estimate = out.unknowns[count(column)];
+      if (found.constraints[first + k].at_limit > 0) estimate.limit = inequality.at_limit;
+    }
+  }
+  cut_intervals(plan.scene.identify.bounds, out);
+  warn(found, out);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "frf/error.hpp"
+#include "ident/admissible/admissible_set.hpp"
+#include "ident/admissible/constraint_phrases.hpp"
+#include "ident/admissible/definite_block.hpp"
+#include "ident/admissible/interior.hpp"
+#include "ident/admissible/tie.hpp"
+#include "ident/scene_failure.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::Index;
+using restrictions::Kind;
+
+std::string text_of(double value) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::vector<std::string> names_of(const Plan& plan) {
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) names.push_back(plan.columns->name(column, plan.restriction));
+  return names;
+}
+
+/// Column by unknown of one matrix of a joint, band by band.
+std::map<std::optional<Range>, std::map<std::size_t, std::size_t>> columns_by_band(const Plan& plan, std::size_t joint, Kind kind) {
+  std::map<std::optional<Range>, std::map<std::size_t, std::size_t>> out;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const std::size_t unknown = plan.columns->unknown_of(column);
+    if (plan.restriction.unknowns[unknown].joint != joint || plan.restriction.unknowns[unknown].kind != kind) continue;
+    out[plan.columns->band_of(column)][unknown] = column;
+  }
+  return out;
+}
+
+[[noreturn]] void refuse_asymmetric(const Scene& scene, const std::string& place) {
+  fail(scene, place, "only a symmetric matrix can be required to be definite",
+       "use pattern = \"symmetric\" or a symmetric matrix, or remove definite");
+}
+
+void add_definite(const Plan& plan, std::size_t joint, std::size_t first, Kind kind, AdmissibleSet& set) {
+  const restrictions::JointSpec& spec = plan.scene.joints[joint];
+  const auto terms = std::ranges::find(plan.restriction.matrices, kind, &restrictions::MatrixTerms::kind);
+  const std::string place = (spec.name.empty() ? "[joint." + restrictions::key(kind) + "]"
+                                               : "joint '" + spec.name + "', " + restrictions::key(kind)) + " definite";
+  const std::string symbol = (spec.name.empty() ? "" : spec.name + ".") + restrictions::symbol(kind);
+  auto bands = columns_by_band(plan, joint, kind);
+  if (bands.empty()) bands[std::nullopt] = {};  // all known
+  for (const auto& [band, column_of] : bands) {
+    const double unit = unscale(kind, plan.assembly_spec.omega0);
+    auto block = definite_block(*terms, first, spec.dofs.size(), column_of, unit);
+    if (!block) refuse_asymmetric(plan.scene, place);
+    if (block->size() == 0) continue;
+    const std::string where = band ? "@" + text_of((*band)[0]) + "-" + text_of((*band)[1]) + "Hz" : "";
+    const std::string name = symbol + where;
+    set.inequalities.push_back({name + " positive semidefinite", place, name + " is singular", std::move(*block)});
+  }
+}
+
+std::size_t column_named(const Plan& plan, const std::vector<std::string>& names, const std::string& name, const char* place) {
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string near = nearest_word(name, names);
+  fail(plan.scene, place, "the joint has no unknown " + name, near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
+}
+
+void add_bounds(const Plan& plan, const std::vector<std::string>& names, AdmissibleSet& set) {
+  for (const Bound& bound : plan.scene.identify.bounds) {
+    const std::size_t column = column_named(plan, names, bound.unknown, "[identify] bounds");
+    const std::string unit = plan.restriction.unknowns[plan.columns->unknown_of(column)].unit;
+    const auto add = [&](double limit, double sign, const char* relation, const char* which) {
+      if (!std::isfinite(limit)) return;
+      SymmetricBlock block{Eigen::MatrixXd::Constant(1, 1, -sign * limit / plan.unscale(column)), {static_cast<Index>(column)}, {{{0, 0, sign}}}};
+      set.inequalities.push_back({bound.unknown + relation + text_of(limit) + (limit == 0.0 ? "" : " " + unit), "[identify] bounds",
+                                std::string("at its ") + which + " bound", std::move(block)});
+    };
+    add(bound.lower, 1.0, " >= ", "lower");
+    add(bound.upper, -1.0, " <= ", "upper");
+  }
+}
+
+void add_ties(const Plan& plan, const std::vector<std::string>& names, AdmissibleSet& set) {
+  set.ties = plan.scene.identify.ties;
+  if (set.ties.empty()) return;
+  std::vector<Tie> ties;
+  std::set<Index> tied;
+  try {
+    for (const std::string& text : set.ties) {
+      Tie tie = parse_tie(text, names);
+      for (Index column = 0; column < tie.coefficients.size(); ++column) {
+        if (tie.coefficients[column] == 0.0) continue;
+        tie.coefficients[column] *= plan.unscale(static_cast<std::size_t>(column));
+        tied.insert(column);
+      }
+      ties.push_back(std::move(tie));
+    }
+    auto [offset, directions] = eliminate(std::move(ties), static_cast<Index>(names.size()));
+    set.offset = std::move(offset);
+    set.directions = std::move(directions);
+  } catch (const InputError& error) {
+    fail(plan.scene, "[identify] ties", error.parts().problem, error.parts().remedy);
+  }
+  set.tied.assign(tied.begin(), tied.end());
+}
+
+/// All inequalities together must leave room; if they do not, perhaps one alone does not.
+void require_room(const Scene& scene, Index unknowns, AdmissibleSet& set) {
+  std::vector<SymmetricBlock> all;
+  std::string texts;
+  for (const Inequality& inequality : set.inequalities) {
+    all.push_back(inequality.block);
+    texts += (texts.empty() ? "" : ", ") + inequality.text;
+  }
+  if (all.empty()) return;
+  if (auto inside = interior_point(all, set, unknowns)) {
+    set.inside = std::move(*inside);
+    return;
+  }
+  for (const Inequality& inequality : set.inequalities) {
+    if (interior_point({inequality.block}, set, unknowns)) continue;
+    fail(scene, inequality.place, "no joint" + std::string(set.ties.empty() ? "" : " that meets the ties") + " has " + inequality.text +
+                                      " with room to spare: the pattern or its known elements forbid it or force it to its edge",
+         "remove it, or change the pattern (a zero on the diagonal forces its row to zero)");
+  }
+  fail(scene, "[identify]", "no joint meets these together with room to spare: " + texts, "remove or widen one of them");
+}
+
+bool asks(const Scene& scene) {
+  return !scene.identify.bounds.empty() || !scene.identify.ties.empty() ||
+         std::ranges::any_of(scene.joints, [](const restrictions::JointSpec& joint) { return !joint.definite.empty(); });
+}
+
+void require_support(const Scene& scene) {
+  const IdentifySection& identify = scene.identify;
+  if (identify.method != Method::newton && identify.solver != "iqml") return;
+  const std::string what = identify.solver == "iqml" ? "solver \"iqml\"" : "method \"newton\"";
+  fail(scene, "[identify]", what + " knows no constraints (definite, bounds, ties)", "use method \"likelihood\" with solver \"auto\", or a linear method");
+}
+
+}  // namespace
+
+std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
+  if (!asks(plan.scene)) return nullptr;
+  require_support(plan.scene);
+  auto set = std::make_shared<AdmissibleSet>();
+  std::size_t first = 0;
+  for (std::size_t joint = 0; joint < plan.scene.joints.size(); ++joint) {
+    const restrictions::JointSpec& spec = plan.scene.joints[joint];
+    for (const Kind kind : spec.definite) {
+      if (spec.matrices.contains(kind)) add_definite(plan, joint, first, kind, *set);
+    }
+    first += spec.dofs.size();
+  }
+  const std::vector<std::string> names = names_of(plan);
+  add_bounds(plan, names, *set);
+  add_ties(plan, names, *set);
+  require_room(plan.scene, static_cast<Index>(names.size()), *set);
+  std::erase_if(set->inequalities, [](const Inequality& inequality) { return inequality.block.unknowns.empty(); });  // known to hold
+  return set;
+}
+
+std::vector<std::string> constraint_phrases(const Plan& plan) {
+  if (!plan.admissible) return {};
+  std::vector<std::string> out = plan.admissible->ties;
+  for (const Inequality& inequality : plan.admissible->inequalities) out.push_back(inequality.text);
+  return out;
+}
+
+}  // namespace jointid::ident
