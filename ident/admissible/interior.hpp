@@ -8,7 +8,7 @@ namespace jointid::ident {
 
 /// A θ that meets the set's ties and has S_k(θ) ≻ 0 for all `blocks`; empty when there is none. With blocks and unknowns scaled
 /// by their known parts, t is raised towards 1 under S_k(θ) ⪰ tI at next to no price for the size of θ; there is one where
-/// t > 1e-5. Some `unknowns` in all.
+/// t > 1e-5.
 std::optional<Eigen::VectorXd> interior_point(const std::vector<SymmetricBlock>& blocks, const AdmissibleSet& set, Eigen::Index unknowns);
 
 }  // namespace jointid::ident
