@@ -12,17 +12,18 @@ inline ident::Solution sample_solution() {
   ident::Solution solution;
   solution.status = ident::Status::rank_deficient;
   solution.message = "k2 is not fixed by the data";
-  solution.unknowns = {{.name = "K(1,1)", .unit = "N/m", .value = 1e6, .std_error = 2e3, .ci95 = {{9.9e5, 1.01e6}}},
+  solution.unknowns = {{.name = "K(1,1)", .unit = "N/m", .value = 1e6, .std_error = 2e3, .ci95 = {{9.9e5, 1.01e6}}, .rounding = {}},
                        {.name = "k2",
                         .unit = "N",
                         .value = std::numeric_limits<double>::quiet_NaN(),
                         .determined = false,
                         .std_error = {},
-                        .ci95 = {}}};
+                        .ci95 = {},
+                        .rounding = {}}};
   solution.dofs = {frf::Dof::parse("4:+Y"), frf::Dof::parse("4:+RZ")};
   solution.bands = {{.band_hz = {}, .matrices = {{Kind::stiffness, {{1e6, 5.0}, {5.0, 20.0}}}}}};
   solution.fit = {.equations_used = 12, .equations_dropped = 3, .lines = 4, .rank = 1,
-                  .condition = std::numeric_limits<double>::infinity(), .chi_square = {}, .asm_frf_error = {}};
+                  .condition = std::numeric_limits<double>::infinity(), .digits = {}, .chi_square = {}, .asm_frf_error = {}};
   solution.quality[Kind::stiffness] = {.rjcf = 0.25, .arvf = 0.125, .rms_relative_error = 0.5};
   solution.runtime_s = {.read = 0.5, .assemble = 0.25, .solve = 0.125, .total = 1.0};
   solution.used = {.method = ident::Method::one,

@@ -50,7 +50,7 @@ TEST(Threads, TheSolutionIsBitForBitTheSameForAnyNumber) {
 
 /// Σ over chunks by hand: the same lines in the same order, put into one accumulator without any chunk.
 Assembled assembled_at_once(Plan& plan) {
-  Assembled out{Accumulator(plan.columns->size(), Reduction::orthogonal), {}, 0};
+  Assembled out{Accumulator(plan.columns->size(), Reduction::orthogonal), {}, 0, {}};
   LineAssembler assembler(plan.assembly_spec);
   std::vector<std::size_t> substructures, assembly;
   for (const Line& line : plan.lines) {
