@@ -200,7 +200,8 @@ TEST(PlanError, ACoordinateInTwoSubstructures) {
 TEST(PlanError, MethodsSolversAndKeysThatThisBuildLacks) {
   MemoryScene wrong = input();
   wrong.scene.identify.method = Method::newton;
-  expect_usage(wrong, {"[identify] method", "no method \"newton\"", "use one, two, direct or likelihood"});
+  wrong.scene.identify.solver = "spqr";
+  expect_usage(wrong, {"[identify] solver", "method \"newton\" has no solver \"spqr\"", "use auto, levenberg-marquardt"});
   MemoryScene solver = input();
   solver.scene.identify.solver = "ceres";
   expect_usage(solver, {"has no solver \"ceres\"", "use auto, qr, normal or spqr"});
