@@ -129,7 +129,7 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<CompareArguments>(
       app, chosen, "compare", "Compare ways of identifying by error and run time, on the same trials with simulated noise");
   CLI::Option* scene = command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [truth] and [noise]");
-  const auto list = [command](const char* name, auto& to, const char* what) {
+  const auto list = [command = command](const char* name, auto& to, const char* what) {
     return command->add_option(name, to, what)->delimiter(',');
   };
   const std::vector<CLI::Option*> alternatives = {

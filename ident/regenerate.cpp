@@ -155,7 +155,7 @@ std::vector<FrfEntry> choose_entries(const Plan& plan, std::size_t count) {
     for (const frf::Dof& column : spread(columns, side)) add(row, column);
   }
   if (entries.size() > count) entries.resize(count);
-  std::ranges::stable_partition(entries, is_driving_point);
+  std::stable_partition(entries.begin(), entries.end(), is_driving_point);
   return entries;
 }
 

@@ -91,7 +91,7 @@ std::vector<double> lines(const ExtremeScene& scene, const std::vector<Structure
     }
   }
   std::ranges::sort(out);
-  out.erase(std::ranges::unique(out).begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

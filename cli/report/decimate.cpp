@@ -39,7 +39,7 @@ std::vector<std::size_t> keep_peaks(std::span<const std::vector<double>> curves,
     kept.push_back(last - 1);
   }
   std::ranges::sort(kept);
-  kept.erase(std::ranges::unique(kept).begin(), kept.end());
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
   return kept;
 }
 

@@ -64,7 +64,7 @@ std::optional<VectorXd> interior_point(const std::vector<SymmetricBlock>& blocks
     for (const auto& entries : own.coefficients) {
       for (const BlockEntry& entry : entries) largest = std::max(largest, std::abs(entry.value));
     }
-    own = scaled(std::move(own), VectorXd::Constant(own.size(), 1.0 / std::sqrt(largest)));
+    own = scaled(own, VectorXd::Constant(own.size(), 1.0 / std::sqrt(largest)));
     own.unknowns.push_back(unknowns);
     own.coefficients.emplace_back();
     for (Index i = 0; i < own.size(); ++i) own.coefficients.back().push_back({i, i, -1.0});

@@ -50,8 +50,10 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
   return scale;
 }
 
-/// Fit of the joint's unknowns ends when less than this is left, in standard deviations (those that the misfit makes, where there is one).
+/// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
+/// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
+constexpr double least_misfit = 1e-6;
 constexpr std::size_t most_iterations = 60;
 
 /// How far it is still after steps of these sizes, which shrink by their ratio; as far as the last where they do not shrink.
@@ -59,29 +61,6 @@ double left_after(double size, double before) {
   const double ratio = before > 0.0 ? size / before : 1.0;
   return ratio < 0.5 ? size * ratio / (1.0 - ratio) : size;
 }
-
-/// Length of Gauss–Newton steps: where one step runs along the last, forward or backward, both tell the true curvature.
-class StepLength {
- public:
-  double next(const Eigen::VectorXd& step, const Eigen::MatrixXd& information) {
-    double scale = 1.0;
-    const double size = norm_of(step, information);
-    if (last_.size() > 0 && last_size_ > 0.0 && size > 0.0) {
-      const double along = step.dot(information * last_);
-      if (std::abs(along) > 0.8 * size * last_size_) {
-        scale = std::clamp(last_scale_ / std::max(1e-3, 1.0 - along / (last_size_ * last_size_)), 0.2, 3.0);
-      }
-    }
-    last_ = step;
-    last_size_ = size;
-    return scale;
-  }
-  void taken(double scale) { last_scale_ = scale; }
-
- private:
-  Eigen::VectorXd last_;
-  double last_size_ = 0.0, last_scale_ = 1.0;
-};
 
 /// Shares a cost out: to the ties what they have of it in the quadratic model, the rest by how far each condition pulled the
 /// estimate the way it went.
@@ -175,6 +154,12 @@ double LikelihoodEstimator::total(const std::vector<double>& theta) const {
     if (line.redundancy > 0.0) sum += tolerance_ * robust_loss(line.cost / tolerance_, line.redundancy);
   }
   return sum;
+}
+
+double LikelihoodEstimator::misfit_of(double loss) const {
+  double expected = -static_cast<double>(unknowns_);
+  for (const Line& line : lines_) expected += std::max(0.0, line.redundancy);
+  return expected > 0.0 ? std::clamp(std::sqrt(loss / expected), least_misfit, 1.0) : 1.0;
 }
 
 void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
@@ -345,8 +330,8 @@ void LikelihoodEstimator::follow(const std::vector<Line>& before, const std::vec
 /// The step to the minimum of the quadratic model, over the admissible joints where there are constraints.
 Eigen::VectorXd LikelihoodEstimator::joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information,
                                                 const Eigen::VectorXd& gradient) {
+  if (admissible_ == nullptr) return secants_.step(information, gradient);
   const Eigen::VectorXd step = determined_step(information, gradient);
-  if (admissible_ == nullptr) return step;
   const Eigen::VectorXd from = Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()));
   nearest_ = nearest_admissible(*admissible_, from + step, root_of(information), std::sqrt(tolerance_));
   return nearest_.theta - from;
@@ -357,19 +342,19 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   if (admissible_ == nullptr) choose_tolerance();
   weigh();
   double loss = total(fit.theta);
-  StepLength length;
   double last = 0.0;
   int crawling = 0;  // steps in a row of which next to nothing helped
-  Eigen::VectorXd gradient;
+  Eigen::VectorXd gradient, taken;
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
     linearise_all(fit.theta);
+    const Eigen::VectorXd before_taken = std::exchange(gradient, {});
     sum(fit.theta, fit.information, gradient);
+    if (taken.size() > 0) secants_.note(taken, before_taken - gradient, fit.information);
     const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
     const double size = norm_of(step, fit.information) / std::sqrt(tolerance_);
     const std::vector<Line> before = lines_;
-    double scale = length.next(step, fit.information);
-    if (admissible_ != nullptr) scale = std::min(scale, 1.0);
+    double scale = 1.0;
     for (int attempt = 0;; ++attempt, scale *= 0.25) {
       if (attempt == 8) {
         lines_ = before;
@@ -383,11 +368,11 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       fit.theta = next;
       break;
     }
-    length.taken(scale);
+    taken = scale * step;
     weigh();
     crawling = scale < 0.01 ? crawling + 1 : 0;
     if (crawling == 3) return false;
-    if (left_after(size, last) < tolerance) return true;
+    if (left_after(size, last) < misfit_of(loss) * tolerance) return true;
     last = size;
   }
   return false;
@@ -427,6 +412,7 @@ LikelihoodFit LikelihoodEstimator::run_whitened(std::vector<double> start, const
 LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
   LikelihoodFit fit;
   fit.theta = std::move(start);
+  secants_.forget();
   begin(fit.theta);
   return fit;
 }

@@ -7,6 +7,7 @@
 #include "ident/likelihood/likelihood_data.hpp"
 #include "ident/likelihood/line_model.hpp"
 #include "ident/likelihood/scaled_prior.hpp"
+#include "ident/likelihood/secant_steps.hpp"
 
 namespace jointid::ident {
 
@@ -118,6 +119,7 @@ class LikelihoodEstimator {
   void weigh();
   void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total(const std::vector<double>& theta) const;
+  double misfit_of(double loss) const;  ///< errors over those that were assumed: √(loss over its expectation), at most 1
   bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch);
   static void add_information(const Line& line, double weight, Eigen::MatrixXd& information);
   Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
@@ -130,7 +132,6 @@ class LikelihoodEstimator {
   void approach(std::size_t line, LineModel& model, const ComplexMatrix& z);
   void try_again(std::size_t line, LineModel& model, const ComplexMatrix& z, const std::function<void()>& start);
   void relax_all(const std::vector<double>& theta);
-  void tell_lines(LikelihoodFit& fit) const;
   void follow(const std::vector<Line>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
   LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
   void weigh_at_states(const std::vector<double>& theta);
@@ -144,6 +145,7 @@ class LikelihoodEstimator {
   std::vector<ScaledPrior> priors_;
   const AdmissibleSet* admissible_ = nullptr;  ///< while a fit is constrained
   AdmissibleFit nearest_;                      ///< of the last step under constraints
+  SecantSteps secants_;
   double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
 };
 

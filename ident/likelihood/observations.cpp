@@ -82,7 +82,8 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
   assembly_.read(assembly_lines);
   const std::size_t size = layout_.coordinates.size();
   for (std::size_t i = 0; i < substructure_lines.size(); ++i) {
-    Raw& raw = raw_.emplace_back(Symmetric<Measured>(size), Symmetric<Measured>(size));
+    raw_.push_back({Symmetric<Measured>(size), Symmetric<Measured>(size)});
+    Raw& raw = raw_.back();
     for (std::size_t at = 0; at < size * size; ++at) {
       const std::size_t row = at / size, column = at % size;
       if (row > column) continue;

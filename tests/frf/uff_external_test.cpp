@@ -146,7 +146,7 @@ TEST_F(UffExternal, FilesWithoutFrfsSayWhatTheyHold) {
       {"uff55_translation.uff", "3 x dataset 55"},
       {"uff55_translation_rotation.uff", "1 x dataset 55"}};
   for (const auto& [file_name, holds] : files) {
-    EXPECT_THAT(error_of([&] { open_uff(file(file_name)); }),
+    EXPECT_THAT(error_of([&, &file_name = file_name] { open_uff(file(file_name)); }),
                 AllOf(HasSubstr(file_name), HasSubstr("no frequency response functions"), HasSubstr(holds)));
     EXPECT_FALSE(summarize_uff(file(file_name)).datasets.empty()) << file_name;
   }

@@ -143,7 +143,7 @@ TEST(CoupleFirst, WithoutNoiseTheCoupledPartsAreTheTiedStructure) {
 
 TEST(CoupleFirst, TheProposedLineFindsTheJointThatAStiffOneSpoils) {
   const CaseG g("G6");
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
     EXPECT_GT(largest_error(g.solution(g.scene(Method::one), seed)), 0.5) << "seed " << seed;
     const Solution uncoupled = g.solution(g.scene(Method::likelihood), seed);
     EXPECT_LT(largest_error(uncoupled), 0.03) << "seed " << seed;  // the likelihood does not need the line, and knows what it cannot see:
