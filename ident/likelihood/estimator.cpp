@@ -54,13 +54,11 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
 constexpr double least_misfit = 1e-6;
+constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
 constexpr std::size_t most_iterations = 60;
 
-/// How far it is still after steps of these sizes, which shrink by their ratio; as far as the last where they do not shrink.
-double left_after(double size, double before) {
-  const double ratio = before > 0.0 ? size / before : 1.0;
-  return ratio < 0.5 ? size * ratio / (1.0 - ratio) : size;
-}
+/// How far it is still after a step of that size, when steps shrink by that ratio; as far as the step where they do not shrink.
+double left_after(double size, double ratio) { return ratio < 0.5 ? size * ratio / (1.0 - ratio) : size; }
 
 /// Shares a cost out: to the ties what they have of it in the quadratic model, the rest by how far each condition pulled the
 /// estimate the way it went.
@@ -342,7 +340,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   if (admissible_ == nullptr) choose_tolerance();
   weigh();
   double loss = total(fit.theta);
-  double last = 0.0;
+  double last = 0.0, ratio = shrinks_;
   int crawling = 0;  // steps in a row of which next to nothing helped
   Eigen::VectorXd gradient, taken;
   while (fit.iterations < most_iterations) {
@@ -363,7 +361,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       const std::vector<double> next = added(fit.theta, step, scale);
       follow(before, next, scale * step);
       const double reached = total(next);
-      if (reached > loss * (1.0 + 1e-9)) continue;
+      if (!(reached <= loss * (1.0 + 1e-9))) continue;
       loss = reached;
       fit.theta = next;
       break;
@@ -372,7 +370,8 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     weigh();
     crawling = scale < 0.01 ? crawling + 1 : 0;
     if (crawling == 3) return false;
-    if (left_after(size, last) < misfit_of(loss) * tolerance) return true;
+    if (last > 0.0) shrinks_ = ratio = size / last;
+    if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) return true;
     last = size;
   }
   return false;
@@ -383,6 +382,10 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   LikelihoodFit fit = begun(std::move(start));
   if (!observations_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
   implicit_stage(fit, watch);
+  if (observations_.variances_by_law()) {
+    relax_all(fit.theta);
+    weigh_at_states(fit.theta);
+  }
   fit.converged = project(fit, 0.1, watch);
   for (double before = 2.0 * tolerance_; fit.converged && tolerance_ > 1.0 && tolerance_ < 0.9 * before;) {
     before = tolerance_;  // lines that fit better now may tell others as outlying
@@ -391,7 +394,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   while (fit.converged && observations_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
     weigh_at_states(fit.theta);
-    fit.converged = project(fit, 10.0 * settled, watch);
+    fit.converged = project(fit, 0.1, watch);
     Eigen::VectorXd moved(at(unknowns_));
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(tolerance_)) break;
@@ -413,6 +416,7 @@ LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
   LikelihoodFit fit;
   fit.theta = std::move(start);
   secants_.forget();
+  shrinks_ = 1.0;
   begin(fit.theta);
   return fit;
 }

@@ -146,6 +146,7 @@ class LikelihoodEstimator {
   const AdmissibleSet* admissible_ = nullptr;  ///< while a fit is constrained
   AdmissibleFit nearest_;                      ///< of the last step under constraints
   SecantSteps secants_;
+  double shrinks_ = 1.0;    ///< a step over the one before, as last seen near the minimum
   double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
 };
 

@@ -42,7 +42,8 @@ RC_GTEST_PROP(LikelihoodLine, StepIsThatOfGaussHelmert, (unsigned seed, bool wit
 
 RC_GTEST_PROP(LikelihoodLine, StepIsThatOfGaussHelmertWithUnmeasuredFrfs, (unsigned seed, bool with_b)) {
   std::mt19937_64 random(seed);
-  compare({.others = 6, .joint = 2, .with_b = with_b, .missing = 0.1}, 1e-6, random);
+  // Normal equations of a line, in which what was not measured weighs 10⁻⁹ of the rest or less.
+  compare({.others = 6, .joint = 2, .with_b = with_b, .missing = 0.1}, 1e-4, random);
 }
 
 }  // namespace
