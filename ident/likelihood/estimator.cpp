@@ -10,6 +10,7 @@
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/guess_y.hpp"
 #include "ident/likelihood/line_tolerance.hpp"
+#include "ident/likelihood/observed_information.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -544,6 +545,23 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& t
   Eigen::VectorXd gradient;
   sum(theta, information, gradient);
   return information;
+}
+
+Eigen::MatrixXd LikelihoodEstimator::observed_information_at(const LikelihoodFit& fit) {
+  const std::vector<Line> there = lines_;
+  const auto gradient_at = [&](const Eigen::VectorXd& offset) {
+    lines_ = there;
+    const std::vector<double> theta = added(fit.theta, offset, 1.0);
+    relax_all(theta);
+    linearise_all(theta);
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+    sum(theta, information, gradient);
+    return gradient;
+  };
+  Eigen::MatrixXd curvature = observed_information(gradient_at, fit.information);
+  lines_ = there;
+  return curvature;
 }
 
 Eigen::MatrixXd LikelihoodEstimator::information_of(std::size_t line) const {

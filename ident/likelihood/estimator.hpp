@@ -91,6 +91,9 @@ class LikelihoodEstimator {
   /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(const std::vector<double>& theta);
 
+  /// observed_information() at a fit of run(), where the lines stand.
+  Eigen::MatrixXd observed_information_at(const LikelihoodFit& fit);
+
   /// What one line contributes to the information that was worked out last, without its robust weight.
   Eigen::MatrixXd information_of(std::size_t line) const;
 

@@ -215,7 +215,8 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   }
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   interpret(plan, with_rank(plan, fit), out);
-  const Eigen::MatrixXd covariance = covariance_under_ties(plan, fit.information);
+  const bool own_solver = plan.solver == "gauss-helmert" && fit.converged;
+  const Eigen::MatrixXd covariance = covariance_under_ties(plan, own_solver ? estimator.observed_information_at(fit) : fit.information);
   state_errors(plan, covariance, out);
   if (plan.scene.identify.bootstrap > 0) bootstrap_errors(plan, estimator, fit, control, out);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);

@@ -1,0 +1,49 @@
+#include "ident/likelihood/observed_information.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <random>
+
+#include "ident/likelihood/covariance.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double way = 0.3;        // standard deviations to either side
+constexpr double noticed = 0.02;   // a relative difference that is worth knowing
+constexpr double least = 0.1, most = 3.0;  // of the information's curvature: else differences tell none
+
+}  // namespace
+
+Eigen::MatrixXd observed_information(const GradientAt& gradient, const Eigen::MatrixXd& information) {
+  if (null_space_of(information).cols() > 0) return information;
+  const Eigen::LLT<Eigen::MatrixXd> factors(covariance_of(information));
+  if (factors.info() != Eigen::Success) return information;
+  const Eigen::MatrixXd unit = factors.matrixL();  // offsets of one standard deviation: the information is the identity there
+  const auto along = [&](const Eigen::VectorXd& direction) {
+    const Eigen::VectorXd offset = unit * (way * direction);
+    return Eigen::VectorXd(unit.transpose() * (gradient(-offset) - gradient(offset)) / (2.0 * way));
+  };
+  const Eigen::Index size = information.rows();
+  std::mt19937_64 random(size);
+  bool differs = false;
+  for (int probe = 0; probe < 3 && !differs; ++probe) {
+    Eigen::VectorXd direction(size);
+    for (double& value : direction) value = (random() & 1u) != 0 ? 1.0 : -1.0;
+    direction /= std::sqrt(static_cast<double>(size));
+    differs = !(std::abs(direction.dot(along(direction)) - 1.0) < noticed);
+  }
+  if (!differs) return information;
+  Eigen::MatrixXd curvature(size, size);
+  for (Eigen::Index c = 0; c < size; ++c) curvature.col(c) = along(Eigen::VectorXd::Unit(size, c));
+  if (!curvature.allFinite()) return information;
+  curvature = 0.5 * (curvature + curvature.transpose()).eval();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(curvature);
+  if (!(eigen.eigenvalues()[0] > least && eigen.eigenvalues()[size - 1] < most)) return information;
+  const auto lower = unit.triangularView<Eigen::Lower>();
+  const Eigen::MatrixXd half = lower.solve(Eigen::MatrixXd::Identity(size, size));  // unit⁻¹
+  return half.transpose() * curvature * half;
+}
+
+}  // namespace jointid::ident
