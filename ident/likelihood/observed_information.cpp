@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <cstdint>
 #include <random>
 
 #include "ident/likelihood/covariance.hpp"
@@ -26,7 +27,7 @@ Eigen::MatrixXd observed_information(const GradientAt& gradient, const Eigen::Ma
     return Eigen::VectorXd(unit.transpose() * (gradient(-offset) - gradient(offset)) / (2.0 * way));
   };
   const Eigen::Index size = information.rows();
-  std::mt19937_64 random(size);
+  std::mt19937_64 random(static_cast<std::uint64_t>(size));
   bool differs = false;
   for (int probe = 0; probe < 3 && !differs; ++probe) {
     Eigen::VectorXd direction(size);
