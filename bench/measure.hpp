@@ -4,14 +4,11 @@
 #include <cmath>
 #include <vector>
 
+#include "ident/median.hpp"
+
 namespace jointid::bench {
 
-/// The upper of the two middle ones of an even number.
-inline double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using ident::median;
 
 /// Of elements [first, last), relative to the largest of b's.
 inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b, std::size_t first, std::size_t last) {

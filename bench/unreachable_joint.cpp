@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ident/likelihood/bound.hpp"
+#include "ident/median.hpp"
 #include "ident/prediction.hpp"
 #include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
@@ -34,11 +35,6 @@ const std::vector<Way> ways = {{"likelihood (default)", ident::Method::likelihoo
                                {"newton, nlopt-crs2", ident::Method::newton, "nlopt-crs2", true},
                                {"newton, nlopt-sbplx", ident::Method::newton, "nlopt-sbplx", true},
                                {"newton, pattern", ident::Method::newton, "pattern", true}};
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values.empty() ? std::nan("") : values[values.size() / 2];
-}
 
 class Bench {
  public:
@@ -90,7 +86,7 @@ class Bench {
       ++reached;
       iterations.push_back(static_cast<double>(solution.fit.iterations));
     }
-    fmt::print("| {} | {} | {} | {} | {} of {} | {:.0f} | {:.0f} |\n", way.label, named[0], named[1], named[2], reached, count, median(iterations), median(times));
+    fmt::print("| {} | {} | {} | {} | {} of {} | {:.0f} | {:.0f} |\n", way.label, named[0], named[1], named[2], reached, count, ident::median(iterations), ident::median(times));
     std::fflush(stdout);
   }
 
@@ -115,8 +111,8 @@ class Bench {
       ratios.push_back(std::sqrt(squares / static_cast<double>(truth_.size())));
     }
     const auto good = std::count_if(errors.begin(), errors.end(), [](double error) { return error <= 0.5; });
-    fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {} | {:.0f} |\n", way.label, seeds, settled, good, text(median(errors)), median(decibels),
-               text(median(ratios)), median(times));
+    fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {} | {:.0f} |\n", way.label, seeds, settled, good, text(ident::median(errors)), ident::median(decibels),
+               text(ident::median(ratios)), ident::median(times));
     std::fflush(stdout);
   }
 

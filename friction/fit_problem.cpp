@@ -5,17 +5,14 @@
 #include <limits>
 #include <stdexcept>
 
+#include "friction/row_major.hpp"
 #include "friction/tied_limit.hpp"
 
 namespace jointid::friction {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// A law whose sum of squares has several minima is fitted from so many starts.
 constexpr std::size_t most_starts = 4;
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 void check(std::span<const Curve> curves, const FitOptions& options) {
   if (curves.empty()) throw std::invalid_argument("there is no curve to fit");

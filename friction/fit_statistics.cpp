@@ -7,13 +7,10 @@
 #include <limits>
 
 #include "friction/parameter_scale.hpp"
+#include "friction/row_major.hpp"
 
 namespace jointid::friction {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 }  // namespace
 

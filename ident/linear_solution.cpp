@@ -9,6 +9,7 @@
 #include <random>
 
 #include "ident/column_scaling.hpp"
+#include "ident/eigen_index.hpp"
 #include "ident/null_space.hpp"
 #include "ident/reduced_system.hpp"
 #include "ident/rounding.hpp"
@@ -23,10 +24,8 @@ using Eigen::VectorXd;
 /// Above this many columns an SVD takes too long; the condition is then bounded from below by the pivots.
 constexpr Index svd_limit = 300;
 
-Index index(std::size_t i) { return static_cast<Index>(i); }
-
 void judge(const MatrixXd& triangle, LinearSolution& out) {
-  const Index n = triangle.cols(), rank = index(out.rank);
+  const Index n = triangle.cols(), rank = at(out.rank);
   const Eigen::BDCSVD<MatrixXd> svd(triangle, rank < n ? Eigen::ComputeFullV : 0);
   const VectorXd& sigma = svd.singularValues();
   out.condition = sigma[n - 1] > 0.0 ? sigma[0] / sigma[n - 1] : std::numeric_limits<double>::infinity();
@@ -53,7 +52,7 @@ VectorXd inverse_rows(const Matrix& r, const Permutation& permutation) {
 
 LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
   accumulator.flush();
-  const Index n = index(accumulator.columns());
+  const Index n = at(accumulator.columns());
   MatrixXd system = reduced_system(accumulator);
   const VectorXd scale = power_of_two_scales(system.leftCols(n));
   system.leftCols(n) *= scale.asDiagonal();
@@ -94,7 +93,7 @@ LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
 
 LinearSolution solve_normal(Accumulator& accumulator, Condition condition) {
   accumulator.flush();
-  const Index n = index(accumulator.columns());
+  const Index n = at(accumulator.columns());
   const MatrixXd product = normal_product(accumulator);
   VectorXd scale(n);
   for (Index j = 0; j < n; ++j) scale[j] = power_of_two_scale(std::sqrt(product(j, j)));

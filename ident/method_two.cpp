@@ -1,12 +1,11 @@
 #include <Eigen/LU>
 
+#include "ident/eigen_index.hpp"
 #include "ident/eigen_view.hpp"
 #include "ident/equation_builder.hpp"
 
 namespace jointid::ident {
 namespace {
-
-Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 class MethodTwo final : public EquationBuilder {
  public:
@@ -31,22 +30,22 @@ class MethodTwo final : public EquationBuilder {
     const Eigen::VectorXd scale = h.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
     if (!scale.allFinite()) return false;
     const Eigen::PartialPivLU<Eigen::MatrixXcd> lu((scale.asDiagonal() * h * scale.asDiagonal()).transpose());
-    Eigen::MatrixXcd unit = Eigen::MatrixXcd::Zero(h.rows(), index(joint_));
-    for (std::size_t k = 0; k < joint_; ++k) unit(h.rows() - index(joint_ - k), index(k)) = 1.0;
+    Eigen::MatrixXcd unit = Eigen::MatrixXcd::Zero(h.rows(), at(joint_));
+    for (std::size_t k = 0; k < joint_; ++k) unit(h.rows() - at(joint_ - k), at(k)) = 1.0;
     const Eigen::MatrixXcd solution = lu.solve(unit);
-    const RowMatrixXc z_b = scale.tail(index(joint_)).asDiagonal() * solution.transpose() * scale.asDiagonal();
+    const RowMatrixXc z_b = scale.tail(at(joint_)).asDiagonal() * solution.transpose() * scale.asDiagonal();
     if (!z_b.allFinite()) return false;
 
     const View asm_view = assembly_->line(i);
     const auto h_asm = map(asm_view);
-    const Eigen::Index n = h.rows() - index(joint_);
+    const Eigen::Index n = h.rows() - at(joint_);
     c1_ = -z_b.leftCols(n) * h_asm.topRows(n);
     for (std::size_t k = 0; k < columns_.size(); ++k) {
       if (product_.column_class[k] != 1) continue;
       const std::size_t joint = k - (columns_.size() - joint_);
-      c1_(index(joint), index(k)) += 1.0;
+      c1_(at(joint), at(k)) += 1.0;
     }
-    c2_ = z_b.rightCols(index(joint_)) * h_asm.bottomRows(index(joint_));
+    c2_ = z_b.rightCols(at(joint_)) * h_asm.bottomRows(at(joint_));
     product_.frequency_hz = out.frequency_hz;
     product_.b = asm_view.block(static_cast<std::size_t>(n), 0, joint_, columns_.size());
     product_.c1 = {c1_.data(), joint_, columns_.size(), columns_.size()};
@@ -65,9 +64,9 @@ class MethodTwo final : public EquationBuilder {
   template <class Sub, class Asm>
   void measure_errors(const Sub& h, const RowMatrixXc& z_b, const Asm& h_asm) {
     const Eigen::MatrixXd z = z_b.cwiseAbs(), amplified = z * h.cwiseAbs();
-    RowMatrixXd error = amplified.rightCols(index(joint_)) * (c1_ - c2_).cwiseAbs() + z * h_asm.cwiseAbs();
+    RowMatrixXd error = amplified.rightCols(at(joint_)) * (c1_ - c2_).cwiseAbs() + z * h_asm.cwiseAbs();
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      error.col(index(k)) += amplified.col(index(frf::find_coordinate(all_, columns_[k])));
+      error.col(at(k)) += amplified.col(at(frf::find_coordinate(all_, columns_[k])));
     }
     c_error_.assign(error.data(), error.data() + error.size());
     product_.c_error = c_error_;

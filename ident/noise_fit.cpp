@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "ident/median.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -15,12 +17,6 @@ struct Law {
 /// The quantile of Gamma(freedom)/freedom at the normal quantile z (Wilson & Hilferty 1931).
 double quantile(double freedom, double z) {
   return std::pow(1.0 - 1.0 / (9.0 * freedom) + z / (3.0 * std::sqrt(freedom)), 3);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The law of one term that has the samples' median, and how far the samples scatter about it (median |log|).

@@ -21,9 +21,9 @@ using Eigen::VectorXd;
 
 /// The band takes this share of the half circle; a rational function of z cannot follow the jump at its ends.
 constexpr double share_of_circle = 0.95;
-constexpr double ridge = 1e-13;
+constexpr double pole_ridge = 1e-13;
 /// Responses per partial sum; sums do not depend on the number of threads.
-constexpr std::size_t chunk = 4;
+constexpr std::size_t responses_at_once = 4;
 
 /// φ(f) = rate·(f − start).
 struct CircleMap {
@@ -103,17 +103,17 @@ MatrixXd reduced_block(const WeightedRows& rows, const Lags& lags, Index order) 
                     [&](Index lag) { return lag >= 0 ? both(lag) - turned(lag) : both(-lag) + turned(-lag); });
     }
   }
-  r.diagonal().array() += ridge * r.diagonal().sum();
+  r.diagonal().array() += pole_ridge * r.diagonal().sum();
   t.noalias() -= s.transpose() * r.llt().solve(s);
   return t;
 }
 
 MatrixXd normal_matrix(const Band& band, const InputChoice& choice, Index order) {
   const Lags lags(band, order);
-  const std::size_t chunks = (choice.outputs + chunk - 1) / chunk;
+  const std::size_t chunks = (choice.outputs + responses_at_once - 1) / responses_at_once;
   std::vector<MatrixXd> parts(chunks);
   tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t i) {
-    for (std::size_t o = i * chunk; o < std::min(choice.outputs, (i + 1) * chunk); ++o) {
+    for (std::size_t o = i * responses_at_once; o < std::min(choice.outputs, (i + 1) * responses_at_once); ++o) {
       const WeightedRows rows = weighted_rows(band, choice, o);
       if (rows.weight.isZero(0.0)) continue;
       MatrixXd block = reduced_block(rows, lags, order);
@@ -135,7 +135,7 @@ class OrderSolver {
       : map_(band), band_(band), normal_(std::move(normal)), inputs_(inputs), equations_(equations) {
     const Index rest = normal_.rows() - inputs_;
     MatrixXd block = normal_.bottomRightCorner(rest, rest);
-    block.diagonal().array() += ridge * block.diagonal().sum();
+    block.diagonal().array() += pole_ridge * block.diagonal().sum();
     lower_ = block.llt().matrixL();
   }
 

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Entries per partial sum, so that sums do not depend on the number of threads.
-constexpr std::size_t chunk = 8;
+constexpr std::size_t entries_at_once = 8;
 
 struct Sums {
   MatrixXd curvature;
@@ -43,10 +43,10 @@ class Problem {
   Sums linearise(const std::vector<Pole>& poles) const {
     const RealBasis basis(make_basis(kind_, poles, band_.frequency_hz, band_.scale_hz(), true));
     const Index parameters = 2 * static_cast<Index>(poles.size());
-    std::vector<Sums> parts((entries_.size() + chunk - 1) / chunk, zero(parameters));
+    std::vector<Sums> parts((entries_.size() + entries_at_once - 1) / entries_at_once, zero(parameters));
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
-      const std::size_t last = std::min(entries_.size(), (i + 1) * chunk);
-      for (std::size_t k = i * chunk; k < last; ++k) add(NormalBlock(basis, band_, entries_[k]), basis, parts[i]);
+      const std::size_t last = std::min(entries_.size(), (i + 1) * entries_at_once);
+      for (std::size_t k = i * entries_at_once; k < last; ++k) add(NormalBlock(basis, band_, entries_[k]), basis, parts[i]);
     });
     Sums sums = zero(parameters);
     for (const Sums& part : parts) {

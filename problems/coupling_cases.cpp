@@ -5,8 +5,6 @@ namespace {
 
 constexpr double loss_factor = 0.01;
 
-frf::Dof coordinate(int number) { return {.node = number, .direction = frf::Direction::y}; }
-
 /// A spring of k N/m between two coordinates, or to ground from one (second 0).
 struct SpringOf {
   int first, second;

@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "frf/dof.hpp"
 #include "problems/case.hpp"
 #include "problems/structure.hpp"
 
 namespace jointid::problems {
+
+/// `number:+Y`.
+inline frf::Dof coordinate(int number) { return {.node = number, .direction = frf::Direction::y}; }
 
 /// The definition of a coupling problem over numbered coordinates, coordinate k being `k:+Y`.
 struct CouplingCase {

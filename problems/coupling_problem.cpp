@@ -11,8 +11,6 @@
 namespace jointid::problems {
 namespace {
 
-frf::Dof coordinate(int number) { return {.node = number, .direction = frf::Direction::y}; }
-
 frf::FrfSet clean_set(const Structure& structure, const std::vector<frf::Dof>& dofs, const Axis& axis, const std::string& file) {
   frf::FrfSet set = frequency_response(structure, {.response = dofs, .reference = dofs, .frequency_hz = frequencies(axis)});
   set.header.file = file;

@@ -12,7 +12,7 @@ using Eigen::MatrixXd;
 constexpr double asymmetry = 1e-12;  ///< of coefficients that rounding makes, in parts of the largest
 constexpr double unreached = 1e-10;  ///< a direction that coefficients reach less is none
 
-bool symmetric(const MatrixXd& m) { return (m - m.transpose()).cwiseAbs().maxCoeff() <= asymmetry * m.cwiseAbs().maxCoeff(); }
+bool is_symmetric(const MatrixXd& m) { return (m - m.transpose()).cwiseAbs().maxCoeff() <= asymmetry * m.cwiseAbs().maxCoeff(); }
 
 /// Orthonormal basis of what the matrices reach together, each counted by its largest element.
 MatrixXd range_of(const std::vector<MatrixXd>& matrices, Index size) {
@@ -59,7 +59,7 @@ std::optional<SymmetricBlock> definite_block(const restrictions::MatrixTerms& ma
   std::vector<MatrixXd> all = {known};
   for (const auto& [column, own] : coefficients) all.push_back(own);
   for (const MatrixXd& each : all) {
-    if (!symmetric(each)) return std::nullopt;
+    if (!is_symmetric(each)) return std::nullopt;
   }
   const MatrixXd basis = range_of(all, size);
   const bool whole = basis.cols() == size;

@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 constexpr double drift = 1e-9;  ///< of S(x) − S that steps leave when the start is made good, elements near 1
 
-MatrixXd symmetric(const MatrixXd& m) { return 0.5 * (m + m.transpose()); }
+MatrixXd symmetric_part(const MatrixXd& m) { return 0.5 * (m + m.transpose()); }
 
 /// The lower Cholesky factor; false when the matrix is not positive definite.
 bool factored(const MatrixXd& matrix, MatrixXd& root) {
@@ -27,7 +27,7 @@ bool factored(const MatrixXd& matrix, MatrixXd& root) {
 double room_of(const MatrixXd& root, const MatrixXd& step) {
   const auto lower = root.triangularView<Eigen::Lower>();
   const MatrixXd half = lower.solve(step);
-  const double least = least_eigenvalue(symmetric(lower.solve(MatrixXd(half.transpose()))));
+  const double least = least_eigenvalue(symmetric_part(lower.solve(MatrixXd(half.transpose()))));
   return least >= -0.95 ? 1.0 / 0.95 : -1.0 / least;
 }
 
@@ -89,15 +89,15 @@ void InteriorBlock::add_curvature(MatrixXd& to) const {
 }
 
 VectorXd InteriorBlock::pull(double sigma_mu, bool second_order) const {
-  MatrixXd sum = sigma_mu * s_inverse_ - symmetric(s_inverse_ * missing_ * lambda_);
-  if (second_order) sum -= symmetric(s_inverse_ * ds_ * d_lambda_);
+  MatrixXd sum = sigma_mu * s_inverse_ - symmetric_part(s_inverse_ * missing_ * lambda_);
+  if (second_order) sum -= symmetric_part(s_inverse_ * ds_ * d_lambda_);
   return adjoint(sum);
 }
 
 void InteriorBlock::direct(const VectorXd& dx, double sigma_mu, bool second_order) {
-  const MatrixXd bent = second_order ? symmetric(s_inverse_ * ds_ * d_lambda_) : MatrixXd(MatrixXd::Zero(size(), size()));
+  const MatrixXd bent = second_order ? symmetric_part(s_inverse_ * ds_ * d_lambda_) : MatrixXd(MatrixXd::Zero(size(), size()));
   ds_ = along(dx) + missing_;
-  d_lambda_ = sigma_mu * s_inverse_ - lambda_ - symmetric(s_inverse_ * ds_ * lambda_) - bent;
+  d_lambda_ = sigma_mu * s_inverse_ - lambda_ - symmetric_part(s_inverse_ * ds_ * lambda_) - bent;
 }
 
 double InteriorBlock::room() const { return std::min(room_of(s_root_, ds_), room_of(lambda_root_, d_lambda_)); }
@@ -107,8 +107,8 @@ double InteriorBlock::gap_after(double length) const {
 }
 
 void InteriorBlock::advance(double length) {
-  s_ = symmetric(s_ + length * ds_);
-  lambda_ = symmetric(lambda_ + length * d_lambda_);
+  s_ = symmetric_part(s_ + length * ds_);
+  lambda_ = symmetric_part(lambda_ + length * d_lambda_);
 }
 
 MatrixXd InteriorBlock::value(const VectorXd& x) const {

@@ -9,6 +9,7 @@
 #include <deque>
 #include <limits>
 
+#include "ident/eigen_index.hpp"
 #include "ident/likelihood/bundle_functions.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/line_start.hpp"
@@ -19,8 +20,6 @@ namespace {
 
 /// A line with χ² above this multiple of its redundancy may be stuck.
 constexpr double suspicious = 4.0;
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 ceres::Solver::Options tight_options() {
   ceres::Solver::Options options;

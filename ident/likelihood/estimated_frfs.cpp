@@ -2,12 +2,12 @@
 
 #include <limits>
 
+#include "ident/eigen_index.hpp"
+
 namespace jointid::ident {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 /// Values of the measured ones of some elements of a block, whose first row and column are those of `origin`.
 void put(const std::vector<Element>& elements, Element origin, const ComplexMatrix& values, const Symmetric<Measured>& measured,

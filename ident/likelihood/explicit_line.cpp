@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "ident/eigen_index.hpp"
+
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 /// What FRFs predict and all that its derivatives need.
 struct Explicit {

@@ -2,10 +2,10 @@
 
 #include <Eigen/QR>
 
+#include "ident/eigen_index.hpp"
+
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 bool is_measured(const Channel& channel, std::size_t i) { return channel.weight[i] != Complex(0.0); }
 

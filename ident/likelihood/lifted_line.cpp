@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "ident/eigen_index.hpp"
 #include "ident/likelihood/line_start.hpp"
 
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 using RowMajorMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/eigen_index.hpp"
+
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 /// An FRF that was not measured may be this many times as large as those around it.
 constexpr double wide = 1e3;

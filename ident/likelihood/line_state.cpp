@@ -2,10 +2,10 @@
 
 #include <Eigen/LU>
 
+#include "ident/eigen_index.hpp"
+
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 double square(const Channel& channel, std::size_t i, const Complex& predicted) {
   const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];

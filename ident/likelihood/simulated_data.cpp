@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
+#include "ident/eigen_index.hpp"
+
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 std::vector<Complex> values_at(const std::vector<Element>& elements, const ComplexMatrix& matrix) {
   std::vector<Complex> out;

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/eigen_index.hpp"
 #include "ident/triangle.hpp"
 
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 std::vector<double> added(const std::vector<double>& q, const Eigen::VectorXd& step) {
   std::vector<double> sum = q;

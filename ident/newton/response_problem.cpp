@@ -5,15 +5,10 @@
 #include <limits>
 #include <numeric>
 
+#include "ident/median.hpp"
+
 namespace jointid::ident {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 double square_sum(std::span<const double> values) {
   return std::transform_reduce(values.begin(), values.end(), 0.0, std::plus<>(), [](double each) { return each * each; });

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "frf/error.hpp"
+#include "ident/eigen_index.hpp"
 #include "problems/catalogue.hpp"
 #include "problems/thesis_beams.hpp"
 #include "restrictions/restriction.hpp"
@@ -17,10 +18,9 @@ namespace jointid::problems {
 namespace {
 
 using frf::Complex;
+using ident::at;
 
 class EveryCase : public testing::TestWithParam<Case> {};
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 Eigen::MatrixXcd joint_impedance(const Case& definition, double frequency_hz) {
   const double omega = 2.0 * std::numbers::pi * frequency_hz;
