@@ -7,15 +7,14 @@
 #include <cmath>
 #include <utility>
 
+#include "ident/eigen_index.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/guess_y.hpp"
 #include "ident/likelihood/line_tolerance.hpp"
-#include "ident/likelihood/observed_information.hpp"
+#include "ident/likelihood/godambe_information.hpp"
 
 namespace jointid::ident {
 namespace {
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 /// dL/dχ² of the robust loss: 1 for lines that fit, (1.5/ρ)⁴ beyond, ρ² = χ²/redundancy.
 double robust_weight(double cost, double redundancy) {
@@ -219,7 +218,7 @@ bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, d
 void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
   const bool poor = observations_.layout().a.empty();  // without H_jn of the assembly the start may be far off
   const std::size_t most = poor ? 30 : 15;
-  const double near = poor ? 6.0 : 0.3;  // in standard deviations: close enough for the last stage
+  const double near = poor ? 6.0 : 1.0;  // in standard deviations: close enough for the last stage
   const std::vector<double> start = fit.theta;
   Eigen::MatrixXd information;
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
@@ -502,7 +501,7 @@ std::ptrdiff_t times_reached(double loss, const std::vector<LikelihoodFit::End>&
 
 }  // namespace
 
-LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch, Follow follow) {
+LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch, Follow follow, const Doubt& doubtful) {
   LikelihoodFit best;
   std::vector<LikelihoodFit::End> ends;
   std::vector<Line> lines;  // of the best
@@ -518,7 +517,8 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     }
     any = true;
     best.starts = k + 1;
-    if (follow != Follow::all && fits(best) && (follow == Follow::until_it_fits || times_reached(best.loss, ends) > 1)) break;
+    if (follow == Follow::all || !fits(best)) continue;
+    if (follow == Follow::until_reached_twice ? times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best))) break;
   }
   best.ends = std::move(ends);
   lines_ = std::move(lines);
@@ -529,11 +529,13 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
 double LikelihoodEstimator::misfit_at(const std::vector<double>& theta) {
   begin(theta);
   linearise_all(theta);
-  double misfit = 0.0;
+  double misfit = 0.0, redundancy = 0.0;
   for (const Line& line : lines_) {
-    if (line.redundancy > 0.0) misfit += line.redundancy * std::log1p(line.reduced.cost / line.redundancy);
+    if (line.redundancy <= 0.0) continue;
+    misfit += line.redundancy * std::log1p(line.reduced.cost / line.redundancy);
+    redundancy += line.redundancy;
   }
-  return misfit;
+  return redundancy > 0.0 ? misfit / redundancy : 0.0;
 }
 
 Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {
@@ -547,7 +549,7 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& t
   return information;
 }
 
-Eigen::MatrixXd LikelihoodEstimator::observed_information_at(const LikelihoodFit& fit) {
+Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit& fit) {
   const std::vector<Line> there = lines_;
   const auto gradient_at = [&](const Eigen::VectorXd& offset) {
     lines_ = there;
@@ -559,7 +561,7 @@ Eigen::MatrixXd LikelihoodEstimator::observed_information_at(const LikelihoodFit
     sum(theta, information, gradient);
     return gradient;
   };
-  Eigen::MatrixXd curvature = observed_information(gradient_at, fit.information);
+  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information);
   lines_ = there;
   return curvature;
 }

@@ -32,7 +32,7 @@ struct LikelihoodFit {
 
 /// How many starts are followed.
 enum class Follow {
-  until_it_fits,        ///< by χ²
+  until_it_fits,        ///< by χ², unless it is doubtful: then all
   until_reached_twice,  ///< it fits, and two starts ended in the best: for data with several minima that χ² cannot tell from noise
   all
 };
@@ -42,6 +42,9 @@ struct ConstrainedFit {
   LikelihoodFit fit;
   AdmissibleFit admissible;  ///< costs are those of Σ L; theta is that of the fit
 };
+
+/// Whether an estimate is so uncertain that another minimum may fit as well.
+using Doubt = std::function<bool(const LikelihoodFit& fit)>;
 
 /// The k-th start, or empty when there is no other.
 using Starts = std::function<std::optional<std::vector<double>>(std::size_t k)>;
@@ -68,7 +71,7 @@ class LikelihoodEstimator {
   void set_priors(std::vector<ScaledPrior> priors) { priors_ = std::move(priors); }
 
   /// From the first start, and from the next while χ² tells that the fit is not the right minimum, or from all; the best of them.
-  LikelihoodFit run(const Starts& starts, const FitWatcher& watch, Follow follow = Follow::until_it_fits);
+  LikelihoodFit run(const Starts& starts, const FitWatcher& watch, Follow follow = Follow::until_it_fits, const Doubt& doubtful = {});
 
   /// The second stage alone, from a start that is nearly right.
   LikelihoodFit refine(std::vector<double> start, const FitWatcher& watch);
@@ -84,15 +87,15 @@ class LikelihoodEstimator {
   /// convex. The estimate itself when it is in the set.
   ConstrainedFit constrain(LikelihoodFit fit, const AdmissibleSet& set, const FitWatcher& watch);
 
-  /// How far the lines are from fitting a joint, to rank starts by: Σ r log(1 + χ²/r) over the lines, r their redundancy, with χ²
-  /// as linearised where the iteration would begin. A few lines near resonances do not decide it.
+  /// How far the lines are from fitting a joint, to rank starts by: the mean over the lines of log(1 + χ²/r), weighted by their
+  /// redundancy r, with χ² as linearised where the iteration would begin. A few lines near resonances do not decide it.
   double misfit_at(const std::vector<double>& theta);
 
   /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(const std::vector<double>& theta);
 
-  /// observed_information() at a fit of run(), where the lines stand.
-  Eigen::MatrixXd observed_information_at(const LikelihoodFit& fit);
+  /// godambe_information() at a fit of run(), where the lines stand.
+  Eigen::MatrixXd godambe_information_at(const LikelihoodFit& fit);
 
   /// What one line contributes to the information that was worked out last, without its robust weight.
   Eigen::MatrixXd information_of(std::size_t line) const;

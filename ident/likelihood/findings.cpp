@@ -9,7 +9,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr double bad = 0.1, nonlinear = 0.3;  ///< relative errors
+constexpr double bad = 0.1;  ///< relative error
 constexpr double hardly_seen = 5.0, loose = 0.5, held = 0.01;  ///< effect, deformation: see JointVisibility
 constexpr std::size_t most_lines = 3;
 
@@ -64,7 +64,7 @@ void add_joint(const Identifiability& found, std::vector<Finding>& out) {
 }
 
 void add_nonlinear(const Identifiability& found, IntervalKind intervals, std::vector<Finding>& out) {
-  if (found.largest_relative_error < nonlinear || intervals == IntervalKind::bootstrap) return;
+  if (found.largest_relative_error < nonlinear_error || intervals == IntervalKind::bootstrap) return;
   out.push_back({FindingKind::nonlinear, "Standard errors reach " + percent(found.largest_relative_error) +
                                              ": over such a range the problem is not linear and the Cramér–Rao intervals can be "
                                              "wrong. Set bootstrap = 200 in [identify]."});

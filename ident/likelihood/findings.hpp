@@ -4,6 +4,9 @@
 
 namespace jointid::ident {
 
+/// Relative error above which an estimate leaves the linear range: intervals are approximate, and other minima may fit as well.
+constexpr double nonlinear_error = 0.3;
+
 /// A combination as text, its largest factor 1: "K(2,4) - 0.9*K(4,4)".
 std::string text(const LinearCombination& combination);
 

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <tuple>
 
@@ -14,6 +15,7 @@
 #include "ident/likelihood/bundle.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/estimator.hpp"
+#include "ident/likelihood/findings.hpp"
 #include "ident/likelihood/identifiability.hpp"
 #include "ident/likelihood/joint_guess.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
@@ -65,20 +67,43 @@ Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most
   };
 }
 
-/// Linear estimates, then random changes of the first of them.
-Starts linear_starts(Plan& plan, const Control& control, std::size_t most) {
-  return [&plan, &control, most](std::size_t k) -> std::optional<std::vector<double>> {
+/// The linear estimate that fits best; the first where it nearly fits, and no other is worked out then.
+std::size_t best_linear_way(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+  constexpr double near = 1.0;
+  const auto misfit = [&](std::size_t k) { return estimator.misfit_at(*linear_start(plan, k, control)); };
+  std::size_t best = 0;
+  double least = misfit(best);
+  for (std::size_t k = 1; k < linear_ways.size() && least > near; ++k) {
+    const double found = misfit(k);
+    if (found < least) std::tie(best, least) = std::pair(k, found);
+  }
+  return best;
+}
+
+/// Linear estimates, the best of them first, then random changes of that one.
+Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
+  const std::size_t best = best_linear_way(plan, estimator, control);
+  return [&plan, &control, best, most](std::size_t k) -> std::optional<std::vector<double>> {
     if (k >= most) return std::nullopt;
-    if (auto start = linear_start(plan, k, control)) return start;
-    const StartPoints points(*linear_start(plan, 0, control), [](const std::vector<double>&) { return 0.0; });
+    if (auto start = linear_start(plan, k == 0 ? best : k <= best ? k - 1 : k, control)) return start;
+    const StartPoints points(*linear_start(plan, best, control), [](const std::vector<double>&) { return 0.0; });
     return points(StartPoints::sizes + k);
   };
 }
 
 Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
   const std::size_t wanted = plan.scene.identify.starts;
-  if (plan.likelihood->start) return linear_starts(plan, control, wanted > 0 ? wanted : linear_ways.size());
+  if (plan.likelihood->start) return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
   return given_starts(plan, estimator, wanted > 0 ? wanted : 2 * StartPoints::sizes);
+}
+
+/// Of the unknowns of a fit, by the inverse of its information.
+double largest_relative_error(const Plan& plan, const LikelihoodFit& fit) {
+  std::vector<double> values = fit.theta;
+  for (std::size_t c = 0; c < values.size(); ++c) values[c] *= plan.unscale(c);
+  std::vector<std::size_t> all(values.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return std::sqrt(relative_covariance(plan, covariance_of(fit.information), values, all).diagonal().maxCoeff());
 }
 
 LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
@@ -87,7 +112,8 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
   if (plan.solver == "gauss-helmert") {
     const bool several_minima = !plan.likelihood->start && plan.likelihood->observations->layout().a.empty();
     const Follow usual = several_minima ? Follow::until_reached_twice : Follow::until_it_fits;
-    return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual);
+    const Doubt doubtful = [&plan](const LikelihoodFit& fit) { return largest_relative_error(plan, fit) >= nonlinear_error; };
+    return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual, doubtful);
   }
   LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
   if constexpr (JOINTID_HAVE_CERES) {
@@ -216,7 +242,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   interpret(plan, with_rank(plan, fit), out);
   const bool own_solver = plan.solver == "gauss-helmert" && fit.converged;
-  const Eigen::MatrixXd covariance = covariance_under_ties(plan, own_solver ? estimator.observed_information_at(fit) : fit.information);
+  const Eigen::MatrixXd covariance = covariance_under_ties(plan, own_solver ? estimator.godambe_information_at(fit) : fit.information);
   state_errors(plan, covariance, out);
   if (plan.scene.identify.bootstrap > 0) bootstrap_errors(plan, estimator, fit, control, out);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);

@@ -44,6 +44,20 @@ TEST(LikelihoodScene, ReadsHnnAloneFromTheStartOfTheScene) {
   EXPECT_LT(largest_error(solution, h4.truth), 5.0);
 }
 
+TEST(LikelihoodScene, AnUncertainEstimateIsTheBestOfAllStarts) {
+  LikelihoodCase c1("C1");
+  const std::vector<double> bound = c1.at(0.05).bound();
+  const problems::Measurement noisy = problems::polluted(c1.problem, 1, 52);  // whose first start ends 7 bounds off and fits
+  const Solution usual = solve(*problems::plan(c1.scene, noisy));
+  c1.scene.identify.starts = 12;
+  const Solution thorough = solve(*problems::plan(c1.scene, noisy));
+  ASSERT_GE(thorough.search->minima.size(), 2u);
+  for (std::size_t u = 0; u < bound.size(); ++u) {
+    EXPECT_NEAR(usual.unknowns[u].value, thorough.unknowns[u].value, 0.01 * bound[u]);
+    EXPECT_NEAR(usual.unknowns[u].value, c1.truth[u], 3.0 * bound[u]);
+  }
+}
+
 TEST(LikelihoodScene, AnFrfThatSomeLinesLackIsLeftOutThere) {
   LikelihoodCase a1("A1");
   a1.at(0.01);

@@ -1,4 +1,4 @@
-#include "ident/likelihood/observed_information.hpp"
+#include "ident/likelihood/godambe_information.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -17,7 +17,7 @@ constexpr double least = 0.1, most = 3.0;  // of the information's curvature: el
 
 }  // namespace
 
-Eigen::MatrixXd observed_information(const GradientAt& gradient, const Eigen::MatrixXd& information) {
+Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information) {
   if (null_space_of(information).cols() > 0) return information;
   const Eigen::LLT<Eigen::MatrixXd> factors(covariance_of(information));
   if (factors.info() != Eigen::Success) return information;
@@ -44,7 +44,7 @@ Eigen::MatrixXd observed_information(const GradientAt& gradient, const Eigen::Ma
   if (!(eigen.eigenvalues()[0] > least && eigen.eigenvalues()[size - 1] < most)) return information;
   const auto lower = unit.triangularView<Eigen::Lower>();
   const Eigen::MatrixXd half = lower.solve(Eigen::MatrixXd::Identity(size, size));  // unit⁻¹
-  return half.transpose() * curvature * half;
+  return half.transpose() * (curvature * curvature) * half;
 }
 
 }  // namespace jointid::ident
