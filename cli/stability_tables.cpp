@@ -16,7 +16,7 @@ namespace {
 using stability::Measured;
 using stability::Verdict;
 
-/// "qr" of method one or of rows, "two", "direct", "likelihood".
+/// "qr" of method one or of rows, "two", "direct", "newton", "likelihood".
 std::string way_of(const Measured& row) { return row.method == "one" || row.method == "rows" ? row.solver : row.method; }
 
 /// Against exact arithmetic where that is known, else against the truth.

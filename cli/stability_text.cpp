@@ -13,7 +13,7 @@ std::string stability_text(const StabilityReport& report) {
                         cost_table(rows).text());
   }
   text +=
-      "digits: of the unknowns, each times the norm of its column, against the same identification in 50 digits; of the likelihood, against the truth\n"
+      "digits: of the unknowns, each times the norm of its column, against the same identification of the same FRFs in 50 digits\n"
       "digits true: of the worst unknown over the largest, against the truth; stated: what the solution says\n\n"
       "what solutions say of themselves\n" +
       verdict_table(report).text();

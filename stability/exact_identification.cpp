@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ident/row_expander.hpp"
-#include "stability/exact_number.hpp"
+#include "stability/exact_line.hpp"
 #include "weighting/line_weights.hpp"
 
 namespace jointid::stability {
@@ -14,26 +14,6 @@ namespace {
 
 using ident::Dofs;
 using restrictions::Kind;
-
-/// FRFs of one line between DOFs; 0 where no set has both.
-template <class Scalar>
-Pair<Scalar> frfs(const std::vector<frf::FrfSet>& sets, std::size_t line, const Dofs& rows, const Dofs& columns) {
-  Pair<Scalar> out(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
-  for (const frf::FrfSet& set : sets) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      const std::size_t r = frf::find_coordinate(set.header.response, rows[i]);
-      for (std::size_t k = 0; r != frf::npos && k < columns.size(); ++k) {
-        const std::size_t c = frf::find_coordinate(set.header.reference, columns[k]);
-        if (c == frf::npos) continue;
-        const int sign = rows[i].sign * set.header.response[r].sign * columns[k].sign * set.header.reference[c].sign;
-        const frf::Complex value = set.values[set.index(line, r, c)];
-        out.re(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = Scalar(sign * value.real());
-        out.im(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = Scalar(sign * value.imag());
-      }
-    }
-  }
-  return out;
-}
 
 /// A Z_j B = C of one line, rows and columns of the two classes one after the other.
 template <class Scalar>

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ident/solve.hpp"
+#include "stability/exact_fit.hpp"
 #include "stability/svd_solution.hpp"
 
 namespace jointid::stability {
@@ -94,7 +95,10 @@ double digits(double relative_error) {
 }
 
 std::optional<ExactEstimate> exact_estimate(const ExtremeProblem& problem) {
-  if (problem.scene.identify.method == ident::Method::likelihood) return std::nullopt;
+  const ident::Method method = problem.scene.identify.method;
+  if (method == ident::Method::likelihood || method == ident::Method::newton) {
+    return fit_exactly(*problem.plan("auto"), problem.sets, problem.truth);
+  }
   return identify_exactly(*problem.plan("qr"), problem.sets);
 }
 

@@ -96,6 +96,7 @@ void measure_scene(const std::string& sweep, const Step& step, const Watch& watc
   if (!follows_all_methods(sweep)) return;
   add(step.scene, Method::two, {"qr"});
   add(step.scene, Method::direct, {"qr"});
+  add(step.scene, Method::newton, {"auto"});
   if (step.scene.lines <= few_lines) add(step.scene, Method::likelihood, {"auto"});
 }
 

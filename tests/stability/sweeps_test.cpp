@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "frf/error.hpp"
+#include "stability/exact_fit.hpp"
 #include "stability/matrix_sweeps.hpp"
 
 namespace jointid::stability {
@@ -68,6 +69,35 @@ TEST(Stability, ExactIdentificationOfEveryMethodFindsTheTruth) {
       const Measured row = measure(problem, "qr", exact);
       EXPECT_GE(row.digits_kept, 10.0) << ident::name(method);
       EXPECT_EQ(row.verdict, Verdict::right);
+    }
+  }
+}
+
+TEST(Stability, TheExactMinimumDoesNotDependOnItsStart) {
+  for (const ident::Method method : {ident::Method::likelihood, ident::Method::newton}) {
+    ExtremeScene scene;
+    scene.method = method;
+    scene.lines = 4;
+    scene.joint_stiffness = 30.0;
+    const ExtremeProblem problem = make(scene);
+    std::vector<double> elsewhere = problem.truth;
+    for (std::size_t j = 0; j < elsewhere.size(); ++j) elsewhere[j] *= j % 2 == 0 ? 1.001 : 0.999;
+    const ExactEstimate one = fit_exactly(*problem.plan("auto"), problem.sets, problem.truth);
+    const ExactEstimate other = fit_exactly(*problem.plan("auto"), problem.sets, elsewhere);
+    for (std::size_t j = 0; j < problem.truth.size(); ++j) {
+      EXPECT_NEAR(one.values[j] / problem.truth[j], 1.0, 1e-12) << ident::name(method);
+      EXPECT_NEAR(one.values[j] / other.values[j], 1.0, 1e-15) << ident::name(method);
+    }
+  }
+}
+
+TEST(Stability, IterativeMethodsKeepTheDigitsOfTheirExactMinimum) {
+  for (const ident::Method method : {ident::Method::likelihood, ident::Method::newton}) {
+    ExtremeScene scene;
+    scene.method = method;
+    for (const double stiffness : {1e-4, 1.0}) {
+      scene.joint_stiffness = stiffness;
+      EXPECT_GE(measured(scene, "auto").digits_kept, 12.0) << ident::name(method) << ", " << stiffness;
     }
   }
 }

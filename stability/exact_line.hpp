@@ -1,0 +1,28 @@
+#pragma once
+
+#include "stability/exact_identification.hpp"
+#include "stability/exact_number.hpp"
+
+namespace jointid::stability {
+
+/// FRFs of one line between DOFs; 0 where no set has both.
+template <class Scalar>
+Pair<Scalar> frfs(const std::vector<frf::FrfSet>& sets, std::size_t line, const ident::Dofs& rows, const ident::Dofs& columns) {
+  Pair<Scalar> out(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
+  for (const frf::FrfSet& set : sets) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::size_t r = frf::find_coordinate(set.header.response, rows[i]);
+      for (std::size_t k = 0; r != frf::npos && k < columns.size(); ++k) {
+        const std::size_t c = frf::find_coordinate(set.header.reference, columns[k]);
+        if (c == frf::npos) continue;
+        const int sign = rows[i].sign * set.header.response[r].sign * columns[k].sign * set.header.reference[c].sign;
+        const frf::Complex value = set.values[set.index(line, r, c)];
+        out.re(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = Scalar(sign * value.real());
+        out.im(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = Scalar(sign * value.imag());
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace jointid::stability
