@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "ident/eigen_index.hpp"
 #include "likelihood_line_sample.hpp"
 
 namespace jointid::ident {
@@ -31,8 +32,6 @@ class DenseStep {
 
  private:
   using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
-
-  static Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
   void list_conditions() {
     for (std::size_t i = 0; i < s_.layout.d.size(); ++i) {
@@ -68,7 +67,8 @@ class DenseStep {
       b_.conservativeResize(Eigen::NoChange, b_.cols() + 1);
       b_.rightCols(1) = of_rows(effect(dh, substructures));
       const double w = imaginary ? weight.imag() : weight.real();
-      variance_.push_back(w > 0.0 ? 1.0 / (w * w) : wide * wide);
+      variance_.push_back(w > 0.0 ? 1.0 / (w * w) : 0.0);
+      prior_.push_back(w > 0.0 || wide == 0.0 ? 0.0 : 1.0 / (wide * wide));
       measured_minus_current_.push_back(w > 0.0 ? (imaginary ? residual.imag() : residual.real()) : 0.0);
     }
   }
@@ -99,42 +99,44 @@ class DenseStep {
     }
   }
 
-  /// w = C − B(x − x₀), M = B Q Bᵀ, N = AᵀM⁻¹A, g = AᵀM⁻¹w over θ and the FRFs without any variance, which join θ.
+  /// The stationary point of ½vᵀQ⁻¹v + ½fᵀPf under w + Aδθ + Ff + Bv = 0 with w = C + B(measured − current): v are the corrections
+  /// of measured FRFs, f those of the others with their priors P. With S = [BQBᵀ F; Fᵀ −P] and Ā = [A; 0], w̄ = [w; 0]:
+  /// N = ĀᵀS⁻¹Ā, g = −ĀᵀS⁻¹w̄, [k; −f] = S⁻¹(w̄ + Āδθ), v = −QBᵀk.
   void solve() {
-    const auto unknowns = at(s_.theta.size());
-    Eigen::MatrixXd a(b_.rows(), unknowns);
+    const auto unknowns = at(s_.theta.size()), conditions = b_.rows();
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index i = 0; i < b_.cols(); ++i) {
+      if (variance_[std::size_t(i)] == 0.0) free.push_back(i);
+    }
+    const Eigen::Map<Eigen::VectorXd> q(variance_.data(), b_.cols()), off(measured_minus_current_.data(), b_.cols());
+    const Wide wide_b = b_.cast<long double>();  // weights 10⁸ apart: more digits
+    const Wide spread = q.cast<long double>().asDiagonal() * wide_b.transpose();
+    const auto size = conditions + at(free.size());
+    Wide s = Wide::Zero(size, size), a = Wide::Zero(size, unknowns), w = Wide::Zero(size, 1);
+    s.topLeftCorner(conditions, conditions) = wide_b * spread;
+    for (std::size_t f = 0; f < free.size(); ++f) {
+      const auto place = conditions + at(f);
+      s.col(place).head(conditions) = wide_b.col(free[f]);
+      s.row(place).head(conditions) = wide_b.col(free[f]).transpose();
+      s(place, place) = -prior_[std::size_t(free[f])];
+    }
     for (Eigen::Index t = 0; t < unknowns; ++t) {
       std::vector<double> more = s_.theta;
       more[std::size_t(t)] += 1.0;
       ComplexMatrix dz = -z_;
       dz.bottomRightCorner(j_, j_) += s_.joint.at(more);
-      a.col(t) = of_rows(-hs_ * dz * ha_);
+      a.col(t).head(conditions) = of_rows(-hs_ * dz * ha_).cast<long double>();
     }
-    const Eigen::Map<Eigen::VectorXd> q(variance_.data(), b_.cols()), off(measured_minus_current_.data(), b_.cols());
-    for (Eigen::Index i = 0; i < b_.cols(); ++i) {
-      if (q[i] > 0.0) continue;
-      a.conservativeResize(Eigen::NoChange, a.cols() + 1);
-      a.rightCols(1) = b_.col(i);
-    }
-    const Eigen::VectorXd w = of_rows(hs_ - ha_ - hs_ * z_ * ha_) + b_ * off;
-    // Variances 10⁸ apart: more digits.
-    const Wide wide_a = a.cast<long double>(), wide_b = b_.cast<long double>(), wide_w = w.cast<long double>();
-    const Wide spread = q.cast<long double>().asDiagonal() * wide_b.transpose();
-    const Eigen::FullPivLU<Wide> m(wide_b * spread);
-    const Wide normal = wide_a.transpose() * m.solve(wide_a), right = -wide_a.transpose() * m.solve(wide_w);
-    const Wide all = normal.fullPivLu().solve(right);
-    Wide reduced = normal.topLeftCorner(unknowns, unknowns), reduced_right = right.topRows(unknowns);
-    if (const auto free = a.cols() - unknowns; free > 0) {
-      const Wide across = normal.topRightCorner(unknowns, free);
-      const Eigen::FullPivLU<Wide> own(normal.bottomRightCorner(free, free));
-      reduced -= across * own.solve(across.transpose());
-      reduced_right -= across * own.solve(right.bottomRows(free));
-    }
-    information = reduced.cast<double>();
-    gradient = reduced_right.cast<double>();
-    step = all.topRows(unknowns).cast<double>();
-    const Wide v = -(spread * m.solve(wide_w + wide_a * all));
-    frf_step = (v.cast<double>() + off).topRows(at(2 * s_.layout.variables()));
+    w.topRows(conditions) = of_rows(hs_ - ha_ - hs_ * z_ * ha_).cast<long double>() + wide_b * off.cast<long double>();
+    const Eigen::FullPivLU<Wide> factors(s);
+    const Wide normal = a.transpose() * factors.solve(a), right = -a.transpose() * factors.solve(w);
+    const Wide theta = normal.fullPivLu().solve(right), k = factors.solve(w + a * theta);
+    information = normal.cast<double>();
+    gradient = right.cast<double>();
+    step = theta.cast<double>();
+    Wide v = off.cast<long double>() - spread * k.topRows(conditions);
+    for (std::size_t f = 0; f < free.size(); ++f) v(free[f]) = -k(conditions + at(f));
+    frf_step = v.cast<double>().topRows(at(2 * s_.layout.variables()));
   }
 
   const LineSample& s_;
@@ -142,7 +144,7 @@ class DenseStep {
   ComplexMatrix hs_, ha_, z_;
   std::vector<Element> rows_;
   Eigen::MatrixXd b_;
-  std::vector<double> variance_, measured_minus_current_;
+  std::vector<double> variance_, prior_, measured_minus_current_;
 };
 
 }  // namespace jointid::ident

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "ident/eigen_index.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/frf_weight.hpp"
 #include "ident/likelihood/normal_rows.hpp"
@@ -12,8 +13,6 @@ namespace {
 
 using restrictions::Kind;
 using restrictions::Pattern;
-
-Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 RC_GTEST_PROP(NormalRows, AddUpToTheProductOfTheDenseMatrix, (unsigned seed)) {
   std::mt19937_64 random(seed);
