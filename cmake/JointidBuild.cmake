@@ -24,7 +24,9 @@ set(CMAKE_CXX_FLAGS_ASAN
 set(CMAKE_EXE_LINKER_FLAGS_ASAN "-fsanitize=address,undefined")
 
 add_library(jointid_warnings INTERFACE)
-target_compile_options(jointid_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+target_compile_options(jointid_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion
+                                                  # Sources compiled as one see each other's names.
+                                                  $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
                                                   $<$<BOOL:${JOINTID_WERROR}>:-Werror>)
 
 # jointid_library(frf SOURCES … PUBLIC … PRIVATE …): the folder's namespace, target jointid::frf and headers.
