@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "ident/admissible/admissible_fit.hpp"
-#include "ident/likelihood/likelihood_data.hpp"
-#include "ident/likelihood/line_model.hpp"
+#include "ident/likelihood/fitted_lines.hpp"
 #include "ident/likelihood/scaled_prior.hpp"
 #include "ident/likelihood/secant_steps.hpp"
 
@@ -104,56 +103,28 @@ class LikelihoodEstimator {
   const LineState& state_of(std::size_t line) const { return lines_[line].state; }
 
   /// Z_j of a line.
-  ComplexMatrix impedance_of(std::size_t line, const std::vector<double>& theta) const { return lines_[line].joint.at(theta); }
+  ComplexMatrix impedance_of(std::size_t line, const std::vector<double>& theta) const { return lines_.impedance(line, theta); }
 
  private:
-  struct Line {
-    JointImpedance joint;
-    LineState state;
-    double redundancy = 0.0;
-    double cost = 0.0;
-    double weight = 1.0;
-    ReducedLine reduced;
-  };
-
-  static bool far_from_fitting(const Line& line) { return line.redundancy > 0.0 && line.cost > 4.0 * line.redundancy; }
-
-  void for_lines(const std::function<void(std::size_t, LineModel&)>& work) const;
-  void begin(const std::vector<double>& theta);
-  void begin_line(std::size_t line, const ComplexMatrix& z);
-  void choose_tolerance();
-  void weigh();
-  void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double total(const std::vector<double>& theta) const;
+  void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double misfit_of(double loss) const;  ///< errors over those that were assumed: √(loss over its expectation), at most 1
-  bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch);
-  static void add_information(const Line& line, double weight, Eigen::MatrixXd& information);
   Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
-  LikelihoodFit begun(std::vector<double> start);
-  void finish(LikelihoodFit& fit) const;
+  bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch);
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
-  ReducedLine says_nothing(const Line& line) const;
-  void linearise_all(const std::vector<double>& theta);
-  void relax(std::size_t line, LineModel& model, const ComplexMatrix& z);
-  void approach(std::size_t line, LineModel& model, const ComplexMatrix& z);
-  void try_again(std::size_t line, LineModel& model, const ComplexMatrix& z, const std::function<void()>& start);
-  void relax_all(const std::vector<double>& theta);
-  void follow(const std::vector<Line>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
-  LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
-  void weigh_at_states(const std::vector<double>& theta);
-  bool fits(const LikelihoodFit& fit) const;
-  bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
   Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
+  bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
+  LikelihoodFit begun(std::vector<double> start);
+  LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
+  void finish(LikelihoodFit& fit) const;
 
-  LikelihoodData& observations_;
-  std::size_t unknowns_, threads_;
-  std::vector<Line> lines_;
+  std::size_t unknowns_;
+  FittedLines lines_;
   std::vector<ScaledPrior> priors_;
   const AdmissibleSet* admissible_ = nullptr;  ///< while a fit is constrained
   AdmissibleFit nearest_;                      ///< of the last step under constraints
   SecantSteps secants_;
-  double shrinks_ = 1.0;    ///< a step over the one before, as last seen near the minimum
-  double tolerance_ = 1.0;  ///< χ² over its expectation that counts as fitting
+  double shrinks_ = 1.0;  ///< a step over the one before, as last seen near the minimum
 };
 
 }  // namespace jointid::ident

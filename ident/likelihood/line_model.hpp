@@ -26,6 +26,8 @@ class LineModel {
  public:
   explicit LineModel(const LineLayout& layout) : layout_(layout) {}
 
+  const LineLayout& layout() const { return layout_; }
+
   /// Linearises at `state`; `with_joint`: the unknowns of the joint too.
   void linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
                  bool with_joint);
