@@ -1,23 +1,17 @@
 #include "cli/bound_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/identifiability_json.hpp"
+#include "cli/json_value.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
-
 Json changes(const std::vector<ident::BoundChange>& list) {
   Json all = Json::array();
   for (const ident::BoundChange& change : list) {
-    Json factors = Json::array();
-    for (const double factor : change.factors) factors.push_back(value(factor));
-    all.push_back({{"what", change.what}, {"worst", value(change.worst)}, {"mean", value(change.mean)}, {"factors", factors}});
+    all.push_back({{"what", change.what}, {"worst", value(change.worst)}, {"mean", value(change.mean)}, {"factors", values(change.factors)}});
   }
   return all;
 }

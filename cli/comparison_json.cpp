@@ -1,17 +1,13 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/comparison_text.hpp"
+#include "cli/json_value.hpp"
 #include "cli/table.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 Json way(const ident::Way& chosen) {
   Json equations = Json::array();
@@ -46,18 +42,16 @@ Json combination(const ident::Combination& each) {
   return json;
 }
 
-std::string field(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
-
 std::vector<std::string> csv_cells(const ident::Combination& each, const ident::MatrixFigures& figures) {
   std::string equations;
   for (const auto equation : each.way.equations) equations += (equations.empty() ? "" : " ") + ident::name(equation);
   const bool weighs = ident::weighs_equations(each.way.method);
   std::vector<std::string> cells = {ident::name(each.way.method), equations, weighs ? weighting::name(each.way.weighting) : "",
-                                    weighs ? field(each.way.delta) : "", each.way.solver, restrictions::key(figures.kind)};
+                                    weighs ? csv_number(each.way.delta) : "", each.way.solver, restrictions::key(figures.kind)};
   for (const ident::Spread& s : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
-    cells.insert(cells.end(), {field(s.median), field(s.low), field(s.high)});
+    cells.insert(cells.end(), {csv_number(s.median), csv_number(s.low), csv_number(s.high)});
   }
-  cells.insert(cells.end(), {field(figures.bias), figures.on_front ? "true" : "false", field(each.solve_s),
+  cells.insert(cells.end(), {csv_number(figures.bias), figures.on_front ? "true" : "false", csv_number(each.solve_s),
                              fmt::format("{}", each.accumulator_bytes), ident::name(each.way.regenerate)});
   return cells;
 }

@@ -1,16 +1,12 @@
 #include "cli/couple_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/couple_text.hpp"
+#include "cli/json_value.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json file_json(const ident::CoupledFile& file) {
   return {{"file", file.path.string()}, {"conditions", file.conditions}, {"resonances_hz", file.resonances_hz}};
@@ -20,7 +16,7 @@ Json dependencies_json(const coupling::Dependencies& dependencies) {
   Json out = {{"reason", dependencies.reason}, {"conditions", Json::array()}};
   for (const coupling::Dependency& condition : dependencies.conditions) {
     out["conditions"].push_back({{"condition", condition.condition},
-                                 {"alpha", {{"median", finite(condition.median)}, {"q05", finite(condition.lower)}, {"q95", finite(condition.upper)}}},
+                                 {"alpha", {{"median", value(condition.median)}, {"q05", value(condition.lower)}, {"q95", value(condition.upper)}}},
                                  {"left_out", condition.dependent}});
   }
   return out;
@@ -41,7 +37,7 @@ std::string couple_json(const ident::CoupleScene& scene, const ident::CoupleResu
   out["kept"] = Json::array();
   for (const auto& [kept, lines] : kept_counts(result)) out["kept"].push_back({{"conditions", kept}, {"lines", lines}});
   if (const std::size_t worst = worst_line(result); worst != frf::npos) {
-    out["condition"] = {{"largest", finite(result.records[worst].condition)}, {"frequency_hz", result.frequency_hz[worst]}};
+    out["condition"] = {{"largest", value(result.records[worst].condition)}, {"frequency_hz", result.frequency_hz[worst]}};
   }
   return out.dump(2) + "\n";
 }

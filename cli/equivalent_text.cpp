@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_value.hpp"
 #include "cli/table.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 const char* equation(const ident::EquivalentScene& scene) { return scene.rigid ? "7.18" : "7.11"; }
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace
 
@@ -41,9 +37,9 @@ std::string equivalent_json(const ident::EquivalentScene& scene, const std::vect
   for (const ident::LevelJoint& level : levels) {
     out["levels"].push_back({{"file", level.file},
                              {"displacement", level.displacement},
-                             {"stiffness", finite(level.joint.stiffness)},
-                             {"damping", finite(level.joint.damping)},
-                             {"misfit", finite(level.joint.misfit)},
+                             {"stiffness", value(level.joint.stiffness)},
+                             {"damping", value(level.joint.damping)},
+                             {"misfit", value(level.joint.misfit)},
                              {"lines", level.lines},
                              {"settled", level.joint.settled}});
   }

@@ -1,16 +1,11 @@
 #include "cli/identifiability_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "cli/json_value.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value(const std::optional<double>& number) {
-  return number && std::isfinite(*number) ? Json(*number) : Json(nullptr);
-}
 
 Json combination(const ident::LinearCombination& of) {
   return {{"unknowns", of.names}, {"factors", of.factors}, {"deviation", value(of.deviation)}};

@@ -1,6 +1,6 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_value.hpp"
 #include "cli/loading_curve_report.hpp"
 #include "cli/table.hpp"
 #include "friction/loops.hpp"
@@ -8,19 +8,16 @@
 namespace jointid::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using friction::CurveFit;
 using friction::Fit;
 using friction::FittedValue;
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 Json fitted(const FittedValue& each) {
   return {{"name", each.name},
           {"value", value(each.value)},
           {"unit", each.unit},
-          {"std_error", each.std_error ? value(*each.std_error) : Json(nullptr)},
-          {"ci95", each.ci95 ? Json::array({value((*each.ci95)[0]), value((*each.ci95)[1])}) : Json(nullptr)},
+          {"std_error", value(each.std_error)},
+          {"ci95", value(each.ci95)},
           {"knowledge", friction::name(each.knowledge)}};
 }
 
@@ -51,15 +48,6 @@ Json equivalent(const CurveFit& curve) {
   return rows;
 }
 
-Json matrix(const std::vector<std::vector<double>>& rows) {
-  Json all = Json::array();
-  for (const auto& row : rows) {
-    Json& line = all.emplace_back(Json::array());
-    for (const double each : row) line.push_back(value(each));
-  }
-  return all;
-}
-
 Json fit_json(const LoadingCurveReport& report, const Fit& fit) {
   Json out = {{"law", fit.law},
               {"title", fit.title},
@@ -74,7 +62,7 @@ Json fit_json(const LoadingCurveReport& report, const Fit& fit) {
               {"objective", value(fit.objective)},
               {"residual_std", value(fit.residual_std)},
               {"neighbour_correlation", value(fit.neighbour_correlation)},
-              {"correlation", matrix(fit.correlation)},
+              {"correlation", values(fit.correlation)},
               {"findings", fit.findings}};
   out["curves"] = Json::array();
   for (const CurveFit* each : different(report, fit)) {
@@ -92,17 +80,16 @@ Json curve_json(const friction::Curve& curve) {
 }
 
 std::vector<std::string> csv_row(const Fit& fit, const CurveFit& curve, const FittedValue& each) {
-  const auto digits = [](double number) { return std::isfinite(number) ? Json(number).dump() : std::string(); };
   return {fit.law,
           curve.curve.name,
           each.name,
-          digits(each.value),
+          csv_number(each.value),
           each.unit,
-          each.std_error ? digits(*each.std_error) : "",
-          each.ci95 ? digits((*each.ci95)[0]) : "",
-          each.ci95 ? digits((*each.ci95)[1]) : "",
+          csv_number(each.std_error),
+          each.ci95 ? csv_number((*each.ci95)[0]) : "",
+          each.ci95 ? csv_number((*each.ci95)[1]) : "",
           friction::name(each.knowledge),
-          digits(fit.aic),
+          csv_number(fit.aic),
           friction::name(fit.status)};
 }
 

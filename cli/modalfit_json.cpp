@@ -1,17 +1,13 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_value.hpp"
 #include "cli/modalfit_text.hpp"
 #include "modalfit/mac.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 Json error(const modalfit::SynthesisError& of) { return {{"rms_db", value(of.rms_db)}, {"rms_db_away", value(of.rms_db_away)}}; }
 
@@ -88,8 +84,8 @@ std::string modes_csv(const ModalRun& run) {
   std::string csv = csv_line({"mode", "frequency_hz", "frequency_std", "damping", "damping_std", "significance", "inside"});
   for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
     const modalfit::Mode& mode = run.fit.modes[r];
-    csv += csv_line({fmt::format("{}", r + 1), fmt::format("{}", mode.pole.frequency_hz), fmt::format("{}", mode.frequency_deviation_hz),
-                     fmt::format("{}", mode.pole.damping), fmt::format("{}", mode.damping_deviation), fmt::format("{}", mode.significance),
+    csv += csv_line({fmt::format("{}", r + 1), csv_number(mode.pole.frequency_hz), csv_number(mode.frequency_deviation_hz),
+                     csv_number(mode.pole.damping), csv_number(mode.damping_deviation), csv_number(mode.significance),
                      mode.inside ? "true" : "false"});
   }
   return csv;

@@ -7,6 +7,7 @@
 
 #include "cli/bound_json.hpp"
 #include "cli/dof_list.hpp"
+#include "cli/json_value.hpp"
 #include "cli/table.hpp"
 #include "cli/words.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
@@ -14,8 +15,6 @@
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::vector<std::string> equation_names(const ident::Plan& plan) {
   std::vector<std::string> names;

@@ -2,16 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_value.hpp"
 #include "cli/reproduction_rows.hpp"
 #include "cli/table.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using problems::Reproduced;
 using problems::TableEntry;
 
@@ -33,8 +32,6 @@ std::string row_text(const ReproductionReport& report, const RowOf& row) {
   table.add(line("inside", [](const TableEntry&, const Reproduced& result) -> std::string { return result.inside ? "yes" : "NO"; }));
   return "\n" + table.text(0);
 }
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 }  // namespace
 

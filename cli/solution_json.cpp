@@ -1,22 +1,12 @@
 #include "cli/solution_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/identifiability_json.hpp"
+#include "cli/json_value.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
-
-Json value(const std::optional<double>& number) { return number ? value(*number) : Json(nullptr); }
-
-Json value(const std::optional<std::array<double, 2>>& pair) {
-  return pair ? Json::array({value((*pair)[0]), value((*pair)[1])}) : Json(nullptr);
-}
 
 Json unknown(const ident::Estimate& estimate, bool constrained) {
   Json json = {{"name", estimate.name},
@@ -41,18 +31,9 @@ Json admissibility(const ident::Admissibility& found) {
   return json;
 }
 
-Json matrix(const ident::Matrix& rows) {
-  Json all = Json::array();
-  for (const auto& row : rows) {
-    Json& line = all.emplace_back(Json::array());
-    for (const double element : row) line.push_back(value(element));
-  }
-  return all;
-}
-
 Json matrices(const ident::Matrices& by_kind) {
   Json all = Json::object();
-  for (const auto& [kind, rows] : by_kind) all[restrictions::key(kind)] = matrix(rows);
+  for (const auto& [kind, rows] : by_kind) all[restrictions::key(kind)] = values(rows);
   return all;
 }
 
@@ -66,12 +47,10 @@ Json bands(const std::vector<ident::BandMatrices>& list) {
 
 Json chi_square(const std::optional<ident::ChiSquare>& found) {
   if (!found) return nullptr;
-  Json by_line = Json::array();
-  for (const double line : found->by_line) by_line.push_back(value(line));
   return {{"value", value(found->value)},
           {"degrees_of_freedom", found->degrees_of_freedom},
           {"outlying_lines", found->outlying_lines},
-          {"by_line", by_line}};
+          {"by_line", values(found->by_line)}};
 }
 
 Json variances(const std::vector<ident::VarianceSource>& files) {
@@ -95,9 +74,8 @@ Json fit(const ident::Fit& fit) {
 /// Where the starts ended, best first.
 Json minima(const ident::MinimumSearch& search) {
   Json all = Json::array();
-  for (const auto& [cost, starts, values] : search.minima) {
-    Json& each = all.emplace_back(Json{{"cost", value(cost)}, {"starts", starts}, {"values", Json::array()}});
-    for (const double unknown : values) each["values"].push_back(value(unknown));
+  for (const auto& [cost, starts, unknowns] : search.minima) {
+    all.push_back({{"cost", value(cost)}, {"starts", starts}, {"values", values(unknowns)}});
   }
   return {{"equally_good", search.equally_good}, {"minima", all}};
 }

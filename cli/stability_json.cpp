@@ -1,16 +1,12 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_value.hpp"
 #include "cli/stability_report.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
 Json row(const stability::Measured& each) {
   return {{"sweep", each.sweep},
@@ -21,7 +17,7 @@ Json row(const stability::Measured& each) {
           {"unknowns", each.unknowns},
           {"digits_kept", value(each.digits_kept)},
           {"digits_true", value(each.digits_true)},
-          {"digits_stated", each.digits_stated ? value(*each.digits_stated) : Json(nullptr)},
+          {"digits_stated", value(each.digits_stated)},
           {"condition", value(each.condition)},
           {"rank", each.rank},
           {"solve_s", each.seconds},
@@ -30,8 +26,6 @@ Json row(const stability::Measured& each) {
           {"warned", each.warned},
           {"verdict", stability::name(each.verdict)}};
 }
-
-std::string field(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
 
 }  // namespace
 
@@ -56,9 +50,9 @@ std::string stability_csv(const StabilityReport& report) {
   std::string csv = csv_line({"sweep", "value", "method", "solver", "lines", "unknowns", "digits_kept", "digits_true", "digits_stated", "condition",
                               "rank", "solve_s", "accumulator_bytes", "status", "warned", "verdict"});
   for (const stability::Measured& each : report.rows) {
-    csv += csv_line({each.sweep, field(each.value), each.method, each.solver, fmt::format("{}", each.lines), fmt::format("{}", each.unknowns),
-                     field(each.digits_kept), field(each.digits_true), each.digits_stated ? field(*each.digits_stated) : "", field(each.condition),
-                     fmt::format("{}", each.rank), field(each.seconds), fmt::format("{}", each.bytes), ident::name(each.status),
+    csv += csv_line({each.sweep, csv_number(each.value), each.method, each.solver, fmt::format("{}", each.lines), fmt::format("{}", each.unknowns),
+                     csv_number(each.digits_kept), csv_number(each.digits_true), csv_number(each.digits_stated), csv_number(each.condition),
+                     fmt::format("{}", each.rank), csv_number(each.seconds), fmt::format("{}", each.bytes), ident::name(each.status),
                      each.warned ? "true" : "false", stability::name(each.verdict)});
   }
   return csv;

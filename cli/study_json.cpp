@@ -1,22 +1,10 @@
-#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_value.hpp"
 #include "cli/study_text.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
-
-Json value(const std::optional<double>& number) { return number ? value(*number) : Json(nullptr); }
-
-Json value(const ident::Quantiles& quantiles) {
-  Json all = Json::array();
-  for (const double quantile : quantiles) all.push_back(value(quantile));
-  return all;
-}
 
 Json unknown(const ident::UnknownStatistics& of) {
   return {{"name", of.name},
@@ -26,7 +14,7 @@ Json unknown(const ident::UnknownStatistics& of) {
           {"bias", value(of.bias)},
           {"std", value(of.std_deviation)},
           {"rms_error", value(of.rms_error)},
-          {"quantiles", value(of.quantiles)},
+          {"quantiles", values(of.quantiles)},
           {"coverage", value(of.coverage)}};
 }
 
@@ -47,9 +35,9 @@ std::string study_json(const StudyReport& report) {
   for (const auto& one : of.unknowns) json["unknowns"].push_back(unknown(one));
   json["quality"] = Json::object();
   for (const auto& matrix : of.quality) {
-    json["quality"][matrix.matrix] = {{"rjcf", value(matrix.rjcf)},
-                                      {"arvf", value(matrix.arvf)},
-                                      {"rms_relative_error", value(matrix.rms_relative_error)},
+    json["quality"][matrix.matrix] = {{"rjcf", values(matrix.rjcf)},
+                                      {"arvf", values(matrix.arvf)},
+                                      {"rms_relative_error", values(matrix.rms_relative_error)},
                                       {"rms_over_trials", value(matrix.rms_over_trials)}};
   }
   json["runtime_s"] = {{"total", report.run.wall_s}, {"trials", report.run.computed}, {"one_solution", report.run.solve_s}};

@@ -58,6 +58,8 @@ std::string Table::text(std::size_t indent) const {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "–"; }
 
+std::string csv_number(const std::optional<double>& value) { return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string(); }
+
 std::string csv_line(const std::vector<std::string>& fields) {
   std::string line;
   for (std::size_t i = 0; i < fields.size(); ++i) line += (i == 0 ? "" : ",") + quoted(fields[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ class Table {
 
 /// A number with six significant digits; "–" when it is not finite.
 std::string number(double value);
+
+/// With all its digits; empty when there is none, or it is not finite.
+std::string csv_number(const std::optional<double>& value);
 
 /// One CSV line: fields with commas, quotes or line ends are quoted (RFC 4180).
 std::string csv_line(const std::vector<std::string>& fields);

@@ -8,7 +8,7 @@
 namespace jointid::cli::report {
 namespace {
 
-using Values = std::vector<std::complex<double>>;
+using ComplexValues = std::vector<std::complex<double>>;
 using Entry = std::array<std::size_t, 2>;  ///< indices of response and reference
 
 constexpr std::size_t lines_at_once = 64;
@@ -42,14 +42,14 @@ std::size_t place(const std::vector<std::size_t>& among, std::size_t index) {
 
 /// Entries over all lines, a piece of lines at a time; read(block, values) fills a block.
 template <class Read>
-std::vector<Values> read_entries(const frf::FrfHeader& header, const std::vector<Entry>& entries, Read read) {
+std::vector<ComplexValues> read_entries(const frf::FrfHeader& header, const std::vector<Entry>& entries, Read read) {
   const std::vector<std::size_t> rows = distinct(entries, 0), columns = distinct(entries, 1);
-  std::vector<Values> out(entries.size());
+  std::vector<ComplexValues> out(entries.size());
   for (std::size_t first = 0; first < header.lines(); first += lines_at_once) {
     std::vector<std::size_t> lines;
     for (std::size_t line = first; line < std::min(first + lines_at_once, header.lines()); ++line) lines.push_back(line);
     const frf::Block block{lines, rows, columns};
-    Values values(block.size());
+    ComplexValues values(block.size());
     read(block, values);
     for (std::size_t e = 0; e < entries.size(); ++e) {
       const std::size_t at = place(rows, entries[e][0]) * columns.size() + place(columns, entries[e][1]);
@@ -59,8 +59,8 @@ std::vector<Values> read_entries(const frf::FrfHeader& header, const std::vector
   return out;
 }
 
-std::vector<Values> read_values(frf::FrfSource& source, const std::vector<Entry>& entries) {
-  return read_entries(source.header(), entries, [&](const frf::Block& block, Values& values) { source.read(block, values); });
+std::vector<ComplexValues> read_values(frf::FrfSource& source, const std::vector<Entry>& entries) {
+  return read_entries(source.header(), entries, [&](const frf::Block& block, ComplexValues& values) { source.read(block, values); });
 }
 
 }  // namespace
@@ -69,9 +69,9 @@ std::vector<PredictedFrf> read_predicted(const ident::CoupleResult& result, std:
   const auto source = frf::open_hdf5(result.result.path);
   const frf::FrfHeader& header = source->header();
   const std::vector<Entry> entries = choose(header, most);
-  std::vector<Values> values = read_values(*source, entries), variances, with_all;
+  std::vector<ComplexValues> values = read_values(*source, entries), variances, with_all;
   if (header.noise == frf::NoiseRecord::variance) {
-    variances = read_entries(header, entries, [&](const frf::Block& block, Values& to) { source->read_variance(block, to); });
+    variances = read_entries(header, entries, [&](const frf::Block& block, ComplexValues& to) { source->read_variance(block, to); });
   }
   if (result.with_all) with_all = read_values(*frf::open_hdf5(result.with_all->path), entries);
   std::vector<PredictedFrf> out;

@@ -6,12 +6,13 @@
 
 #include "cli/couple_text.hpp"
 #include "cli/report/couple_plots.hpp"
+#include "cli/report/limits.hpp"
 #include "cli/report/page.hpp"
 
 namespace jointid::cli::report {
 namespace {
 
-constexpr std::size_t most_frfs = 16, most_points = 2000, most_resonances = 30;
+constexpr std::size_t most_resonances = 30;
 
 std::string uncertainty_text(const ident::CoupleScene& scene) {
   if (!scene.options.uncertainty) return "not asked for (uncertainty = true)";

@@ -18,7 +18,7 @@ using friction::Fit;
 using Values = std::vector<double>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t most_points = 1500;
+constexpr std::size_t most_samples = 1500;
 
 /// Fits that have something to draw.
 std::vector<const Fit*> drawn(const LoadingCurveReport& report) {
@@ -70,7 +70,7 @@ std::vector<Plot> overlay(const LoadingCurveReport& report, std::size_t number, 
     for (const std::size_t row : rows) fitted.push_back(fit->curves[number].predicted[row + offset]);
     all.push_back(std::move(fitted));
   }
-  const std::vector<std::size_t> kept = keep_peaks(all, most_points);
+  const std::vector<std::size_t> kept = keep_peaks(all, most_samples);
   value.x_values = picked(value.x_values, kept);
   residual.x_values = value.x_values;
   value.series.push_back({"measured", picked(all[0], kept), Style::reference});

@@ -7,14 +7,13 @@
 #include <limits>
 
 #include "cli/modalfit_text.hpp"
+#include "cli/report/limits.hpp"
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
 
 namespace jointid::cli::report {
 namespace {
 
-constexpr std::size_t most_points = 2000;
-constexpr std::size_t most_frfs = 16;
 constexpr std::size_t most_rows = 50;
 
 /// Whether the pole is one of the fit's modes, nearer than its decay rate or ten standard deviations.

@@ -7,6 +7,7 @@
 
 #include "cli/admissibility_text.hpp"
 #include "cli/identifiability_text.hpp"
+#include "cli/report/limits.hpp"
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
 #include "cli/table.hpp"
@@ -15,7 +16,6 @@
 namespace jointid::cli::report {
 namespace {
 
-constexpr std::size_t most_frfs = 16, most_points = 2400;
 /// More is no reading matter; the JSON has it.
 constexpr std::size_t most_bars = 1000, most_elements = 10000;
 

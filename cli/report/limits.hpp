@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstddef>
+
+namespace jointid::cli::report {
+
+/// Points of a curve over frequency, and FRFs, that a page draws at most: more than a screen has, and few enough for a phone.
+inline constexpr std::size_t most_points = 2400, most_frfs = 16;
+
+}  // namespace jointid::cli::report
