@@ -1,6 +1,5 @@
 #include "input_folder.hpp"
 
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -14,20 +13,12 @@
 namespace jointid::cli {
 
 InputFolder::InputFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "jointid-input-XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  folder_ = name;
   problems::write(problems::make("A1"), folder_, {});
   frf::write_hdf5(small_set(), path("a.h5"));
   frf::write_uff(small_set(), path("a.uff"), {.binary = false});
   frf::write_uff(small_set(), path("b.uff"), {.binary = true});
   frf::write_csv(small_set(), path("a.csv"));
   write("old.json", "old");
-}
-
-InputFolder::~InputFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 std::string InputFolder::text(const std::string& name) const {
@@ -49,7 +40,7 @@ void InputFolder::replace(const std::string& name, const std::string& from, cons
 std::map<std::string, std::string> InputFolder::content() const {
   std::map<std::string, std::string> all;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-    const std::string name = entry.path().lexically_relative(folder_).string();
+    const std::string name = entry.path().lexically_relative(path()).string();
     if (entry.is_symlink()) all[name] = "link to " + std::filesystem::read_symlink(entry.path()).string();
     else if (entry.is_directory()) all[name] = "/";
     else all[name] = entry.is_regular_file() ? text(name) : "no file";

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frf/frf_set.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::cli {
 
@@ -17,9 +18,6 @@ namespace jointid::cli {
 class InputFolder {
  public:
   InputFolder();
-  ~InputFolder();
-  InputFolder(const InputFolder&) = delete;
-  InputFolder& operator=(const InputFolder&) = delete;
 
   std::filesystem::path path(const std::string& name = "") const { return folder_ / name; }
   std::string text(const std::string& name) const;
@@ -31,7 +29,7 @@ class InputFolder {
   std::map<std::string, std::string> content() const;
 
  private:
-  std::filesystem::path folder_;
+  TestFolder folder_;
 };
 
 /// Lines 10, 20 and 30 Hz, responses 1:+Y and 2:+Y, reference 1:+Y.

@@ -12,6 +12,7 @@
 #include "cli/loading_curve_data.hpp"
 #include "friction/law.hpp"
 #include "frf/error.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -24,12 +25,6 @@ const std::vector<double> ren = {3.43e-8, 2.79, 5.7e8};
 
 class LoadingCurveCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("jointid-loading-curve-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
     return folder_ / name;
@@ -71,7 +66,7 @@ class LoadingCurveCommand : public testing::Test {
 
   static double parameter(const nlohmann::json& fit, std::size_t i, std::size_t curve = 0) { return fit["curves"][curve]["parameters"][i]["value"]; }
 
-  std::filesystem::path folder_;
+  TestFolder folder_;
 };
 
 TEST_F(LoadingCurveCommand, UnitsOfTheHeaderOrOfTheOptionsMakeTheSameCurve) {

@@ -13,6 +13,7 @@
 #include "frf/error.hpp"
 #include "frf/uff55.hpp"
 #include "problems/modal_set.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -23,11 +24,8 @@ using Complex = std::complex<double>;
 class Modalfit : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("jointid-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     file_ = problems::write(problems::make_modal_set("modes-pair"), folder_, {});
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   ModalRun run(modalfit::ModelKind kind) const {
     ModalfitArguments arguments;
@@ -37,7 +35,8 @@ class Modalfit : public testing::Test {
     return run_modalfit(arguments);
   }
 
-  fs::path folder_, file_;
+  TestFolder folder_;
+  fs::path file_;
 };
 
 /// Poles and residues of dataset 55 by its own conventions against the FRFs of the set, a few bandwidths off resonance (six digits of λ

@@ -8,26 +8,18 @@
 #include <sstream>
 
 #include "frf/error.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::cli {
 namespace {
 
-/// An empty folder of one test, removed at its end.
 class Output : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
   }
 
-  std::filesystem::path folder_;
+  TestFolder folder_;
 };
 
 TEST_F(Output, AnythingElseIsAFileThatIsReplacedWhole) {

@@ -14,6 +14,7 @@
 #include "frf/error.hpp"
 #include "frf/frf_source.hpp"
 #include "input_folder.hpp"
+#include "tests/test_folder.hpp"
 #include "problems/coupling_problem.hpp"
 #include "problems/loading_curves.hpp"
 #include "run_command.hpp"
@@ -75,7 +76,8 @@ class StoppedFolder : public InputFolder {
 
 /// HDF5 files carry the time at which they were made.
 bool is_whole_hdf5(const std::string& found, const std::string& reference) {
-  const auto path = std::filesystem::temp_directory_path() / ("jointid-found-" + std::to_string(::getpid()) + ".h5");
+  const TestFolder folder;
+  const auto path = folder / "found.h5";
   std::ofstream(path, std::ios::binary) << found;
   bool ok = found.size() == reference.size();
   try {
@@ -83,7 +85,6 @@ bool is_whole_hdf5(const std::string& found, const std::string& reference) {
   } catch (const InputError&) {
     ok = false;
   }
-  std::filesystem::remove(path);
   return ok;
 }
 
@@ -102,12 +103,12 @@ class StoppedCommand : public testing::TestWithParam<Writing> {
   /// The command undisturbed: what it leaves, and by how many calls.
   void SetUp() override {
     const StoppedFolder folder(GetParam());
-    const std::string count = "/tmp/jointid-calls-" + std::to_string(::getpid());
+    const TestFolder other;
+    const std::string count = (other / "calls").string();
     const Outcome outcome = folder.run(GetParam(), {{"STOP_COUNT", count}});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     complete_ = folder.content();
     std::ifstream(count) >> calls_;
-    std::filesystem::remove(count);
     ASSERT_GE(calls_, 3U * GetParam().outputs.size());
   }
 

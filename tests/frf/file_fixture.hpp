@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +16,13 @@
 
 #include "frf/error.hpp"
 #include "frf/frf_source.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::frf {
 
-/// A folder of its own for every test, removed with all that lies in it.
+/// With a folder of its own.
 class FileTest : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string("jointid-") + test->test_suite_name() + "-" + test->name() + "-" +
-                       std::to_string(::getpid());
-    std::replace(name.begin(), name.end(), '/', '-');
-    folder_ = std::filesystem::temp_directory_path() / name;
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
 
   std::filesystem::path write_file(const std::string& name, const std::string& content) const {
@@ -44,7 +34,7 @@ class FileTest : public ::testing::Test {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
   }
 
-  std::filesystem::path folder_;
+  TestFolder folder_;
 };
 
 /// Lets files grow to `bytes` only, as a full disk does, while it lives.

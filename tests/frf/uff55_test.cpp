@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "frf/error.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -16,12 +17,6 @@ namespace fs = std::filesystem;
 
 class Uff55 : public testing::Test {
  protected:
-  void SetUp() override {
-    file_ = fs::temp_directory_path() /
-            ("jointid-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".uff");
-  }
-  void TearDown() override { fs::remove(file_); }
-
   fs::path external(const std::string& name) const { return fs::path(JOINTID_EXTERNAL_DATA) / "uff" / name; }
   void write(const std::string& text) const { std::ofstream(file_) << text; }
   std::string error() const {
@@ -33,7 +28,8 @@ class Uff55 : public testing::Test {
     return "no error";
   }
 
-  fs::path file_;
+  TestFolder folder_;
+  fs::path file_ = folder_ / "modes.uff";
 };
 
 void expect_near(Complex found, Complex expected) { EXPECT_LE(std::abs(found - expected), 1e-5 * std::abs(expected)); }

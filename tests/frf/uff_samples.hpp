@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -15,27 +14,21 @@
 #include <vector>
 
 #include "frf/error.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::frf::samples {
 
 /// A file in the temporary folder with the given bytes; it goes with the object.
 class TemporaryUff {
  public:
-  explicit TemporaryUff(const std::string& bytes = {}) {
-    static int counter = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("jointid_uff_" + std::to_string(::getpid()) + "_" + std::to_string(counter++) + ".uff");
-    std::ofstream(path_, std::ios::binary) << bytes;
-  }
-  TemporaryUff(const TemporaryUff&) = delete;
-  TemporaryUff& operator=(const TemporaryUff&) = delete;
-  ~TemporaryUff() { std::filesystem::remove(path_); }
+  explicit TemporaryUff(const std::string& bytes = {}) { std::ofstream(path_, std::ios::binary) << bytes; }
 
   const std::filesystem::path& path() const { return path_; }
   operator const std::filesystem::path&() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  TestFolder folder_;
+  std::filesystem::path path_ = folder_ / "sample.uff";
 };
 
 template <class... Values>

@@ -5,6 +5,7 @@
 
 #include "joint_eigenvalues.hpp"
 #include "likelihood_accuracy.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -89,14 +90,13 @@ INSTANTIATE_TEST_SUITE_P(Cases, AdmissibleAccuracy,
 
 /// As case B5 of Table 7.4: joint B from FRFs regenerated from modal data, without the ends of the range.
 TEST(AdmissibleRegenerated, CaseB5TellsTheConstraintAndItsCost) {
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "jointid_admissible_b5";
+  const TestFolder folder;
   Scene scene = read_scene(problems::write(problems::make("rig1"), folder, {}));
   scene.data.regenerate = {.substructures = true, .assembly = true};
   scene.frequency.range_hz = Range{116.0, 1676.0};
   const Solution free = solve(*make_plan(scene));
   scene.joints[0].definite = {Kind::stiffness, Kind::hysteretic_damping};
   const Solution found = solve(*make_plan(scene));
-  std::filesystem::remove_all(folder);
   ASSERT_EQ(found.status, Status::ok);
   std::printf("least over largest eigenvalue %.3g without, %.3g with; cost %.4g by %zu equations\n", least_relative_eigenvalue(free),
               least_relative_eigenvalue(found), found.admissibility->chi_square, found.admissibility->equations);

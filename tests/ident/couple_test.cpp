@@ -9,6 +9,7 @@
 #include "frf/error.hpp"
 #include "frf/hdf5_file.hpp"
 #include "problems/coupling_problem.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -19,18 +20,11 @@ using ::testing::HasSubstr;
 
 class Couple : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("jointid-couple-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   CoupleScene written(const std::string& name, bool clean) const {
     return read_couple_scene(problems::write(problems::make_coupling(name), folder_, {.format = "h5", .seed = 1, .clean = clean}));
   }
 
-  fs::path folder_;
+  TestFolder folder_;
 };
 
 TEST_F(Couple, WritesTheFrfsOfTheAssembly) {

@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <set>
 
@@ -9,6 +7,7 @@
 #include "ident/solve.hpp"
 #include "memory_systems.hpp"
 #include "problems/in_memory.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -175,23 +174,8 @@ TEST(LeftOut, ThePlanCountsWhatIsRead) {
   EXPECT_EQ(plan->cost.bytes_read, 31u * (140u + 140u) * sizeof(Complex));
 }
 
-/// A folder of its own that goes with the test.
-class Folder {
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("jointid_left_out_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::filesystem::path operator/(const char* name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
-
 TEST(LeftOut, FourLinesOfALargeFileAreFourLinesRead) {
-  const Folder folder;
+  const TestFolder folder;
   std::vector<double> lines;
   for (int i = 1; i <= 10000; ++i) lines.push_back(0.1 * i);
   std::mt19937_64 random(1);

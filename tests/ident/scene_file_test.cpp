@@ -1,11 +1,11 @@
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "frf/error.hpp"
 #include "ident/scene.hpp"
 #include "tests/ident/full_scene.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -15,11 +15,6 @@ using ::testing::HasSubstr;
 /// A folder of its own that goes away with the test.
 class SceneFile : public ::testing::Test {
  protected:
-  SceneFile() : folder_(std::filesystem::temp_directory_path() / ("jointid_scene_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~SceneFile() override { std::filesystem::remove_all(folder_); }
-
   Path write(const std::string& text) const {
     const Path file = folder_ / "scene.toml";
     std::ofstream(file, std::ios::binary) << text;
@@ -37,7 +32,7 @@ class SceneFile : public ::testing::Test {
     }
   }
 
-  Path folder_;
+  TestFolder folder_;
 };
 
 TEST_F(SceneFile, PathsOfTheDataAreRelativeToTheScene) {

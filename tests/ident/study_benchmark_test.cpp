@@ -7,6 +7,7 @@
 #include "ident/study.hpp"
 #include "ident/study_statistics.hpp"
 #include "problems/in_memory.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -23,13 +24,10 @@ StudyStatistics study(const char* problem_name, const Settings& settings) {
   scene.identify.equations = settings.equations;
   scene.identify.weighting = settings.weighting;
   scene.identify.delta = settings.delta;
-  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::string name = test;
-  for (char& c : name) c = c == '/' ? '_' : c;
   StudyOptions options;
   options.trials = 400;
-  options.out = Path(testing::TempDir()) / ("benchmark_" + name + problem_name + ".h5");
-  std::filesystem::remove(options.out.string() + ".partial");
+  const TestFolder folder;
+  options.out = folder / "study.h5";
   const auto team = make_team_of_one();
   run_study(problems::trial_data(scene, problem), options, *team);
   return study_statistics(options.out);

@@ -8,6 +8,7 @@
 
 #include "frf/table_file.hpp"
 #include "ident/solution.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -17,8 +18,8 @@ using testing::ElementsAre;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double ok = static_cast<double>(Status::ok), failed = static_cast<double>(Status::rank_deficient);
 
-Path written(const std::string& name, std::size_t rows, const std::vector<double>& numbers) {
-  const Path path = Path(testing::TempDir()) / name;
+Path written(const TestFolder& folder, std::size_t rows, const std::vector<double>& numbers) {
+  const Path path = folder / "study.h5";
   frf::TableWriter table(path, {.texts = {}, .columns = {{"status", "", nan}, {"K", "N/m", nan}, {"D", "N/m", nan}}}, rows);
   table.append(numbers);
   table.finish();
@@ -26,7 +27,8 @@ Path written(const std::string& name, std::size_t rows, const std::vector<double
 }
 
 TEST(StudyHistogram, CountsUsableTrialsBinByBin) {
-  const Path file = written("bins.h5", 6, {ok, 0.0, 5.0, ok, 0.5, 6.0, failed, 0.6, 5.0, ok, 1.0, nan, ok, 1.1, 5.5, ok, -0.1, 5.5});
+  const TestFolder folder;
+  const Path file = written(folder, 6, {ok, 0.0, 5.0, ok, 0.5, 6.0, failed, 0.6, 5.0, ok, 1.0, nan, ok, 1.1, 5.5, ok, -0.1, 5.5});
   const auto histograms = study_histograms(file, {{1, 0.0, 1.0, 2}, {2, 5.0, 6.0, 4}});
   ASSERT_EQ(histograms.size(), 2u);
   EXPECT_THAT(histograms[0].counts, ElementsAre(1, 2));
@@ -42,7 +44,8 @@ TEST(StudyHistogram, EveryTrialOfALargeFileCounts) {
   for (std::size_t i = 0; i < rows; ++i) {
     numbers.insert(numbers.end(), {ok, static_cast<double>(i % 10) + 0.5, 0.0});
   }
-  const Histogram histogram = study_histograms(written("large.h5", rows, numbers), {{1, 0.0, 10.0, 10}}).front();
+  const TestFolder folder;
+  const Histogram histogram = study_histograms(written(folder, rows, numbers), {{1, 0.0, 10.0, 10}}).front();
   EXPECT_EQ(histogram.counts[0], 20001u);
   EXPECT_EQ(histogram.counts[9], 20000u);
   EXPECT_EQ(std::accumulate(histogram.counts.begin(), histogram.counts.end(), histogram.outside), rows);

@@ -7,6 +7,7 @@
 #include "ident/study.hpp"
 #include "ident/study_statistics.hpp"
 #include "problems/in_memory.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -23,15 +24,13 @@ std::size_t peak_of_study(const std::shared_ptr<const TrialData>& data, std::siz
   StudyOptions options;
   options.trials = trials;
   options.threads = 1;
-  options.out = Path(testing::TempDir()) / ("memory_" + std::to_string(trials) + ".h5");
-  std::filesystem::remove(options.out.string() + ".partial");
+  const TestFolder folder;
+  options.out = folder / "study.h5";
   const auto team = make_team_of_one();
-  const std::size_t peak = peak_bytes_of([&] {
+  return peak_bytes_of([&] {
     EXPECT_TRUE(run_study(data, options, *team).complete);
     EXPECT_EQ(study_statistics(options.out).trials, trials);
   });
-  std::filesystem::remove(options.out);
-  return peak;
 }
 
 TEST(StudyMemory, DoesNotGrowWithTheTrials) {
@@ -44,7 +43,8 @@ TEST(StudyMemory, DoesNotGrowWithTheTrials) {
 
 /// A study of one unknown that no trial computed.
 std::size_t peak_of_statistics(std::size_t trials) {
-  const Path path = Path(testing::TempDir()) / ("memory_of_statistics_" + std::to_string(trials) + ".h5");
+  const TestFolder folder;
+  const Path path = folder / "study.h5";
   frf::TableHeader header{.texts = {{"unknowns", "1"}, {"judged", ""}, {"intervals", "no"}},
                           .columns = {{"status", "", 0.0}, {"K(1,1)", "N/m", 0.5}}};
   frf::TableWriter table(path, header, trials);
@@ -53,9 +53,7 @@ std::size_t peak_of_statistics(std::size_t trials) {
     table.append(std::vector<double>{0.0, spread});
   }
   table.finish();
-  const std::size_t peak = peak_bytes_of([&] { EXPECT_NEAR(study_statistics(path).unknowns.front().quantiles[2], 0.5, 0.01); });
-  std::filesystem::remove(path);
-  return peak;
+  return peak_bytes_of([&] { EXPECT_NEAR(study_statistics(path).unknowns.front().quantiles[2], 0.5, 0.01); });
 }
 
 TEST(StudyMemory, OfStatisticsIsBounded) {

@@ -4,19 +4,14 @@
 
 #include "frf/error.hpp"
 #include "ident/trial_queue.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
 
-std::filesystem::path scratch_journal() {
-  const auto path = std::filesystem::path(testing::TempDir()) /
-                    (std::string("journal_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-  std::filesystem::remove(path);
-  return path;
-}
-
 TEST(RecordJournal, KnowsWhatIsWhole) {
-  const auto path = scratch_journal();
+  const TestFolder folder;
+  const auto path = folder / "journal";
   using Start = frf::RecordJournal::Start;
   {
     frf::RecordJournal journal(path, "key", 2, Start::fresh);
@@ -37,7 +32,8 @@ TEST(RecordJournal, KnowsWhatIsWhole) {
 }
 
 TEST(RecordJournal, FindsWhatIsMissingOverManyRecords) {
-  frf::RecordJournal journal(scratch_journal(), "key", 1, frf::RecordJournal::Start::fresh);
+  const TestFolder folder;
+  frf::RecordJournal journal(folder / "journal", "key", 1, frf::RecordJournal::Start::fresh);
   for (std::size_t i = 0; i < 10'000; ++i) {
     if (i < 4090 || i > 4100) journal.put(i, std::vector<double>{static_cast<double>(i)});
   }

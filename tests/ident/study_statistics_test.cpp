@@ -10,21 +10,16 @@
 #include "ident/study.hpp"
 #include "ident/trial_runner.hpp"
 #include "problems/in_memory.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::ident {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-Path scratch(const std::string& name) {
-  const Path path = Path(testing::TempDir()) / name;
-  std::filesystem::remove(path);
-  std::filesystem::remove(path.string() + ".partial");
-  return path;
-}
-
 TEST(StudyStatistics, AreThoseOfTheUsableTrials) {
-  const Path path = scratch("statistics.h5");
+  const TestFolder folder;
+  const Path path = folder / "statistics.h5";
   frf::TableHeader header{.texts = {{"unknowns", "1"}, {"judged", ""}, {"intervals", "yes"}},
                           .columns = {{"status", "", nan}, {"K(1,1)", "N/m", 10.0}, {"low", "", nan}, {"high", "", nan}}};
   frf::TableWriter table(path, header, 5);
@@ -47,7 +42,8 @@ TEST(StudyStatistics, AreThoseOfTheUsableTrials) {
 TEST(StudyStatistics, OfAStudyAreThoseOfItsTrials) {
   const problems::Problem problem = problems::make("A10");
   const auto data = problems::trial_data(problems::scene(problem), problem);
-  const StudyOptions options{.trials = 40, .seed = 3, .threads = 2, .resume = false, .out = scratch("study.h5"), .texts = {}};
+  const TestFolder folder;
+  const StudyOptions options{.trials = 40, .seed = 3, .threads = 2, .resume = false, .out = folder / "study.h5", .texts = {}};
   const auto team = make_team_of_one();
   const StudyRun run = run_study(data, options, *team);
   EXPECT_TRUE(run.complete);

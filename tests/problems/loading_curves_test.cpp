@@ -13,6 +13,7 @@
 #include "friction/law.hpp"
 #include "friction/loops.hpp"
 #include "frf/columns.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -46,7 +47,7 @@ TEST(LoadingCurves, WithoutNoiseTheRowsAreFoundAgain) {
 }
 
 TEST(LoadingCurves, AreWrittenWithTheirTruth) {
-  const auto folder = std::filesystem::temp_directory_path() / "jointid-loading-curves-test";
+  const TestFolder folder;
   const LoadingCurve* problem = find_loading_curve("table2.4-3");
   ASSERT_NE(problem, nullptr);
   EXPECT_EQ(find_loading_curve("table2.4-30"), nullptr);
@@ -61,7 +62,6 @@ TEST(LoadingCurves, AreWrittenWithTheirTruth) {
   EXPECT_EQ(truth["parameters"][1]["value"], 4.267);
   EXPECT_EQ(truth["law"], "ren");
   EXPECT_EQ(fit_options(*problem), "--law ren --ring 0.0255,0.038");
-  std::filesystem::remove_all(folder);
 }
 
 TEST(AsperityCurves, RankTheLawsAsTheThesis) {

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include "ident/solve.hpp"
 #include "problems/problem.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -16,12 +16,6 @@ using restrictions::Kind;
 using weighting::Weighting;
 
 constexpr int seeds = 20;
-
-/// A folder of this process, removed at the end.
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / ("jointid_rig_one_" + std::to_string(getpid()));
-  ~TemporaryFolder() { fs::remove_all(path); }
-};
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -45,8 +39,8 @@ std::map<Weighting, Errors> identify_twenty_tests() {
   const Problem problem = make("rig1");
   std::map<Weighting, Errors> errors;
   for (int seed = 1; seed <= seeds; ++seed) {
-    const TemporaryFolder folder;
-    const fs::path file = write(problem, folder.path, {.format = "uff", .seed = static_cast<std::uint64_t>(seed)});
+    const TestFolder folder;
+    const fs::path file = write(problem, folder, {.format = "uff", .seed = static_cast<std::uint64_t>(seed)});
     ident::Scene scene = ident::read_scene(file);
     for (const Weighting weighting : {Weighting::none, Weighting::wa, Weighting::wb, Weighting::wbg, Weighting::wbs}) {
       scene.identify.weighting = weighting;

@@ -11,6 +11,7 @@
 #include "frf/error.hpp"
 #include "ident/equivalent.hpp"
 #include "rig_two_table.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -83,10 +84,7 @@ TEST(RigTwo, WithTheErrorsOfItsTestsTheFrictionLimitIsWithinFifteenPercent) {
 
 class RigTwoFiles : public testing::Test {
  protected:
-  void SetUp() override { folder_ = fs::temp_directory_path() / ("jointid-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name())); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path folder_;
+  TestFolder folder_;
 };
 
 TEST_F(RigTwoFiles, GiveWhatTheSetsInMemoryGive) {

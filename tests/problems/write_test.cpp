@@ -11,6 +11,7 @@
 #include "frf/hdf5_file.hpp"
 #include "frf/uff_file.hpp"
 #include "problems/problem.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -19,13 +20,6 @@ namespace fs = std::filesystem;
 
 class Write : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("jointid-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string text(const std::string& name) const {
     std::ifstream in(folder_ / name);
     std::stringstream content;
@@ -33,7 +27,7 @@ class Write : public testing::Test {
     return content.str();
   }
 
-  fs::path folder_;
+  TestFolder folder_;
 };
 
 /// A factor −ω² away from receptance and back costs a few roundings.
@@ -105,13 +99,13 @@ TEST_F(Write, TheTruthHasNamesValuesMatricesAndNaturalFrequencies) {
 }
 
 TEST_F(Write, AnUnknownFormatIsAnErrorBeforeAnythingIsWritten) {
-  EXPECT_THROW(write(make("A1"), folder_, {.format = "mat"}), InputError);
-  EXPECT_FALSE(fs::exists(folder_));
+  EXPECT_THROW(write(make("A1"), folder_ / "new", {.format = "mat"}), InputError);
+  EXPECT_FALSE(fs::exists(folder_ / "new"));
 }
 
 TEST_F(Write, AFolderThatCannotBeMadeIsAnError) {
-  std::ofstream(folder_) << "a file where the folder should be";
-  EXPECT_THROW(write(make("A1"), folder_, {}), InputError);
+  std::ofstream(folder_ / "taken") << "a file where the folder should be";
+  EXPECT_THROW(write(make("A1"), folder_ / "taken", {}), InputError);
 }
 
 }  // namespace

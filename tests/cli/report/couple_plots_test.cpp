@@ -8,6 +8,7 @@
 #include "cli/report/couple_report.hpp"
 #include "frf/hdf5_file.hpp"
 #include "problems/coupling_problem.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -36,14 +37,12 @@ TEST(CouplePlots, TheIntervalOfAMagnitudeIsThatOfTheErrorAlongIt) {
 class CoupleReport : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = fs::temp_directory_path() / ("jointid-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
     scene_ = ident::read_couple_scene(problems::write(problems::make_coupling("coupling-C"), folder_, {.format = "h5", .seed = 1, .clean = false}));
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   ident::CoupleResult couple(bool bounds) const { return ident::couple(scene_, folder_ / "out.h5", bounds); }
 
-  fs::path folder_;
+  TestFolder folder_;
   ident::CoupleScene scene_;
 };
 

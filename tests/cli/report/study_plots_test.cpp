@@ -8,6 +8,7 @@
 
 #include "cli/report/study_report.hpp"
 #include "frf/table_file.hpp"
+#include "tests/test_folder.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -17,25 +18,31 @@ using testing::Not;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Trials of which number i has the values `base` + i of all unknowns, and one matrix with figures of merit.
-std::filesystem::path study_file(std::size_t unknowns, std::size_t trials, double base, double truth) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "study_plots.h5";
-  frf::TableHeader header{{{"unknowns", std::to_string(unknowns)}, {"judged", "stiffness"}, {"intervals", "no"}},
-                          {{"status", "", nan}}};
-  for (std::size_t u = 0; u < unknowns; ++u) header.columns.push_back({"K" + std::to_string(u), "N/m", truth});
-  for (const char* figure : {"rjcf", "arvf", "error"}) header.columns.push_back({figure, "", nan});
-  frf::TableWriter table(path, header, trials);
-  for (std::size_t i = 0; i < trials; ++i) {
-    std::vector<double> row(unknowns + 4, base + static_cast<double>(i));
-    row[0] = 0.0;
-    row[unknowns + 1] = 1.0 - 0.001 * static_cast<double>(i);
-    row[unknowns + 2] = 1.0 + 0.001 * static_cast<double>(i);
-    row[unknowns + 3] = 0.5;
-    table.append(row);
+class StudyPlots : public testing::Test {
+ protected:
+  /// Trials of which number i has the values `base` + i of all unknowns, and one matrix with figures of merit.
+  std::filesystem::path study_file(std::size_t unknowns, std::size_t trials, double base, double truth) const {
+    const std::filesystem::path path = folder_ / "study.h5";
+    frf::TableHeader header{{{"unknowns", std::to_string(unknowns)}, {"judged", "stiffness"}, {"intervals", "no"}},
+                            {{"status", "", nan}}};
+    for (std::size_t u = 0; u < unknowns; ++u) header.columns.push_back({"K" + std::to_string(u), "N/m", truth});
+    for (const char* figure : {"rjcf", "arvf", "error"}) header.columns.push_back({figure, "", nan});
+    frf::TableWriter table(path, header, trials);
+    for (std::size_t i = 0; i < trials; ++i) {
+      std::vector<double> row(unknowns + 4, base + static_cast<double>(i));
+      row[0] = 0.0;
+      row[unknowns + 1] = 1.0 - 0.001 * static_cast<double>(i);
+      row[unknowns + 2] = 1.0 + 0.001 * static_cast<double>(i);
+      row[unknowns + 3] = 0.5;
+      table.append(row);
+    }
+    table.finish();
+    return path;
   }
-  table.finish();
-  return path;
-}
+
+ private:
+  TestFolder folder_;
+};
 
 PlotGroup unknowns_of(const std::filesystem::path& file, std::size_t most) {
   return unknown_histograms(file, ident::study_statistics(file), most);
@@ -47,7 +54,7 @@ const HistogramPlot& histogram(const PlotGroup& group, std::size_t choice, std::
 
 double sum(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
-TEST(StudyPlots, CountEveryTrialAndMarkTheTruth) {
+TEST_F(StudyPlots, CountEveryTrialAndMarkTheTruth) {
   const PlotGroup group = unknowns_of(study_file(1, 100, 0.0, 40.0), 10);
   const HistogramPlot& plot = histogram(group, 0, 0);
   EXPECT_EQ(plot.title, "K0");
@@ -58,12 +65,12 @@ TEST(StudyPlots, CountEveryTrialAndMarkTheTruth) {
   EXPECT_EQ(plot.mark, 40.0);
 }
 
-TEST(StudyPlots, ReachForATruthThatIsNearOnly) {
+TEST_F(StudyPlots, ReachForATruthThatIsNearOnly) {
   EXPECT_GT(histogram(unknowns_of(study_file(1, 100, 0.0, 200.0), 10), 0, 0).high, 200.0);
   EXPECT_LT(histogram(unknowns_of(study_file(1, 100, 0.0, 2e6), 10), 0, 0).high, 200.0);
 }
 
-TEST(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
+TEST_F(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
   const PlotGroup group = unknowns_of(study_file(40, 30, 0.0, nan), 25);
   ASSERT_EQ(group.choices.size(), 3U);
   EXPECT_EQ(group.choices[0].name, "K0 … K11");
@@ -72,7 +79,7 @@ TEST(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
   EXPECT_FALSE(histogram(group, 2, 0).mark.has_value());
 }
 
-TEST(StudyPlots, WhatDoesNotVaryIsLeftOut) {
+TEST_F(StudyPlots, WhatDoesNotVaryIsLeftOut) {
   EXPECT_TRUE(unknowns_of(study_file(2, 1, 5.0, 5.0), 10).choices.empty());
   const auto file = study_file(1, 50, 0.0, nan);
   const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
@@ -80,7 +87,7 @@ TEST(StudyPlots, WhatDoesNotVaryIsLeftOut) {
   EXPECT_EQ(group.choices[0].plots.size(), 2U) << "the rms error is always 0.5";
 }
 
-TEST(StudyPlots, RjcfEndsAtOne) {
+TEST_F(StudyPlots, RjcfEndsAtOne) {
   const auto file = study_file(1, 50, 0.0, nan);
   const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
   EXPECT_EQ(histogram(group, 0, 0).high, 1.0);
@@ -88,7 +95,9 @@ TEST(StudyPlots, RjcfEndsAtOne) {
   EXPECT_GT(histogram(group, 0, 1).high, 1.0);
 }
 
-TEST(StudyReportPage, TellsTheSceneAndStaysSmall) {
+class StudyReportPage : public StudyPlots {};
+
+TEST_F(StudyReportPage, TellsTheSceneAndStaysSmall) {
   const auto file = study_file(1000, 30, 0.0, 10.0);
   const StudyReport report{"title", file.string(), 7, {}, ident::study_statistics(file)};
   ident::Scene scene;
