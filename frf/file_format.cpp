@@ -34,7 +34,7 @@ std::string read_head(const std::filesystem::path& path) {
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found)
     fail(path, "there is no such file", "check its path");
-  if (error) fail(path, "cannot be opened: " + error.message(), {});
+  if (error) fail(path, "cannot be opened: " + error.message(), "check its path and the permissions of its folders");
   if (is_directory(status)) fail(path, "is a folder", "name a file in it");
   if (!is_regular_file(status)) fail(path, "is not a regular file", "copy its data into one");
   std::ifstream in(path, std::ios::binary);

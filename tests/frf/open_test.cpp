@@ -75,14 +75,21 @@ TEST_F(Open, WhatCannotBeOpenedSaysWhy) {
   EXPECT_THAT(error("empty.h5/a.h5"), HasSubstr("a.h5: "));
 }
 
-TEST_F(Open, AFileThatMayNotBeReadSaysSo) {
-  std::filesystem::permissions(write_file("a.h5", "x"), std::filesystem::perms::none);
+TEST_F(Open, WhatMayNotBeReadSaysSo) {
+  using std::filesystem::perms;
+  std::filesystem::permissions(write_file("a.h5", "x"), perms::none);
+  std::filesystem::create_directory(path("closed"));
+  write_file("closed/a.h5", "x");
+  std::filesystem::permissions(path("closed"), perms::none);
+  std::filesystem::permissions(folder_, perms::all);
   const uid_t user = ::geteuid();
   const bool is_root = user == 0;  // root may read everything, so be nobody for a moment
   ASSERT_EQ(::seteuid(is_root ? 65534 : user), 0);
-  const std::string message = error("a.h5");
+  const std::string file = error("a.h5"), folder = error("closed/a.h5");
   ASSERT_EQ(::seteuid(user), 0);
-  EXPECT_THAT(message, HasSubstr("a.h5: cannot be opened: Permission denied; check its permissions"));
+  std::filesystem::permissions(path("closed"), perms::owner_all);  // so that it can be removed
+  EXPECT_THAT(file, HasSubstr("a.h5: cannot be opened: Permission denied; check its permissions"));
+  EXPECT_THAT(folder, HasSubstr("a.h5: cannot be opened: Permission denied; check its path and the permissions of its folders"));
 }
 
 TEST_F(Open, AnotherFormatSaysWhatWasFound) {
