@@ -127,16 +127,23 @@ bool Bundle::relax_from(Line& line, const LineState& start, int iterations) {
   return false;
 }
 
-/// Lines with χ² beyond `above` redundancies once more from where the data put them.
+/// Lines with χ² beyond `above` redundancies once more from where the data put them: the measured FRFs, and, where that does not fit,
+/// lifted_start(). Where most lines do not fit it is the joint, and lifting them, which costs most, would not help.
 bool Bundle::relax_stuck(double above) {
+  const LineLayout& layout = observations_.layout();
   bool better = false;
+  std::vector<Line*> left;
   for (Line& line : lines_) {
     if (line.cost <= above * line.redundancy) continue;
-    const LineLayout& layout = observations_.layout();
-    const LineData& data = observations_.lines()[line.number];
-    better = relax_from(line, measured_start(layout, data), 50) || better;
-    if (line.settled && line.cost <= suspicious * line.redundancy) continue;
-    better = relax_from(line, lifted_start(layout, data, line.explicit_line.impedance(theta())), 300) || better;
+    watch_(fit_.iterations);
+    better = relax_from(line, measured_start(layout, observations_.lines()[line.number]), 50) || better;
+    if (!line.settled || line.cost > suspicious * line.redundancy) left.push_back(&line);
+  }
+  if (2 * left.size() > lines_.size()) return better;
+  for (Line* line : left) {
+    watch_(fit_.iterations);
+    const LineData& data = observations_.lines()[line->number];
+    better = relax_from(*line, lifted_start(layout, data, line->explicit_line.impedance(theta())), 300) || better;
   }
   return better;
 }
@@ -215,7 +222,10 @@ void Bundle::step_over() {
   const std::vector<double> t = t_;
   const double before = total();
   for (std::size_t i = 0; i < t_.size(); ++i) t_[i] += step_[at(i)] / scale_.scale[i];
-  for (Line& line : lines_) relax(line, 100);
+  for (Line& line : lines_) {
+    watch_(fit_.iterations);
+    relax(line, 100);
+  }
   relax_stuck(suspicious);
   if (total() < before) return;
   lines_ = lines;
