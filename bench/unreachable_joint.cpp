@@ -23,10 +23,11 @@ struct Way {
   std::string label;
   ident::Method method;
   std::string solver;
-  bool slow;  ///< searches without derivatives: a tenth of the starts and seeds
+  bool slow;  ///< a tenth of the starts and seeds
 };
 
 const std::vector<Way> ways = {{"likelihood (default)", ident::Method::likelihood, "gauss-helmert", false},
+                               {"likelihood, ceres", ident::Method::likelihood, "ceres", true},
                                {"newton (default)", ident::Method::newton, "levenberg-marquardt", false},
                                {"newton, thesis", ident::Method::newton, "newton", false},
                                {"newton, ceres", ident::Method::newton, "ceres", false},

@@ -11,9 +11,9 @@ namespace jointid::ident {
 /// block of the joint). An independent check, and slower.
 ///
 /// The explicit cost has local minima on lines near resonances, and a line that is in one stays there. Therefore the joint starts
-/// at `start` (IQML) and every line is first relaxed for that joint alone, from the measured FRFs and, if it does not fit
-/// then, from where lifted_start() puts it. After each solution lines that do not fit are relaxed again in this way, and where that
-/// helps all is solved again.
+/// at `start` (IQML) and every line is first relaxed for that joint alone, from the measured FRFs and, if it does not fit then, from
+/// where lifted_start() puts it, unless most lines do not fit: then it is the joint. After each solution lines that do not fit are
+/// relaxed again in this way, and where that helps all is solved again.
 /// Variances that follow a law of the value are then taken at the estimated values, and so on until the joint stays.
 ///
 /// One thread: sums of several would depend on their timing.

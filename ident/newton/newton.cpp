@@ -39,14 +39,18 @@ NewtonFit by_values(ResponseProblem& problem, const Point& start,
 
 constexpr int evaluations = 20000;
 
+/// MLSL explores and never ends by itself: Sbplx settles from the best that it found.
 NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, minimise::Search search) {
-  const bool ends_by_tolerance = search != minimise::Search::mlsl;
-  NewtonFit fit = by_values(problem, start, [&](const minimise::Objective& objective, const Point& origin, double size) {
-    return minimise::nlopt_minimum(objective, origin,
-                                   {.search = search, .half_width = size, .evaluations = evaluations, .tolerance = ends_by_tolerance ? 1e-10 : 0.0});
+  return by_values(problem, start, [&](const minimise::Objective& objective, const Point& origin, double size) {
+    const auto minimum = [&](minimise::Search way, const Point& from, double tolerance) {
+      return minimise::nlopt_minimum(objective, from, {.search = way, .half_width = size, .evaluations = evaluations, .tolerance = tolerance});
+    };
+    if (search != minimise::Search::mlsl) return minimum(search, origin, 1e-10);
+    const minimise::Minimum explored = minimum(search, origin, 0.0);
+    minimise::Minimum settled = minimum(minimise::Search::sbplx, explored.q, 1e-10);
+    settled.iterations += explored.iterations;
+    return settled;
   });
-  fit.converged = fit.converged || !ends_by_tolerance;
-  return fit;
 }
 
 NewtonFit by_pattern(ResponseProblem& problem, const Point& start) {
