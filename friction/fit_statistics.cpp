@@ -10,9 +10,6 @@
 #include "friction/row_major.hpp"
 
 namespace jointid::friction {
-namespace {
-
-}  // namespace
 
 FitStatistics::FitStatistics(const minimise::LeastSquares& problem, std::span<const double> q) {
   const std::size_t rows = problem.residuals(), unknowns = problem.unknowns();

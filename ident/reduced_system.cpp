@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "ident/column_scaling.hpp"
+#include "ident/eigen_index.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -10,13 +11,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-Index index(std::size_t i) { return static_cast<Index>(i); }
-
 MatrixXd dense(const Triangle& triangle) {
   const std::size_t n = triangle.unknowns();
-  MatrixXd system = MatrixXd::Zero(index(n + 1), index(n + 1));
+  MatrixXd system = MatrixXd::Zero(at(n + 1), at(n + 1));
   for (std::size_t i = 0; i <= n; ++i) {
-    for (std::size_t j = i; j <= n; ++j) system(index(i), index(j)) = triangle(i, j);
+    for (std::size_t j = i; j <= n; ++j) system(at(i), at(j)) = triangle(i, j);
   }
   return system;
 }
@@ -51,13 +50,13 @@ MatrixXd reduced_system(const Accumulator& accumulator) {
 }
 
 MatrixXd normal_product(const Accumulator& accumulator) {
-  const Index n = index(accumulator.columns());
+  const Index n = at(accumulator.columns());
   MatrixXd product = MatrixXd::Zero(n + 1, n + 1);
   for (const auto& [columns, triangle] : accumulator.triangles()) {
     std::vector<std::size_t> place = columns;
     place.push_back(accumulator.columns());
     for (std::size_t i = 0; i < place.size(); ++i) {
-      for (std::size_t j = i; j < place.size(); ++j) product(index(place[i]), index(place[j])) += triangle(i, j);
+      for (std::size_t j = i; j < place.size(); ++j) product(at(place[i]), at(place[j])) += triangle(i, j);
     }
   }
   return product.selfadjointView<Eigen::Upper>();

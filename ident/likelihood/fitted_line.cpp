@@ -80,17 +80,19 @@ void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitte
 }
 
 void relax_again(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line) {
-  for (const bool implicitly : {false, true}) {
-    if (!line.far_from_fitting()) return;
-    FittedLine other = line;
-    if (implicitly) {
-      other.state = approached(data, z, model, line.joint);
-    } else {
-      take_measured(model.layout(), data, other.state);
-    }
-    relax(data, z, model, other);
-    if (other.cost < line.cost) line = std::move(other);
-  }
+  const auto relax_from = [&](LineState start) {
+    const double cost = line.cost;
+    const LineState kept = std::exchange(line.state, std::move(start));
+    relax(data, z, model, line);
+    if (line.cost < cost) return;
+    line.state = kept;
+    line.cost = cost;
+  };
+  if (!line.far_from_fitting()) return;
+  LineState measured = line.state;
+  take_measured(model.layout(), data, measured);
+  relax_from(std::move(measured));
+  if (line.far_from_fitting()) relax_from(approached(data, z, model, line.joint));
 }
 
 }  // namespace jointid::ident

@@ -31,7 +31,7 @@ FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& 
 }
 
 void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) const {
-  const auto usable = [&](std::size_t i) { return lines_[i].redundancy > 0.0 && !lines_[i].joint.columns().empty(); };
+  const auto usable = [&](std::size_t i) { return lines_[i].redundancy > 0.0; };
   if (threads_ == 1) {
     LineModel model(layout());
     for (std::size_t i = 0; i < lines_.size(); ++i) {

@@ -67,26 +67,24 @@ Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most
   };
 }
 
-/// The linear estimate that fits best; the first where it nearly fits, and no other is worked out then.
-std::size_t best_linear_way(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
-  constexpr double near = 1.0;
-  const auto misfit = [&](std::size_t k) { return estimator.misfit_at(*linear_start(plan, k, control)); };
-  std::size_t best = 0;
-  double least = misfit(best);
-  for (std::size_t k = 1; k < linear_ways.size() && least > near; ++k) {
-    const double found = misfit(k);
-    if (found < least) std::tie(best, least) = std::pair(k, found);
-  }
-  return best;
-}
-
-/// Linear estimates, the best of them first, then random changes of that one.
+/// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked out
+/// to compare it with.
 Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
-  const std::size_t best = best_linear_way(plan, estimator, control);
-  return [&plan, &control, best, most](std::size_t k) -> std::optional<std::vector<double>> {
+  constexpr double near = 1.0;
+  std::vector<std::vector<double>> found;
+  std::ptrdiff_t best = 0;
+  double least = 0.0;
+  while (found.empty() || (found.size() < linear_ways.size() && least > near)) {
+    found.push_back(*linear_start(plan, found.size(), control));
+    const double misfit = estimator.misfit_at(found.back());
+    if (found.size() == 1 || misfit < least) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
+  }
+  std::rotate(found.begin(), found.begin() + best, found.begin() + best + 1);
+  return [&plan, &control, found = std::move(found), most](std::size_t k) -> std::optional<std::vector<double>> {
     if (k >= most) return std::nullopt;
-    if (auto start = linear_start(plan, k == 0 ? best : k <= best ? k - 1 : k, control)) return start;
-    const StartPoints points(*linear_start(plan, best, control), [](const std::vector<double>&) { return 0.0; });
+    if (k < found.size()) return found[k];
+    if (auto start = linear_start(plan, k, control)) return start;
+    const StartPoints points(found.front(), [](const std::vector<double>&) { return 0.0; });
     return points(StartPoints::sizes + k);
   };
 }

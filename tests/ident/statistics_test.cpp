@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "ident/median.hpp"
 #include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
 
@@ -17,12 +16,6 @@ constexpr std::size_t trials = 50;
 struct Medians {
   double stiffness = 0.0, damping = 0.0;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Medians medians(const std::string& name, Weighting weighting) {
   const problems::Problem problem = problems::make(name);
