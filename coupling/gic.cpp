@@ -1,8 +1,8 @@
-#include <Eigen/LU>
 #include <cassert>
 #include <limits>
 
 #include "coupling/methods.hpp"
+#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -36,8 +36,8 @@ Eigen::MatrixXd assembly_matrix(Index coordinates, const Conditions& conditions)
 ComplexMatrix gic(const MatrixRef& h, const Conditions& conditions, const Wanted& wanted) {
   assert(h.rows() == h.cols());
   const ComplexMatrix t = assembly_matrix(h.rows(), conditions).cast<Complex>();
-  const ComplexMatrix z = h.partialPivLu().inverse();
-  const ComplexMatrix assembled = t * (t.transpose() * z * t).partialPivLu().solve(ComplexMatrix(t.transpose()));
+  const ComplexMatrix z = dense::inverse(h);
+  const ComplexMatrix assembled = t * dense::solve(t.transpose() * z * t, t.transpose());
   return assembled(wanted.rows, wanted.columns);
 }
 

@@ -1,13 +1,13 @@
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "coupling/jumps.hpp"
 #include "coupling/methods.hpp"
+#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 namespace {
 
-ComplexMatrix solve_lu(const ComplexMatrix& s, const ComplexMatrix& y) { return s.partialPivLu().solve(y); }
+ComplexMatrix solve_lu(const ComplexMatrix& s, const ComplexMatrix& y) { return dense::solve(s, y); }
 
 /// Conditions of which no two name the same coordinate, and the rest.
 std::pair<Conditions, Conditions> next_pairs(const Conditions& conditions) {

@@ -1,24 +1,18 @@
 #include "coupling/line_coupler.hpp"
 
-#include <Eigen/LU>
 #include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "coupling/jumps.hpp"
 #include "coupling/truncation.hpp"
+#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double singular = 16.0 * std::numeric_limits<double>::epsilon();  ///< 1/condition, per condition
-
-/// In the 1-norm. Eigen's estimate cannot be trusted where a pivot is 0.
-double reciprocal_condition(const Eigen::PartialPivLU<ComplexMatrix>& lu) {
-  if (lu.rows() == 0) return 1.0;
-  return lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 0.0 ? lu.rcond() : 0.0;
-}
 
 Conditions met(const Conditions& all, const std::vector<bool>& left_out) {
   if (left_out.empty()) return all;
@@ -82,8 +76,7 @@ class Line {
   CoupledLine couple() {
     CoupledLine out;
     if (!measured()) return unusable(nan);
-    const Eigen::PartialPivLU<ComplexMatrix> lu(s_);
-    const double reciprocal = reciprocal_condition(lu);
+    const double reciprocal = dense::ComplexLu(s_).reciprocal_condition();
     out.record.condition = 1.0 / reciprocal;
     out.record.kept = conditions_.size();
     const bool may_drop = options_.threshold != Threshold::none;
@@ -91,7 +84,7 @@ class Line {
     ComplexMatrix inverse;
     if (!truncates()) {
       run(out);
-      if (options_.uncertainty) inverse = jump_receptance(joint_.h, conditions_).partialPivLu().inverse();
+      if (options_.uncertainty) inverse = dense::inverse(jump_receptance(joint_.h, conditions_));
     } else {
       Truncation truncation = truncate();
       out.record.kept = static_cast<std::size_t>(truncation.kept);

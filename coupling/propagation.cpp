@@ -1,8 +1,7 @@
 #include "coupling/propagation.hpp"
 
-#include <Eigen/LU>
-
 #include "coupling/jumps.hpp"
+#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -87,9 +86,9 @@ Sensitivity sensitivity(const MatrixRef& h, const Conditions& conditions, const 
                         Index coordinates) {
   Sensitivity out{ComplexMatrix::Zero(static_cast<Index>(wanted.rows.size()), coordinates),
                   ComplexMatrix::Zero(coordinates, static_cast<Index>(wanted.columns.size()))};
-  const ComplexMatrix dense = h;
-  const ComplexMatrix left = -column_jumps(dense, conditions, wanted.rows) * s_inverse;
-  const ComplexMatrix right = -s_inverse * row_jumps(dense, conditions, wanted.columns);
+  const ComplexMatrix whole = h;
+  const ComplexMatrix left = -column_jumps(whole, conditions, wanted.rows) * s_inverse;
+  const ComplexMatrix right = -s_inverse * row_jumps(whole, conditions, wanted.columns);
   for (Index r = 0; r < out.left.rows(); ++r) {
     add_conditions(out.left.row(r), left.row(r), conditions);
     const Index own = wanted.rows[static_cast<std::size_t>(r)];
@@ -108,7 +107,7 @@ Sensitivity before(const Sensitivity& conditions, const MatrixRef& h, const std:
   const Index b = conditions.left.cols();
   const auto n = static_cast<Index>(at.size());
   const ComplexMatrix system = ComplexMatrix::Identity(n, n) + z * ComplexMatrix(h(at, at));
-  const ComplexMatrix m = system.partialPivLu().solve(ComplexMatrix(z));
+  const ComplexMatrix m = dense::solve(system, z);
   // Rows of L₁ and columns of R₁ that differ from those of the identity.
   const ComplexMatrix left = ComplexMatrix(h(Eigen::all, at)) * m, right = m * ComplexMatrix(h(at, Eigen::all));
   Sensitivity out = conditions;

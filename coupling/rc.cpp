@@ -1,8 +1,8 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
 #include "coupling/methods.hpp"
+#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -46,7 +46,7 @@ void couple_two(ComplexMatrix& h, const Interface& at, const std::vector<Index>&
   const ComplexMatrix a_xm = h(a_rows, at.a), a_mx = h(at.a, a_columns);
   const ComplexMatrix b_xm = h(b_rows, at.b) * sign.asDiagonal(), b_mx = sign.asDiagonal() * ComplexMatrix(h(at.b, b_columns));
   const ComplexMatrix sum = ComplexMatrix(h(at.a, at.a)) + sign.asDiagonal() * ComplexMatrix(h(at.b, at.b)) * sign.asDiagonal();
-  const Eigen::PartialPivLU<ComplexMatrix> lu(sum);
+  const dense::ComplexLu lu(sum);
   const ComplexMatrix of_a = lu.solve(a_mx), of_b = lu.solve(b_mx);
   h(a_rows, a_columns) -= a_xm * of_a;
   h(b_rows, b_columns) -= b_xm * of_b;

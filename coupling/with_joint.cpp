@@ -1,6 +1,6 @@
-#include <Eigen/LU>
 
 #include "coupling/methods.hpp"
+#include "dense/lu.hpp"
 
 namespace jointid::coupling {
 
@@ -10,7 +10,7 @@ ComplexMatrix with_joint(const MatrixRef& h, const std::vector<Index>& at, const
   const ComplexMatrix rows = h(at, Eigen::all);
   const ComplexMatrix columns = h(Eigen::all, at);
   const ComplexMatrix system = ComplexMatrix::Identity(n, n) + z * h_jj;
-  return h - columns * system.partialPivLu().solve(ComplexMatrix(z * rows));
+  return h - columns * dense::solve(system, z * rows);
 }
 
 }  // namespace jointid::coupling

@@ -1,11 +1,11 @@
 #include "friction/fit_statistics.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
+#include "dense/qr.hpp"
+#include "dense/svd.hpp"
 #include "friction/parameter_scale.hpp"
 #include "friction/row_major.hpp"
 
@@ -23,13 +23,11 @@ FitStatistics::FitStatistics(const minimise::LeastSquares& problem, std::span<co
   scale_ = jacobian.colwise().norm().transpose();
   scale_ = (scale_.array() > 0.0).select(scale_, 1.0);
   jacobian *= scale_.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd triangle =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(jacobian).matrixQR().topRows(at(unknowns)).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(triangle, Eigen::ComputeFullV);
-  const double least = svd.singularValues()[0] * static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
-  const Eigen::Index rank = (svd.singularValues().array() > least).count();
-  const Eigen::MatrixXd seen = svd.matrixV().leftCols(rank) * svd.singularValues().head(rank).cwiseInverse().asDiagonal();
-  unseen_ = svd.matrixV().rightCols(at(unknowns) - rank);
+  const dense::RealSvd svd = dense::jacobi_svd(dense::triangle_of(jacobian), dense::Vectors::none, dense::Vectors::full);
+  const double least = svd.sigma[0] * static_cast<double>(rows) * std::numeric_limits<double>::epsilon();
+  const Eigen::Index rank = (svd.sigma.array() > least).count();
+  const Eigen::MatrixXd seen = svd.v.leftCols(rank) * svd.sigma.head(rank).cwiseInverse().asDiagonal();
+  unseen_ = svd.v.rightCols(at(unknowns) - rank);
   const Eigen::MatrixXd unscaled = scale_.cwiseInverse().asDiagonal() * seen;
   covariance_ = std_ * std_ * unscaled * unscaled.transpose();
 }

@@ -1,10 +1,11 @@
 #include "restrictions/rigid_body.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "dense/svd.hpp"
 
 namespace jointid::restrictions {
 namespace {
@@ -67,12 +68,12 @@ MatrixXd scaled_rigid_motions(const std::vector<frf::Dof>& dofs, const Arms& arm
 
 /// Orthonormal basis of the complement of the columns' span; elements are in error by up to `rounding`.
 MatrixXd complement(const MatrixXd& columns, double rounding) {
-  const Eigen::JacobiSVD<MatrixXd> svd(columns, Eigen::ComputeFullU);
-  const Eigen::VectorXd& sigma = svd.singularValues();
+  const dense::RealSvd svd = dense::jacobi_svd(columns, dense::Vectors::full, dense::Vectors::none);
+  const Eigen::VectorXd& sigma = svd.sigma;
   const auto rows = static_cast<double>(columns.rows());
   const double tolerance = eps * std::max(rows, 6.0) * sigma(0) + std::sqrt(rows) * rounding;
   const Index rank = (sigma.array() > tolerance).count();
-  return svd.matrixU().rightCols(columns.rows() - rank);
+  return svd.u.rightCols(columns.rows() - rank);
 }
 
 }  // namespace

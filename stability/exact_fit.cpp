@@ -1,11 +1,11 @@
 #include "stability/exact_fit.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <boost/math/constants/constants.hpp>
 #include <limits>
 #include <memory>
 
+#include "dense/svd.hpp"
 #include "ident/eigen_index.hpp"
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
@@ -197,9 +197,9 @@ class ExactProblem {
       out.values.push_back(static_cast<double>(theta[j]));
       out.column_norms.push_back(static_cast<double>(norm));
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(unit);
-    const double least = svd.singularValues()[unknowns_ - 1];
-    out.condition = least > 0.0 ? svd.singularValues()[0] / least : std::numeric_limits<double>::infinity();
+    const Eigen::VectorXd sigma = dense::jacobi_svd(unit, dense::Vectors::none, dense::Vectors::none).sigma;
+    const double least = sigma[unknowns_ - 1];
+    out.condition = least > 0.0 ? sigma[0] / least : std::numeric_limits<double>::infinity();
     return out;
   }
 

@@ -1,10 +1,10 @@
 #include "stability/exact_identification.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <boost/math/constants/constants.hpp>
 #include <limits>
 
+#include "dense/svd.hpp"
 #include "ident/row_expander.hpp"
 #include "stability/exact_line.hpp"
 #include "weighting/line_weights.hpp"
@@ -46,9 +46,9 @@ class Stack {
       out.values.push_back(static_cast<double>(Scalar(y(j, 0) * Scalar(unscale))));
       out.column_norms.push_back(static_cast<double>(norm) / unscale);
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(unit);
-    const double least = svd.singularValues()[n - 1];
-    out.condition = least > 0.0 ? svd.singularValues()[0] / least : std::numeric_limits<double>::infinity();
+    const Eigen::VectorXd sigma = dense::jacobi_svd(unit, dense::Vectors::none, dense::Vectors::none).sigma;
+    const double least = sigma[n - 1];
+    out.condition = least > 0.0 ? sigma[0] / least : std::numeric_limits<double>::infinity();
     return out;
   }
 

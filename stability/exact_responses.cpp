@@ -1,9 +1,9 @@
 #include "stability/exact_responses.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <boost/math/constants/constants.hpp>
 
+#include "dense/eigen.hpp"
 #include "stability/exact_number.hpp"
 
 namespace jointid::stability {
@@ -76,10 +76,10 @@ frf::FrfSet exact_responses(const problems::Structure& structure, const std::vec
 
 double exact_natural_frequency(const problems::Structure& structure, std::size_t mode) {
   const Real<Exact> k = matrix(structure, Kind::stiffness), m = matrix(structure, Kind::mass);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(k.cast<double>(), m.cast<double>());
+  const dense::SymmetricEigen modes = dense::symmetric_eigen(k.cast<double>(), m.cast<double>());
   const auto column = static_cast<Eigen::Index>(mode);
-  Real<Exact> x = solver.eigenvectors().col(column).cast<Exact>();
-  Exact square = solver.eigenvalues()[column];
+  Real<Exact> x = modes.vectors.col(column).cast<Exact>();
+  Exact square = modes.values[column];
   for (int i = 0; i < 3; ++i) {  // Rayleigh quotients converge cubically
     square = (x.transpose() * k * x)(0, 0) / (x.transpose() * m * x)(0, 0);
     x = Real<Exact>(k - Exact(square * (1 + Exact("1e-40"))) * m).partialPivLu().solve(Real<Exact>(m * x));

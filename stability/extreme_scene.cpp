@@ -13,9 +13,9 @@ using restrictions::Kind;
 constexpr double spring = 1e6;  // N/m
 constexpr std::size_t masses = 4;
 
-frf::Dof at(std::int64_t node) { return {node, frf::Direction::y, +1}; }
+frf::Dof coordinate(std::int64_t node) { return {node, frf::Direction::y, +1}; }
 
-std::vector<frf::Dof> nodes_from(std::int64_t first) { return {at(first), at(first + 1), at(first + 2), at(first + 3)}; }
+std::vector<frf::Dof> nodes_from(std::int64_t first) { return {coordinate(first), coordinate(first + 1), coordinate(first + 2), coordinate(first + 3)}; }
 
 /// A chain of nodes first … first+3, its ground spring at node `grounded`, and the soft or stiff link between two neighbours.
 Structure chain(std::int64_t first, std::int64_t grounded, std::int64_t link, const ExtremeScene& scene) {
@@ -27,18 +27,18 @@ Structure chain(std::int64_t first, std::int64_t grounded, std::int64_t link, co
   for (std::size_t i = 0; i < masses; ++i) {
     const auto node = first + static_cast<std::int64_t>(i);
     const double step = 1.0 + 0.07 * static_cast<double>(node);
-    out.add(Kind::mass, {at(node), {}}, scene.seed == 0 ? step : uniform(random));
+    out.add(Kind::mass, {coordinate(node), {}}, scene.seed == 0 ? step : uniform(random));
     const double stiffness = spring * (scene.seed == 0 ? 1.0 / step : uniform(random));
-    if (node < first + 3) out.add(Kind::stiffness, {at(node), at(node + 1)}, node == link ? stiffness / scene.gap : stiffness);
-    if (node < first + 2) out.add(Kind::stiffness, {at(node), at(node + 2)}, 0.4 * stiffness);
+    if (node < first + 3) out.add(Kind::stiffness, {coordinate(node), coordinate(node + 1)}, node == link ? stiffness / scene.gap : stiffness);
+    if (node < first + 2) out.add(Kind::stiffness, {coordinate(node), coordinate(node + 2)}, 0.4 * stiffness);
   }
-  if (!scene.free_free) out.add(Kind::stiffness, {at(grounded), {}}, spring);
+  if (!scene.free_free) out.add(Kind::stiffness, {coordinate(grounded), {}}, spring);
   out.add_proportional_damping(scene.loss_factor);
   return out;
 }
 
 struct Joint {
-  std::vector<frf::Dof> dofs = {at(3), at(4), at(5), at(6)};
+  std::vector<frf::Dof> dofs = {coordinate(3), coordinate(4), coordinate(5), coordinate(6)};
   double first, second, loss;
 
   explicit Joint(const ExtremeScene& scene)

@@ -1,12 +1,12 @@
 #include "stability/matrix_sweeps.hpp"
 
 #include <Eigen/QR>
-#include <Eigen/SVD>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "dense/svd.hpp"
 #include "ident/linear_solution.hpp"
 #include "stability/exact_number.hpp"
 #include "stability/svd_solution.hpp"
@@ -49,7 +49,7 @@ ExactSolution solve_exactly(const Rows& rows) {
     out.y.push_back(static_cast<double>(y(j, 0)));
     out.column_norms.push_back(static_cast<double>(norm));
   }
-  const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(unit).singularValues();
+  const Eigen::VectorXd sigma = dense::jacobi_svd(unit, dense::Vectors::none, dense::Vectors::none).sigma;
   out.condition = sigma[n - 1] > 0.0 ? sigma[0] / sigma[n - 1] : std::numeric_limits<double>::infinity();
   return out;
 }

@@ -17,6 +17,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 ident::Control one_thread() {
   ident::Control control;
   control.threads = 1;
+  control.judgement = ident::Judgement::none;
   return control;
 }
 

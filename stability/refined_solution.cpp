@@ -10,12 +10,12 @@
 namespace jointid::stability {
 namespace {
 
-using Vector = Real<Exact>;
+using ExactColumn = Real<Exact>;
 
 /// The problem with its columns and its rows' right-hand side in 50 digits, columns scaled by powers of two.
 struct Problem {
   Real<Exact> e;
-  Vector p;
+  ExactColumn p;
   Eigen::VectorXd scale;
 
   explicit Problem(const Rows& rows) {
@@ -62,12 +62,12 @@ struct Factored {
 Refined solve_refined(const Rows& rows, std::size_t most_steps) {
   const Problem problem(rows);
   const Eigen::MatrixXd e = problem.e.cast<double>();
-  Vector y = Vector::Zero(e.cols(), 1), r = Vector::Zero(e.rows(), 1);
+  ExactColumn y = ExactColumn::Zero(e.cols(), 1), r = ExactColumn::Zero(e.rows(), 1);
   Refined out;
   while (out.steps < most_steps && !out.converged) {
     ++out.steps;
     // f = p − r − Ey, g = −Eᵀr; δr + Eδy = f, Eᵀδr = g.
-    const Vector f = problem.p - r - problem.e * y, g = -(problem.e.transpose() * r);
+    const ExactColumn f = problem.p - r - problem.e * y, g = -(problem.e.transpose() * r);
     const Factored factored(e, f.cast<double>());
     const auto upper = factored.r.triangularView<Eigen::Upper>();
     const Eigen::VectorXd lower = upper.transpose().solve(Eigen::VectorXd(g.cast<double>()));
@@ -81,7 +81,7 @@ Refined solve_refined(const Rows& rows, std::size_t most_steps) {
   }
   const Eigen::VectorXd unscaled = problem.scale.asDiagonal() * y.cast<double>();
   out.y.assign(unscaled.begin(), unscaled.end());
-  out.residual_norm = static_cast<double>(Exact(Vector(problem.p - problem.e * y).norm()));
+  out.residual_norm = static_cast<double>(Exact(ExactColumn(problem.p - problem.e * y).norm()));
   return out;
 }
 

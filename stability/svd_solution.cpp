@@ -1,8 +1,8 @@
 #include "stability/svd_solution.hpp"
 
-#include <Eigen/SVD>
 #include <limits>
 
+#include "dense/svd.hpp"
 #include "ident/column_scaling.hpp"
 
 namespace jointid::stability {
@@ -22,14 +22,16 @@ ident::LinearSolution solve_svd(ident::Accumulator& accumulator) {
     }
   }
   const Eigen::VectorXd scale = ident::power_of_two_scales(system);
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(system * scale.asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
-  const Eigen::VectorXd y = scale.asDiagonal() * svd.solve(right);
+  const dense::RealSvd svd = dense::jacobi_svd(system * scale.asDiagonal(), dense::Vectors::thin, dense::Vectors::thin);
+  const double threshold = 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
+  const Eigen::Index rank = (svd.sigma.array() > threshold * svd.sigma[0]).count();
+  const Eigen::VectorXd parts = (svd.u.leftCols(rank).transpose() * right).cwiseQuotient(svd.sigma.head(rank));
+  const Eigen::VectorXd y = scale.asDiagonal() * (svd.v.leftCols(rank) * parts);
   ident::LinearSolution out;
   out.y.assign(y.begin(), y.end());
-  out.rank = static_cast<std::size_t>(svd.rank());
-  const double least = svd.singularValues()[svd.singularValues().size() - 1];
-  out.condition = least > 0.0 ? svd.singularValues()[0] / least : std::numeric_limits<double>::infinity();
+  out.rank = static_cast<std::size_t>(rank);
+  const double least = svd.sigma[svd.sigma.size() - 1];
+  out.condition = least > 0.0 ? svd.sigma[0] / least : std::numeric_limits<double>::infinity();
   out.residual_norm = (system * y - right).norm();
   return out;
 }

@@ -90,6 +90,7 @@ void measure_scene(const std::string& sweep, const Step& step, const Watch& watc
       out.push_back(measure(problem, solver, exact));
       out.back().sweep = sweep;
       out.back().value = step.value;
+      if (watch.measured) watch.measured(out.back());
     }
   };
   add(step.scene, Method::one, {"normal", "qr", "svd", "spqr"});
@@ -106,6 +107,7 @@ void measure_rows(const std::string& sweep, double value, const Rows& rows, cons
     out.push_back(measure(rows, solver));
     out.back().sweep = sweep;
     out.back().value = value;
+    if (watch.measured) watch.measured(out.back());
   }
 }
 
@@ -171,6 +173,7 @@ std::vector<Measured> run_sweeps(const std::vector<std::string>& names, const Wa
 Count count_verdicts(std::uint64_t seed, std::uint64_t first, std::size_t count, const Watch& watch) {
   Count out;
   for (std::uint64_t index = first; index < first + count; ++index, ++out.scenes) {
+    if (watch.counted && index > first) watch.counted(out);
     stop_if_asked(watch);
     if (watch.progress) watch.progress("scene " + std::to_string(index - first + 1) + " of " + std::to_string(count));
     try {

@@ -1,0 +1,19 @@
+#include "dense/qr.hpp"
+
+#include <Eigen/QR>
+
+namespace jointid::dense {
+
+using Eigen::MatrixXd;
+
+MatrixXd orthonormal_columns(const Eigen::Ref<const MatrixXd>& a) {
+  const Eigen::HouseholderQR<MatrixXd> qr(a);
+  return qr.householderQ() * MatrixXd::Identity(a.rows(), a.cols());
+}
+
+MatrixXd triangle_of(const Eigen::Ref<const MatrixXd>& a) {
+  const Eigen::HouseholderQR<MatrixXd> qr(a);
+  return qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>();
+}
+
+}  // namespace jointid::dense
