@@ -56,7 +56,7 @@ class HeaderRow {
     const auto found = std::ranges::find(csv_part_names, word);
     if (found == csv_part_names.end()) {
       fail(column, "'" + table_.columns[column] + "' is not a column of an FRF",
-           "write response/reference and re, im, mag, phase_deg, var_re, var_im or coherence, e.g. 4:+Y/1:+Y "
+           "write response/reference and re, im, mag, phase_deg, phase_rad, var_re, var_im or coherence, e.g. 4:+Y/1:+Y "
            "re");
     }
     return static_cast<CsvPart>(found - csv_part_names.begin());
@@ -93,13 +93,14 @@ class HeaderRow {
   void require_complete(const Pair& pair, const CsvColumns::OfPair& columns) const {
     const auto both = [&](CsvPart a, CsvPart b) { return columns.has(a) && columns.has(b); };
     const auto half = [&](CsvPart a, CsvPart b) { return columns.has(a) != columns.has(b); };
-    if (both(re, im) != both(mag, phase_deg) && !half(re, im) && !half(mag, phase_deg) &&
-        !half(var_re, var_im))
-      return;
+    const bool phase = columns.has(phase_deg) != columns.has(phase_rad);
+    const bool two_phases = both(phase_deg, phase_rad);
+    const bool polar = columns.has(mag) && phase, half_polar = columns.has(mag) != (phase || two_phases);
+    if (both(re, im) != polar && !half(re, im) && !half_polar && !two_phases && !half(var_re, var_im)) return;
     const std::string name =
         header_.response[pair.first].name() + "/" + header_.reference[pair.second].name();
     fail(0, "the columns of " + name + " are no complete FRF",
-         "give re and im, or mag and phase_deg, and var_re with var_im");
+         "give re and im, or mag and phase_deg (or phase_rad), and var_re with var_im");
   }
 
   const CsvTable& table_;

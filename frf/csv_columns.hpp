@@ -11,10 +11,10 @@
 
 namespace jointid::frf {
 
-/// What a column holds of its pair of DOFs; a pair is complete with re and im, or with mag and phase_deg.
-enum class CsvPart : std::size_t { re, im, mag, phase_deg, var_re, var_im, coherence };
-inline constexpr std::array<std::string_view, 7> csv_part_names = {
-    "re", "im", "mag", "phase_deg", "var_re", "var_im", "coherence"};
+/// What a column holds of its pair of DOFs; a pair is complete with re and im, or with mag and a phase.
+enum class CsvPart : std::size_t { re, im, mag, phase_deg, phase_rad, var_re, var_im, coherence };
+inline constexpr std::array<std::string_view, 8> csv_part_names = {"re",        "im",     "mag",    "phase_deg",
+                                                                   "phase_rad", "var_re", "var_im", "coherence"};
 
 /// Which column holds what, by the header row of a table.
 class CsvColumns {

@@ -1,5 +1,7 @@
 #include "frf/csv_file.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,6 +11,7 @@
 #include <utility>
 
 #include "frf/csv_columns.hpp"
+#include "frf/csv_nodes.hpp"
 #include "frf/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/located.hpp"
@@ -19,6 +22,8 @@ namespace {
 
 using enum CsvPart;
 
+constexpr std::size_t fewest_phases = 8;
+constexpr double surely_degrees = 1.0, surely_radians = 3.0;
 constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void fail(const CsvTable& table, std::string place, std::string problem, std::string remedy) {
@@ -32,7 +37,7 @@ constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 Quantity read_quantity(const CsvTable& table, const OpenOptions& options) {
   const auto key = table.keys.find("quantity");
   if (key != table.keys.end())
-    return located(table.file, "# quantity", [&] { return parse_quantity(key->second); });
+    return located(table.file, "# quantity", [&] { return parse_quantity(key->second, options.quantity); });
   if (options.quantity) return *options.quantity;
   fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
@@ -72,8 +77,13 @@ Complex whole(double a, double b) {
 
 Complex stored_value(const CsvTable& table, std::size_t row, const CsvColumns::OfPair& columns) {
   if (columns.has(re)) return whole(table.cell(row, columns[re]), table.cell(row, columns[im]));
-  const double angle = table.cell(row, columns[phase_deg]) * std::numbers::pi / 180.0;
+  const double angle =
+      columns.has(phase_rad) ? table.cell(row, columns[phase_rad]) : table.cell(row, columns[phase_deg]) * std::numbers::pi / 180.0;
   const double magnitude = table.cell(row, columns[mag]);
+  if (magnitude < 0.0) {
+    table.fail(table.lines[row], columns[mag], fmt::format("the magnitude {:g} is below 0", magnitude),
+               "give magnitudes, not decibels or parts, and turn the phase by 180 degrees where the sign is meant");
+  }
   return whole(magnitude * std::cos(angle), magnitude * std::sin(angle));
 }
 
@@ -95,6 +105,30 @@ void fill(const CsvTable& table, const CsvColumns& columns, double si, FrfSet& s
       if (of_pair.has(coherence)) set.coherence[at] = table.cell(row, of_pair[coherence]);
     }
   }
+}
+
+/// Largest phase of the columns phase_deg, as it stands there; 0 where there are few.
+double largest_phase(const CsvTable& table, const CsvColumns& columns) {
+  double largest = 0.0;
+  std::size_t count = 0;
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    for (std::size_t row = 0; of_pair.has(phase_deg) && row < table.rows(); ++row) {
+      const double phase = std::abs(table.cell(row, of_pair[phase_deg]));
+      if (std::isnan(phase)) continue;
+      largest = std::max(largest, phase);
+      ++count;
+    }
+  }
+  return count < fewest_phases ? 0.0 : largest;
+}
+
+/// Radians that are called degrees fill ±π; real degrees reach beyond it where a mode or an antiresonance is near.
+void doubt_degrees(const CsvTable& table, const CsvColumns& columns, FrfHeader& header) {
+  const double largest = largest_phase(table, columns);
+  if (largest > std::numbers::pi * (1.0 + 1e-6) || largest < surely_degrees) return;
+  const std::string told = fmt::format("no phase of the columns phase_deg is beyond {:.4g}, as if they were radians", largest);
+  if (largest >= surely_radians) fail(table, {}, told, "name the columns phase_rad, or export degrees");
+  header.doubts.push_back(told + "; if they are, name the columns phase_rad");
 }
 
 std::vector<double> read_frequency(const CsvTable& table) {
@@ -130,11 +164,13 @@ std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const Ope
   const CsvTable table = read_csv_table(path);
   FrfSet set;
   set.header.file = table.file;
+  set.header.nodes = read_csv_nodes(table);
   const CsvColumns columns(table, options, set.header);
   set.header.quantity = read_quantity(table, options);
   set.header.frequency_hz = read_frequency(table);
   read_noise_kind(table, columns, set.header);
   validate(set.header);
+  doubt_degrees(table, columns, set.header);
   fill(table, columns, read_si_factor(table, set.header), set);
   return from_memory(std::move(set));
 }

@@ -17,6 +17,7 @@ bool looks_like_csv(std::span<const char> head);
 ///     # quantity = accelerance        optional; else OpenOptions::quantity
 ///     # unit = m/(s^2*N)              optional; default the SI unit of the quantity
 ///     # averages = 10                 with coherence columns, if known
+///     # node 4 = 0.5 0 0              position of a node in m, optional
 ///     frequency_hz, 4:+Y/1:+Y re, 4:+Y/1:+Y im, 5:+Y/1:+Y mag, 5:+Y/1:+Y phase_deg, …
 ///     10.0, 1.2e-6, -3.4e-8, …
 ///
@@ -27,7 +28,7 @@ bool looks_like_csv(std::span<const char> head);
 /// column is not measured. Throws InputError naming line and column.
 std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const OpenOptions& options = {});
 
-/// Writes a set in that layout, in header.quantity and SI units, all digits; nodes are not part of it.
+/// Writes a set in that layout, in header.quantity and SI units, all digits.
 void write_csv(const FrfSet& set, const std::filesystem::path& path);
 
 }  // namespace jointid::frf

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "frf/analyser_file.hpp"
 #include "frf/csv_file.hpp"
 #include "frf/error.hpp"
 #include "frf/hdf5_file.hpp"
@@ -78,7 +79,7 @@ std::optional<FileFormat> binary_format(const std::filesystem::path& path, std::
 }  // namespace
 
 std::string name(FileFormat format) {
-  constexpr std::array<const char*, 5> names = {"HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "CSV"};
+  constexpr std::array<const char*, 6> names = {"HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "CSV", "analyser text"};
   return names[static_cast<std::size_t>(format)];
 }
 
@@ -86,9 +87,10 @@ FileFormat detect_format(const std::filesystem::path& path) {
   const std::string head = read_head(path);
   if (const auto binary = binary_format(path, head)) return *binary;
   if (looks_like_uff(head)) return FileFormat::uff;
+  if (looks_like_analyser_text(head)) return FileFormat::analyser_text;
   if (looks_like_csv(head)) return FileFormat::csv;
   fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
-       "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3 or CSV");
+       "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser");
 }
 
 std::optional<FileFormat> detect_binary_format(const std::filesystem::path& path) {

@@ -7,9 +7,9 @@
 
 namespace jointid::frf {
 
-enum class FileFormat : std::uint8_t { jointid_hdf5, uff, matlab_v5, matlab_v73, csv };
+enum class FileFormat : std::uint8_t { jointid_hdf5, uff, matlab_v5, matlab_v73, csv, analyser_text };
 
-/// "HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "CSV".
+/// "HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "CSV", "analyser text".
 std::string name(FileFormat format);
 
 /// Recognises a file by its first bytes. Throws InputError naming what was found when it is none of them.

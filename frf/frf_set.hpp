@@ -34,6 +34,8 @@ struct FrfHeader {
   std::size_t repeats = 0;  ///< runs whose scatter gave the variances, 0 if none
   double precision = 0x1p-53;  ///< largest relative rounding error of the numbers as they were stored
   std::vector<Node> nodes;
+  std::vector<std::string> changes;  ///< what is put right on reading, one phrase each (corrected())
+  std::vector<std::string> doubts;   ///< what looks wrong in the file, one phrase each
 
   std::size_t lines() const { return frequency_hz.size(); }
   std::size_t entries() const { return response.size() * reference.size(); }

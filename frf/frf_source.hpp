@@ -61,9 +61,10 @@ class FrfSource {
   ReadCount count_;
 };
 
-/// What the user knows of a file and the file does not say; each is an error to leave out only where it is needed.
+/// What the user knows of a file and the file does not say; each is an error to leave out only where it is needed. A quantity is
+/// taken even where the file says another.
 struct OpenOptions {
-  std::optional<Quantity> quantity;  ///< for files that do not name it (UFF types 0/1, MAT, CSV)
+  std::optional<Quantity> quantity;  ///< for files that do not name it (UFF types 0/1, MAT, CSV), or name a wrong one
   std::vector<Dof> response;         ///< for matrices without DOFs (MAT, CSV)
   std::vector<Dof> reference;        ///< default: as the responses, when the matrix is square
   std::string variable;              ///< MAT: name of the FRF variable

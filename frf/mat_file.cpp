@@ -41,7 +41,7 @@ class Reader {
   Quantity read_quantity() {
     const std::string text = lookup_.text("quantity");
     if (!text.empty())
-      return located(file_.file(), place_of("quantity"), [&] { return parse_quantity(text); });
+      return located(file_.file(), place_of("quantity"), [&] { return parse_quantity(text, options_.quantity); });
     if (options_.quantity) return *options_.quantity;
     lookup_.fail({}, "does not say which quantity it holds",
                  "give the quantity, or add a text quantity = 'accelerance'");

@@ -63,7 +63,9 @@ class CatalogueBuilder {
     for (const std::size_t record : records) check(record);
     const UnitTable units(file_, datasets_);
     for (const std::size_t record : records) place(record, units.at(datasets_[record]));
-    header_.quantity = interpret(records.front(), units.at(datasets_[records.front()])).quantity;
+    const Ordinate first = interpret(records.front(), units.at(datasets_[records.front()]));
+    header_.quantity = first.quantity;
+    if (first.stated && *first.stated != first.quantity) header_.changes.push_back(taken_for(first.quantity, *first.stated));
     header_.nodes = read_nodes(file_, datasets_, units);
     attach_coherences(file_, catalogue_);
     validate(header_);

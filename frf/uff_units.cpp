@@ -59,11 +59,6 @@ constexpr const char* give_quantity =
 
 Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity> label,
                           std::optional<Quantity> given, const Header58& header, const Place& place) {
-  const auto stated = types ? types : label;
-  if (given && stated && given != types && given != label) {
-    place.fail("records 9 and 10", "the record is " + name(*stated) + " but " + name(*given) + " was given",
-               "leave out the given quantity or correct it");
-  }
   if (given) return *given;
   if (!types) {
     place.fail("records 9 and 10",
@@ -86,8 +81,9 @@ Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, 
                             const Place& place) {
   LabelledUnits labels = read_labels(header);
   Ordinate ordinate;
-  ordinate.quantity =
-      resolve_quantity(quantity_of_types(header, place), labels.quantity, given, header, place);
+  const auto types = quantity_of_types(header, place);
+  ordinate.quantity = resolve_quantity(types, labels.quantity, given, header, place);
+  ordinate.stated = types ? types : labels.quantity;
   if (labels.quantity && labels.quantity != ordinate.quantity) labels = {};
   const double motion = header.response.is_rotation() ? 1.0 : 1.0 / factors.length;
   const double load = (header.reference.is_rotation() ? 1.0 / factors.length : 1.0) / factors.force;

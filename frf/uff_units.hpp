@@ -36,13 +36,14 @@ std::optional<Unit> parse_unit(std::string_view label);
 struct Ordinate {
   Quantity quantity = Quantity::receptance;
   double to_si = 1.0;
+  std::optional<Quantity> stated{};  ///< by the record itself
 };
 
 /// Interprets records 9 and 10 of an FRF.
 ///
 /// Quantity: data type 8, 11 or 12 over 13; with a type 0 or 1 on either side it comes from `given`. A unit
 /// label whose dimension is another quantity's contradicts the types; `given` then decides, without it this
-/// is an error. A `given` that the file does not state at all while stating another is an error too.
+/// is an error. A `given` decides even where the record states another; a label of another dimension is then not used.
 ///
 /// Units, for numerator and denominator separately: the record's unit label if its dimension fits; otherwise
 /// dataset 164 (`factors`); never both. A label of record 9 that is a motion over a force, such as (m/s^2)/N,

@@ -35,6 +35,24 @@ TEST_F(CsvFile, RoundTripsEveryQuantityAndNoiseRecord) {
   }
 }
 
+TEST_F(CsvFile, KeepsPositions) {
+  std::mt19937 random(12);
+  FrfSet set = random_set(random, Quantity::mobility, NoiseRecord::none);
+  set.header.nodes = {{4, {0.1, -2.5e-3, 0.0}}, {10, {1.0 / 3.0, 2.0, 3.0}}};
+  write_csv(set, path("a.csv"));
+  const auto nodes = open_csv(path("a.csv"))->header().nodes;
+  ASSERT_EQ(nodes.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(nodes[i].id, set.header.nodes[i].id);
+    EXPECT_EQ(nodes[i].position, set.header.nodes[i].position);
+  }
+  const std::string rest = "# quantity = receptance\nfrequency_hz, 4:+Y/1:+Y re, 4:+Y/1:+Y im\n1, 2, 3\n";
+  EXPECT_EQ(read("# node 7 = 1, 2; 3\n" + rest).header.nodes.front().position, (std::array{1.0, 2.0, 3.0}));
+  EXPECT_THAT(error("# node 7 = 1 2\n" + rest), HasSubstr("# node 7: has 2 numbers, not three; write node number and position in m"));
+  EXPECT_THAT(error("# node x = 1 2 3\n" + rest), HasSubstr("# node x: 'x' is not a node number"));
+  EXPECT_THAT(error("# node 7 = 1 2 z\n" + rest), HasSubstr("# node 7: 'z' is not a number"));
+}
+
 TEST_F(CsvFile, ReadsTheDocumentedLayoutWithEverySeparator) {
   const std::string text =
       "# a comment\n# quantity = receptance\n# unit = mm/N\n\n"
@@ -107,6 +125,30 @@ TEST_F(CsvFile, WhatIsWrongIsNamedByLineAndColumn) {
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re,1:X/1:X phase_deg\n"), HasSubstr("are no complete FRF"));
   EXPECT_THAT(error(q + "frequency_hz,re,im\n"),
               HasSubstr("'re' has no DOFs, and 0 responses and 0 references"));
+}
+
+TEST_F(CsvFile, AMagnitudeBelowZeroIsNamed) {
+  EXPECT_THAT(error("# quantity = receptance\nfrequency_hz,1:X/1:X mag,1:X/1:X phase_deg\n1,2,3\n2,-1e-6,3\n"),
+              HasSubstr("line 4, column 2: the magnitude -1e-06 is below 0"));
+}
+
+/// Twelve lines of magnitude 1 whose phases are `share` of a whole turn and less, in a unit of `turn` to the whole.
+std::string phases(const std::string& part, double share, double turn) {
+  std::string text = "# quantity = receptance\nfrequency_hz,1:X/1:X mag,1:X/1:X " + part + "\n";
+  for (int line = 1; line <= 12; ++line) text += std::to_string(line) + ",1," + std::to_string(-share * turn * line / 12.0) + "\n";
+  return text;
+}
+
+TEST_F(CsvFile, RadiansThatAreCalledDegreesAreNotTakenForThem) {
+  const double whole_turn = 2.0 * std::numbers::pi;
+  EXPECT_THAT(error(phases("phase_deg", 0.5, whole_turn)), HasSubstr("as if they were radians; name the columns phase_rad"));
+  const FrfSet radians = read(phases("phase_rad", 0.5, whole_turn)), degrees = read(phases("phase_deg", 0.5, 360.0));
+  for (std::size_t i = 0; i < 12; ++i) EXPECT_TRUE(near(radians.values[i], degrees.values[i], 1e-6));
+  EXPECT_TRUE(degrees.header.doubts.empty());
+  EXPECT_EQ(read(phases("phase_deg", 2.0 / 360.0, 360.0)).header.doubts.size(), 1u);  // small phases, of a stiffness line perhaps
+  EXPECT_TRUE(read(phases("phase_deg", 0.5 / 360.0, 360.0)).header.doubts.empty());
+  EXPECT_THAT(error("# quantity = receptance\nfrequency_hz,1:X/1:X mag,1:X/1:X phase_deg,1:X/1:X phase_rad\n1,1,1,1\n"),
+              HasSubstr("are no complete FRF"));
 }
 
 TEST_F(CsvFile, WhatTheCommentsSayIsChecked) {

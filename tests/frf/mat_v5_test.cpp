@@ -219,7 +219,9 @@ TEST_F(MatV5File, WhatIsMissingOrDoubtfulIsNamed) {
       more(m);
     };
   };
-  EXPECT_THAT(error(with([](Maker& m) { m.characters("quantity", 1, "force"); }), options),
+  OpenOptions unstated = options;
+  unstated.quantity.reset();
+  EXPECT_THAT(error(with([](Maker& m) { m.characters("quantity", 1, "force"); }), unstated),
               HasSubstr("variable quantity: unknown FRF quantity 'force'"));
   EXPECT_THAT(error(with([](Maker& m) { m.characters("unit", 1, "bar"); }), options),
               HasSubstr("variable unit: unknown unit 'bar'"));

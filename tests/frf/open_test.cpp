@@ -98,7 +98,7 @@ TEST_F(Open, AnotherFormatSaysWhatWasFound) {
               HasSubstr("a.zip: begins with bytes 50 4b 03 04 00 00 and is no FRF file that this"));
   write_file("a.txt", "Dear reader\nhow do you do\n");
   EXPECT_THAT(error("a.txt"), HasSubstr("begins with 'Dear reader' and is no FRF file"));
-  EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v5 to v7.3 or CSV"));
+  EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser"));
   write_file("old.mat", "MATLAB 5.0 MAT-file, and no more");
   EXPECT_THAT(error("old.mat"),
               HasSubstr(JOINTID_HAVE_MATIO ? "old.mat: is damaged or truncated: it ends early" : "need matio"));

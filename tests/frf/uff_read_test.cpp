@@ -420,8 +420,9 @@ TEST(UffRead, QuantityIsAskedFor) {
   record.numerator_type = 13;
   record.denominator_type = 12;
   EXPECT_THAT(load_error(record.str()), HasSubstr("data type 13 over 12"));
-  EXPECT_THAT(load_error(simple_record().str(), as(Quantity::mobility)),
-              HasSubstr("the record is receptance but mobility was given"));
+  const FrfHeader overridden = load_text(simple_record().str(), as(Quantity::mobility)).header;
+  EXPECT_EQ(overridden.quantity, Quantity::mobility);
+  EXPECT_THAT(overridden.changes, ::testing::ElementsAre("taken for mobility, not for the receptance that the file says"));
 }
 
 TEST(UffRead, Factors164Divide) {

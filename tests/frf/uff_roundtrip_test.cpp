@@ -14,7 +14,7 @@ using namespace samples;
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 class RandomSet {
  public:
@@ -36,7 +36,7 @@ class RandomSet {
     if (pick(3) == 0) coherences(set);
     if (set.header.entries() > 1 && pick(2) == 0) leave_out(set, pick(set.header.entries()));
     if (quantity != Quantity::receptance && set.header.frequency_hz[0] == 0.0) {
-      for (std::size_t i = 0; i < set.header.entries(); ++i) set.values[i] = {nan, nan};
+      for (std::size_t i = 0; i < set.header.entries(); ++i) set.values[i] = {not_measured, not_measured};
     }
     return set;
   }
@@ -73,7 +73,7 @@ class RandomSet {
 
   static void leave_out(FrfSet& set, std::size_t entry) {
     for (std::size_t i = 0; i < set.header.lines(); ++i)
-      set.values[i * set.header.entries() + entry] = {nan, nan};
+      set.values[i * set.header.entries() + entry] = {not_measured, not_measured};
   }
 
   std::mt19937 random_;
@@ -162,7 +162,7 @@ TEST(UffRoundTrip, ReceptancesInBinaryAreExact) {
 
 TEST(UffRoundTrip, ZeroHertzOfAnAcceleranceIsNotMeasured) {
   FrfSet set = small_set();
-  set.values[0] = set.values[1] = {nan, nan};
+  set.values[0] = set.values[1] = {not_measured, not_measured};
   const TemporaryUff file;
   write_uff(set, file, {.binary = false, .quantity = Quantity::accelerance});
   const FrfSet read = load(*open_uff(file));
@@ -174,7 +174,7 @@ TEST(UffRoundTrip, ZeroHertzOfAnAcceleranceIsNotMeasured) {
 
 TEST(UffRoundTrip, PartlyMeasuredIsAnErrorThatLeavesNoFile) {
   FrfSet set = small_set();
-  set.values[2] = {nan, 0.0};
+  set.values[2] = {not_measured, 0.0};
   const TemporaryUff file;
   const std::filesystem::path path = file.path().string() + ".new";
   EXPECT_THAT(error_of([&] { write_uff(set, path); }),
@@ -188,7 +188,7 @@ TEST(UffRoundTrip, PartlyMeasuredIsAnErrorThatLeavesNoFile) {
 
 TEST(UffRoundTrip, NothingMeasured) {
   FrfSet set = small_set();
-  for (Complex& value : set.values) value = {nan, nan};
+  for (Complex& value : set.values) value = {not_measured, not_measured};
   const TemporaryUff file;
   EXPECT_THAT(error_of([&] { write_uff(set, file); }), HasSubstr("no measured FRF"));
 }

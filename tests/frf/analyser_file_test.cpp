@@ -1,0 +1,116 @@
+#include "frf/analyser_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "file_fixture.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// As an analyser writes it: Latin-1, CR/LF, tabs.
+std::string exported(const std::string& channels, const std::string& unit, const std::string& rows) {
+  return "Units: Ratio\r\nRef Chan:Resp Chan\t" + channels + "\r\nChannel Name\t : \r\nChannel Comment\t : \r\n\r\n" +
+         "Frequency\t Real\t Imaginary\r\n\r\nUnits:\r\nHz\t" + unit + "\t \r\n" + rows;
+}
+
+OpenOptions of_quantity(Quantity quantity) {
+  OpenOptions options;
+  options.quantity = quantity;
+  return options;
+}
+
+OpenOptions of_dofs(const std::vector<Dof>& response, const std::vector<Dof>& reference) {
+  OpenOptions options;
+  options.response = response;
+  options.reference = reference;
+  return options;
+}
+
+class AnalyserFile : public FileTest {
+ protected:
+  FrfSet read(const std::string& content, const OpenOptions& options = {}) const { return load(*open(write_file("a.txt", content), options)); }
+  std::string error(const std::string& content, const OpenOptions& options = {}) const {
+    return message_of([&] { read(content, options); });
+  }
+};
+
+TEST_F(AnalyserFile, IsReadAsTheAnalyserWroteIt) {
+  const FrfSet set = read(exported("1+Z:4-Z", "(m/s\xB2)(N)", "0.0e+000\t -0.5\t 0\r\n1.0e+001\t -0.25\t 0.125\r\n2.0e+001\t\t 1\r\n"));
+  EXPECT_EQ(set.header.frequency_hz, (std::vector{0.0, 10.0, 20.0}));
+  EXPECT_EQ(set.header.response, dofs({"4:-Z"}));
+  EXPECT_EQ(set.header.reference, dofs({"1:+Z"}));
+  EXPECT_EQ(set.header.quantity, Quantity::accelerance);
+  EXPECT_TRUE(std::isnan(set.values[0].real()));
+  const double omega = 20.0 * std::numbers::pi;
+  EXPECT_TRUE(near(set.values[1], Complex(-0.25, 0.125) / -(omega * omega), 1e-15));
+  EXPECT_TRUE(std::isnan(set.values[2].real()));
+}
+
+TEST_F(AnalyserFile, TheUnitTellsTheQuantityAndTheFactor) {
+  const std::string row = "10\t 2\t 0\r\n";
+  EXPECT_EQ(read(exported("1+Z:4Z", "(m/s)(N)", row)).header.quantity, Quantity::mobility);
+  const FrfSet receptance = read(exported("1+Z:4Z", "(mm)(kN)", row));
+  EXPECT_EQ(receptance.header.quantity, Quantity::receptance);
+  EXPECT_NEAR(receptance.values[0].real(), 2e-6, 1e-20);
+  const FrfSet in_g = read(exported("1+Z:4Z", "(g)(N)", row)), in_si = read(exported("1+Z:4Z", "(m/s^2)(N)", row));
+  EXPECT_NEAR(in_g.values[0].real() / in_si.values[0].real(), 9.80665, 1e-12);
+  EXPECT_EQ(read(exported("1+Z:4Z", "", row), of_quantity(Quantity::mobility)).header.quantity, Quantity::mobility);
+  EXPECT_THAT(error(exported("1+Z:4Z", "", row)), HasSubstr("does not say which quantity it holds"));
+  EXPECT_THAT(error(exported("1+Z:4Z", "(V)(N)", row)), HasSubstr("unknown unit '(V)/(N)'"));
+}
+
+TEST_F(AnalyserFile, DofsMayBeGivenWhereTheLabelsSayNothing) {
+  const std::string row = "10\t 2\t 0\r\n";
+  const OpenOptions given = of_dofs(dofs({"4:-X"}), dofs({"1:+X"}));
+  const FrfSet set = read(exported("0-Z:0-Z", "(m/s\xB2)(N)", row), given);
+  EXPECT_EQ(set.header.response, given.response);
+  EXPECT_EQ(set.header.reference, given.reference);
+  EXPECT_THAT(error(exported("Ch 1:Ch 2", "(m/s\xB2)(N)", row)), HasSubstr("does not tell the DOFs of FRF 1 ('Ch 1:Ch 2'); give them"));
+  EXPECT_THAT(error(exported("1+Z:4Z", "(m)(N)", row), of_dofs(dofs({"1:+X", "2:+X"}), dofs({"1:+X"}))),
+              HasSubstr("holds 1 FRFs, and 2 responses and 1 references were given"));
+}
+
+TEST_F(AnalyserFile, HoldsSeveralFrfsSideBySide) {
+  const FrfSet set = read("Resp Chan:Ref Chan\t4-Z:1+Z\t5Z:1+Z\nFrequency\tReal\tImaginary\tReal\tImaginary\nHz\t(m)/(N)\t\t(m)/(N)\t\n"
+                          "10\t1,5\t0\t2\t-1\n");
+  EXPECT_EQ(set.header.response, dofs({"4:-Z", "5:+Z"}));
+  EXPECT_EQ(set.header.reference, dofs({"1:+Z"}));
+  EXPECT_EQ(set.values[0], Complex(1.5, 0.0));
+  EXPECT_EQ(set.values[1], Complex(2.0, -1.0));
+}
+
+TEST_F(AnalyserFile, WhatDoesNotFitIsNamedWithItsLine) {
+  const std::string unit = "(m/s\xB2)(N)";
+  EXPECT_THAT(error(exported("1+Z:4Z", unit, "10\t 2\r\n")), HasSubstr("line 10: has 2 cells, the headings 3"));
+  EXPECT_THAT(error(exported("1+Z:4Z", unit, "10\t 2\t x\r\n")), HasSubstr("line 10, column 3: 'x' is not a number"));
+  EXPECT_THAT(error(exported("1+Z:4Z", unit, "")), HasSubstr("holds no lines of numbers"));
+  EXPECT_THAT(error("Frequency\tReal\tPhase\n10\t1\t2\n"), HasSubstr("not Real and Imaginary"));
+  EXPECT_THAT(error("Ref Chan:Resp Chan\t1Z:2Z\nFrequency\tReal\tImaginary\nrad/s\t(m)(N)\n1\t2\t3\n"), HasSubstr("the axis is in 'rad/s'"));
+}
+
+TEST_F(AnalyserFile, AMeasuredExportIsThatOfTheBeam) {
+  const auto folder = std::filesystem::path(JOINTID_EXTERNAL_DATA) / "beam-accelerances";
+  if (!std::filesystem::exists(folder / "analyser_export.txt")) GTEST_SKIP() << folder << " is missing: no external data";
+  const FrfSet text = load(*open(folder / "analyser_export.txt")), beam = load(*open(folder / "beam.h5"));
+  EXPECT_EQ(text.header.quantity, Quantity::accelerance);
+  EXPECT_EQ(text.header.reference, dofs({"0:-Z"}));
+  ASSERT_EQ(text.header.lines(), 2500u);
+  const auto first = std::ranges::find_if(text.header.frequency_hz, [](double f) { return f >= 20.0; });
+  const auto offset = static_cast<std::size_t>(first - text.header.frequency_hz.begin());
+  std::size_t same = 0;
+  for (std::size_t column = 0; column < 5; ++column) {
+    bool all = true;
+    for (std::size_t line = 0; line + offset < text.header.lines(); ++line) {
+      all = all && near(text.values[offset + line], beam.values[beam.index(line, 0, column)], 1e-6);
+    }
+    same += all ? 1 : 0;
+  }
+  EXPECT_EQ(same, 1u);
+}
+
+}  // namespace
+}  // namespace jointid::frf
