@@ -39,7 +39,7 @@ Spread spread_of(const std::vector<Trial>& trials, std::size_t matrix, double Qu
 std::optional<double> mean_error(const std::vector<Trial>& trials, std::size_t unknown, double truth) {
   double sum = 0.0, count = 0.0;
   for (const Trial& trial : trials) {
-    if (trial.status != Status::ok) continue;
+    if (!is_usable(trial.status)) continue;
     sum += trial.values[unknown] / truth - 1.0;
     count += 1.0;
   }
@@ -159,8 +159,8 @@ std::shared_ptr<const TrialData> with_way(const TrialData& data, const Way& way)
   return changed;
 }
 
-Comparison compare(const Scene& scene, const std::vector<Way>& ways, const TrialSource& source,
-                   const TrialOptions& options) {
+Comparison compare(const Scene& scene, const std::vector<Way>& ways, const TrialSource& source, const TrialOptions& options,
+                   const std::function<void(const Comparison&)>& so_far) {
   require_truth(scene);
   Comparison out;
   std::optional<InputError> refused;
@@ -172,6 +172,7 @@ Comparison compare(const Scene& scene, const std::vector<Way>& ways, const Trial
       out.left_out.push_back({ways[i], error.what()});
       if (!refused) refused = error;
     }
+    if (so_far) so_far(out);
   }
   if (out.combinations.empty() && refused) throw *refused;
   mark_fronts(out.combinations);

@@ -59,6 +59,7 @@ struct LeftOut {
 struct Comparison {
   std::vector<Combination> combinations;
   std::vector<LeftOut> left_out;  ///< ways that the scene or its data do not allow
+  bool interrupted = false;       ///< not all ways are there
 };
 
 /// Base data and noise for a scene, e.g. load_trial_data.
@@ -68,9 +69,10 @@ using TrialSource = std::function<std::shared_ptr<const TrialData>(const Scene&)
 std::shared_ptr<const TrialData> with_way(const TrialData& data, const Way& way);
 
 /// Runs the same trials (same seed, hence the same errors on every FRF) for every way. The base data are loaded once per regeneration, method
-/// and equation set. Throws InputError for a scene without [truth], and when no way is possible.
-Comparison compare(const Scene& scene, const std::vector<Way>& ways, const TrialSource& source,
-                   const TrialOptions& options);
+/// and equation set. `so_far` is given what there is after every way, its fronts not marked. Throws InputError for a scene without
+/// [truth], and when no way is possible.
+Comparison compare(const Scene& scene, const std::vector<Way>& ways, const TrialSource& source, const TrialOptions& options,
+                   const std::function<void(const Comparison&)>& so_far = {});
 
 /// Sets MatrixFigures::on_front: a combination is on the front when none is at least as good in error and time, and better in
 /// one of them.

@@ -32,9 +32,9 @@ class Availability {
                const frf::FrfSystem& assembly)
       : method_(scene.identify.method), at_(coordinates), sub_(substructures), asm_(assembly) {}
 
-  /// Whether the direct solution, which needs no joint coordinate of the assembly, gets along without what is lacking.
-  bool only_the_joint_on_the_assembly(Equation equation) const {
-    return method_ != Method::direct && method_ != Method::newton && !lacks(equation).empty() && direct_lacks(Equation::nn).empty();
+  /// Whether the methods that need no joint coordinate of the assembly get along without what is lacking.
+  bool only_the_joint_on_the_assembly() const {
+    return method_ != Method::direct && method_ != Method::newton && newton_lacks(Equation::nn).empty();
   }
 
   std::string lacks(Equation equation) const {
@@ -146,8 +146,9 @@ std::vector<Equation> choose_equations(const Scene& scene, const Coordinates& co
     const Method method = scene.identify.method;
     const Equation least = method == Method::two ? Equation::jn : Equation::nn;
     fail(scene, "[data]", "the data allow no equation: " + availability.lacks(least),
-         availability.only_the_joint_on_the_assembly(least)
-             ? "if that coordinate cannot be reached on the assembly, use method = \"direct\""
+         availability.only_the_joint_on_the_assembly()
+             ? "measure it, or use method = \"likelihood\" with a start, e.g. start = { stiffness = [[1e6, …], …] }: it needs no "
+               "joint coordinate of the assembly (method \"direct\" neither, but it bears no noise)"
              : "measure it");
   }
   return chosen;

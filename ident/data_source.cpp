@@ -1,15 +1,20 @@
 #include "ident/data_source.hpp"
 
+#include "frf/corrections.hpp"
 #include "frf/repeats.hpp"
 
 namespace jointid::ident {
 namespace {
 
+std::unique_ptr<frf::FrfSource> open_run(const DataFile& file) {
+  return frf::corrected(frf::open(file.path, file.options), file.corrections);
+}
+
 std::unique_ptr<frf::FrfSource> open(const DataFile& file) {
-  if (file.repeats.empty()) return frf::open(file.path, file.options);
+  if (file.repeats.empty()) return open_run(file);
   std::vector<std::unique_ptr<frf::FrfSource>> runs;
-  runs.push_back(frf::open(file.path, file.options));
-  for (const DataFile& run : file.repeats) runs.push_back(frf::open(run.path, run.options));
+  runs.push_back(open_run(file));
+  for (const DataFile& run : file.repeats) runs.push_back(open_run(run));
   return frf::mean_of_repeats(std::move(runs));
 }
 

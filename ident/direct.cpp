@@ -1,5 +1,5 @@
-#include <Eigen/QR>
 
+#include "dense/minimum_norm.hpp"
 #include "ident/eigen_view.hpp"
 #include "ident/equation_builder.hpp"
 
@@ -28,13 +28,13 @@ class Direct final : public EquationBuilder {
     const View h_ba = sub.block(rows_, 0, joint_, columns), h_bb = sub.block(rows_, columns, joint_, joint_);
     const View h_nn = assembly_->line(i);
     if (!map(sub).allFinite() || !map(h_nn).allFinite()) return false;
-    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> decomposition(map(h_ba));
+    const dense::ComplexMinimumNorm decomposition(map(h_ba));
     if (decomposition.rank() < static_cast<Eigen::Index>(joint_)) return false;
     // Solved, not multiplied by an inverse: its error would be amplified by C₁ − C₂ once more.
-    const Eigen::MatrixXcd carried = decomposition.solve(RowMatrixXc(map(h_bb)));
+    const Eigen::MatrixXcd carried = decomposition.solve(map(h_bb));
     h_nj_ = map(h_ab) - (map(h_aa) - map(h_nn)) * carried;
     product_.wants_error_scale = out.wants_error_scale;
-    if (out.wants_error_scale) measure_errors(map(h_aa), map(h_ab), map(h_ba), map(h_bb), map(h_nn), decomposition.pseudoInverse(), carried);
+    if (out.wants_error_scale) measure_errors(map(h_aa), map(h_ab), map(h_ba), map(h_bb), map(h_nn), decomposition.pseudo_inverse(), carried);
     product_.frequency_hz = out.frequency_hz;
     product_.a = {h_nj_.data(), rows_, joint_, joint_};
     product_.b = h_ba;

@@ -46,7 +46,7 @@ struct Identifiability {
   /// Joint DOFs that the joint holds together: the assembly moves them against each other less than a tenth as much as the free
   /// parts (median over FRFs and lines). None when they are all that the joint has.
   std::vector<std::array<std::string, 2>> stiff_pairs;
-  double largest_relative_error = 0.0;   ///< of the determined unknowns
+  double largest_relative_error = 0.0;   ///< of the determined unknowns; NaN where errors are withheld
   std::vector<Finding> findings;
 };
 

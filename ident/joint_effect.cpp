@@ -1,8 +1,8 @@
 #include "ident/joint_effect.hpp"
 
-#include <Eigen/LU>
 #include <numbers>
 
+#include "dense/lu.hpp"
 #include "ident/row_expander.hpp"
 
 namespace jointid::ident {
@@ -44,7 +44,7 @@ JointEffect joint_effect(const View& h, std::size_t rows, std::size_t columns, c
   const View h_to = h.block(0, h.columns - n, rows, n);
   const View h_bb = h.block(h.rows - n, h.columns - n, n, n);
   const MatrixXcd p = MatrixXcd::Identity(impedance.rows(), impedance.cols()) + impedance * map(h_bb);
-  return {map(h_to) * p.partialPivLu().solve(impedance), h.block(h.rows - n, 0, n, columns)};
+  return {map(h_to) * dense::solve(p, impedance), h.block(h.rows - n, 0, n, columns)};
 }
 
 }  // namespace jointid::ident

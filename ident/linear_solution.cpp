@@ -1,13 +1,14 @@
 #include "ident/linear_solution.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
 
+#include "dense/cholesky.hpp"
+#include "dense/minimum_norm.hpp"
+#include "dense/pivoted_qr.hpp"
+#include "dense/svd.hpp"
 #include "ident/column_scaling.hpp"
 #include "ident/eigen_index.hpp"
 #include "ident/null_space.hpp"
@@ -26,10 +27,10 @@ constexpr Index svd_limit = 300;
 
 void judge(const MatrixXd& triangle, LinearSolution& out) {
   const Index n = triangle.cols(), rank = at(out.rank);
-  const Eigen::BDCSVD<MatrixXd> svd(triangle, rank < n ? Eigen::ComputeFullV : 0);
-  const VectorXd& sigma = svd.singularValues();
+  const dense::RealSvd svd = dense::svd(triangle, dense::Vectors::none, rank < n ? dense::Vectors::full : dense::Vectors::none);
+  const VectorXd& sigma = svd.sigma;
   out.condition = sigma[n - 1] > 0.0 ? sigma[0] / sigma[n - 1] : std::numeric_limits<double>::infinity();
-  if (rank < n) tell_null_space(svd.matrixV().rightCols(n - rank), out);
+  if (rank < n) tell_null_space(svd.v.rightCols(n - rank), out);
 }
 
 /// Normal numbers of variance 1/columns: the norms of the rows of R⁻¹G are about those of R⁻¹.
@@ -59,19 +60,14 @@ LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
   const MatrixXd triangle = system.topLeftCorner(n, n);
   const VectorXd right = system.col(n).head(n);
   LinearSolution out;
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
   const double threshold = 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-  qr.setThreshold(threshold);
-  qr.compute(triangle);
+  const dense::RealPivotedQr qr(triangle, threshold);
   out.rank = static_cast<std::size_t>(qr.rank());
   VectorXd y;
   if (qr.rank() == n) {
     y = qr.solve(right);
   } else {
-    Eigen::CompleteOrthogonalDecomposition<MatrixXd> minimum_norm;
-    minimum_norm.setThreshold(threshold);
-    minimum_norm.compute(triangle);
-    y = minimum_norm.solve(right);
+    y = dense::RealMinimumNorm(triangle, threshold).solve(right);
   }
   out.residual_norm = std::hypot((triangle * y - right).norm(), system(n, n));
   y = scale.asDiagonal() * y;
@@ -79,14 +75,15 @@ LinearSolution solve_dense(Accumulator& accumulator, Condition condition) {
   if (condition == Condition::skip && qr.rank() == n) return out;
   if (qr.rank() == n) {
     const VectorXd columns = triangle.colwise().stableNorm();
-    const VectorXd rows = inverse_rows(qr.matrixR().topLeftCorner(n, n), qr.colsPermutation());
+    const VectorXd rows = inverse_rows(qr.triangle(), qr.permutation());
     bound_rounding({rows.cwiseProduct(scale), columns.cwiseQuotient(scale), std::hypot(right.norm(), system(n, n))},
                    Reduction::orthogonal, accumulator.rows_pushed(), out);
   }
   if (n <= svd_limit || qr.rank() < n) {
     judge(triangle, out);
   } else {
-    out.condition = std::abs(qr.matrixQR()(0, 0) / qr.matrixQR()(n - 1, n - 1));
+    const MatrixXd r = qr.triangle();
+    out.condition = std::abs(r(0, 0) / r(n - 1, n - 1));
   }
   return out;
 }
@@ -98,18 +95,18 @@ LinearSolution solve_normal(Accumulator& accumulator, Condition condition) {
   VectorXd scale(n);
   for (Index j = 0; j < n; ++j) scale[j] = power_of_two_scale(std::sqrt(product(j, j)));
   const MatrixXd scaled = scale.asDiagonal() * product.topLeftCorner(n, n) * scale.asDiagonal();
-  const Eigen::LLT<MatrixXd> cholesky(scaled);
+  const auto solved = dense::solve_definite(scaled, scale.asDiagonal() * product.col(n).head(n));
   LinearSolution out;
-  const bool definite = cholesky.info() == Eigen::Success;
+  const bool definite = solved.has_value();
   VectorXd y = VectorXd::Zero(n);
-  if (definite) y = scale.asDiagonal() * cholesky.solve(scale.asDiagonal() * product.col(n).head(n));
+  if (definite) y = scale.asDiagonal() * solved->x;
   out.rank = definite ? static_cast<std::size_t>(n) : 0;
-  out.condition = definite ? 1.0 / std::sqrt(cholesky.rcond()) : std::numeric_limits<double>::infinity();
+  out.condition = definite ? 1.0 / std::sqrt(solved->reciprocal_condition) : std::numeric_limits<double>::infinity();
   out.y.assign(y.begin(), y.end());
   out.residual_norm = std::sqrt(std::max(0.0, product(n, n) - y.dot(product.col(n).head(n))));
   if (definite && condition == Condition::compute) {
     const VectorXd columns = product.diagonal().head(n).cwiseSqrt();
-    const VectorXd rows = inverse_rows(MatrixXd(cholesky.matrixU()), MatrixXd::Identity(n, n));
+    const VectorXd rows = inverse_rows(MatrixXd(solved->lower.transpose()), MatrixXd::Identity(n, n));
     bound_rounding({rows.cwiseProduct(scale), columns, std::sqrt(product(n, n))}, Reduction::normal,
                    accumulator.rows_pushed(), out);
   }

@@ -1,8 +1,8 @@
 #include "ident/local_model.hpp"
 
-#include <Eigen/QR>
-
 #include <cmath>
+
+#include "dense/pivoted_qr.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -30,12 +30,12 @@ SquaredError local_residual(std::span<const double> frequency_hz, std::span<cons
   // Unknowns: B and the lower coefficients of A; A's highest is 1, so that its roots may lie anywhere near.
   Eigen::MatrixXcd columns(lines, 2 * size - 1);
   columns << basis.cast<frf::Complex>(), products.leftCols(size - 1);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXcd> qr(columns);
+  const dense::ComplexPivotedQr qr(columns);
   const Eigen::VectorXcd solution = qr.solve(products.col(size - 1));
   const Eigen::VectorXcd residual = products.col(size - 1) - columns * solution;
   const Eigen::VectorXcd denominator =
       basis.col(size - 1) - basis.leftCols(size - 1).cast<frf::Complex>() * solution.tail(size - 1);
-  const Eigen::MatrixXcd q = qr.householderQ() * Eigen::MatrixXcd::Identity(lines, qr.rank());
+  const Eigen::MatrixXcd q = qr.orthonormal_columns(qr.rank());
   SquaredError out{.square = residual.squaredNorm(), .proportional = 0.0, .constant = 0.0, .freedom = 0.0};
   for (Eigen::Index i = 0; i < lines; ++i) {
     const double kept = std::max(0.0, 1.0 - q.row(i).squaredNorm()) * std::norm(denominator[i]);

@@ -1,5 +1,5 @@
-#include <Eigen/LU>
 
+#include "dense/lu.hpp"
 #include "ident/eigen_index.hpp"
 #include "ident/eigen_view.hpp"
 #include "ident/equation_builder.hpp"
@@ -29,10 +29,9 @@ class MethodTwo final : public EquationBuilder {
     // Rows b of H_sub⁻¹, from a system with unit diagonal so that translations and rotations weigh alike.
     const Eigen::VectorXd scale = h.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
     if (!scale.allFinite()) return false;
-    const Eigen::PartialPivLU<Eigen::MatrixXcd> lu((scale.asDiagonal() * h * scale.asDiagonal()).transpose());
     Eigen::MatrixXcd unit = Eigen::MatrixXcd::Zero(h.rows(), at(joint_));
     for (std::size_t k = 0; k < joint_; ++k) unit(h.rows() - at(joint_ - k), at(k)) = 1.0;
-    const Eigen::MatrixXcd solution = lu.solve(unit);
+    const Eigen::MatrixXcd solution = dense::solve((scale.asDiagonal() * h * scale.asDiagonal()).transpose(), unit);
     const RowMatrixXc z_b = scale.tail(at(joint_)).asDiagonal() * solution.transpose() * scale.asDiagonal();
     if (!z_b.allFinite()) return false;
 

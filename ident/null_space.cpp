@@ -1,10 +1,11 @@
 #include "ident/null_space.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "dense/qr.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -12,11 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-MatrixXd orthonormal(const MatrixXd& basis) {
-  const Eigen::HouseholderQR<MatrixXd> qr(basis);
-  return qr.householderQ() * MatrixXd::Identity(basis.rows(), basis.cols());
-}
 
 /// Gauss–Jordan elimination of columns with full pivoting: each column gets a row where it is 1 and the others are 0.
 MatrixXd separated(MatrixXd basis) {
@@ -46,7 +42,7 @@ FreeDirection direction(const VectorXd& v) {
 }  // namespace
 
 void tell_null_space(const MatrixXd& basis, LinearSolution& out) {
-  const MatrixXd unit = orthonormal(basis);
+  const MatrixXd unit = dense::orthonormal_columns(basis);
   const double tolerance = std::sqrt(std::numeric_limits<double>::epsilon());
   for (Index column = 0; column < unit.rows(); ++column) {
     if (unit.row(column).norm() > tolerance) out.undetermined.push_back(static_cast<std::size_t>(column));
@@ -56,7 +52,7 @@ void tell_null_space(const MatrixXd& basis, LinearSolution& out) {
 }
 
 VectorXd minimum_norm(const MatrixXd& basis, const VectorXd& y) {
-  const MatrixXd unit = orthonormal(basis);
+  const MatrixXd unit = dense::orthonormal_columns(basis);
   return y - unit * (unit.transpose() * y);
 }
 

@@ -9,6 +9,7 @@
 #include "ident/coordinates.hpp"
 #include "ident/couple_first.hpp"
 #include "ident/data_source.hpp"
+#include "ident/data_warnings.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/line_choice.hpp"
 #include "ident/modal_regeneration.hpp"
@@ -78,6 +79,16 @@ void add_node_positions(const frf::FrfSystem& system, std::vector<restrictions::
         joint.node_positions.try_emplace(node.id, node.position);
       }
     }
+  }
+}
+
+/// What is put right in the files on reading, a note each.
+void note_changes(const frf::FrfSystem& system, std::vector<std::string>& notes) {
+  for (std::size_t s = 0; s < system.source_count(); ++s) {
+    const frf::FrfHeader& header = system.source(s).header();
+    std::string text;
+    for (const std::string& change : header.changes) text += (text.empty() ? "" : "; ") + change;
+    if (!text.empty()) notes.push_back(header.file + " is corrected on reading: " + text + ".");
   }
 }
 
@@ -239,6 +250,8 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   require_method(scene);
   auto plan = std::make_unique<Plan>();
   plan->scene = scene;
+  note_changes(*substructures, plan->notes);
+  note_changes(*assembly, plan->notes);
   plan->substructures = couple_first(plan->scene, std::move(substructures), plan->notes);
   plan->assembly = std::move(assembly);
   plan->restriction = build_restriction(scene, *plan->substructures, *plan->assembly);
@@ -246,6 +259,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
     fail(scene, "[joint]", "every element of the joint is known: nothing to identify", "name an unknown");
   }
   plan->coordinates = find_coordinates(scene, plan->restriction, *plan->substructures, *plan->assembly);
+  require_both_sides(*plan);
   const Method method = scene.identify.method;
   if (method != Method::likelihood) plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
   plan->lines = choose_lines(scene, *plan->substructures, *plan->assembly, plan->notes);
@@ -265,6 +279,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   }
   plan_prediction(*plan);
   tell_left_out(*plan);
+  warn_of_data(*plan);
   return plan;
 }
 

@@ -54,6 +54,7 @@ struct Plan {
   std::vector<ModalRegeneration> regenerated;  ///< structures whose FRFs are those of modal models
   std::vector<std::string> left_out;  ///< what the scene does not need, one phrase each
   std::vector<std::string> notes;     ///< what the user should know, one sentence each
+  std::vector<std::string> warnings;  ///< what may be wrong with the data or the scene, one sentence each
 };
 
 /// Opens the scene's files (headers only) and plans. Throws InputError for DOFs that no file has, equations that the data do

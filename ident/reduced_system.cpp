@@ -1,7 +1,6 @@
 #include "ident/reduced_system.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include "dense/eigen.hpp"
 #include "ident/column_scaling.hpp"
 #include "ident/eigen_index.hpp"
 
@@ -25,8 +24,8 @@ MatrixXd root_of(const MatrixXd& product) {
   const Index n = product.rows();
   Eigen::VectorXd scale(n);
   for (Index j = 0; j < n; ++j) scale[j] = power_of_two_scale(std::sqrt(product(j, j)));
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(scale.asDiagonal() * product * scale.asDiagonal());
-  return eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * eigen.eigenvectors().transpose() *
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(scale.asDiagonal() * product * scale.asDiagonal());
+  return eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal() * eigen.vectors.transpose() *
          scale.cwiseInverse().asDiagonal();
 }
 

@@ -107,16 +107,6 @@ class Regenerator final : public ChunkWorker {
   Regenerated& out_;
 };
 
-std::vector<Line> common_lines(const Plan& plan) {
-  const std::vector<double>& axis = plan.assembly->frequency_hz();
-  const std::vector<std::size_t> partners = frf::match_lines(axis, plan.substructures->frequency_hz());
-  std::vector<Line> lines;
-  for (std::size_t i = 0; i < axis.size(); ++i) {
-    if (partners[i] != frf::npos) lines.push_back({axis[i], partners[i], i});
-  }
-  return lines;
-}
-
 Regenerated prepared(const std::vector<Line>& lines, const std::vector<FrfEntry>& entries) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Regenerated out;
@@ -128,8 +118,27 @@ Regenerated prepared(const std::vector<Line>& lines, const std::vector<FrfEntry>
 
 bool is_driving_point(const FrfEntry& entry) { return entry.response.same_coordinate(entry.reference); }
 
-/// Every k-th element so that about `count` are left, ends included.
-Dofs spread(const Dofs& dofs, std::size_t count) {
+}  // namespace
+
+std::vector<Line> common_lines(const Plan& plan) {
+  const std::vector<double>& axis = plan.assembly->frequency_hz();
+  const std::vector<std::size_t> partners = frf::match_lines(axis, plan.substructures->frequency_hz());
+  std::vector<Line> lines;
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    if (partners[i] != frf::npos) lines.push_back({axis[i], partners[i], i});
+  }
+  return lines;
+}
+
+Dofs regenerable_responses(const Plan& plan) {
+  return joined(plan.coordinates.responses, shared(plan.coordinates.joint, plan.assembly->responses()));
+}
+
+Dofs regenerable_references(const Plan& plan) {
+  return joined(plan.coordinates.references, shared(plan.coordinates.joint, plan.assembly->references()));
+}
+
+Dofs thinned(const Dofs& dofs, std::size_t count) {
   if (dofs.size() <= count) return dofs;
   Dofs chosen;
   for (std::size_t i = 0; i < count; ++i) {
@@ -138,21 +147,17 @@ Dofs spread(const Dofs& dofs, std::size_t count) {
   return chosen;
 }
 
-}  // namespace
-
 std::vector<FrfEntry> choose_entries(const Plan& plan, std::size_t count) {
-  const Coordinates& at = plan.coordinates;
-  const Dofs rows = joined(at.responses, shared(at.joint, plan.assembly->responses()));
-  const Dofs columns = joined(at.references, shared(at.joint, plan.assembly->references()));
+  const Dofs rows = regenerable_responses(plan), columns = regenerable_references(plan);
   std::vector<FrfEntry> entries;
   const auto add = [&](const frf::Dof& row, const frf::Dof& column) {
     const FrfEntry entry{row, column};
     if (std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
   };
-  for (const frf::Dof& dof : spread(shared(rows, columns), (count + 1) / 2)) add(dof, dof);
+  for (const frf::Dof& dof : thinned(shared(rows, columns), (count + 1) / 2)) add(dof, dof);
   const auto side = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
-  for (const frf::Dof& row : spread(rows, side)) {
-    for (const frf::Dof& column : spread(columns, side)) add(row, column);
+  for (const frf::Dof& row : thinned(rows, side)) {
+    for (const frf::Dof& column : thinned(columns, side)) add(row, column);
   }
   if (entries.size() > count) entries.resize(count);
   std::stable_partition(entries.begin(), entries.end(), is_driving_point);

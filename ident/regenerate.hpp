@@ -23,6 +23,16 @@ struct Regenerated {
   std::vector<RegeneratedFrf> frfs;
 };
 
+/// Lines that both systems have, those outside the identification too.
+std::vector<Line> common_lines(const Plan& plan);
+
+/// The coordinates of the assembly FRFs that both systems allow: the non-joint ones and those of the joint that the assembly has.
+Dofs regenerable_responses(const Plan& plan);
+Dofs regenerable_references(const Plan& plan);
+
+/// Every k-th element so that at most `count` are left, ends included.
+Dofs thinned(const Dofs& dofs, std::size_t count);
+
 /// Up to `count` of the assembly FRFs that both systems allow, spread over responses and references, driving points first.
 std::vector<FrfEntry> choose_entries(const Plan& plan, std::size_t count);
 

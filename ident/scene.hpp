@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "frf/corrections.hpp"
 #include "frf/frf_source.hpp"
 #include "frf/noise.hpp"
 #include "restrictions/joint_spec.hpp"
@@ -19,11 +20,12 @@ using Path = std::filesystem::path;
 using Matrix = std::vector<std::vector<double>>;
 using Range = std::array<double, 2>;  ///< Hz, both ends included
 
-/// A file and what the scene says about it that the file does not say itself ([data.files."name"]).
+/// A file and what the scene says about it ([data.files."name"]): what it does not say itself, and what is wrong in it.
 struct DataFile {
   Path path;  ///< resolved against the folder of the scene
   frf::OpenOptions options;
   std::vector<DataFile> repeats{};  ///< further runs of the same measurement
+  frf::Corrections corrections{};   ///< of its FRFs
 };
 
 /// Which systems' FRFs a modal model replaces.

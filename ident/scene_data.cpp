@@ -46,8 +46,13 @@ std::vector<DataFile*> all_files(DataSection& data) {
   return all;
 }
 
-frf::OpenOptions read_options(const SceneItem& item) {
-  const SceneTable table = item.table({"quantity", "dofs", "reference_dofs", "variable"});
+SceneTable file_table(const SceneItem& item) {
+  std::vector<std::string> keys = correction_keys();
+  keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable"});
+  return item.table(keys);
+}
+
+frf::OpenOptions read_options(const SceneTable& table) {
   frf::OpenOptions options;
   if (const auto quantity = table.find("quantity")) {
     const std::string& word = quantity->text();
@@ -72,11 +77,15 @@ Regeneration read_regeneration(const SceneItem& list) {
   return chosen;
 }
 
-void read_all_options(const SceneItem& item, const Names& names, DataSection& data) {
+/// `files` are those of `names`; a name may stand for several.
+void read_all_options(const SceneItem& item, const Names& names, const std::vector<DataFile*>& files) {
   const SceneTable table = item.table(names);
-  const std::vector<DataFile*> files = all_files(data);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (const auto options = table.find(names[i])) files[i]->options = read_options(*options);
+    const auto of_file = table.find(names[i]);
+    if (!of_file) continue;
+    const SceneTable keys = file_table(*of_file);
+    files[i]->options = read_options(keys);
+    files[i]->corrections = read_corrections(keys);
   }
 }
 
@@ -90,17 +99,26 @@ DataSection read_data(const SceneItem& item, const Path& folder) {
   data.assembly = read_files(table.require("assembly"), folder, names);
   if (const auto regenerate = table.find("regenerate")) data.regenerate = read_regeneration(*regenerate);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
-  if (const auto files = table.find("files")) read_all_options(*files, names, data);
+  if (const auto files = table.find("files")) read_all_options(*files, names, all_files(data));
   return data;
 }
 
-DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names) {
+DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names,
+                               const std::vector<FurtherFile>& further) {
   const SceneTable table = item.table({"parts", "reciprocity", "files"});
   DataSection data;
   Names all;
   data.substructures = read_files(table.require("parts"), folder, all);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
-  if (const auto files = table.find("files")) read_all_options(*files, all, data);
+  if (const auto files = table.find("files")) {
+    Names named = all;
+    std::vector<DataFile*> of_name = all_files(data);
+    for (const FurtherFile& other : further) {
+      named.push_back(other.name);
+      of_name.push_back(other.file);
+    }
+    read_all_options(*files, named, of_name);
+  }
   // A part of several runs is named by the first.
   std::size_t file = 0;
   for (const DataFile& part : data.substructures) {

@@ -46,6 +46,7 @@ class SceneItem {
   std::vector<frf::Dof> dofs() const;
 
   bool is_text() const { return std::holds_alternative<std::string>(value_->content); }
+  bool is_table() const { return std::holds_alternative<Members>(value_->content); }
   bool is_list() const { return std::holds_alternative<Array>(value_->content); }
   std::string place() const;
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy = {}) const;

@@ -4,11 +4,22 @@
 
 namespace jointid::ident {
 
+/// The keys of [data.files."NAME"] that put the FRFs of a file right, and what they say.
+std::vector<std::string> correction_keys();
+frf::Corrections read_corrections(const SceneTable& table);
+
 /// [data]; paths are resolved against `folder`.
 DataSection read_data(const SceneItem& item, const Path& folder);
 
+/// A file that another section of the scene names; [data.files] may speak of it.
+struct FurtherFile {
+  std::string name;  ///< as written
+  DataFile* file = nullptr;
+};
+
 /// [data] of a coupling scene: `substructures` are its parts, and `names` gets their names as written.
-DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names);
+DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names,
+                               const std::vector<FurtherFile>& further = {});
 
 /// [frequency]
 FrequencySection read_frequency(const SceneItem& item);

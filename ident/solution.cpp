@@ -12,6 +12,10 @@ std::string name(Status status) {
       return "not_converged";
     case Status::imprecise:
       return "imprecise";
+    case Status::doubtful:
+      return "doubtful";
+    case Status::poor_fit:
+      return "poor_fit";
     case Status::ok:
       break;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ident/admissibility.hpp"
+#include "ident/check/suspect.hpp"
 #include "ident/identifiability.hpp"
 #include "ident/scene.hpp"
 
@@ -18,10 +19,15 @@ enum class Status {
   rank_deficient,  ///< the data do not fix every unknown; the rest of the numbers hold
   no_equations,    ///< nothing was left to solve
   not_converged,
-  imprecise  ///< rounding alone can move an unknown by as much as its size
+  imprecise,  ///< rounding alone can move an unknown by as much as its size
+  doubtful,   ///< usable, but the data say something against it
+  poor_fit    ///< the data contradict it: far more misfit than their noise explains, or a joint that gives energy away
 };
 
 std::string name(Status status);
+
+/// Whether the numbers may be used: ok or doubtful.
+constexpr bool is_usable(Status status) { return status == Status::ok || status == Status::doubtful; }
 
 /// How the intervals of a solution were found.
 enum class IntervalKind { none, cramer_rao, bootstrap };
@@ -38,6 +44,10 @@ struct Estimate {
   /// First-order bound of what rounding does to the value, that of the FRFs and that of the arithmetic, in its unit; of linear
   /// methods with Detail::full.
   std::optional<double> rounding;
+  /// Of linear methods with Detail::full, in its unit: what the noise of the FRFs does to the value, √(scatter² + bias²). No standard
+  /// error: it is not the width of a distribution about the truth.
+  std::optional<double> error_estimate{};
+  std::optional<double> bias{};  ///< the bias in it, that of noise in the coefficients to first order; empty where it is not known
   std::string limit{};  ///< the constraint that holds it: "tied", "at its lower bound", "K is singular"; empty: none
 };
 
@@ -47,6 +57,7 @@ using Matrices = std::map<restrictions::Kind, Matrix>;
 struct BandMatrices {
   std::optional<Range> band_hz;
   Matrices matrices;
+  Matrices errors{};  ///< of the elements, from Estimate::error_estimate; empty where there is none
 };
 
 /// How the residuals of all FRFs compare with their variances: `value` is about `degrees_of_freedom`, give or take √(2·that),
@@ -69,6 +80,8 @@ struct Fit {
   std::size_t iterations = 0;            ///< of iterative methods
   std::optional<ChiSquare> chi_square;   ///< of methods that weigh FRFs by their variances
   std::optional<double> asm_frf_error;   ///< dB; empty when the scene's equations do not read what it needs
+  /// Of linear methods with Detail::full: squares of the residuals over what the noise of the FRFs explains, WhitenedFit::misfit.
+  std::optional<double> misfit{};
 };
 
 /// Figures of merit of formulas §6 for one matrix against the truth.
@@ -128,6 +141,7 @@ struct Solution {
   RunTime runtime_s;
   Used used;
   std::vector<std::string> warnings;      ///< what makes the numbers doubtful though they were found, one sentence each
+  std::optional<CheckResult> check{};     ///< of the data, its short form (quick_check()); with Detail::full
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };
 

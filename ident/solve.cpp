@@ -6,6 +6,8 @@
 
 #include "ident/admissible/admissible_linear.hpp"
 #include "ident/admissible/outcome.hpp"
+#include "ident/check/check.hpp"
+#include "ident/judgement/judge.hpp"
 #include "ident/likelihood/likelihood.hpp"
 #include "ident/newton/newton.hpp"
 #include "ident/prediction.hpp"
@@ -159,6 +161,8 @@ void identify(Plan& plan, Assembled& system, const Control& control, Solution& o
   bool settled = true;
   {
     const Stopwatch watch(out.runtime_s.solve);
+    stop_if(control.interrupted);
+    if (control.progress) control.progress("solving", 0, 0);
     linear = solve(plan, system.accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
     if (plan.admissible && linear.rank > 0) out.admissibility = constrain(plan, system.accumulator, system.equations.rows, linear, settled);
   }
@@ -172,7 +176,16 @@ void identify(Plan& plan, Assembled& system, const Control& control, Solution& o
     out.status = Status::not_converged;
     out.message += "The constrained least-squares problem did not settle.";
   }
+  if (control.so_far) control.so_far(out);
   if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+  if (control.detail == Detail::full && control.judgement == Judgement::data) judge_linear(plan, linear, control, out);
+}
+
+/// What the short check of the data finds, in status and message.
+void check_briefly(Plan& plan, const Control& control, Solution& out) {
+  if (control.detail != Detail::full || control.judgement != Judgement::data) return;
+  out.check = quick_check(plan, control);
+  tell_check(*out.check, out);
 }
 
 }  // namespace
@@ -185,11 +198,14 @@ Solution solve(Plan& plan, const Control& control) {
     if (!each.harm.empty()) out.warnings.push_back(note(each));
   }
   warn_of_shared_errors(plan, out);
+  out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
               plan.solver, 0};
   if (plan.likelihood || plan.newton) {
     plan.likelihood ? solve_likelihood(plan, control, out) : solve_newton(plan, control, out);
+    if (control.so_far) control.so_far(out);
     if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+    check_briefly(plan, control, out);
     out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
     return out;
   }
@@ -204,6 +220,7 @@ Solution solve(Plan& plan, const Control& control) {
     out.status = Status::no_equations;
     out.message = without_equations(plan);
   }
+  check_briefly(plan, control, out);
   out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
   return out;
 }

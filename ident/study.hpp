@@ -19,6 +19,9 @@ struct StudyOptions {
   std::map<std::string, std::string> texts;  ///< what else the results depend on (scene, version): kept in the file
 };
 
+/// OUT.partial.
+Path journal_path(const Path& out);
+
 /// How the caller watches and stops a study; both are called several times per second by the calling thread.
 struct StudyControl {
   std::function<void(std::size_t done, std::size_t total)> progress;

@@ -39,7 +39,7 @@ std::vector<Histogram> study_histograms(const Path& file, const std::vector<Colu
     for (std::size_t c = 0; c < columns.size(); ++c) {
       table.read(columns[c].column, first, std::span(values).first(count));
       for (std::size_t i = 0; i < count; ++i) {
-        if (status[i] == static_cast<double>(Status::ok)) put(values[i], histograms[c]);
+        if (is_usable(static_cast<Status>(status[i]))) put(values[i], histograms[c]);
       }
     }
   }

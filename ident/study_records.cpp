@@ -15,14 +15,14 @@ std::string key_of(const frf::TableHeader& header) {
   return key;
 }
 
-Path journal_path(const StudyOptions& options) { return options.out.string() + ".partial"; }
-
 }  // namespace
 
+Path journal_path(const Path& out) { return out.string() + ".partial"; }
+
 StudyRecords::StudyRecords(const StudyOptions& options, frf::TableHeader header) : options_(options), header_(std::move(header)) {
-  if (options.resume && !std::filesystem::exists(journal_path(options)) && is_complete()) return;
+  if (options.resume && !std::filesystem::exists(journal_path(options.out)) && is_complete()) return;
   using Start = frf::RecordJournal::Start;
-  journal_.emplace(journal_path(options), key_of(header_), header_.columns.size(), options.resume ? Start::resume : Start::fresh);
+  journal_.emplace(journal_path(options.out), key_of(header_), header_.columns.size(), options.resume ? Start::resume : Start::fresh);
 }
 
 std::vector<frf::IndexRange> StudyRecords::missing() const {

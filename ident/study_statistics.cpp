@@ -83,10 +83,12 @@ StudyStatistics study_statistics(const Path& file) {
   const StudyColumns at = columns_of(table.header());
   const UsableColumns columns(table);
   StudyStatistics out{.trials = table.rows(),
-                      .usable = columns.count(Status::ok),
+                      .usable = columns.count(Status::ok) + columns.count(Status::doubtful),
                       .rank_deficient = columns.count(Status::rank_deficient),
                       .no_equations = columns.count(Status::no_equations),
                       .not_converged = columns.count(Status::not_converged),
+                      .doubtful = columns.count(Status::doubtful),
+                      .poor_fit = columns.count(Status::poor_fit),
                       .unknowns = {},
                       .quality = {}};
   const auto n = static_cast<double>(out.usable);

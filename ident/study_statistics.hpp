@@ -32,8 +32,10 @@ struct QualityStatistics {
 
 struct StudyStatistics {
   std::size_t trials = 0;
-  std::size_t usable = 0;  ///< trials with status ok; only they count below
+  std::size_t usable = 0;  ///< trials with status ok or doubtful; only they count below
   std::size_t rank_deficient = 0, no_equations = 0, not_converged = 0;
+  std::size_t doubtful = 0;  ///< of the usable ones
+  std::size_t poor_fit = 0;
   std::vector<UnknownStatistics> unknowns;
   std::vector<QualityStatistics> quality;
 };

@@ -163,6 +163,7 @@ std::shared_ptr<TrialData> prepare(const Scene& scene, Sources substructures, So
   data->base = sets_of(excerpts);
   data->pollution = with_regeneration(make_pollution(excerpts), scene);
   describe(*plan, *data);
+  data->notes = plan->warnings;
   return data;
 }
 
@@ -225,8 +226,22 @@ Sources refer_to(const std::vector<frf::FrfSet>& sets) {
   return sources;
 }
 
-std::shared_ptr<const TrialData> prepare(const Scene& scene, Sources substructures, Sources assembly,
-                                         const frf::NoiseModel& noise) {
+/// What the files say of their own noise is of no use where [noise] is there.
+std::string unused_noise(const Scene& scene, const Sources& substructures, const Sources& assembly) {
+  std::string files;
+  for (const Sources* sources : {&substructures, &assembly}) {
+    for (const auto& source : *sources) {
+      const frf::NoiseRecord record = source->header().noise;
+      const bool hammer = scene.noise && scene.noise->frf_model.kind == frf::NoiseKind::hammer;  // takes the coherences of the files
+      if (record == frf::NoiseRecord::none || (record == frf::NoiseRecord::coherence && hammer)) continue;
+      files += (files.empty() ? "" : ", ") + source->header().file;
+    }
+  }
+  if (!scene.noise || files.empty()) return {};
+  return "Trials draw their errors from [noise] (" + scene.noise->model + "): the variances or coherences of " + files + " are not used.";
+}
+
+std::shared_ptr<TrialData> prepare(const Scene& scene, Sources substructures, Sources assembly, const frf::NoiseModel& noise) {
   frf::validate(noise);
   const bool all_dofs = noise.position_errors > 0.0 || scene.data.regenerate.any();
   const auto data = prepare(scene, std::move(substructures), std::move(assembly), all_dofs,
@@ -241,7 +256,10 @@ std::shared_ptr<const TrialData> prepare(const Scene& scene, Sources substructur
 std::shared_ptr<const TrialData> load_trial_data(const Scene& scene) {
   Sources substructures = open_all(scene.data.substructures), assembly = open_all(scene.data.assembly);
   const frf::NoiseModel noise = noise_of(scene, substructures, assembly);
-  return prepare(scene, std::move(substructures), std::move(assembly), noise);
+  const std::string unused = unused_noise(scene, substructures, assembly);
+  const auto data = prepare(scene, std::move(substructures), std::move(assembly), noise);
+  if (!unused.empty()) data->notes.push_back(unused);
+  return data;
 }
 
 std::shared_ptr<const TrialData> make_trial_data(const Scene& scene, const Measurements& base, Pollution pollution) {

@@ -39,6 +39,7 @@ struct TrialData {
   std::vector<TrialUnknown> unknowns;
   std::vector<restrictions::Kind> judged;  ///< matrices with a truth, in the order of Trial::quality
   std::size_t equations_per_line = 0, lines = 0;
+  std::vector<std::string> notes;  ///< what the user should know, one sentence each
 };
 
 /// Opens the scene's files, loads what the plan needs once, and takes the noise of [noise] (without that section: of a hammer

@@ -11,7 +11,7 @@ namespace jointid::ident {
 
 std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, const TrialOptions& options) {
   std::vector<Trial> trials(options.trials);
-  tbb::enumerable_thread_specific<TrialRunner> runners([&] { return TrialRunner(data); });
+  tbb::enumerable_thread_specific<TrialRunner> runners([&] { return TrialRunner(data, options.interrupted); });
   std::mutex reporting;
   std::size_t done = 0;
   const auto run_one = [&](std::size_t trial) {
@@ -27,7 +27,7 @@ std::vector<Trial> run_trials(const std::shared_ptr<const TrialData>& data, cons
 }
 
 double figure_of(const Trial& trial, std::size_t matrix, double Quality::*figure) {
-  if (trial.status != Status::ok) return std::numeric_limits<double>::quiet_NaN();
+  if (!is_usable(trial.status)) return std::numeric_limits<double>::quiet_NaN();
   return trial.quality.at(matrix).*figure;
 }
 

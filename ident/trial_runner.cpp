@@ -48,7 +48,10 @@ struct TrialRunner::State {
   Control control;
 };
 
-TrialRunner::TrialRunner(std::shared_ptr<const TrialData> data) : state_(std::make_unique<State>(std::move(data))) {}
+TrialRunner::TrialRunner(std::shared_ptr<const TrialData> data, std::function<bool()> interrupted)
+    : state_(std::make_unique<State>(std::move(data))) {
+  state_->control.interrupted = std::move(interrupted);
+}
 TrialRunner::~TrialRunner() = default;
 TrialRunner::TrialRunner(TrialRunner&&) noexcept = default;
 

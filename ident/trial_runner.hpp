@@ -26,7 +26,8 @@ struct Trial {
 /// the runner, its thread or the trials before. Not thread-safe: one runner per thread on shared data.
 class TrialRunner {
  public:
-  explicit TrialRunner(std::shared_ptr<const TrialData> data);
+  /// `interrupted`: asked between lines; run() then throws Interrupted.
+  explicit TrialRunner(std::shared_ptr<const TrialData> data, std::function<bool()> interrupted = {});
   ~TrialRunner();
   TrialRunner(TrialRunner&&) noexcept;
 

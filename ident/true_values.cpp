@@ -9,15 +9,15 @@ namespace {
 using Values = std::vector<std::optional<double>>;
 
 /// An element as equation: Σ coefficient·y = right.
-struct Element {
+struct SpecElement {
   std::vector<restrictions::Term> terms;
   double right = 0.0;
 };
 
-std::vector<Element> elements_of(const restrictions::MatrixTerms& matrix, const Matrix& truth) {
-  std::map<std::pair<std::size_t, std::size_t>, Element> by_place;
+std::vector<SpecElement> elements_of(const restrictions::MatrixTerms& matrix, const Matrix& truth) {
+  std::map<std::pair<std::size_t, std::size_t>, SpecElement> by_place;
   for (const restrictions::Term& term : matrix.terms) {
-    Element& element = by_place[{term.row, term.column}];
+    SpecElement& element = by_place[{term.row, term.column}];
     element.terms.push_back(term);
     element.right = truth[term.row][term.column];
   }
@@ -25,13 +25,13 @@ std::vector<Element> elements_of(const restrictions::MatrixTerms& matrix, const 
     const auto found = by_place.find({known.row, known.column});
     if (found != by_place.end()) found->second.right -= known.value;
   }
-  std::vector<Element> elements;
+  std::vector<SpecElement> elements;
   for (auto& [place, element] : by_place) elements.push_back(std::move(element));
   return elements;
 }
 
 /// Solves the element when all of its unknowns but one have values; true when it did.
-bool solve_one(const Element& element, Values& values) {
+bool solve_one(const SpecElement& element, Values& values) {
   const restrictions::Term* open = nullptr;
   double right = element.right;
   for (const restrictions::Term& term : element.terms) {
@@ -48,9 +48,9 @@ bool solve_one(const Element& element, Values& values) {
   return true;
 }
 
-void drop_contradictions(const std::vector<Element>& elements, double tolerance, Values& values) {
+void drop_contradictions(const std::vector<SpecElement>& elements, double tolerance, Values& values) {
   std::vector<std::size_t> dropped;
-  for (const Element& element : elements) {
+  for (const SpecElement& element : elements) {
     double rest = element.right;
     for (const restrictions::Term& term : element.terms) rest -= term.coefficient * values[term.unknown].value_or(0.0);
     const bool all_known = std::all_of(element.terms.begin(), element.terms.end(),
@@ -69,11 +69,11 @@ std::vector<std::optional<double>> true_values(const restrictions::Restriction& 
   for (const restrictions::MatrixTerms& matrix : restriction.matrices) {
     const auto exact = truth.find(matrix.kind);
     if (exact == truth.end()) continue;
-    const std::vector<Element> elements = elements_of(matrix, exact->second);
+    const std::vector<SpecElement> elements = elements_of(matrix, exact->second);
     bool progress = true;
     while (progress) {
       progress = false;
-      for (const Element& element : elements) progress = solve_one(element, values) || progress;
+      for (const SpecElement& element : elements) progress = solve_one(element, values) || progress;
     }
     double largest = 0.0;
     for (const auto& row : exact->second) {

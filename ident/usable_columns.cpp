@@ -10,13 +10,13 @@ namespace {
 /// A chunk of the file.
 constexpr std::size_t trials_per_piece = 4096;
 
-bool is_usable(double status) { return status == static_cast<double>(Status::ok); }
+bool has_estimate(double status) { return is_usable(static_cast<Status>(status)); }
 
 /// Keeps the usable ones of `numbers`.
 void keep_usable(const std::vector<double>& statuses, std::vector<double>& numbers) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < statuses.size(); ++i) {
-    if (is_usable(statuses[i])) numbers[kept++] = numbers[i];
+    if (has_estimate(statuses[i])) numbers[kept++] = numbers[i];
   }
   numbers.resize(kept);
 }

@@ -1,7 +1,8 @@
 #include "ident/admissible/definite_block.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
+
+#include "dense/pivoted_qr.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -21,11 +22,9 @@ MatrixXd range_of(const std::vector<MatrixXd>& matrices, Index size) {
     const double largest = matrices[i].cwiseAbs().maxCoeff();
     if (largest > 0.0) side_by_side.middleCols(size * static_cast<Index>(i), size) = matrices[i] / largest;
   }
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(unreached);
-  qr.compute(side_by_side);
+  const dense::RealPivotedQr qr(side_by_side, unreached);
   if (qr.rank() == size) return MatrixXd::Identity(size, size);
-  return qr.householderQ() * MatrixXd::Identity(size, qr.rank());
+  return qr.orthonormal_columns(qr.rank());
 }
 
 std::vector<BlockEntry> entries_of(const MatrixXd& matrix) {

@@ -1,10 +1,11 @@
 #include "ident/admissible/interior_block.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "dense/cholesky.hpp"
+#include "dense/eigen.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -19,9 +20,9 @@ MatrixXd symmetric_part(const MatrixXd& m) { return 0.5 * (m + m.transpose()); }
 
 /// The lower Cholesky factor; false when the matrix is not positive definite.
 bool factored(const MatrixXd& matrix, MatrixXd& root) {
-  const Eigen::LLT<MatrixXd> cholesky(matrix);
-  root = cholesky.matrixL();
-  return cholesky.info() == Eigen::Success;
+  auto found = dense::cholesky(matrix);
+  if (found) root = std::move(*found);
+  return found.has_value();
 }
 
 double room_of(const MatrixXd& root, const MatrixXd& step) {
@@ -52,11 +53,11 @@ VectorXd InteriorBlock::adjoint(const MatrixXd& y) const {
 }
 
 void InteriorBlock::begin(double mu) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(at_origin_);
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(at_origin_);
   const double least = std::max({violation_, sensitivity_, 1e-13 * at_origin_.norm()});
-  const VectorXd values = eigen.eigenvalues().cwiseMax(least);
-  s_ = eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
-  lambda_ = eigen.eigenvectors() * (mu * values.cwiseInverse()).asDiagonal() * eigen.eigenvectors().transpose();
+  const VectorXd values = eigen.values.cwiseMax(least);
+  s_ = eigen.vectors * values.asDiagonal() * eigen.vectors.transpose();
+  lambda_ = eigen.vectors * (mu * values.cwiseInverse()).asDiagonal() * eigen.vectors.transpose();
 }
 
 bool InteriorBlock::factor(const VectorXd& x) {
@@ -119,11 +120,11 @@ MatrixXd InteriorBlock::value(const VectorXd& x) const {
 MatrixXd InteriorBlock::multiplier() const { return scale_.asDiagonal() * lambda_ * scale_.asDiagonal(); }
 
 Index InteriorBlock::at_limit() const {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(s_);
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(s_);
   Index count = 0;
   for (Index i = 0; i < size(); ++i) {
-    const VectorXd direction = eigen.eigenvectors().col(i);
-    count += eigen.eigenvalues()[i] < sensitivity_ * sensitivity_ * direction.dot(lambda_ * direction) ? 1 : 0;
+    const VectorXd direction = eigen.vectors.col(i);
+    count += eigen.values[i] < sensitivity_ * sensitivity_ * direction.dot(lambda_ * direction) ? 1 : 0;
   }
   return count;
 }

@@ -1,9 +1,9 @@
 #include "ident/admissible/semidefinite_least_squares.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "dense/cholesky.hpp"
 #include "ident/admissible/interior_block.hpp"
 
 namespace jointid::ident {
@@ -79,10 +79,12 @@ class InteriorPoint {
     return true;
   }
 
-  VectorXd direct(const Eigen::LLT<MatrixXd>& system, double sigma_mu, bool second_order) {
+  VectorXd direct(const MatrixXd& root, double sigma_mu, bool second_order) {
     VectorXd right = -x_;
     for (const InteriorBlock& block : blocks_) right += block.pull(sigma_mu, second_order);
-    const VectorXd dx = system.solve(right);
+    dense::solve_lower(root, right);
+    dense::solve_lower_transposed(root, right);
+    const VectorXd& dx = right;
     for (InteriorBlock& block : blocks_) block.direct(dx, sigma_mu, second_order);
     return dx;
   }
@@ -97,15 +99,14 @@ class InteriorPoint {
   bool step() {
     MatrixXd matrix = MatrixXd::Identity(x_.size(), x_.size());
     for (const InteriorBlock& block : blocks_) block.add_curvature(matrix);
-    const Eigen::LLT<MatrixXd> system(matrix);
-    if (system.info() != Eigen::Success) return false;
+    if (!dense::cholesky_in_place(matrix)) return false;
     const double mu = gap() / order_;
-    direct(system, 0.0, false);
+    direct(matrix, 0.0, false);
     const double reach = std::min(1.0, room());
     double ahead = 0.0;
     for (const InteriorBlock& block : blocks_) ahead += block.gap_after(reach);
     const double sigma = std::clamp(std::pow(ahead / (order_ * mu), 3.0), 1e-6, 1.0);
-    const VectorXd dx = direct(system, sigma * mu, true);
+    const VectorXd dx = direct(matrix, sigma * mu, true);
     const double length = std::min(1.0, 0.95 * room());
     if (!dx.allFinite() || length < 1e-10) return false;
     x_ += length * dx;

@@ -1,9 +1,9 @@
 #include "ident/admissible/symmetric_block.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "dense/eigen.hpp"
 #include "ident/column_scaling.hpp"
 
 namespace jointid::ident {
@@ -50,7 +50,7 @@ Eigen::VectorXd balance(const SymmetricBlock& block, const Eigen::VectorXd& thet
 
 double least_eigenvalue(const Eigen::MatrixXd& symmetric) {
   if (symmetric.rows() == 1) return symmetric(0, 0);
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  return dense::symmetric_eigenvalues(symmetric)[0];
 }
 
 }  // namespace jointid::ident

@@ -1,9 +1,9 @@
 #include "ident/admissible/tied_least_squares.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 
+#include "dense/pivoted_qr.hpp"
 #include "ident/column_scaling.hpp"
 
 namespace jointid::ident {
@@ -18,14 +18,12 @@ TiedLeastSquares tied_least_squares(const MatrixXd& root, const VectorXd& theta,
   const VectorXd scale = power_of_two_scales(system);
   system *= scale.asDiagonal();
   const Index n = system.cols();
-  Eigen::ColPivHouseholderQR<MatrixXd> qr;
-  qr.setThreshold(16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
-  qr.compute(system);
+  const dense::RealPivotedQr qr(system, 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());
   const Index rank = qr.rank();
-  MatrixXd triangle = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  MatrixXd triangle = qr.triangle();
   const double least = rank > 0 ? std::abs(triangle(rank - 1, rank - 1)) : 1.0;
   // θ of w, columns in the order of the pivots.
-  const MatrixXd scaled = scale.asDiagonal() * MatrixXd(qr.colsPermutation());
+  const MatrixXd scaled = scale.asDiagonal() * MatrixXd(qr.permutation());
   const MatrixXd to_theta = tied ? MatrixXd(directions * scaled) : scaled;
 
   TiedLeastSquares out;

@@ -5,6 +5,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "ident/likelihood/covariance.hpp"
@@ -42,15 +43,18 @@ std::vector<Replicate> bootstrap(Plan& plan, const LikelihoodEstimator& fitted, 
   const IdentifySection& identify = plan.scene.identify;
   std::vector<Replicate> replicates(identify.bootstrap);
   oneapi::tbb::enumerable_thread_specific<SimulatedData> simulated([&] { return SimulatedData(*own.observations, fit.line_weight); });
+  std::atomic<std::size_t> done = 0;
   const auto watch = [&](std::size_t) { stop_if(control.interrupted); };
   const auto run_one = [&](std::size_t b) {
     SimulatedData& data = simulated.local();
     data.draw(exact, {identify.bootstrap_seed, b, 0});
     LikelihoodEstimator estimator(data, plan.restriction, *plan.columns, plan.assembly_spec.omega0, 1);
+    estimator.set_line_watch([&](std::size_t, std::size_t) { stop_if(control.interrupted); });
     estimator.set_priors(drawn(own.priors, fit.theta, {identify.bootstrap_seed, b, 1}));
     LikelihoodFit refined = estimator.refine(fit.theta, watch);
     if (plan.admissible) refined = estimator.constrain(std::move(refined), *plan.admissible, watch).fit;
     replicates[b] = replicate_of(refined);
+    if (control.progress) control.progress("bootstrap", ++done, replicates.size());
   };
   const int threads = control.threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(control.threads);
   oneapi::tbb::task_arena(threads).execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, replicates.size(), run_one); });

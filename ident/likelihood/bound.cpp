@@ -30,13 +30,22 @@ std::vector<double> scaled(const Plan& plan, const std::vector<double>& values) 
 }
 
 void read_observations(Plan& plan, const Control& control) {
-  plan.likelihood->observations->read(plan.lines, [&](std::size_t) { stop_if(control.interrupted); });
+  plan.likelihood->observations->read(plan.lines, [&](std::size_t done) {
+    stop_if(control.interrupted);
+    if (control.progress) control.progress("reading", done, plan.lines.size());
+  });
 }
 
-LikelihoodEstimator make_estimator(Plan& plan, const Control& control) {
+LikelihoodEstimator make_estimator(Plan& plan, const Control& control, std::shared_ptr<const std::string> stage) {
   LikelihoodEstimator estimator(*plan.likelihood->observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0,
                                 control.threads);
   estimator.set_priors(plan.likelihood->priors);
+  if (control.interrupted || control.progress) {
+    estimator.set_line_watch([&control, stage = std::move(stage)](std::size_t begun, std::size_t lines) {
+      stop_if(control.interrupted);
+      if (control.progress) control.progress(stage ? stage->c_str() : "likelihood", begun, lines);
+    });
+  }
   return estimator;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "ident/likelihood/estimator.hpp"
@@ -17,7 +19,8 @@ std::vector<double> scaled(const Plan& plan, const std::vector<double>& values);
 /// Reads all lines of a plan with method "likelihood".
 void read_observations(Plan& plan, const Control& control);
 
-/// An estimator on what was read, with the priors of the plan.
-LikelihoodEstimator make_estimator(Plan& plan, const Control& control);
+/// An estimator on what was read, with the priors of the plan. It stops between lines as `control` says, which must outlive it and is told
+/// `stage` (nullptr: "likelihood") and how many lines are begun.
+LikelihoodEstimator make_estimator(Plan& plan, const Control& control, std::shared_ptr<const std::string> stage = nullptr);
 
 }  // namespace jointid::ident

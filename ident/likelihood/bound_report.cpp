@@ -96,11 +96,15 @@ class Predictor {
     const Baseline now(bound_of(*plan_, information_), scales);
     BoundReport out;
     tell_unknowns(now, out);
-    leave_out_lines(now, out);
-    leave_out_coordinates(now, out);
-    add_candidates(now, out);
-    add_lines(now, out);
-    add_equations(now, out);
+    try {
+      leave_out_lines(now, out);
+      leave_out_coordinates(now, out);
+      add_candidates(now, out);
+      add_lines(now, out);
+      add_equations(now, out);
+    } catch (const Interrupted&) {
+      out.interrupted = true;
+    }
     return out;
   }
 
@@ -109,10 +113,16 @@ class Predictor {
                                       std::vector<Eigen::MatrixXd>* by_line = nullptr) {
     stop_if(control_.interrupted);
     plan_->likelihood->observations->leave_out(coordinates);
-    LikelihoodEstimator estimator = make_estimator(*plan_, control_);
+    LikelihoodEstimator estimator = make_estimator(*plan_, control_, next_stage());
     Eigen::MatrixXd information = estimator.information_at(scaled(*plan_, guess_));
     for (std::size_t i = 0; by_line != nullptr && i < plan_->lines.size(); ++i) by_line->push_back(estimator.information_of(i));
     return information;
+  }
+
+  /// For progress: how many choices of the data were begun.
+  std::shared_ptr<const std::string> next_stage() {
+    ++choices_;
+    return std::make_shared<const std::string>("predicting errors, data set " + std::to_string(choices_));
   }
 
   std::vector<double> bound_without(const std::vector<std::size_t>& coordinates) {
@@ -175,7 +185,7 @@ class Predictor {
     for (const std::size_t c : absent_) absent.push_back(frf::find_coordinate(coordinates, own[c]));
     read_observations(other, control_);
     other.likelihood->observations->leave_out(absent);
-    return bound_of(other, make_estimator(other, control_).information_at(scaled(other, guess_)));
+    return bound_of(other, make_estimator(other, control_, next_stage()).information_at(scaled(other, guess_)));
   }
 
   void add_lines(const Baseline& now, BoundReport& out) {
@@ -203,6 +213,7 @@ class Predictor {
   std::vector<double> guess_;
   const Control& control_;
   std::vector<std::size_t> absent_;  ///< candidates
+  std::size_t choices_ = 0;
   Eigen::MatrixXd information_;
   std::vector<Eigen::MatrixXd> by_line_;
 };

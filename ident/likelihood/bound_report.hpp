@@ -26,6 +26,7 @@ struct BoundChange {
 
 /// What a test can tell about a joint, before it is made (formulas §11).
 struct BoundReport {
+  bool interrupted = false;  ///< not all changes of the data are there
   std::vector<UnknownBound> unknowns;
   std::vector<WeakCombination> weakest;
   std::vector<std::string> variances;           ///< where they come from, one phrase each

@@ -3,12 +3,12 @@
 #include <ceres/ceres.h>
 #include <glog/logging.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <limits>
 
+#include "dense/pivoted_qr.hpp"
 #include "ident/eigen_index.hpp"
 #include "ident/likelihood/bundle_functions.hpp"
 #include "ident/likelihood/covariance.hpp"
@@ -191,9 +191,9 @@ void Bundle::reduce() {
     RowMajor by_theta, by_own;
     Eigen::VectorXd residuals(at(line.explicit_line.residuals()));
     line.explicit_line.evaluate(theta(), line.u.data(), residuals.data(), &by_theta, &by_own);
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(by_own);
-    const Eigen::MatrixXd rotated = factors.householderQ().transpose() * by_theta;
-    const Eigen::VectorXd right = factors.householderQ().transpose() * residuals;
+    const dense::RealPivotedQr factors(by_own);
+    const Eigen::MatrixXd rotated = factors.rotated(by_theta);
+    const Eigen::VectorXd right = factors.rotated(residuals);
     const auto left = rotated.rows() - factors.rank();
     double rho[3];
     LineLoss(limit(line)).Evaluate(line.cost, rho);

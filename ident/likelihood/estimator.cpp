@@ -34,6 +34,11 @@ constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
 constexpr std::size_t most_iterations = 60;
 
+/// With most lines further than three times their errors off, a joint that does not get 2 % nearer in four steps is not waited for, and
+/// when starts end within a tenth of each other no other is tried: the data are wrong, or the joint's model.
+constexpr double far_misfit = 9.0, mended = 0.02, same_end = 0.1;
+constexpr std::size_t patience = 4;
+
 /// How far it is still after a step of that size, when steps shrink by that ratio; as far as the step where they do not shrink.
 double left_after(double size, double ratio) { return ratio < 0.5 ? size * ratio / (1.0 - ratio) : size; }
 
@@ -101,6 +106,7 @@ bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, d
     watch(++fit.iterations);
     const Eigen::VectorXd step = whitened_step(fit.theta, fit.information);
     fit.theta = added(fit.theta, step, 1.0);
+    tell(fit);
     if (std::sqrt(step.dot(fit.information * step)) < tolerance) return true;
   }
   return false;
@@ -119,6 +125,7 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
     const std::vector<double> next = added(fit.theta, step, scale);
     lines_.advance(fit.theta, next, scale * step);
     fit.theta = next;
+    tell(fit);
     if (std::sqrt(step.dot(information * step)) < near) break;
   }
 }
@@ -133,6 +140,8 @@ Eigen::VectorXd LikelihoodEstimator::joint_step(const std::vector<double>& theta
   return nearest_.theta - from;
 }
 
+bool LikelihoodEstimator::far_from_fitting() const { return lines_.tolerance() > far_misfit; }
+
 bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
   lines_.relax(fit.theta);
   if (admissible_ == nullptr) lines_.choose_tolerance();
@@ -140,6 +149,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   double loss = total(fit.theta);
   double last = 0.0, ratio = shrinks_;
   int crawling = 0;  // steps in a row of which next to nothing helped
+  std::vector<double> losses = {loss};
   Eigen::VectorXd gradient, taken;
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
@@ -162,12 +172,18 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       if (!(reached <= loss * (1.0 + 1e-9))) continue;
       loss = reached;
       fit.theta = next;
+      tell(fit, loss);
       break;
     }
     taken = scale * step;
     lines_.weigh_robustly();
     crawling = scale < 0.01 ? crawling + 1 : 0;
     if (crawling == 3) return false;
+    losses.push_back(loss);
+    if (far_from_fitting() && losses.size() > patience && loss > (1.0 - mended) * losses[losses.size() - 1 - patience]) {
+      fit.hopeless = true;
+      return false;
+    }
     if (last > 0.0) shrinks_ = ratio = size / last;
     if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) return true;
     last = size;
@@ -215,6 +231,7 @@ LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
   fit.theta = std::move(start);
   secants_.forget();
   shrinks_ = 1.0;
+  tell(fit);
   lines_.begin(fit.theta);
   return fit;
 }
@@ -264,6 +281,11 @@ ConstrainedFit LikelihoodEstimator::constrain(LikelihoodFit fit, const Admissibl
 
 namespace {
 
+/// How many of the ends of starts that are far from fitting are about as far as this one.
+std::ptrdiff_t times_as_far(double loss, const std::vector<double>& far) {
+  return std::ranges::count_if(far, [loss](double other) { return std::abs(other - loss) <= same_end * loss; });
+}
+
 std::ptrdiff_t times_reached(double loss, const std::vector<LikelihoodFit::End>& ends) {
   return std::ranges::count_if(ends, [loss](const LikelihoodFit::End& end) { return end.loss <= loss + 1e-3 * std::max(1.0, loss); });
 }
@@ -274,12 +296,15 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   LikelihoodFit best;
   std::vector<LikelihoodFit::End> ends;
   std::vector<FittedLine> places;  // of the best
+  std::vector<double> far;         // losses of ends far from fitting
+  const std::ptrdiff_t enough = lines_.layout().a.empty() ? 4 : 2;
   bool any = false, fits = false;
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
     LikelihoodFit fit = run_from(*start, watch);
     if (fit.converged) ends.push_back({fit.loss, fit.theta});
+    const double end_loss = fit.loss;
     if (!any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged)) {
       best = std::move(fit);
       fits = best.converged && lines_.fit(unknowns_);
@@ -287,6 +312,11 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     }
     any = true;
     best.starts = k + 1;
+    if (far_from_fitting()) far.push_back(end_loss);
+    if (follow != Follow::all && !fits && times_as_far(best.loss, far) >= enough) {
+      best.hopeless = true;
+      break;
+    }
     if (follow == Follow::all || !fits) continue;
     if (follow == Follow::until_reached_twice ? times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best))) break;
   }

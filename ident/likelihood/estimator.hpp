@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "ident/admissible/admissible_fit.hpp"
@@ -20,6 +22,7 @@ struct LikelihoodFit {
   std::size_t starts = 0;           ///< how many starts were tried
   double loss = 0.0;                ///< Σ L
   bool converged = false;           ///< the last step was below 10⁻³ standard deviations
+  bool hopeless = false;  ///< stopped, or no other start tried, because steps and starts did not mend lines that are far from fitting
   std::size_t bytes = 0;            ///< of the lines' states and what was linearised about them
 
   struct End {
@@ -69,6 +72,12 @@ class LikelihoodEstimator {
   /// Normal priors count like measurements: information += 1/σ², gradient += (value − θ)/σ², cost += ((value − θ)/σ)².
   void set_priors(std::vector<ScaledPrior> priors) { priors_ = std::move(priors); }
 
+  /// See FittedLines::set_watch().
+  void set_line_watch(std::function<void(std::size_t begun, std::size_t lines)> watch) { lines_.set_watch(std::move(watch)); }
+
+  /// Called with every estimate on the way and Σ L there, infinite before the FRFs of the lines are optimised.
+  void set_listener(std::function<void(const LikelihoodFit& fit, double loss)> listener) { listener_ = std::move(listener); }
+
   /// From the first start, and from the next while χ² tells that the fit is not the right minimum, or from all; the best of them.
   LikelihoodFit run(const Starts& starts, const FitWatcher& watch, Follow follow = Follow::until_it_fits, const Doubt& doubtful = {});
 
@@ -114,10 +123,15 @@ class LikelihoodEstimator {
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
+  bool far_from_fitting() const;
   LikelihoodFit begun(std::vector<double> start);
   LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
   void finish(LikelihoodFit& fit) const;
+  void tell(const LikelihoodFit& fit, double loss = std::numeric_limits<double>::infinity()) const {
+    if (listener_) listener_(fit, loss);
+  }
 
+  std::function<void(const LikelihoodFit&, double)> listener_;
   std::size_t unknowns_;
   FittedLines lines_;
   std::vector<ScaledPrior> priors_;

@@ -1,9 +1,9 @@
 #include "ident/likelihood/explicit_line.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 
+#include "dense/lu.hpp"
 #include "ident/eigen_index.hpp"
 
 namespace jointid::ident {
@@ -15,7 +15,7 @@ struct Explicit {
   ComplexMatrix p, a, b, za, xz;
 
   Explicit(const ComplexMatrix& impedance, const ComplexMatrix& x_, const ComplexMatrix& y_) : z(impedance), x(x_), y(y_) {
-    p = Eigen::PartialPivLU<ComplexMatrix>(ComplexMatrix::Identity(y.rows(), y.cols()) + y * z).inverse();
+    p = dense::inverse(ComplexMatrix::Identity(y.rows(), y.cols()) + y * z);
     a = p * x;
     b = p * y;
     za = z * a;

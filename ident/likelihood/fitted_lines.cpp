@@ -4,6 +4,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "ident/eigen_index.hpp"
@@ -31,21 +32,22 @@ FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& 
 }
 
 void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) const {
-  const auto usable = [&](std::size_t i) { return lines_[i].redundancy > 0.0; };
+  std::atomic<std::size_t> begun = 0;
+  const auto work_on = [&](std::size_t i, LineModel& model) {
+    if (lines_[i].redundancy <= 0.0) return;
+    if (watch_) watch_(begun++, lines_.size());
+    work(i, model);
+  };
   if (threads_ == 1) {
     LineModel model(layout());
-    for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (usable(i)) work(i, model);
-    }
+    for (std::size_t i = 0; i < lines_.size(); ++i) work_on(i, model);
     return;
   }
   oneapi::tbb::task_arena arena(threads_ == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads_));
   arena.execute([&] {
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, lines_.size()), [&](const auto& range) {
       LineModel model(layout());
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        if (usable(i)) work(i, model);
-      }
+      for (std::size_t i = range.begin(); i != range.end(); ++i) work_on(i, model);
     });
   });
 }

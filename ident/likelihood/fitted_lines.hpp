@@ -16,6 +16,9 @@ class FittedLines {
   FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
               std::size_t threads);
 
+  /// Called before each line of every pass with how many of how many are begun, by any thread; may throw to stop.
+  void set_watch(std::function<void(std::size_t begun, std::size_t lines)> watch) { watch_ = std::move(watch); }
+
   const LineLayout& layout() const { return data_->layout(); }
   const FittedLine& operator[](std::size_t line) const { return lines_[line]; }
   ComplexMatrix impedance(std::size_t line, const std::vector<double>& theta) const { return lines_[line].joint.at(theta); }
@@ -80,6 +83,7 @@ class FittedLines {
 
   LikelihoodData* data_;
   std::size_t threads_;
+  std::function<void(std::size_t, std::size_t)> watch_;
   std::vector<FittedLine> lines_;
   double tolerance_ = 1.0;
 };

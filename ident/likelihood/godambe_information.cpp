@@ -1,11 +1,11 @@
 #include "ident/likelihood/godambe_information.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdint>
 #include <random>
 
+#include "dense/cholesky.hpp"
+#include "dense/eigen.hpp"
 #include "ident/likelihood/covariance.hpp"
 
 namespace jointid::ident {
@@ -19,9 +19,9 @@ constexpr double least = 0.1, most = 3.0;  // of the information's curvature: el
 
 Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information) {
   if (null_space_of(information).cols() > 0) return information;
-  const Eigen::LLT<Eigen::MatrixXd> factors(covariance_of(information));
-  if (factors.info() != Eigen::Success) return information;
-  const Eigen::MatrixXd unit = factors.matrixL();  // offsets of one standard deviation: the information is the identity there
+  const auto root = dense::cholesky(covariance_of(information));
+  if (!root) return information;
+  const Eigen::MatrixXd& unit = *root;  // offsets of one standard deviation: the information is the identity there
   const auto along = [&](const Eigen::VectorXd& direction) {
     const Eigen::VectorXd offset = unit * (way * direction);
     return Eigen::VectorXd(unit.transpose() * (gradient(-offset) - gradient(offset)) / (2.0 * way));
@@ -40,10 +40,10 @@ Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::Mat
   for (Eigen::Index c = 0; c < size; ++c) curvature.col(c) = along(Eigen::VectorXd::Unit(size, c));
   if (!curvature.allFinite()) return information;
   curvature = 0.5 * (curvature + curvature.transpose()).eval();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(curvature);
-  if (!(eigen.eigenvalues()[0] > least && eigen.eigenvalues()[size - 1] < most)) return information;
-  const auto lower = unit.triangularView<Eigen::Lower>();
-  const Eigen::MatrixXd half = lower.solve(Eigen::MatrixXd::Identity(size, size));  // unit⁻¹
+  const Eigen::VectorXd values = dense::symmetric_eigenvalues(curvature);
+  if (!(values[0] > least && values[size - 1] < most)) return information;
+  Eigen::MatrixXd half = Eigen::MatrixXd::Identity(size, size);
+  dense::solve_lower(unit, half);  // unit⁻¹
   return half.transpose() * (curvature * curvature) * half;
 }
 

@@ -1,7 +1,6 @@
 #include "ident/likelihood/guess_y.hpp"
 
-#include <Eigen/QR>
-
+#include "dense/minimum_norm.hpp"
 #include "ident/eigen_index.hpp"
 
 namespace jointid::ident {
@@ -64,8 +63,7 @@ Eigen::VectorXcd solve(const Equations& equations, Eigen::Index unknowns) {
   for (std::size_t i = 0; i < equations.rows.size(); ++i) matrix.row(at(i)) = equations.rows[i].transpose();
   const Eigen::Map<const Eigen::VectorXcd> right(equations.right.data(), at(equations.right.size()));
   const Eigen::VectorXd scale = matrix.colwise().norm().transpose().cwiseMax(1e-300).cwiseInverse();
-  const Eigen::CompleteOrthogonalDecomposition<ComplexMatrix> factors(matrix * scale.asDiagonal());
-  return scale.asDiagonal() * factors.solve(right);
+  return scale.asDiagonal() * dense::ComplexMinimumNorm(matrix * scale.asDiagonal()).solve(right);
 }
 
 }  // namespace

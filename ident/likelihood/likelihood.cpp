@@ -5,11 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numeric>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <tuple>
 
 #include "ident/admissible/outcome.hpp"
+#include "ident/judgement/judge.hpp"
 #include "ident/likelihood/bootstrap.hpp"
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/bundle.hpp"
@@ -43,6 +45,7 @@ std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const
   std::tie(start.assembly_spec.weighting, start.assembly_spec.delta) = linear_ways[k];
   Control quick = control;
   quick.detail = Detail::estimates;
+  quick.so_far = nullptr;
   const Solution first = solve(start, quick);
   std::vector<double> theta;
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
@@ -104,8 +107,39 @@ double largest_relative_error(const Plan& plan, const LikelihoodFit& fit) {
   return std::sqrt(relative_covariance(plan, covariance_of(fit.information), values, all).diagonal().maxCoeff());
 }
 
-LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
-  const FitWatcher watch = [&](std::size_t) { stop_if(control.interrupted); };
+/// Tells Control::so_far the best joint so far: that of the least Σ L, before there is one the last.
+class BestJoint {
+ public:
+  BestJoint(const Plan& plan, const Solution& begun, const Control& control) : plan_(plan), begun_(begun), control_(control) {}
+
+  void tell(const LikelihoodFit& fit, double loss) {
+    ++steps_;
+    if (!(loss <= least_)) return;
+    least_ = loss;
+    Solution best = begun_;
+    best.status = Status::not_converged;
+    LinearSolution linear;
+    linear.y = fit.theta;
+    linear.rank = fit.theta.size();
+    interpret(plan_, linear, best);
+    best.fit.lines = plan_.lines.size();
+    best.fit.iterations = steps_;
+    control_.so_far(best);
+  }
+
+ private:
+  const Plan& plan_;
+  const Solution& begun_;
+  const Control& control_;
+  double least_ = std::numeric_limits<double>::infinity();
+  std::size_t steps_ = 0;
+};
+
+LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::string& stage) {
+  const FitWatcher watch = [&](std::size_t iteration) {
+    stop_if(control.interrupted);
+    stage = "iteration " + std::to_string(iteration);
+  };
   const Starts starts = starts_of(plan, estimator, control);
   if (plan.solver == "gauss-helmert") {
     const bool several_minima = !plan.likelihood->start && plan.likelihood->observations->layout().a.empty();
@@ -229,9 +263,14 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   Observations& observations = *plan.likelihood->observations;
   read_observations(plan, control);
   out.runtime_s.read = seconds_since(start);
-  LikelihoodEstimator estimator = make_estimator(plan, control);
-  LikelihoodFit fit = fit_by_solver(plan, estimator, control);
+  const auto stage = std::make_shared<std::string>("starting");
+  LikelihoodEstimator estimator = make_estimator(plan, control, stage);
+  BestJoint best(plan, out, control);
+  if (control.so_far) estimator.set_listener([&best](const LikelihoodFit& found, double loss) { best.tell(found, loss); });
+  LikelihoodFit fit = fit_by_solver(plan, estimator, control, *stage);
+  estimator.set_listener(nullptr);
   if (plan.admissible) {
+    *stage = "constraining";
     auto [constrained, admissible] = estimator.constrain(std::move(fit), *plan.admissible, [&](std::size_t) { stop_if(control.interrupted); });
     fit = std::move(constrained);
     out.admissibility = outcome_of(*plan.admissible, admissible, 1.0);
@@ -239,13 +278,15 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   }
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   interpret(plan, with_rank(plan, fit), out);
+  *stage = "standard errors";
   const bool own_solver = plan.solver == "gauss-helmert" && fit.converged;
   const Eigen::MatrixXd covariance = covariance_under_ties(plan, own_solver ? estimator.godambe_information_at(fit) : fit.information);
   state_errors(plan, covariance, out);
-  if (plan.scene.identify.bootstrap > 0) bootstrap_errors(plan, estimator, fit, control, out);
+  if (control.so_far) control.so_far(out);
+  if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, estimator, fit, control, out);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);
   const bool finite = std::ranges::all_of(fit.theta, [](double value) { return std::isfinite(value); });
-  if (!fit.converged || !finite) {
+  if ((!fit.converged && !fit.hopeless) || !finite) {
     out.status = Status::not_converged;
     out.message = finite ? "The likelihood did not settle."
                          : "The likelihood broke down: is a line on a resonance without any damping? Leave such lines out.";
@@ -260,7 +301,13 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   out.fit.chi_square = chi_square_of(observations, plan.likelihood->priors, fit);
   if (tied(plan)) out.fit.chi_square->degrees_of_freedom += static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());
   if (plan.admissible) tell_outcome(plan, out);
-  if (control.detail == Detail::full) out.identifiability = identifiability_of(plan, estimator, covariance, out);
+  if (control.so_far) control.so_far(out);
+  if (control.detail == Detail::full) {
+    stop_if(control.interrupted);
+    if (control.progress) control.progress("identifiability", 0, 0);
+    out.identifiability = identifiability_of(plan, estimator, covariance, out);
+  }
+  if (control.judgement != Judgement::none) judge_likelihood(plan, {.theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless}, control, out);
 }
 
 }  // namespace jointid::ident

@@ -1,10 +1,10 @@
 #include "ident/likelihood/line_model.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "dense/cholesky.hpp"
+#include "dense/lu.hpp"
 #include "ident/eigen_index.hpp"
 
 namespace jointid::ident {
@@ -73,7 +73,7 @@ void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, N
 void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
   const auto n = at(layout_.joint);
   const ComplexMatrix identity = ComplexMatrix::Identity(n, n);
-  p_ = Eigen::PartialPivLU<ComplexMatrix>(identity + state.y * z).inverse();
+  p_ = dense::inverse(identity + state.y * z);
   py_ = p_ * state.y;
   za_ = z * state.a;
   r_ = state.x - state.a - state.y * za_;
@@ -182,13 +182,12 @@ std::optional<ReducedLine> LineModel::reduce(double damping) {
   }
   const Eigen::VectorXd scale = u.diagonal().cwiseSqrt().cwiseInverse();
   for (Eigen::Index j = 0; j < v; ++j) u.col(j).tail(v - j).array() *= scale.tail(v - j).array() * scale[j];
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(u);
-  if (factors.info() != Eigen::Success) return std::nullopt;
+  if (!dense::cholesky_in_place(u)) return std::nullopt;
   Eigen::MatrixXd right = scale.asDiagonal() * normal.bottomLeftCorner(p + 1, v).transpose();
-  factors.matrixL().solveInPlace(right);
+  dense::solve_lower(u, right);
   Eigen::MatrixXd schur = normal.bottomRightCorner(p + 1, p + 1);
   schur.selfadjointView<Eigen::Lower>().rankUpdate(right.transpose(), -1.0);
-  factors.matrixU().solveInPlace(right);
+  dense::solve_lower_transposed(u, right);
   right = scale.asDiagonal() * right;
   ReducedLine out;
   out.information = schur.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();

@@ -1,7 +1,6 @@
 #include "ident/likelihood/line_state.hpp"
 
-#include <Eigen/LU>
-
+#include "dense/lu.hpp"
 #include "ident/eigen_index.hpp"
 
 namespace jointid::ident {
@@ -59,7 +58,7 @@ LineState measured_start(const LineLayout& layout, const LineData& data) {
 
 void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
   const auto n = at(layout.joint);
-  const Eigen::PartialPivLU<ComplexMatrix> factors(ComplexMatrix::Identity(n, n) + state.y * z);
+  const dense::ComplexLu factors(ComplexMatrix::Identity(n, n) + state.y * z);
   state.a = state.x;  // without columns (equation jj alone) there is nothing to solve
   if (state.x.cols() > 0) state.a = factors.solve(state.x);
   if (!layout.b.empty()) state.b = factors.solve(state.y);

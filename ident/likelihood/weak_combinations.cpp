@@ -1,9 +1,10 @@
 #include "ident/likelihood/weak_combinations.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "dense/eigen.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -11,7 +12,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Solver = Eigen::SelfAdjointEigenSolver<MatrixXd>;
 
 constexpr std::size_t most = 3;
 constexpr double part = 0.3;       ///< of the largest, to take part in a combination
@@ -27,20 +27,20 @@ std::vector<Index> members_of(const VectorXd& v) {
   return members;
 }
 
-LinearCombination combination(const Solver& eigen, Index which, const std::vector<Index>& members,
+LinearCombination combination(const dense::SymmetricEigen& eigen, Index which, const std::vector<Index>& members,
                         const std::vector<std::string>& names) {
   LinearCombination out;
-  const double sign = eigen.eigenvectors()(0, which) < 0.0 ? -1.0 : 1.0;
+  const double sign = eigen.vectors(0, which) < 0.0 ? -1.0 : 1.0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     out.names.push_back(names[static_cast<std::size_t>(members[i])]);
-    out.factors.push_back(sign * eigen.eigenvectors()(static_cast<Index>(i), which));
+    out.factors.push_back(sign * eigen.vectors(static_cast<Index>(i), which));
   }
-  out.deviation = std::sqrt(std::max(0.0, eigen.eigenvalues()[which]));
+  out.deviation = std::sqrt(std::max(0.0, eigen.values[which]));
   return out;
 }
 
 WeakCombination describe(const MatrixXd& covariance, const std::vector<Index>& members, const std::vector<std::string>& names) {
-  const Solver eigen(MatrixXd(covariance(members, members)));
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(MatrixXd(covariance(members, members)));
   WeakCombination out;
   const auto last = static_cast<Index>(members.size()) - 1;
   out.worst = combination(eigen, last, members, names);
@@ -74,10 +74,10 @@ std::vector<double> relative_scales(const Plan& plan, const std::vector<double>&
 std::vector<WeakCombination> weak_combinations(const MatrixXd& covariance, const std::vector<std::string>& names) {
   std::vector<WeakCombination> out;
   if (covariance.size() == 0 || !covariance.allFinite()) return out;
-  const Solver eigen(covariance);
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(covariance);
   std::set<std::set<Index>> told;
   for (Index which = covariance.rows() - 1; which >= 0 && out.size() < most; --which) {
-    const std::vector<Index> members = members_of(eigen.eigenvectors().col(which));
+    const std::vector<Index> members = members_of(eigen.vectors.col(which));
     if (told.emplace(members.begin(), members.end()).second) out.push_back(describe(covariance, members, names));
   }
   return out;

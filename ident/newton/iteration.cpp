@@ -1,9 +1,9 @@
 #include "ident/newton/iteration.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "dense/pivoted_qr.hpp"
 #include "ident/eigen_index.hpp"
 #include "ident/triangle.hpp"
 
@@ -51,22 +51,23 @@ class Linearised {
   void damp(double lambda) {
     Eigen::MatrixXd stacked(2 * unknowns_, unknowns_);
     stacked << r_, Eigen::MatrixXd((std::sqrt(lambda) * sizes_).asDiagonal());
-    qr_.compute(stacked);
+    qr_.emplace(stacked);
   }
 
   Eigen::VectorXd step() const {
     Eigen::VectorXd right = Eigen::VectorXd::Zero(2 * unknowns_);
     right.head(unknowns_) = b_;
-    return qr_.solve(right);
+    return qr_->solve(right);
   }
 
   /// (RᵀR + λ diag)⁻¹ v
   Eigen::VectorXd solve(const Eigen::VectorXd& v) const {
-    const auto triangle = qr_.matrixR().topLeftCorner(unknowns_, unknowns_).triangularView<Eigen::Upper>();
-    Eigen::VectorXd x = qr_.colsPermutation().transpose() * v;
+    const Eigen::MatrixXd r = qr_->triangle();
+    const auto triangle = r.triangularView<Eigen::Upper>();
+    Eigen::VectorXd x = qr_->permutation().transpose() * v;
     triangle.transpose().solveInPlace(x);
     triangle.solveInPlace(x);
-    return qr_.colsPermutation() * x;
+    return qr_->permutation() * x;
   }
 
   const Eigen::MatrixXd& triangle() const { return r_; }
@@ -81,7 +82,7 @@ class Linearised {
   double free_ = 0.0, rest_ = 0.0, largest_ = 0.0;
   Eigen::MatrixXd r_;
   Eigen::VectorXd b_, sizes_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr_;
+  std::optional<dense::RealPivotedQr> qr_;
 };
 
 /// Jᵀ of the second derivative of F along a step, from F a little way along it.
@@ -126,7 +127,7 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
                   const std::function<std::optional<Eigen::VectorXd>(const std::vector<double>& q, Linearised& lines)>& advance) {
   NewtonFit fit{std::move(start), 0, false};
   while (fit.iterations < options.most_iterations) {
-    if (options.watch) options.watch();
+    if (options.watch) options.watch(fit.q);
     ++fit.iterations;
     problem.weigh_at(fit.q);
     problem.select_at(fit.q, options.draw);
@@ -204,7 +205,7 @@ NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
   constexpr int most_rounds = 40;
   NewtonFit fit{std::move(start), 0, false};
   for (int round = 0; round < most_rounds && !fit.converged; ++round) {
-    if (options.watch) options.watch();
+    if (options.watch) options.watch(fit.q);
     problem.weigh_at(fit.q);
     problem.distrust_outliers(fit.q);
     problem.select_at(fit.q, options.draw);

@@ -16,7 +16,7 @@ struct NewtonFit {
 struct NewtonOptions {
   std::size_t most_iterations = 100;
   std::function<bool()> draw{};          ///< chooses lines anew in every iteration; empty: all that may be used
-  std::function<void()> watch{};         ///< called once per iteration, may throw to stop it
+  std::function<void(const std::vector<double>& q)> watch{};  ///< called where every iteration begins, may throw to stop it
 };
 
 /// Levenberg–Marquardt with geodesic acceleration (Transtrum and Sethna 2012). Weights 1/‖J‖ and the choice of lines are those of

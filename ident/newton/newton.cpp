@@ -29,10 +29,18 @@ std::function<bool()> draws_of(std::size_t start) {
 }
 
 /// A search without derivatives. It compares misfits: weights by sensitivity would favour points whose resonances lie on the lines.
-NewtonFit by_values(ResponseProblem& problem, const Point& start,
+/// Every point better than those before is watched like the beginning of an iteration.
+NewtonFit by_values(ResponseProblem& problem, const Point& start, const NewtonOptions& options,
                     const std::function<minimise::Minimum(const minimise::Objective&, const Point& origin, double size)>& minimum) {
   const RoundCoordinates round(problem, start);
-  const minimise::Objective objective = [&](std::span<const double> x) { return problem.misfit(round.point(x)); };
+  double best = std::numeric_limits<double>::infinity();
+  const minimise::Objective objective = [&](std::span<const double> x) {
+    const Point q = round.point(x);
+    const double misfit = problem.misfit(q);
+    if (options.watch && misfit < best) options.watch(q);
+    best = std::min(best, misfit);
+    return misfit;
+  };
   const minimise::Minimum found = minimum(objective, Point(start.size(), 0.0), round.size());
   return {round.point(found.q), found.iterations, found.converged};
 }
@@ -40,8 +48,8 @@ NewtonFit by_values(ResponseProblem& problem, const Point& start,
 constexpr int evaluations = 20000;
 
 /// MLSL explores and never ends by itself: Sbplx settles from the best that it found.
-NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, minimise::Search search) {
-  return by_values(problem, start, [&](const minimise::Objective& objective, const Point& origin, double size) {
+NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, minimise::Search search, const NewtonOptions& options) {
+  return by_values(problem, start, options, [&](const minimise::Objective& objective, const Point& origin, double size) {
     const auto minimum = [&](minimise::Search way, const Point& from, double tolerance) {
       return minimise::nlopt_minimum(objective, from, {.search = way, .half_width = size, .evaluations = evaluations, .tolerance = tolerance});
     };
@@ -53,8 +61,8 @@ NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, minimise::Searc
   });
 }
 
-NewtonFit by_pattern(ResponseProblem& problem, const Point& start) {
-  return by_values(problem, start, [](const minimise::Objective& objective, const Point& origin, double size) {
+NewtonFit by_pattern(ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
+  return by_values(problem, start, options, [](const minimise::Objective& objective, const Point& origin, double size) {
     return minimise::pattern_search(objective, origin, {.step = 0.1 * size, .tolerance = 1e-10 * size, .most_evaluations = evaluations});
   });
 }
@@ -70,10 +78,10 @@ NewtonFit run(const std::string& solver, ResponseProblem& problem, const Point& 
     const auto few = [&](std::span<const double> q) { return minimise::ipopt_minimum(problem, q, {.tolerance = 1e-12, .most_iterations = 4, .lower = {}, .upper = {}}); };
     return in_rounds(problem, start, few, options);
   }
-  if (solver == "nlopt") return by_nlopt(problem, start, minimise::Search::mlsl);
-  if (solver == "nlopt-crs2") return by_nlopt(problem, start, minimise::Search::crs2);
-  if (solver == "nlopt-sbplx") return by_nlopt(problem, start, minimise::Search::sbplx);
-  if (solver == "pattern") return by_pattern(problem, start);
+  if (solver == "nlopt") return by_nlopt(problem, start, minimise::Search::mlsl, options);
+  if (solver == "nlopt-crs2") return by_nlopt(problem, start, minimise::Search::crs2, options);
+  if (solver == "nlopt-sbplx") return by_nlopt(problem, start, minimise::Search::sbplx, options);
+  if (solver == "pattern") return by_pattern(problem, start, options);
   return damped_newton(problem, start, options);
 }
 
@@ -89,14 +97,15 @@ bool same(const FoundMinimum& a, const FoundMinimum& b) {
 /// The best of one run or several, by how well it predicts the assembly.
 class Search {
  public:
-  Search(const Plan& plan, ResponseProblem& problem, const Control& control)
-      : problem_(problem), solver_(plan.solver), control_(control) {}
+  /// `begun`: what Control::so_far is given besides estimates.
+  Search(const Plan& plan, ResponseProblem& problem, const Solution& begun, const Control& control)
+      : plan_(plan), problem_(problem), begun_(begun), control_(control) {}
 
   void from(const Point& start, std::size_t number) {
     NewtonOptions options;
-    options.watch = [this] { stop_if(control_.interrupted); };
+    options.watch = [this](const Point& q) { watch(q); };
     if (number > 0) options.draw = draws_of(number);
-    NewtonFit fit = run(solver_, problem_, start, options);
+    NewtonFit fit = run_or_stop(start, options);
     iterations_ += fit.iterations;
     const double misfit = problem_.misfit(fit.q);
     if (!std::isfinite(misfit)) return;
@@ -112,9 +121,45 @@ class Search {
   const MinimumList& minima() const { return minima_; }
 
  private:
+  void watch(const Point& q) {
+    ++steps_;
+    if (control_.progress) control_.progress(("step " + std::to_string(steps_)).c_str(), 0, 0);
+    if (control_.so_far) tell(q);
+    stop_if(control_.interrupted);
+  }
+
+  void tell(const Point& q) {
+    const double misfit = problem_.misfit(q);
+    if (!(misfit < told_)) return;
+    told_ = misfit;
+    Solution best = begun_;
+    best.status = Status::not_converged;
+    LinearSolution linear;
+    linear.y = problem_.theta(q);
+    linear.rank = linear.y.size();
+    interpret(plan_, linear, best);
+    best.fit.iterations = steps_;
+    control_.so_far(best);
+  }
+
+  /// Minimisers of other libraries make another exception of what stops them.
+  NewtonFit run_or_stop(const Point& start, const NewtonOptions& options) {
+    try {
+      return run(plan_.solver, problem_, start, options);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const std::exception&) {
+      stop_if(control_.interrupted);
+      throw;
+    }
+  }
+
+  const Plan& plan_;
   ResponseProblem& problem_;
-  const std::string& solver_;
+  const Solution& begun_;
   const Control& control_;
+  double told_ = std::numeric_limits<double>::infinity();
+  std::size_t steps_ = 0;
   NewtonFit best_;
   double misfit_ = std::numeric_limits<double>::infinity();
   std::size_t iterations_ = 0;
@@ -124,6 +169,7 @@ class Search {
 Point linear_start(Plan& plan, const ResponseProblem& problem, const Control& control) {
   Control quick = control;
   quick.detail = Detail::estimates;
+  quick.so_far = nullptr;
   const Solution first = solve(*plan.newton->start, quick);
   Point theta(plan.columns->size(), 0.0);
   for (std::size_t c = 0; c < first.unknowns.size(); ++c) {
@@ -193,7 +239,7 @@ void solve_newton(Plan& plan, const Control& control, Solution& out) {
     out.message = "No line has all FRFs between the coordinates used. Choose other lines, or look with `jointid info` at what the files hold.";
     return;
   }
-  Search found(plan, problem, control);
+  Search found(plan, problem, out, control);
   search(plan, problem, control, found);
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   if (found.best().q.empty()) {

@@ -1,7 +1,8 @@
 #include "ident/newton/response_line.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
+
+#include "dense/lu.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -26,7 +27,7 @@ ResponseLine::ResponseLine(ReachableFrfs frfs, JointImpedance joint) : frfs_(std
 /// H_jn of the prediction.
 Eigen::MatrixXcd ResponseLine::to_joint(const Eigen::MatrixXcd& z) const {
   const Eigen::Index n = z.rows();
-  return (Eigen::MatrixXcd::Identity(n, n) + frfs_.bb * z).partialPivLu().solve(frfs_.ba);
+  return dense::solve(Eigen::MatrixXcd::Identity(n, n) + frfs_.bb * z, frfs_.ba);
 }
 
 bool ResponseLine::residual(const std::vector<double>& theta, double* f) const {
@@ -47,7 +48,7 @@ bool ResponseLine::linearise(const std::vector<double>& theta, double* f, double
   if (!residual(theta, f)) return false;
   const Eigen::MatrixXcd z = joint_.at(theta), h_jn = to_joint(z);
   const Eigen::MatrixXcd left = (Eigen::MatrixXcd::Identity(z.rows(), z.rows()) + z * frfs_.bb).transpose();
-  const Eigen::MatrixXcd h_nj = left.partialPivLu().solve(frfs_.ab.transpose());  // transposed: a column per response
+  const Eigen::MatrixXcd h_nj = dense::solve(left, frfs_.ab.transpose());  // transposed: a column per response
   const std::size_t count = columns().size();
   std::vector<Complex> derivative(count);
   for (std::size_t e = 0; e < entries_.size(); ++e) {

@@ -12,11 +12,10 @@ namespace {
 
 using restrictions::Kind;
 
-constexpr std::size_t seeds = 200;
-
 struct Setting {
   const char* problem;
   Method method;
+  std::size_t seeds;
 };
 
 /// rms over the trials of the rms relative error of a matrix, over those that both runs settled in.
@@ -50,6 +49,7 @@ class AdmissibleAccuracy : public ::testing::TestWithParam<Setting> {};
 
 TEST_P(AdmissibleAccuracy, ConstraintsDoNotMakeErrorsLarger) {
   const Setting way = GetParam();
+  const std::size_t seeds = way.seeds;
   LikelihoodCase run(way.problem);
   run.at(0.05);
   run.scene.identify.method = way.method;
@@ -70,23 +70,21 @@ TEST_P(AdmissibleAccuracy, ConstraintsDoNotMakeErrorsLarger) {
     }
     indefinite += before < -1e-10;
   }
-  std::printf("%s, method %s: %zu of %zu estimates without constraints indefinite; settled %zu without, %zu with\n", way.problem,
-              name(way.method).c_str(), indefinite, seeds, settled(free), settled(constrained));
+  EXPECT_GT(2 * indefinite, seeds);  // else nothing was constrained
   for (std::size_t k = 0; k < data->judged.size(); ++k) {
     const double before = rms_error(free, constrained, k), after = rms_error(constrained, free, k);
-    std::printf("  %s: rms relative error %.4g without, %.4g with\n", restrictions::symbol(data->judged[k]).c_str(), before, after);
-    EXPECT_LE(after, before) << restrictions::key(data->judged[k]);
+    EXPECT_LT(after, before) << restrictions::key(data->judged[k]);
   }
-  EXPECT_GE(settled(constrained), settled(free) - seeds / 50);
+  EXPECT_GE(settled(constrained), settled(free) - 1 - seeds / 50);
   if (way.method != Method::likelihood) return;
-  std::printf("  coverage of 95 %% intervals %.3f without, %.3f with\n", coverage(free, run.truth), coverage(constrained, run.truth));
   EXPECT_GE(coverage(constrained, run.truth), coverage(free, run.truth) - 0.01);
 }
 
+// 200 seeds of each, and their figures: bench_admissible.
 INSTANTIATE_TEST_SUITE_P(Cases, AdmissibleAccuracy,
-                         ::testing::Values(Setting{"A1", Method::one}, Setting{"C1", Method::one}, Setting{"D1", Method::one},
-                                           Setting{"A1", Method::likelihood}, Setting{"C1", Method::likelihood},
-                                           Setting{"D1", Method::likelihood}));
+                         ::testing::Values(Setting{"A1", Method::one, 100}, Setting{"C1", Method::one, 100},
+                                           Setting{"D1", Method::one, 100}, Setting{"A1", Method::likelihood, 12},
+                                           Setting{"C1", Method::likelihood, 12}, Setting{"D1", Method::likelihood, 8}));
 
 /// As case B5 of Table 7.4: joint B from FRFs regenerated from modal data, without the ends of the range.
 TEST(AdmissibleRegenerated, CaseB5TellsTheConstraintAndItsCost) {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
+#include "dense/eigen.hpp"
 #include "ident/solution.hpp"
 
 namespace jointid::ident {
@@ -12,7 +12,7 @@ namespace jointid::ident {
 inline double least_relative_eigenvalue(const std::vector<double>& matrix) {
   const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(double(matrix.size()))));
   const Eigen::Map<const Eigen::MatrixXd> whole(matrix.data(), size, size);
-  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd values = dense::symmetric_eigenvalues(whole);
   return values[0] / values[size - 1];
 }
 

@@ -140,11 +140,11 @@ TEST(PlanError, TheDirectSolutionNeedsReferencesAndNnOnly) {
   expect_usage(wrong, {"at least as many non-joint references (1) as joint DOFs (2)"});
 }
 
-TEST(PlanError, WithoutJointCoordinatesOnTheAssemblyTheRemedyIsTheDirectSolution) {
+TEST(PlanError, WithoutJointCoordinatesOnTheAssemblyTheRemedyIsTheLikelihoodWithAStart) {
   MemoryScene wrong = input();
   keep(wrong.assembly, true, {"1:+Y", "9:+Y"});
   keep(wrong.assembly, false, {"1:+Y", "9:+Y"});
-  expect_usage(wrong, {"the data allow no equation", "use method = \"direct\""});
+  expect_usage(wrong, {"the data allow no equation", "use method = \"likelihood\" with a start", "bears no noise"});
 }
 
 TEST(PlanError, ARangeWithoutLinesNamesTheAxes) {

@@ -35,6 +35,51 @@ stiffness.pattern = "full"
   EXPECT_TRUE(scene.data.substructures[1].repeats.empty());
 }
 
+TEST(Scene, CorrectionsOfAFileArrive) {
+  const Scene scene = parse_scene(R"(
+data.substructures = ["part.h5"]
+data.assembly = ["whole.h5"]
+[data.files."whole.h5"]
+frequency_scale = 0.99
+rename = { "1:+Y" = "2:-Y", "2:+Y" = "1:+Y" }
+rename_reference = { "3:+Y" = "4:+Y" }
+conjugate = true
+delay = 20e-6
+gain = { "1:+Y" = 1.02 }
+gain_reference = { "4:+Y" = 0.5 }
+flip = ["1:+Y"]
+flip_reference = ["4:+Y", "5:+Y"]
+sensor_mass = { "2:+Y" = 0.003 }
+sensors = "fixed"
+[data.files."part.h5"]
+gain = 9.80665
+[joint]
+dofs = ["1:+X"]
+stiffness.pattern = "full"
+)", "scene.toml");
+  const frf::Corrections& all = scene.data.assembly[0].corrections;
+  EXPECT_EQ(all.frequency_scale, 0.99);
+  ASSERT_THAT(all.rename, SizeIs(2));
+  EXPECT_EQ(all.rename[0].from.name(), "1:+Y");
+  EXPECT_EQ(all.rename[0].to.name(), "2:-Y");
+  ASSERT_THAT(all.rename_reference, SizeIs(1));
+  EXPECT_TRUE(all.conjugate);
+  EXPECT_EQ(all.delay, 20e-6);
+  EXPECT_EQ(all.gain, 1.0);
+  ASSERT_THAT(all.response_gain, SizeIs(1));
+  EXPECT_EQ(all.response_gain[0].value, 1.02);
+  ASSERT_THAT(all.reference_gain, SizeIs(1));
+  EXPECT_THAT(all.flip, SizeIs(1));
+  EXPECT_THAT(all.flip_reference, SizeIs(2));
+  ASSERT_THAT(all.sensor_mass, SizeIs(1));
+  EXPECT_EQ(all.sensor_mass[0].value, 0.003);
+  EXPECT_EQ(all.sensors, frf::SensorsOn::fixed);
+  const frf::Corrections& of_part = scene.data.substructures[0].corrections;
+  EXPECT_EQ(of_part.gain, 9.80665);
+  EXPECT_TRUE(of_part.response_gain.empty());
+  EXPECT_FALSE(frf::Corrections().any());
+}
+
 TEST(Scene, EveryKeyArrives) {
   const Scene scene = parse_scene(full_scene, "some/where/scene.toml");
   EXPECT_EQ(scene.file, Path("some/where/scene.toml"));

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ident/check/suspect.hpp"
+#include "ident/plan.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::ident {
+
+/// Looks for mistakes in the FRFs of a plan: reads lines of its files once (at most 64 MB of values, evenly spread over the
+/// lines of the scene), compares H_ij with H_ji, the sign of driving points, and the assembly with its parts: with forces at the
+/// joint alone, H_asm − H_sub lies in the span of H_sub(:, J) and of H_sub(J, :). Where something stands out, each mistake it
+/// knows is undone on trial; the one that heals most comes first.
+CheckResult check_data(Plan& plan, const Control& control = {});
+
+/// The same on at most 24 lines: for solve and plan, where the data are read for something else.
+CheckResult quick_check(Plan& plan, const Control& control = {});
+
+}  // namespace jointid::ident

@@ -1,0 +1,202 @@
+#include "ident/check/checked_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ident/median.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr std::size_t most_values = 4'000'000;  ///< 64 MB of complex numbers
+
+std::string name_in_scene(const Scene& scene, const std::string& file) {
+  const Path relative = Path(file).lexically_relative(scene.file.parent_path());
+  const std::string text = relative.generic_string();
+  return text.empty() || text.starts_with("..") ? file : text;
+}
+
+std::vector<std::size_t> all_indices(std::size_t count) {
+  std::vector<std::size_t> all(count);
+  for (std::size_t i = 0; i < count; ++i) all[i] = i;
+  return all;
+}
+
+Dofs positive(const Dofs& dofs) {
+  Dofs result = dofs;
+  for (frf::Dof& dof : result) dof.sign = 1;
+  return result;
+}
+
+bool is_measured(const std::complex<double>& value) { return std::isfinite(value.real()) && std::isfinite(value.imag()); }
+
+/// Keeps rows (columns) of all lines.
+void keep(CheckedFile& file, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns) {
+  Dofs responses, references;
+  for (const Eigen::Index r : rows) responses.push_back(file.responses[static_cast<std::size_t>(r)]);
+  for (const Eigen::Index c : columns) references.push_back(file.references[static_cast<std::size_t>(c)]);
+  file.responses = std::move(responses);
+  file.references = std::move(references);
+  for (Eigen::MatrixXcd& line : file.frfs) line = Eigen::MatrixXcd(line(rows, columns));
+}
+
+/// Rows or columns with any measured number.
+void leave_out_unmeasured(CheckedFile& file) {
+  std::vector<Eigen::Index> rows, columns;
+  const auto any = [&](auto is_there) { return std::ranges::any_of(file.frfs, is_there); };
+  for (Eigen::Index r = 0; r < static_cast<Eigen::Index>(file.responses.size()); ++r) {
+    if (any([&](const Eigen::MatrixXcd& line) { return line.row(r).unaryExpr(&is_measured).any(); })) rows.push_back(r);
+  }
+  for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(file.references.size()); ++c) {
+    if (any([&](const Eigen::MatrixXcd& line) { return line.col(c).unaryExpr(&is_measured).any(); })) columns.push_back(c);
+  }
+  if (rows.size() < file.responses.size() || columns.size() < file.references.size()) keep(file, rows, columns);
+}
+
+CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& source_lines, const Scene& scene, bool assembly) {
+  const frf::FrfHeader& header = source.header();
+  CheckedFile file{.name = name_in_scene(scene, header.file),
+                   .assembly = assembly,
+                   .quantity = header.quantity,
+                   .responses = positive(header.response),
+                   .references = positive(header.reference),
+                   .frequency_hz = {},
+                   .frfs = {}};
+  const auto rows = all_indices(header.response.size()), columns = all_indices(header.reference.size());
+  const std::size_t entries = rows.size() * columns.size();
+  std::vector<frf::Complex> values(source_lines.size() * entries);
+  source.read({source_lines, rows, columns}, values);
+  for (std::size_t l = 0; l < source_lines.size(); ++l) {
+    file.frequency_hz.push_back(header.frequency_hz[source_lines[l]]);
+    Eigen::MatrixXcd line(rows.size(), columns.size());
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        const double sign = header.response[r].sign * header.reference[c].sign;
+        line(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = sign * values[l * entries + r * columns.size() + c];
+      }
+    }
+    file.frfs.push_back(std::move(line));
+  }
+  leave_out_unmeasured(file);
+  return file;
+}
+
+/// Sum of |H|² of a row over lines and columns, in the quantity's ω⁴-weighted form (accelerance), so that no end of the range
+/// decides.
+std::vector<double> row_energies(const CheckedFile& file) {
+  std::vector<double> energy(file.responses.size(), 0.0);
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    const double weight = std::pow(std::max(file.frequency_hz[l], 1e-3), 4);
+    for (std::size_t r = 0; r < energy.size(); ++r) {
+      for (const std::complex<double>& value : file.frfs[l].row(static_cast<Eigen::Index>(r))) {
+        if (is_measured(value)) energy[r] += weight * std::norm(value);
+      }
+    }
+  }
+  return energy;
+}
+
+double median_of_kind(const CheckedFile& file, const std::vector<double>& energy, bool rotation) {
+  std::vector<double> kind;
+  for (std::size_t r = 0; r < energy.size(); ++r) {
+    if (file.responses[r].is_rotation() == rotation) kind.push_back(energy[r]);
+  }
+  return median(kind);
+}
+
+/// Largest |a − b| over largest |a| + |b|, over all lines and columns.
+double row_difference(const CheckedFile& file, Eigen::Index a, Eigen::Index b) {
+  double difference = 0.0, size = 0.0;
+  for (const Eigen::MatrixXcd& line : file.frfs) {
+    for (Eigen::Index c = 0; c < line.cols(); ++c) {
+      if (!is_measured(line(a, c)) || !is_measured(line(b, c))) continue;
+      difference += std::norm(line(a, c) - line(b, c));
+      size += std::norm(line(a, c)) + std::norm(line(b, c));
+    }
+    if (difference > 1e-6 * size) return 1.0;
+  }
+  return size > 0.0 ? std::sqrt(difference / size) : 1.0;
+}
+
+}  // namespace
+
+std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count) {
+  std::vector<std::size_t> lines;
+  if (size <= count) return all_indices(size);
+  for (std::size_t i = 0; i < count; ++i) lines.push_back(i * (size - 1) / (count - 1));
+  return lines;
+}
+
+std::vector<CheckedFile> read_checked_files(Plan& plan, std::size_t most, const std::function<bool()>& interrupted) {
+  frf::FrfSystem* const systems[] = {plan.substructures.get(), plan.assembly.get()};
+  std::size_t entries = 0;
+  for (const frf::FrfSystem* system : systems) {
+    for (std::size_t s = 0; s < system->source_count(); ++s) entries += system->source(s).header().entries();
+  }
+  const std::size_t count = std::max<std::size_t>(std::min(most, most_values / std::max<std::size_t>(entries, 1)), 2);
+  std::vector<CheckedFile> files;
+  for (frf::FrfSystem* system : systems) {
+    const bool assembly = system == plan.assembly.get();
+    for (std::size_t s = 0; s < system->source_count(); ++s) {
+      stop_if(interrupted);
+      std::vector<std::size_t> lines;
+      for (const std::size_t l : spread_lines(plan.lines.size(), count)) {
+        lines.push_back(system->source_line(s, assembly ? plan.lines[l].assembly : plan.lines[l].substructures));
+      }
+      files.push_back(read_file(system->source(s), lines, plan.scene, assembly));
+    }
+  }
+  return files;
+}
+
+CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& lines) {
+  CheckedFile result = file;
+  result.frequency_hz.clear();
+  result.frfs.clear();
+  for (const std::size_t l : lines) {
+    result.frequency_hz.push_back(file.frequency_hz[l]);
+    result.frfs.push_back(file.frfs[l]);
+  }
+  return result;
+}
+
+std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file) {
+  std::vector<Suspect> found;
+  std::vector<Eigen::Index> rows, columns;
+  const std::vector<double> energy = row_energies(file);
+  const double medians[] = {median_of_kind(file, energy, false), median_of_kind(file, energy, true)};
+  for (Eigen::Index r = 0; r < static_cast<Eigen::Index>(energy.size()); ++r) {
+    const frf::Dof& dof = file.responses[static_cast<std::size_t>(r)];
+    const double typical = medians[dof.is_rotation() ? 1 : 0], own = energy[static_cast<std::size_t>(r)];
+    if (own <= 1e-8 * typical) {
+      const std::string size = own == 0.0 ? "is zero at all lines" : "is below 1/10000 of what its neighbours measure";
+      found.push_back({.kind = SuspectKind::dead,
+                       .file = file.name,
+                       .dofs = {dof},
+                       .evidence = "the signal of " + dof.name() + " " + size,
+                       .confidence = 0.99,
+                       .remedy = ""});
+      continue;
+    }
+    const auto twin = std::ranges::find_if(rows, [&](Eigen::Index other) { return row_difference(file, r, other) < 1e-6; });
+    if (twin != rows.end()) {
+      const frf::Dof& other = file.responses[static_cast<std::size_t>(*twin)];
+      found.push_back({.kind = SuspectKind::copy,
+                       .file = file.name,
+                       .dofs = {dof, other},
+                       .evidence = "the FRFs of " + dof.name() + " and " + other.name() +
+                                   " are the same numbers: one signal under two labels",
+                       .confidence = 0.99,
+                       .remedy = ""});
+      continue;
+    }
+    rows.push_back(r);
+  }
+  for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(file.references.size()); ++c) columns.push_back(c);
+  if (!found.empty()) keep(file, rows, columns);
+  return found;
+}
+
+}  // namespace jointid::ident

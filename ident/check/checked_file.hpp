@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ident/check/suspect.hpp"
+#include "ident/plan.hpp"
+
+namespace jointid::ident {
+
+/// The FRFs of one file at the lines of a check, for DOFs of positive sign. Rows and columns without a number are left out.
+struct CheckedFile {
+  std::string name;  ///< as the scene names it
+  bool assembly = false;
+  frf::Quantity quantity = frf::Quantity::receptance;  ///< as stored
+  Dofs responses, references;
+  std::vector<double> frequency_hz;    ///< [F]
+  std::vector<Eigen::MatrixXcd> frfs;  ///< [F] receptances, responses × references; NaN where not measured
+};
+
+/// Reads every file of the plan once, at `most` or fewer of its lines, evenly spread, and at no more than 64 MB of values.
+std::vector<CheckedFile> read_checked_files(Plan& plan, std::size_t most, const std::function<bool()>& interrupted);
+
+/// The file at some of its lines.
+CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& lines);
+
+/// `count` or fewer of 0 … size−1, evenly spread, the first and the last among them.
+std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count);
+
+/// Channels without signal (the rms of their FRFs is below 1e-4 of the median of their kind) and channels that repeat another of
+/// the file (to 1e-6). They are taken out of the file.
+std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file);
+
+/// The index of a coordinate, or frf::npos.
+inline std::size_t place_of(const Dofs& dofs, const frf::Dof& dof) { return frf::find_coordinate(dofs, dof); }
+
+}  // namespace jointid::ident

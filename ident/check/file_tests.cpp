@@ -1,0 +1,203 @@
+#include "ident/check/file_tests.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "ident/check/delay_fit.hpp"
+#include "ident/median.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double least_difference = 0.004;  ///< below it, relative differences of H_ij and H_ji count as that
+constexpr double negligible = 1e-12;        ///< of |H_ii H_jj|: FRFs that are zero by symmetry say nothing
+
+struct BothRoles {
+  Dofs dofs;
+  std::vector<Eigen::Index> row, column;
+};
+
+BothRoles both_roles(const CheckedFile& file) {
+  BothRoles both;
+  for (std::size_t r = 0; r < file.responses.size(); ++r) {
+    const std::size_t c = place_of(file.references, file.responses[r]);
+    if (c == frf::npos) continue;
+    both.dofs.push_back(file.responses[r]);
+    both.row.push_back(static_cast<Eigen::Index>(r));
+    both.column.push_back(static_cast<Eigen::Index>(c));
+  }
+  return both;
+}
+
+/// One pair over the lines.
+struct Pair {
+  double log_square = 0.0;
+  std::size_t lines = 0;
+  std::vector<double> log_ratio;
+
+  void add(std::complex<double> a, std::complex<double> b, double point, bool with_ratio) {
+    const double size = std::norm(a) + std::norm(b);
+    if (!(std::isfinite(size) && size > negligible * point)) return;
+    log_square += std::log(std::norm(a - b) / size + least_difference * least_difference);
+    ++lines;
+    if (with_ratio && a != 0.0 && b != 0.0) log_ratio.push_back(0.5 * std::log(std::norm(a) / std::norm(b)));
+  }
+};
+
+/// Σ over pairs of one line for the mass that travels with the sensor.
+struct MassSums {
+  double slope = 0.0, square = 0.0;
+  std::vector<std::pair<double, double>> per_line;
+
+  void add_line(const Eigen::MatrixXcd& h, const Dofs& dofs, double omega) {
+    const auto loaded = [&](Eigen::Index k) { return dofs[static_cast<std::size_t>(k)].is_rotation() ? 0.0 : 1.0; };
+    double line_slope = 0.0, line_square = 0.0;
+    for (Eigen::Index i = 0; i < h.rows(); ++i) {
+      for (Eigen::Index j = i + 1; j < h.rows(); ++j) {
+        const double size = std::norm(h(i, j)) + std::norm(h(j, i));
+        const std::complex<double> x = -omega * omega * (loaded(j) * h(i, j) * h(j, j) - loaded(i) * h(j, i) * h(i, i));
+        const std::complex<double> y = h(i, j) - h(j, i);
+        if (!(size > 0.0 && std::isfinite(std::norm(x)) && std::isfinite(std::norm(y)))) continue;
+        line_slope += (std::conj(x) * y).real() / size;
+        line_square += std::norm(x) / size;
+      }
+    }
+    slope += line_slope;
+    square += line_square;
+    per_line.emplace_back(line_slope, line_square);
+  }
+
+  void finish(ReciprocityTest& out) const {
+    if (!(square > 0.0)) return;
+    out.mass = slope / square;
+    double scatter = 0.0;
+    for (const auto& [s, q] : per_line) scatter += std::pow(s - out.mass * q, 2);
+    out.mass_deviation = std::sqrt(scatter) / square;
+  }
+};
+
+/// a_i − a_j = median over the lines of log|H_ij/H_ji|; a_i by the median over j, which one wrong channel does not move.
+void find_gains(const std::vector<std::vector<Pair>>& pairs, ReciprocityTest& out) {
+  const std::size_t n = pairs.size();
+  std::vector<double> a(n), error(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::vector<double> middles, errors;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (i == j) continue;
+      const std::vector<double>& ratios = i < j ? pairs[i][j].log_ratio : pairs[j][i].log_ratio;
+      if (ratios.size() < 3) continue;
+      const double middle = median(ratios);
+      std::vector<double> off;
+      for (const double ratio : ratios) off.push_back(std::abs(ratio - middle));
+      middles.push_back(i < j ? middle : -middle);
+      errors.push_back(std::max(1.86 * median(off) / std::sqrt(static_cast<double>(ratios.size())), 1e-4));
+    }
+    a[i] = middles.empty() ? 0.0 : median(middles);
+    std::vector<double> off;
+    for (const double middle : middles) off.push_back(std::abs(middle - a[i]));
+    const double spread = middles.empty() ? 1.0 : std::hypot(median(errors), 1.48 * median(off));
+    error[i] = 1.25 * spread / std::sqrt(std::max(static_cast<double>(middles.size()), 1.0));
+  }
+  const double common = median(a);
+  for (std::size_t i = 0; i < n; ++i) {
+    out.gain.push_back(std::exp(common - a[i]));
+    out.deviation.push_back(error[i]);
+  }
+}
+
+}  // namespace
+
+ReciprocityTest reciprocity_test(const CheckedFile& file, bool with_rows) {
+  ReciprocityTest out;
+  const BothRoles both = both_roles(file);
+  const std::size_t n = both.dofs.size();
+  if (n < 2) return out;
+  out.dofs = both.dofs;
+  std::vector<std::vector<Pair>> pairs(n, std::vector<Pair>(n));
+  MassSums mass;
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    const Eigen::MatrixXcd h = file.frfs[l](both.row, both.column);
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i + 1; j < n; ++j) {
+        const auto r = static_cast<Eigen::Index>(i), c = static_cast<Eigen::Index>(j);
+        pairs[i][j].add(h(r, c), h(c, r), std::abs(h(r, r) * h(c, c)), with_rows);
+      }
+    }
+    if (with_rows) mass.add_line(h, both.dofs, 2.0 * std::numbers::pi * file.frequency_hz[l]);
+  }
+  double logs = 0.0;
+  std::size_t count = 0;
+  out.row.assign(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      if (pairs[i][j].lines == 0) continue;
+      const double mean = pairs[i][j].log_square / static_cast<double>(pairs[i][j].lines);
+      logs += mean;
+      ++count;
+      out.row[i] += std::exp(mean) / static_cast<double>(n - 1);
+      out.row[j] += std::exp(mean) / static_cast<double>(n - 1);
+    }
+  }
+  out.level = count > 0 ? std::exp(0.5 * logs / static_cast<double>(count)) : 0.0;
+  if (with_rows) {
+    find_gains(pairs, out);
+    mass.finish(out);
+  }
+  return out;
+}
+
+PassivityTest passivity_test(const CheckedFile& file, double noise) {
+  PassivityTest out;
+  const BothRoles both = both_roles(file);
+  double all = 0.0, all_square = 0.0;
+  for (std::size_t k = 0; k < both.dofs.size(); ++k) {
+    double sum = 0.0, square = 0.0;
+    for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+      const std::complex<double> h = file.frfs[l](both.row[k], both.column[k]) * std::pow(file.frequency_hz[l], 2);
+      if (!std::isfinite(std::norm(h))) continue;
+      sum += h.imag();
+      square += std::norm(h);
+    }
+    const double scale = noise * std::sqrt(0.5 * square);
+    if (!(scale > 0.0)) continue;
+    out.dofs.push_back(both.dofs[k]);
+    out.excess.push_back(sum / scale);
+    all += sum / scale;
+    all_square += 1.0;
+  }
+  out.total = all_square > 0.0 ? all / std::sqrt(all_square) : 0.0;
+  return out;
+}
+
+PhaseTest phase_test(const CheckedFile& file, bool with_delay) {
+  PhaseTest out;
+  std::vector<PhaseSample> samples;
+  double real = 0.0, size = 0.0;
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    std::complex<double> sum = 0.0;
+    std::size_t count = 0;
+    for (const std::complex<double>& h : file.frfs[l].reshaped()) {
+      const double square = std::norm(h);
+      if (!(std::isfinite(square) && square > 0.0)) continue;
+      sum += h * h / square;
+      ++count;
+    }
+    if (count == 0) continue;
+    sum /= static_cast<double>(count);
+    samples.push_back({4.0 * std::numbers::pi * file.frequency_hz[l], sum});
+    real += sum.real();
+    size += std::abs(sum);
+  }
+  if (samples.empty()) return out;
+  out.real_share = real / static_cast<double>(samples.size());
+  out.coherence = size / static_cast<double>(samples.size());
+  if (with_delay) {
+    const DelayFit fit = fit_delay(samples);
+    out.delay = fit.delay;
+    out.delay_deviation = fit.deviation;
+  }
+  return out;
+}
+
+}  // namespace jointid::ident

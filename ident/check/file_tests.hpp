@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "ident/check/checked_file.hpp"
+
+namespace jointid::ident {
+
+/// H_ij against H_ji over the coordinates that a file has in both roles.
+struct ReciprocityTest {
+  Dofs dofs;
+  double level =
+      0.0;  ///< geometric mean over pairs and lines of |H_ij − H_ji|/√(|H_ij|² + |H_ji|²); 0 with fewer than two coordinates
+  std::vector<double> row;  ///< mean square of that in the pairs of a coordinate
+  std::vector<double> gain,
+      deviation;  ///< factor that the responses of a coordinate lack (or that its references have), and its error
+  /// A mass m that travels with a sensor of translations: H_ij − H_ji = −ω²m(H_ij H_jj − H_ji H_ii), by least squares.
+  double mass = 0.0, mass_deviation = 0.0;
+};
+
+ReciprocityTest reciprocity_test(const CheckedFile& file, bool with_rows);
+
+/// The sign of the imaginary parts of driving points: Im H_kk ≤ 0 where a structure takes energy (e^{+iωt}).
+struct PassivityTest {
+  Dofs dofs;
+  std::vector<double> excess;  ///< Σ Im H_kk over what noise of relative size `noise` would give it
+  double total = 0.0;          ///< the same of all together
+};
+
+PassivityTest passivity_test(const CheckedFile& file, double noise);
+
+/// Phases modulo 180°, which are near 0 for receptances of lightly damped structures.
+struct PhaseTest {
+  double real_share = 1.0;  ///< mean over lines of Re(mean of (H/|H|)²): 1 real, −1 imaginary
+  double delay = 0.0;       ///< s that the responses lag, from the phases' slope
+  double delay_deviation = 0.0;
+  double coherence = 0.0;  ///< mean over lines of |mean of (H/|H|)²|
+};
+
+PhaseTest phase_test(const CheckedFile& file, bool with_delay);
+
+}  // namespace jointid::ident

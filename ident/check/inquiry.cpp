@@ -1,0 +1,240 @@
+#include "ident/check/inquiry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+#include "ident/check/sameness.hpp"
+#include "ident/check/trials.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr std::size_t screening_lines = 64, trial_lines = 24;  ///< at most
+constexpr double screening_work = 2.5e6, trial_work = 7e5;     ///< products of complex numbers, about
+constexpr double least_score = 0.4;                            ///< of a trial that counts
+constexpr double noise_that_halves = 0.15;
+constexpr double tie = 0.93;     ///< of the best score: cannot be told from it
+constexpr double certain = 0.7;  ///< score whose confidence is 1 − 1/e
+
+using Files = std::vector<CheckedFile>;
+
+std::string share_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * value);
+  return text;
+}
+
+Files lines_of(const Files& all, std::size_t count) {
+  Files some;
+  for (const CheckedFile& file : all) some.push_back(at_lines(file, spread_lines(file.frfs.size(), count)));
+  return some;
+}
+
+double largest(const std::vector<double>& values) { return values.empty() ? 0.0 : *std::ranges::max_element(values); }
+
+/// What a trial changed most, in words.
+std::string change_text(const Misfit& before, const Misfit& after) {
+  std::string text;
+  const auto add = [&](const std::vector<double>& was, const std::vector<double>& is, const char* what) {
+    double ratio = 1.05;
+    std::size_t at = was.size();
+    for (std::size_t i = 0; i < was.size(); ++i) {
+      if (const double r = (was[i] + 1e-3) / (is[i] + 1e-3); r > ratio) {
+        ratio = r;
+        at = i;
+      }
+    }
+    if (at == was.size()) return;
+    text += (text.empty() ? "" : ", ") + std::string(what) + " from " + share_text(was[at]) + " to " + share_text(is[at]);
+  };
+  add(before.span, after.span, "what the parts and forces at the joint leave of the assembly's FRFs");
+  add(before.reciprocity, after.reciprocity, "the difference of H_ij and H_ji");
+  double active = 0.0;
+  for (std::size_t f = 0; f < before.active.size(); ++f) active += before.active[f] - after.active[f];
+  if (active > 0.3) text += std::string(text.empty() ? "" : ", and ") + "driving points take energy again";
+  return text;
+}
+
+struct Scored {
+  MistakeTrial trial;
+  Misfit after;
+  double score = 0.0;
+};
+
+/// Checks one set of files: finds the mistake that explains most, undoes it, and looks for the next.
+class Inquiry {
+ public:
+  Inquiry(Files files, const Dofs& joint, const Control& control, bool with_axis)
+      : all_(std::move(files)),
+        setups_(span_setups(all_, joint)),
+        control_(control),
+        with_axis_(with_axis),
+        screening_(lines_for(setups_, screening_lines, screening_work)),
+        trials_(lines_for(setups_, trial_lines, trial_work)) {}
+
+  std::vector<Suspect> suspects() {
+    std::vector<Suspect> found;
+    const Screening first = screen(lines_of(all_, screening_), setups_);
+    noise_ = first.noise;
+    for (Suspect& same : find_sameness(lines_of(all_, screening_), setups_, noise_)) found.push_back(std::move(same));
+    if (!found.empty()) return found;
+    const std::size_t rounds = all_.size() + 2;
+    for (std::size_t round = 0; round < rounds && one_round(found); ++round) continue;
+    if (found.empty()) look_for_rest(found);
+    return found;
+  }
+
+ private:
+  bool one_round(std::vector<Suspect>& found) {
+    stop_if(control_.interrupted);
+    const Screening screening = screen(lines_of(all_, screening_), setups_);
+    const Files small = lines_of(all_, trials_);
+    const Misfit before = misfit_of(small, setups_, noise_);
+    std::vector<Scored> scored;
+    for (MistakeTrial& trial : trials_of(small, setups_, screening, before)) judge(std::move(trial), small, before, scored);
+    if (with_axis_ && best_score(scored) < 3.0 * least_score) {
+      for (MistakeTrial& trial : axis_trials(all_, setups_, spread_lines(all_.front().frfs.size(), trials_))) {
+        judge(std::move(trial), small, before, scored);
+      }
+    }
+    std::ranges::stable_sort(scored, std::ranges::greater{}, &Scored::score);
+    if (scored.empty() || scored.front().score < least_score) return false;
+    report(scored, before, found);
+    scored.front().trial.undo(all_);
+    return true;
+  }
+
+  static double best_score(const std::vector<Scored>& scored) {
+    double best = 0.0;
+    for (const Scored& each : scored) best = std::max(best, each.score);
+    return best;
+  }
+
+  void judge(MistakeTrial trial, const Files& small, const Misfit& before, std::vector<Scored>& scored) const {
+    stop_if(control_.interrupted);
+    Touched touched{.files = std::vector<bool>(all_.size(), false), .only_span = trial.only_span};
+    for (const std::size_t f : trial.files) touched.files[f] = true;
+    const auto with = [&](const std::function<void(Files&)>& change) {
+      Files changed = trial.only_span ? all_ : small;
+      change(changed);
+      if (trial.only_span) changed = lines_of(changed, trials_);
+      return misfit_of(changed, setups_, noise_, before, touched);
+    };
+    const Misfit after = with(trial.undo);
+    const double score = (healing(trial.leave ? with(trial.leave) : before, after) + trial.bonus) / doubt(touched, after);
+    if (std::isfinite(score)) scored.push_back({std::move(trial), after, score});
+  }
+
+  /// Noise makes healing by chance: what counts grows with what is left afterwards, of the worst test that the trial touches.
+  double doubt(const Touched& touched, const Misfit& after) const {
+    double left = 0.0;
+    for (std::size_t s = 0; s < setups_.size(); ++s) {
+      if (touched.setup(setups_[s])) left = std::max(left, after.span[s]);
+    }
+    return 1.0 + std::pow(left / noise_that_halves, 2);
+  }
+
+  /// The best trial, and others that cannot be told from it and accuse another file.
+  void report(const std::vector<Scored>& scored, const Misfit& before, std::vector<Suspect>& found) const {
+    const Scored& best = scored.front();
+    std::vector<const Scored*> equal = {&best};
+    for (const Scored& other : scored) {
+      const bool elsewhere = std::ranges::none_of(equal, [&](const Scored* e) { return e->trial.files == other.trial.files; });
+      const bool alike = other.trial.kind == best.trial.kind && other.trial.files.size() == best.trial.files.size();
+      if (elsewhere && alike && other.score >= tie * best.score) equal.push_back(&other);
+    }
+    for (const Scored* each : equal) add(*each, before, equal.size(), found);
+  }
+
+  void add(const Scored& scored, const Misfit& before, std::size_t equals, std::vector<Suspect>& found) const {
+    const MistakeTrial& trial = scored.trial;
+    const std::string change = change_text(before, scored.after);
+    std::string evidence = trial.what + (change.empty() ? "" : "; undone, it brings " + change);
+    if (equals > 1) evidence += "; the data do not tell which of the files it is";
+    const double confidence = (1.0 - std::exp(-scored.score / certain)) / static_cast<double>(equals);
+    for (const std::size_t f : trial.kind == SuspectKind::exchange ? std::vector{trial.files.front()} : trial.files) {
+      std::string remedy = trial.remedy;
+      if (trial.files.size() > 1 && trial.kind != SuspectKind::exchange && f != trial.files.front())
+        remedy = "as for " + all_[trial.files.front()].name;
+      found.push_back({.kind = trial.kind,
+                       .file = all_[f].name,
+                       .dofs = trial.dofs,
+                       .evidence = evidence,
+                       .confidence = confidence,
+                       .remedy = remedy});
+    }
+  }
+
+  /// What no trial explains.
+  void look_for_rest(std::vector<Suspect>& found) const {
+    const Misfit rest = misfit_of(lines_of(all_, screening_), setups_, noise_);
+    for (std::size_t f = 0; f < all_.size(); ++f) {
+      if (rest.active[f] > 1.5) {
+        found.push_back({.kind = SuspectKind::not_passive,
+                         .file = all_[f].name,
+                         .dofs = {},
+                         .evidence = "the imaginary parts of driving points are positive: the structure would give energy away",
+                         .confidence = 0.6,
+                         .remedy = ""});
+      }
+      if (rest.reciprocity[f] > std::max(0.3, 4.0 * noise_[f])) {
+        found.push_back({.kind = SuspectKind::not_reciprocal,
+                         .file = all_[f].name,
+                         .dofs = {},
+                         .evidence = "H_ij and H_ji differ by " + share_text(rest.reciprocity[f]) +
+                                     " of their size, where the noise is about " + share_text(noise_[f]),
+                         .confidence = 0.6,
+                         .remedy = ""});
+      }
+    }
+    const double worst = largest(rest.span), mirror = std::max(largest(rest.reciprocity), 0.02);
+    if (worst > 0.35 && worst > 4.0 * mirror) {
+      found.push_back(
+          {.kind = SuspectKind::nonlinear,
+           .file = "",
+           .dofs = {},
+           .evidence =
+               "forces at the joint's coordinates leave " + share_text(worst) +
+               " of the assembly's FRFs, where H_ij and H_ji agree to " + share_text(mirror) +
+               ": parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
+           .confidence = 0.5,
+           .remedy = ""});
+    }
+  }
+
+  Files all_;
+  std::vector<SpanSetup> setups_;
+  std::vector<double> noise_;
+  const Control& control_;
+  bool with_axis_;
+  std::size_t screening_, trials_;  ///< lines
+};
+
+Verdict verdict_of(const std::vector<Suspect>& suspects) {
+  double surest = 0.0;
+  for (const Suspect& suspect : suspects) surest = std::max(surest, suspect.confidence);
+  if (suspects.empty()) return Verdict::clean;
+  return surest >= 0.8 ? Verdict::wrong : Verdict::suspicious;
+}
+
+}  // namespace
+
+CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Control& control, bool with_axis) {
+  CheckResult result;
+  for (CheckedFile& file : files) {
+    for (Suspect& suspect : take_out_dead_and_copied(file)) result.suspects.push_back(std::move(suspect));
+  }
+  std::erase_if(files, [](const CheckedFile& file) { return file.responses.empty() || file.references.empty(); });
+  if (!files.empty()) {
+    for (Suspect& label : find_labels(files, joint)) result.suspects.push_back(std::move(label));
+    for (Suspect& suspect : Inquiry(std::move(files), joint, control, with_axis).suspects())
+      result.suspects.push_back(std::move(suspect));
+  }
+  std::ranges::stable_sort(result.suspects, std::ranges::greater{}, &Suspect::confidence);
+  result.verdict = verdict_of(result.suspects);
+  return result;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ident/check/checked_file.hpp"
+#include "ident/solve.hpp"
+
+namespace jointid::ident {
+
+/// What is wrong with the files: channels without signal, copies and labels first; then the mistake whose undoing heals most, and
+/// on the files without it the next, until none counts. `with_axis`: stretched axes are looked for, which takes neighbouring
+/// lines.
+CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Control& control, bool with_axis);
+
+}  // namespace jointid::ident

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "ident/check/file_tests.hpp"
+#include "ident/check/span_test.hpp"
+
+namespace jointid::ident {
+
+/// How badly files agree with each other and with physics; smaller is better.
+struct Misfit {
+  std::vector<double> span;         ///< per setup, SpanTest::level
+  std::vector<double> reciprocity;  ///< per file, ReciprocityTest::level
+  std::vector<double> imaginary;    ///< per file, 1 − PhaseTest::real_share
+  std::vector<double> active;       ///< per file, 0 where driving points take energy, up to 3 + 0.5 each where they give it
+};
+
+/// Which parts of it to work out anew.
+struct Touched {
+  std::vector<bool> files;
+  bool only_span = false;
+
+  bool setup(const SpanSetup& each) const { return files[each.part] || files[each.assembly]; }
+};
+
+/// `noise`: relative errors of each file's FRFs, which sizes the imaginary parts that count as active.
+Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise);
+
+/// `before` with what the touched files change.
+Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise,
+                 const Misfit& before, const Touched& touched);
+
+/// Σ ln(before/after) over span and reciprocity, floored at 0.4 %, and over imaginary shares, plus what becomes passive. 0: no
+/// better.
+double healing(const Misfit& before, const Misfit& after);
+
+}  // namespace jointid::ident

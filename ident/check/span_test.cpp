@@ -1,0 +1,224 @@
+#include "ident/check/span_test.hpp"
+
+#include <cmath>
+
+namespace jointid::ident {
+namespace {
+
+constexpr double least_square = 1e-6;  ///< residuals below 1e-3 of the FRFs count as that
+constexpr int scalings = 2;
+
+using Indices = std::vector<Eigen::Index>;
+
+Eigen::MatrixXcd block(const CheckedFile& file, std::size_t line, const Indices& rows, const Indices& columns, bool transposed) {
+  const Eigen::MatrixXcd& all = file.frfs[line];
+  if (transposed) return all(columns, rows).transpose();
+  return all(rows, columns);
+}
+
+/// Orthonormal basis of the columns, by Gram and Schmidt twice; columns that depend on those before are left out.
+Eigen::MatrixXcd basis_of(const Eigen::MatrixXcd& columns) {
+  Eigen::MatrixXcd q(columns.rows(), columns.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index c = 0; c < columns.cols(); ++c) {
+    Eigen::VectorXcd v = columns.col(c);
+    const double before = v.norm();
+    for (int twice = 0; twice < 2; ++twice) v -= q.leftCols(count) * (q.leftCols(count).adjoint() * v);
+    if (const double after = v.norm(); after > 1e-10 * before) q.col(count++) = v / after;
+  }
+  return q.leftCols(count);
+}
+
+/// The terms of one line.
+struct SpanLine {
+  Eigen::MatrixXcd assembly, part;   ///< R × C; the part is zero outside
+  Eigen::MatrixXcd joint;            ///< R × J
+  Eigen::MatrixXcd basis, residual;  ///< after scaling
+  Eigen::VectorXd row_scale, column_scale;
+
+  bool is_complete() const { return assembly.allFinite() && part.allFinite() && joint.allFinite(); }
+
+  void load(const SpanSetup& setup, const std::vector<CheckedFile>& files, std::size_t line) {
+    const CheckedFile& of_part = files[setup.part];
+    const CheckedFile& of_assembly = files[setup.assembly];
+    Indices columns = setup.assembly_columns;
+    columns.insert(columns.end(), setup.outer_columns.begin(), setup.outer_columns.end());
+    assembly = block(of_assembly, line, setup.assembly_rows, columns, setup.transposed);
+    part = Eigen::MatrixXcd::Zero(assembly.rows(), assembly.cols());
+    part.leftCols(static_cast<Eigen::Index>(setup.part_columns.size())) =
+        block(of_part, line, setup.part_rows, setup.part_columns, setup.transposed);
+    joint = block(of_part, line, setup.part_rows, setup.joint, setup.transposed);
+  }
+
+  /// Scales by the sizes of the terms and takes the span of the joint's columns out; the third term's size needs the forces,
+  /// which the scaling before gave.
+  void project() {
+    const Eigen::MatrixXcd difference = assembly - part;
+    Eigen::MatrixXd size = assembly.cwiseAbs2() + part.cwiseAbs2();
+    for (int pass = 0; pass < scalings; ++pass) {
+      column_scale = (size.colwise().mean().array() + 1e-300).sqrt().transpose();
+      row_scale = ((size * column_scale.cwiseAbs2().cwiseInverse().asDiagonal()).rowwise().mean().array() + 1e-300).sqrt();
+      const Eigen::MatrixXcd scaled_joint = row_scale.cwiseInverse().asDiagonal() * joint;
+      basis = basis_of(scaled_joint);
+      const Eigen::MatrixXcd scaled = scale(difference), explained = basis * (basis.adjoint() * scaled);
+      residual = scaled - explained;
+      const Eigen::MatrixXd third = (row_scale.asDiagonal() * explained * column_scale.asDiagonal()).cwiseAbs2();
+      size = assembly.cwiseAbs2() + part.cwiseAbs2() + third;
+    }
+  }
+
+  Eigen::MatrixXcd scale(const Eigen::MatrixXcd& terms) const {
+    return row_scale.cwiseInverse().asDiagonal() * terms * column_scale.cwiseInverse().asDiagonal();
+  }
+  Eigen::MatrixXcd projected(const Eigen::MatrixXcd& terms) const { return terms - basis * (basis.adjoint() * terms); }
+};
+
+/// Collects what SpanTest says of rows.
+class RowSums {
+ public:
+  explicit RowSums(std::size_t rows) : freed_(rows), slope_(rows), square_(rows), per_line_(rows) {}
+
+  void add(const SpanLine& line, double weight) {
+    const Eigen::MatrixXcd assembly = line.scale(line.assembly);
+    total_ += weight * line.residual.squaredNorm();
+    for (std::size_t k = 0; k < freed_.size(); ++k) {
+      const auto r = static_cast<Eigen::Index>(k);
+      const double left = std::max(1.0 - line.basis.row(r).squaredNorm(), 1e-9);
+      freed_[k] += weight * line.residual.row(r).squaredNorm() / left;
+      const double slope = -weight * line.residual.row(r).conjugate().cwiseProduct(assembly.row(r)).real().sum();
+      const double square = weight * left * assembly.row(r).squaredNorm();
+      slope_[k] += slope;
+      square_[k] += square;
+      per_line_[k].emplace_back(slope, square);
+    }
+  }
+
+  void finish(SpanTest& out) const {
+    for (std::size_t k = 0; k < freed_.size(); ++k) {
+      const double excess = square_[k] > 0.0 ? slope_[k] / square_[k] : 0.0;
+      double scatter = 0.0;
+      for (const auto& [slope, square] : per_line_[k]) scatter += std::pow(slope - excess * square, 2);
+      out.share.push_back(total_ > 0.0 ? freed_[k] / total_ : 0.0);
+      out.gain.push_back(1.0 + excess);
+      out.deviation.push_back(square_[k] > 0.0 ? std::sqrt(scatter) / square_[k] : 0.0);
+    }
+  }
+
+ private:
+  std::vector<double> freed_, slope_, square_;
+  std::vector<std::vector<std::pair<double, double>>> per_line_;
+  double total_ = 0.0;
+};
+
+void add_ratio(const SpanLine& line, const SpanSetup& setup, double frequency_hz, SpanTest& out) {
+  const auto inner = static_cast<Eigen::Index>(setup.part_columns.size());
+  if (inner == 0) return;
+  const Eigen::MatrixXcd a = line.projected(line.scale(line.assembly).leftCols(inner));
+  const Eigen::MatrixXcd p = line.projected(line.scale(line.part).leftCols(inner));
+  const std::complex<double> cross = p.conjugate().cwiseProduct(a).sum();
+  const double of_a = a.squaredNorm(), of_p = p.squaredNorm();
+  if (!(of_a > 0.0 && of_p > 0.0)) return;
+  out.ratio.push_back(cross / std::abs(cross) * std::sqrt(of_a / of_p));
+  out.coherence.push_back(std::norm(cross) / (of_a * of_p));
+  out.ratio_hz.push_back(frequency_hz);
+}
+
+struct Roles {
+  const Dofs& rows;
+  const Dofs& columns;
+};
+
+Roles roles(const CheckedFile& file, bool transposed) {
+  return transposed ? Roles{file.references, file.responses} : Roles{file.responses, file.references};
+}
+
+bool other_part_has(const std::vector<CheckedFile>& files, const frf::Dof& dof, bool transposed) {
+  for (const CheckedFile& file : files) {
+    if (!file.assembly && place_of(roles(file, transposed).columns, dof) != frf::npos) return true;
+  }
+  return false;
+}
+
+std::optional<SpanSetup> span_setup(const std::vector<CheckedFile>& files, std::size_t part, std::size_t assembly,
+                                    bool transposed, const Dofs& joint) {
+  SpanSetup setup{.part = part,
+                  .assembly = assembly,
+                  .transposed = transposed,
+                  .rows = {},
+                  .part_rows = {},
+                  .assembly_rows = {},
+                  .part_columns = {},
+                  .assembly_columns = {},
+                  .outer_columns = {},
+                  .joint = {}};
+  const Roles p = roles(files[part], transposed), a = roles(files[assembly], transposed);
+  for (const frf::Dof& dof : joint) {
+    const std::size_t at = place_of(p.columns, dof);
+    if (at != frf::npos) {
+      setup.joint.push_back(static_cast<Eigen::Index>(at));
+    } else if (place_of(p.rows, dof) != frf::npos) {
+      return std::nullopt;  // forces at the joint whose FRFs were not measured
+    }
+  }
+  for (std::size_t i = 0; i < a.rows.size(); ++i) {
+    const std::size_t at = place_of(p.rows, a.rows[i]);
+    if (at == frf::npos) continue;
+    setup.rows.push_back(a.rows[i]);
+    setup.part_rows.push_back(static_cast<Eigen::Index>(at));
+    setup.assembly_rows.push_back(static_cast<Eigen::Index>(i));
+  }
+  for (std::size_t i = 0; i < a.columns.size(); ++i) {
+    const std::size_t at = place_of(p.columns, a.columns[i]);
+    if (at != frf::npos) {
+      setup.part_columns.push_back(static_cast<Eigen::Index>(at));
+      setup.assembly_columns.push_back(static_cast<Eigen::Index>(i));
+    } else if (place_of(p.rows, a.columns[i]) == frf::npos && other_part_has(files, a.columns[i], transposed)) {
+      setup.outer_columns.push_back(static_cast<Eigen::Index>(i));
+    }
+  }
+  const bool is_test = !setup.joint.empty() && setup.rows.size() > setup.joint.size() &&
+                       setup.part_columns.size() + setup.outer_columns.size() > 0;
+  return is_test ? std::optional(setup) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<SpanSetup> span_setups(const std::vector<CheckedFile>& files, const Dofs& joint) {
+  std::vector<SpanSetup> setups;
+  for (std::size_t p = 0; p < files.size(); ++p) {
+    for (std::size_t a = 0; a < files.size(); ++a) {
+      if (files[p].assembly || !files[a].assembly) continue;
+      for (const bool transposed : {false, true}) {
+        if (auto setup = span_setup(files, p, a, transposed, joint)) setups.push_back(std::move(*setup));
+      }
+    }
+  }
+  return setups;
+}
+
+SpanTest span_test(const SpanSetup& setup, const std::vector<CheckedFile>& files, SpanDetail detail) {
+  SpanTest out;
+  SpanLine line;
+  RowSums sums(setup.rows.size());
+  double logs = 0.0;
+  for (std::size_t l = 0; l < files[setup.part].frfs.size(); ++l) {
+    if (detail == SpanDetail::residuals) out.residuals.emplace_back();
+    line.load(setup, files, l);
+    if (!line.is_complete()) continue;
+    line.project();
+    const double freedom = static_cast<double>((line.residual.rows() - line.basis.cols()) * line.residual.cols());
+    const double square = line.residual.squaredNorm() / freedom + least_square;
+    logs += std::log(square);
+    ++out.lines;
+    if (detail == SpanDetail::rows) {
+      sums.add(line, 1.0 / square);
+      add_ratio(line, setup, files[setup.part].frequency_hz[l], out);
+    }
+    if (detail == SpanDetail::residuals) out.residuals.back() = line.residual / std::sqrt(square);
+  }
+  out.level = out.lines > 0 ? std::exp(0.5 * logs / static_cast<double>(out.lines)) : 0.0;
+  if (detail == SpanDetail::rows) sums.finish(out);
+  return out;
+}
+
+}  // namespace jointid::ident

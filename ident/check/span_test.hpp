@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "ident/check/checked_file.hpp"
+
+namespace jointid::ident {
+
+/// Which FRFs of a part and of an assembly file say whether the assembly moves as the part does under the excitation and forces
+/// at the joint: with R the responses that both have, J the part's joint DOFs and C the references,
+///   H_asm(R,C) − H_sub(R,C) = H_sub(R,J) F,  F any J × C,   H_sub(R,c) = 0 for c on another part.
+/// `transposed`: the same of the references, by reciprocity of the parts' equations: H_asm(R,C) − H_sub(R,C) = F H_sub(J,C).
+/// It holds for every joint, and so needs none; more rows than joint DOFs make it a test.
+struct SpanSetup {
+  std::size_t part = 0, assembly = 0;  ///< of the files
+  bool transposed = false;
+  Dofs rows;
+  std::vector<Eigen::Index> part_rows, assembly_rows;        ///< of R
+  std::vector<Eigen::Index> part_columns, assembly_columns;  ///< of C on the part
+  std::vector<Eigen::Index> outer_columns;                   ///< of C on other parts, in the assembly
+  std::vector<Eigen::Index> joint;                           ///< of J among the part's columns
+};
+
+/// All pairs of part and assembly file that can be tested, in both directions.
+std::vector<SpanSetup> span_setups(const std::vector<CheckedFile>& files, const Dofs& joint);
+
+/// What is left of it. Rows and columns are scaled by the sizes of the terms, so that relative errors p of all FRFs leave about
+/// p.
+struct SpanTest {
+  double level = 0.0;  ///< geometric mean over the lines of the rms residual per degree of freedom
+  std::size_t lines = 0;
+  // with details:
+  std::vector<double> share;            ///< [R] of the square sum that freeing this row takes away
+  std::vector<double> gain, deviation;  ///< [R] factor by which the assembly's row must be multiplied, and its standard deviation
+  std::vector<std::complex<double>> ratio;  ///< [line] assembly over part, in what the forces at the joint do not explain
+  std::vector<double> coherence;            ///< [line] of that
+  std::vector<double> ratio_hz;             ///< [line]
+  std::vector<Eigen::MatrixXcd> residuals;  ///< [line], empty where a value is missing
+};
+
+enum class SpanDetail { level, rows, residuals };
+
+SpanTest span_test(const SpanSetup& setup, const std::vector<CheckedFile>& files, SpanDetail detail);
+
+}  // namespace jointid::ident

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "ident/check/misfit.hpp"
+
+namespace jointid::ident {
+
+/// A mistake that may have been made, and how to undo it.
+struct MistakeTrial {
+  SuspectKind kind = SuspectKind::sign;
+  std::vector<std::size_t> files;  ///< that change
+  Dofs dofs;
+  std::string what;    ///< "the sensor at 125:+Y points the other way"
+  std::string remedy;  ///< of the first file
+  std::function<void(std::vector<CheckedFile>&)> undo;
+  double bonus = 0.0;      ///< what the data say for it beside the healing
+  bool only_span = false;  ///< of no effect on reciprocity and signs; takes all lines that were read
+  /// What to compare with, where undoing smooths as well: the same with the mistake left in.
+  std::function<void(std::vector<CheckedFile>&)> leave{};
+};
+
+/// What the tests say in detail, at the lines of a screening.
+struct Screening {
+  std::vector<SpanTest> span;                ///< per setup
+  std::vector<ReciprocityTest> reciprocity;  ///< per file
+  std::vector<PhaseTest> phase;              ///< per file
+  std::vector<double> noise;                 ///< per file: the smallest level that it is part of, at least 0.3 %
+};
+
+Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups);
+
+/// The mistakes that are worth a trial; none where nothing stands out.
+std::vector<MistakeTrial> trials_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups,
+                             const Screening& screening, const Misfit& misfit);
+
+/// Stretched axes: files whose FRFs at slightly other frequencies fit better. `all`: every line that was read.
+std::vector<MistakeTrial> axis_trials(const std::vector<CheckedFile>& all, const std::vector<SpanSetup>& setups,
+                               const std::vector<std::size_t>& lines);
+
+/// Lines for trials and for a screening: fewer where the tests of a line take longer.
+std::size_t lines_for(const std::vector<SpanSetup>& setups, std::size_t most, double work);
+
+/// [data.files."NAME"] and a line below it.
+std::string remedy_in(const std::string& file, const std::string& line);
+
+}  // namespace jointid::ident

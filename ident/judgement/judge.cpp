@@ -1,0 +1,236 @@
+#include "ident/judgement/judge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <numeric>
+
+#include "ident/eigen_index.hpp"
+#include "ident/judgement/line_jackknife.hpp"
+#include "ident/judgement/passivity.hpp"
+#include "ident/judgement/whitened_fit.hpp"
+#include "ident/variance_origin.hpp"
+#include "modalfit/selection.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double poor_misfit = 4.0, doubtful_misfit = 1.5;     // squares of errors over expected ones
+constexpr double doubtful_unsure = 3.0;                        // the same where noise or bias are known less well
+constexpr double poor_channel = 16.0, doubtful_channel = 4.0;  // of a row or column
+constexpr double no_joint_misfit = 1.3;
+constexpr double no_joint_effect = 0.8;  // JointVisibility::effect; 0.7 is expected of no joint
+constexpr std::size_t jackknife_lines = 256;
+
+std::string digits(double value, const char* format = "%.2g") {
+  std::array<char, 32> out{};
+  std::snprintf(out.data(), out.size(), format, value);
+  return out.data();
+}
+
+constexpr const char* remedy = " `jointid check SCENE` looks for the cause: a sign, a label, a unit, another quantity, a file of another state.";
+
+int degree(Status status) {
+  if (status == Status::ok) return 0;
+  if (status == Status::doubtful) return 1;
+  return status == Status::poor_fit ? 2 : 3;
+}
+
+/// The DOF whose equations fit worst among rows and columns.
+struct WorstChannel {
+  double misfit = 0.0;
+  std::string dof;
+  bool is_row = false;
+};
+
+WorstChannel worst_channel(const NoisyLines& data, const WhitenedFit& fit) {
+  WorstChannel worst;
+  const auto look = [&](const std::vector<double>& misfits, const Dofs& dofs, bool is_row) {
+    for (std::size_t i = 0; i < misfits.size(); ++i) {
+      if (misfits[i] > worst.misfit) worst = {misfits[i], dofs[i].name(), is_row};
+    }
+  };
+  look(fit.row_misfit, data.rows, true);
+  look(fit.column_misfit, data.columns, false);
+  return worst;
+}
+
+void tell_misfit(const NoisyLines& data, const WhitenedFit& fit, Solution& out) {
+  const WorstChannel worst = worst_channel(data, fit);
+  const bool poor = fit.misfit > poor_misfit || worst.misfit > poor_channel;
+  const double doubtful = data.from_knowledge && fit.corrected ? doubtful_misfit : doubtful_unsure;
+  if (!poor && !(fit.misfit > doubtful || worst.misfit > doubtful_channel)) return;
+  tell(out, poor ? Status::poor_fit : Status::doubtful,
+       "No joint of this scene explains the FRFs: the best one leaves " + digits(std::sqrt(fit.misfit)) +
+           " times the errors that their noise makes, and " + digits(std::sqrt(worst.misfit)) + " times with the " +
+           (worst.is_row ? "response " : "reference ") + worst.dof + "." + remedy);
+}
+
+void tell_no_joint(Solution& out) {
+  tell(out, Status::doubtful,
+       "The assembly's FRFs are those of the parts without a joint, within their noise: is it the file of the assembly, and was the joint closed?");
+}
+
+void tell_active(const std::vector<ActiveMotion>& found, Solution& out) {
+  if (found.empty()) return;
+  tell(out, Status::poor_fit,
+       "The joint gives energy away: " + text(found.front()) + ". Are FRFs conjugated, delayed, or of the wrong sign?" + remedy);
+}
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), at(values.size()));
+}
+
+/// Error estimates from the scatter and, where a fit without bias is there, the difference to that.
+void fill_errors(const Plan& plan, const LinearSolution& linear, const Eigen::MatrixXd& scatter, const std::optional<WhitenedFit>& fit,
+                 Solution& out) {
+  for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
+    const auto c = at(column);
+    Estimate& estimate = out.unknowns[column];
+    const double unit = std::abs(plan.unscale(column));
+    double square = scatter(c, c);
+    if (fit && fit->corrected) {
+      const double bias = linear.y[column] - fit->theta[column];
+      square += std::max(0.0, bias * bias - fit->covariance(c, c));
+      estimate.bias = bias * plan.unscale(column);
+    }
+    estimate.error_estimate = std::sqrt(square) * unit;
+  }
+}
+
+/// Errors of the elements of the joint matrices: those of the unknowns in them, added as squares.
+void fill_matrix_errors(const Plan& plan, Solution& out) {
+  for (BandMatrices& band : out.bands) {
+    const double inside = band.band_hz ? 0.5 * ((*band.band_hz)[0] + (*band.band_hz)[1]) : 0.0;
+    const std::vector<std::size_t> columns = plan.columns->at(inside);
+    const std::size_t n = plan.restriction.dofs.size();
+    for (const restrictions::MatrixTerms& matrix : plan.restriction.matrices) {
+      Matrix& errors = band.errors[matrix.kind];
+      errors.assign(n, std::vector<double>(n, 0.0));
+      for (const auto& [row, column, unknown, coefficient] : matrix.terms) {
+        errors[row][column] = std::hypot(errors[row][column], coefficient * *out.unknowns[columns[unknown]].error_estimate);
+      }
+    }
+  }
+}
+
+/// Motions that give energy away by the estimate without bias, and by the estimate itself with its bias as a part of its error.
+std::vector<ActiveMotion> active_of(const Plan& plan, const LinearSolution& linear, const Eigen::MatrixXd& scatter,
+                                    const std::optional<WhitenedFit>& fit) {
+  if (!fit || !fit->corrected) return {};
+  const std::vector<ActiveMotion> without_bias = active_motions(plan, fit->theta, fit->covariance, 6.0);
+  const Eigen::VectorXd bias = vector_of(linear.y) - vector_of(fit->theta);
+  const std::vector<ActiveMotion> itself = active_motions(plan, linear.y, scatter + bias * bias.transpose(), 5.0);
+  return itself.empty() ? itself : without_bias;
+}
+
+/// Errors that would not hold, and what was said from them.
+void withhold_errors(Solution& out) {
+  for (Estimate& estimate : out.unknowns) {
+    estimate.std_error.reset();
+    estimate.ci95.reset();
+  }
+  out.intervals = IntervalKind::none;
+  if (!out.identifiability) return;
+  out.identifiability->weakest.clear();
+  out.identifiability->largest_relative_error = std::numeric_limits<double>::quiet_NaN();
+  std::erase_if(out.identifiability->findings, [](const Finding& finding) { return finding.kind != FindingKind::misfit; });
+}
+
+}  // namespace
+
+void tell(Solution& out, Status status, const std::string& sentence) {
+  if (degree(status) > degree(out.status)) out.status = status;
+  if (!out.message.empty() && out.message.back() != ' ') out.message += " ";
+  out.message += sentence;
+}
+
+std::string phrase(const Suspect& suspect) {
+  std::string dofs;
+  for (const frf::Dof& dof : suspect.dofs) dofs += (dofs.empty() ? " " : ", ") + dof.name();
+  return "Most suspect: " + name(suspect.kind) + dofs + (suspect.file.empty() ? "" : " in " + suspect.file) + ". " + suspect.evidence + ".";
+}
+
+void tell_check(const CheckResult& found, Solution& out) {
+  if (found.verdict == Verdict::clean || found.suspects.empty()) return;
+  tell(out, found.verdict == Verdict::wrong ? Status::poor_fit : Status::doubtful, phrase(found.suspects.front()));
+  if (out.status == Status::poor_fit) withhold_errors(out);
+}
+
+void judge_linear(Plan& plan, const LinearSolution& linear, const Control& control, Solution& out) {
+  if (linear.rank != plan.columns->size()) return;
+  std::optional<NoisyLines> data;
+  std::optional<WhitenedFit> fit;
+  if (const std::size_t lines = affordable_lines(plan); lines > 0 && plan.regenerated.empty() && plan.scene.couple_first.pairs.empty()) {
+    data = read_noisy_lines(plan, lines);
+    if (data) fit = whitened_fit(plan, *data, linear.y);
+  }
+  if (fit) {
+    out.fit.misfit = fit->misfit;
+    tell_misfit(*data, *fit, out);
+    if (fit->free_misfit < no_joint_misfit) tell_no_joint(out);
+  }
+  if (plan.admissible) return;
+  const std::optional<Eigen::MatrixXd> scatter = line_jackknife(plan, jackknife_lines, control);
+  if (!scatter) return;
+  fill_errors(plan, linear, *scatter, fit, out);
+  fill_matrix_errors(plan, out);
+  tell_active(active_of(plan, linear, *scatter, fit), out);
+}
+
+namespace {
+
+/// Whether some variances are estimates themselves.
+bool estimated_variances(const Solution& out) {
+  return std::ranges::any_of(out.variances, [](const VarianceSource& file) {
+    return file.origin == phrase(VarianceOrigin::coherence) || file.origin == phrase(VarianceOrigin::repeats) ||
+           file.origin == phrase(VarianceOrigin::scatter);
+  });
+}
+
+/// χ² over degrees of freedom of the lines that are not outlying, where those are few.
+double ratio_of(const ChiSquare& chi_square) {
+  constexpr double gross = 3.2;  // counts for less than half: robust_weight()
+  std::vector<double> lines = chi_square.by_line;
+  std::erase_if(lines, [](double ratio) { return std::isnan(ratio); });
+  if (lines.empty()) return 0.0;
+  const auto outlying = std::ranges::count_if(lines, [](double ratio) { return ratio > gross; });
+  if (5 * outlying <= std::ssize(lines)) std::erase_if(lines, [](double ratio) { return ratio > gross; });
+  return std::accumulate(lines.begin(), lines.end(), 0.0) / static_cast<double>(lines.size());
+}
+
+/// Errors that several FRFs share are not in the law of χ².
+bool shares_errors(const Plan& plan) { return !plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty(); }
+
+void tell_chi_square(const Plan& plan, bool hopeless, Solution& out) {
+  const ChiSquare& chi_square = *out.fit.chi_square;
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom), ratio = ratio_of(chi_square);
+  const bool estimated = estimated_variances(out) || shares_errors(plan);
+  const bool poor = hopeless || ratio > (estimated ? 4.0 : 2.0);
+  const double likely = modalfit::chi_square_quantile(freedom, 5.0) / freedom;
+  if (!poor && !(ratio > std::max(likely, estimated ? 2.0 : 1.4))) return;
+  tell(out, poor ? Status::poor_fit : Status::doubtful,
+       std::string(hopeless ? "Stopped early: n" : "N") + "o joint of this scene explains the FRFs: they are off by " + digits(std::sqrt(ratio)) +
+           " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")." +
+           (poor ? " No standard errors or intervals are given, they would not hold." : " Standard errors and intervals are too small.") + remedy);
+}
+
+}  // namespace
+
+void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Control& control, Solution& out) {
+  const Status before = out.status;
+  tell_chi_square(plan, fit.hopeless, out);
+  if (out.status == Status::doubtful && control.detail == Detail::estimates) {  // studies judge by their many trials
+    out.status = before;
+    out.message.clear();
+  }
+  if (control.detail == Detail::full && out.status != Status::rank_deficient && !plan.admissible) {
+    tell_active(active_motions(plan, fit.theta, fit.covariance, 5.0), out);
+  }
+  if (out.identifiability && out.identifiability->joint.effect && *out.identifiability->joint.effect < no_joint_effect) tell_no_joint(out);
+  if (out.status == Status::poor_fit) withhold_errors(out);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,201 @@
+#include "ident/judgement/noisy_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frf/error.hpp"
+#include "ident/coordinates.hpp"
+#include "ident/eigen_index.hpp"
+#include "ident/likelihood/likelihood_plan.hpp"
+#include "ident/variances.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// A rectangle of one system with the variances of its FRFs, row-major per line.
+struct MeasuredRectangle {
+  std::vector<Complex> values, variances;
+  std::size_t rows = 0, columns = 0;
+
+  Complex value(std::size_t line, std::size_t row, std::size_t column) const { return values[(line * rows + row) * columns + column]; }
+  double variance(std::size_t line, std::size_t row, std::size_t column) const {
+    const Complex parts = variances[(line * rows + row) * columns + column];
+    return parts.real() + parts.imag();
+  }
+};
+
+MeasuredRectangle read_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns, const Scene& scene,
+                                 const std::vector<std::size_t>& lines) {
+  MeasuredRectangle out{.values = std::vector<Complex>(lines.size() * rows.size() * columns.size()), .variances = {},
+                        .rows = rows.size(), .columns = columns.size()};
+  out.variances.resize(out.values.size());
+  frf::BlockReader(system, rows, columns).read(lines, out.values);
+  Variances variances(system, rows, columns, scene);
+  if (variances.needs_prepare()) variances.prepare(lines);
+  variances.read(lines, out.values, out.variances);
+  return out;
+}
+
+/// The lines of one system that some lines of the plan are.
+std::vector<std::size_t> lines_of(const std::vector<Line>& lines, std::size_t Line::*which) {
+  std::vector<std::size_t> out;
+  for (const Line& line : lines) out.push_back(line.*which);
+  return out;
+}
+
+bool has_scatter(frf::FrfSystem& system, const Scene& scene) {
+  for (std::size_t s = 0; s < system.source_count(); ++s) {
+    if (variance_origin(scene, system.source(s).header()) == VarianceOrigin::scatter) return true;
+  }
+  return false;
+}
+
+/// Some of the DOFs, spread over all.
+Dofs sample_of(const Dofs& dofs, std::size_t most) {
+  Dofs out;
+  const std::size_t count = std::min(most, dofs.size());
+  for (std::size_t i = 0; i < count; ++i) out.push_back(dofs[i * dofs.size() / count]);
+  return out;
+}
+
+/// The relative noise that some FRFs of a system show between neighbouring lines, E|δ|²/|H|²: exceeded by a quarter of them.
+/// Empty where most of them are not resolved.
+std::optional<double> scattered_level(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns, const Scene& scene,
+                                      const std::vector<std::size_t>& lines) {
+  constexpr std::size_t most = 5;
+  const Dofs few_rows = sample_of(rows, most), few_columns = sample_of(columns, most);
+  std::vector<Complex> values(lines.size() * few_rows.size() * few_columns.size()), noise(values.size());
+  frf::BlockReader(system, few_rows, few_columns).read(lines, values);
+  Variances variances(system, few_rows, few_columns, scene);
+  variances.prepare(lines);
+  std::size_t unresolved = 0;
+  for (const FileVariances& file : variances.origins()) unresolved += file.unresolved;
+  if (2 * unresolved > few_rows.size() * few_columns.size()) return std::nullopt;
+  variances.read(lines, values, noise);
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double share = (noise[i].real() + noise[i].imag()) / std::norm(values[i]);
+    if (std::isfinite(share)) shares.push_back(share);
+  }
+  if (shares.empty()) return std::nullopt;
+  const auto high = shares.begin() + static_cast<std::ptrdiff_t>(3 * shares.size() / 4);
+  std::ranges::nth_element(shares, high);
+  return *high;
+}
+
+/// What Method One reads: rows and columns of both systems.
+struct Reads {
+  EquationSet use;
+  Dofs n_rows, n_columns, rows, columns;
+};
+
+/// The equations of the plan, or for other methods those that Method One has on its data.
+std::vector<Equation> equations_of(const Plan& plan) {
+  if (plan.scene.identify.method == Method::one) return plan.equations;
+  Scene scene = plan.scene;
+  scene.identify.method = Method::one;
+  scene.identify.equations.clear();
+  return choose_equations(scene, plan.coordinates, *plan.substructures, *plan.assembly);
+}
+
+Reads reads_of(const Plan& plan) {
+  const Coordinates& at = plan.coordinates;
+  const EquationSet use(equations_of(plan));
+  const Dofs n_rows = use.nn || use.nj ? at.responses : Dofs(), n_columns = use.nn || use.jn ? at.references : Dofs();
+  return {use, n_rows, n_columns, joined(n_rows, use.jj || use.jn ? at.joint : Dofs()),
+          joined(n_columns, use.nj || use.jj ? at.joint : Dofs())};
+}
+
+std::vector<Eigen::Index> joint_numbers(std::size_t others, std::size_t all) {
+  std::vector<Eigen::Index> out(all, -1);
+  for (std::size_t i = others; i < all; ++i) out[i] = at(i - others);
+  return out;
+}
+
+/// One line: the rows of the substructures' rectangle are those of A's rows that are no joint coordinates, then all joint ones.
+NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const MeasuredRectangle& whole, std::size_t line, std::size_t joint) {
+  const std::size_t m = form.rows.size(), l = form.columns.size(), others = whole.columns - joint, n_rows = sub.rows - joint;
+  NoisyLine out;
+  out.a = Eigen::MatrixXcd(at(m), at(joint));
+  out.b = Eigen::MatrixXcd(at(joint), at(l));
+  out.c = Eigen::MatrixXcd(at(m), at(l));
+  out.a_variance = Eigen::MatrixXd(at(m), at(joint));
+  out.b_variance = Eigen::MatrixXd(at(joint), at(l));
+  out.c_variance = Eigen::MatrixXd(at(m), at(l));
+  for (std::size_t j = 0; j < joint; ++j) {
+    for (std::size_t r = 0; r < m; ++r) {
+      out.a(at(r), at(j)) = whole.value(line, r, others + j);
+      out.a_variance(at(r), at(j)) = whole.variance(line, r, others + j);
+    }
+    for (std::size_t c = 0; c < l; ++c) {
+      out.b(at(j), at(c)) = sub.value(line, n_rows + j, c);
+      out.b_variance(at(j), at(c)) = sub.variance(line, n_rows + j, c);
+    }
+  }
+  for (std::size_t r = 0; r < m; ++r) {
+    for (std::size_t c = 0; c < l; ++c) {
+      const bool of_b = form.row_joint[r] >= 0, of_a = form.column_joint[c] >= 0;
+      out.c(at(r), at(c)) = sub.value(line, r, c) - whole.value(line, r, c);
+      out.c_variance(at(r), at(c)) = (of_b ? 0.0 : sub.variance(line, r, c)) + (of_a ? 0.0 : whole.variance(line, r, c));
+    }
+  }
+  return out;
+}
+
+std::vector<Line> spread_lines(const std::vector<Line>& all, std::size_t most) {
+  std::vector<Line> out;
+  const std::size_t count = std::min(most, all.size());
+  for (std::size_t i = 0; i < count; ++i) out.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
+  return out;
+}
+
+/// A scene whose [noise] is what neighbouring lines scatter, where files and scene say nothing; empty where they do not tell.
+std::optional<Scene> with_noise(Plan& plan, const Reads& reads, const std::vector<std::size_t>& sub_lines,
+                                const std::vector<std::size_t>& asm_lines) {
+  Scene scene = plan.scene;
+  if (!has_scatter(*plan.substructures, scene) && !has_scatter(*plan.assembly, scene)) return scene;
+  const auto parts = scattered_level(*plan.substructures, plan.coordinates.joint, reads.columns, scene, sub_lines);
+  const auto whole = scattered_level(*plan.assembly, reads.rows, plan.coordinates.joint, scene, asm_lines);
+  if (!parts || !whole) return std::nullopt;
+  frf::NoiseModel model;
+  model.kind = frf::NoiseKind::circular;
+  model.level = std::min(0.9, std::sqrt(std::max(*parts, *whole)));
+  scene.noise = NoiseSection{.model = frf::name(model.kind), .level = model.level, .frf_model = model};
+  scene.identify.variance = VarianceChoice::automatic;
+  return scene;
+}
+
+std::optional<NoisyLines> read_form(Plan& plan, std::size_t most) {
+  const Reads reads = reads_of(plan);
+  const Dofs& joint = plan.coordinates.joint;
+  const std::vector<Line> chosen = spread_lines(plan.lines, most);
+  const std::vector<std::size_t> sub_lines = lines_of(chosen, &Line::substructures), asm_lines = lines_of(chosen, &Line::assembly);
+  const std::optional<Scene> scene = with_noise(plan, reads, sub_lines, asm_lines);
+  if (!scene) return std::nullopt;
+  NoisyLines out{.lines = {}, .row_joint = joint_numbers(reads.n_rows.size(), reads.rows.size()),
+                 .column_joint = joint_numbers(reads.n_columns.size(), reads.columns.size()), .rows = reads.rows, .columns = reads.columns};
+  out.wanted[0][0] = reads.use.nn;
+  out.wanted[0][1] = reads.use.nj;
+  out.wanted[1][0] = reads.use.jn;
+  out.wanted[1][1] = reads.use.jj;
+  out.from_knowledge = !has_scatter(*plan.substructures, plan.scene) && !has_scatter(*plan.assembly, plan.scene);
+  const MeasuredRectangle sub = read_rectangle(*plan.substructures, joined(reads.n_rows, joint), reads.columns, *scene, sub_lines);
+  const MeasuredRectangle whole = read_rectangle(*plan.assembly, reads.rows, joined(reads.n_columns, joint), *scene, asm_lines);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    out.lines.push_back(line_of(out, sub, whole, i, joint.size()));
+    out.lines.back().frequency_hz = chosen[i].frequency_hz;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<NoisyLines> read_noisy_lines(Plan& plan, std::size_t most) {
+  try {
+    return read_form(plan, most);
+  } catch (const InputError&) {
+    return std::nullopt;  // no equation of Method One, or no variances
+  }
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,97 @@
+#include "ident/judgement/passivity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "dense/eigen.hpp"
+#include "ident/eigen_index.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Smaller parts of the largest eigenvalue are what a slightly wrong model of the joint makes.
+constexpr double least_share = 0.05;
+
+/// X(theta) in SI units with the columns of a line, and its derivative by a column along v: Σ coefficient·v_row v_column.
+struct OneMatrix {
+  const restrictions::MatrixTerms& terms;
+  std::vector<std::size_t> columns;  ///< one per unknown of the restriction
+  double unscale;
+
+  MatrixXd at(const std::vector<double>& theta, Index size) const {
+    MatrixXd x = MatrixXd::Zero(size, size);
+    for (const auto& [row, column, unknown, coefficient] : terms.terms) {
+      x(ident::at(row), ident::at(column)) += coefficient * theta[columns[unknown]] * unscale;
+    }
+    for (const auto& [row, column, value] : terms.known) x(ident::at(row), ident::at(column)) += value;
+    return 0.5 * (x + x.transpose());
+  }
+
+  VectorXd gradient(const VectorXd& v, std::size_t all) const {
+    VectorXd g = VectorXd::Zero(ident::at(all));
+    for (const auto& [row, column, unknown, coefficient] : terms.terms) {
+      g[ident::at(columns[unknown])] += coefficient * unscale * v[ident::at(row)] * v[ident::at(column)];
+    }
+    return g;
+  }
+};
+
+VectorXd unit_diagonal(const MatrixXd& x) {
+  return x.diagonal().unaryExpr([](double element) { return element == 0.0 ? 1.0 : 1.0 / std::sqrt(std::abs(element)); });
+}
+
+void find_active(const Plan& plan, const OneMatrix& matrix, const std::optional<Range>& band, const std::vector<double>& theta,
+                 const MatrixXd& covariance, double deviations, std::vector<ActiveMotion>& out) {
+  const MatrixXd x = matrix.at(theta, at(plan.restriction.dofs.size()));
+  if (!x.allFinite()) return;
+  const VectorXd scale = unit_diagonal(x);
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(scale.asDiagonal() * x * scale.asDiagonal());
+  const double largest = eigen.values.cwiseAbs().maxCoeff();
+  for (Index i = 0; i < eigen.values.size() && eigen.values[i] < -least_share * largest; ++i) {
+    const VectorXd v = scale.cwiseProduct(eigen.vectors.col(i));
+    const VectorXd g = matrix.gradient(v, theta.size());
+    const double deviation = std::sqrt(std::max(0.0, g.dot(covariance * g)));
+    if (!(eigen.values[i] < -deviations * deviation)) continue;
+    Index most = 0;
+    eigen.vectors.col(i).cwiseAbs().maxCoeff(&most);
+    out.push_back({matrix.terms.kind, band, eigen.values[i] / largest, deviation / largest,
+                   plan.restriction.dofs[static_cast<std::size_t>(most)]});
+  }
+}
+
+}  // namespace
+
+std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<double>& theta, const MatrixXd& covariance,
+                                         double deviations) {
+  std::vector<ActiveMotion> out;
+  const std::vector<double>& limits = plan.columns->limits_hz();
+  for (std::size_t k = 0; k < std::max<std::size_t>(1, limits.empty() ? 1 : limits.size() - 1); ++k) {
+    const bool bands = !limits.empty();
+    const std::vector<std::size_t> columns = plan.columns->at(bands ? 0.5 * (limits[k] + limits[k + 1]) : 0.0);
+    if (columns.empty()) continue;
+    const std::optional<Range> band = bands ? std::optional(Range{limits[k], limits[k + 1]}) : std::nullopt;
+    for (const restrictions::MatrixTerms& terms : plan.restriction.matrices) {
+      if (terms.kind == restrictions::Kind::mass) continue;
+      find_active(plan, {terms, columns, unscale(terms.kind, plan.assembly_spec.omega0)}, band, theta, covariance, deviations, out);
+    }
+  }
+  std::ranges::stable_sort(out, {}, &ActiveMotion::eigenvalue);
+  return out;
+}
+
+std::string text(const ActiveMotion& motion) {
+  std::string matrix = restrictions::key(motion.kind);
+  std::ranges::replace(matrix, '_', ' ');
+  std::array<char, 64> numbers{};
+  std::snprintf(numbers.data(), numbers.size(), "%.2g ± %.1g", motion.eigenvalue, motion.deviation);
+  return matrix + " " + restrictions::symbol(motion.kind) + " has a negative eigenvalue, " + numbers.data() +
+         " of its largest, with most motion at " + motion.most_moved.name();
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "ident/plan.hpp"
+
+namespace jointid::ident {
+
+/// A motion in which a joint matrix gives energy away: an eigenvalue of its symmetric part, with rows and columns scaled to unit
+/// diagonal, that is negative beyond its error and by more than a twentieth of the largest one.
+struct ActiveMotion {
+  restrictions::Kind kind = restrictions::Kind::stiffness;
+  std::optional<Range> band_hz;
+  double eigenvalue = 0.0;  ///< in parts of the largest one's size
+  double deviation = 0.0;   ///< its standard deviation, in the same
+  frf::Dof most_moved;      ///< the joint coordinate with the largest share in it
+};
+
+/// Negative eigenvalues of K, C and D beyond `deviations` standard deviations, worst first. `theta` are the scaled unknowns and
+/// `covariance` is theirs: the deviation of vᵀXv for the eigenvector v of X(theta), to first order.
+std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance,
+                                         double deviations);
+
+/// "hysteretic damping D has a negative eigenvalue, -0.83 ± 0.02 of its largest, with most motion at 4:+Y".
+std::string text(const ActiveMotion& motion);
+
+}  // namespace jointid::ident

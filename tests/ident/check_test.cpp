@@ -1,0 +1,157 @@
+// Mistakes in measured FRFs: what a check says of planted ones, of clean scenes, and of its parts alone.
+#include "ident/check/check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "ident/check/axis_shift.hpp"
+#include "ident/check/delay_fit.hpp"
+#include "ident/check/file_tests.hpp"
+#include "ident/check/span_test.hpp"
+#include "problems/in_memory.hpp"
+#include "problems/planted.hpp"
+
+namespace {
+
+using namespace jointid;
+using ident::SuspectKind;
+
+frf::NoiseModel separate_errors(double level) { return {.kind = frf::NoiseKind::circular, .level = level, .reciprocal = false}; }
+
+const problems::Problem& problem_named(const std::string& name) {
+  static std::map<std::string, problems::Problem> made;
+  const auto known = made.find(name);
+  return known != made.end() ? known->second : made.emplace(name, problems::make(name)).first->second;
+}
+
+ident::CheckResult checked(const problems::Problem& problem, problems::Measurement data) {
+  return ident::check_data(*problems::plan(problems::scene(problem), std::move(data)));
+}
+
+problems::Measurement noisy(const problems::Problem& problem, const frf::NoiseModel& noise) {
+  problems::Measurement data;
+  for (std::size_t i = 0; i < problem.substructures.size(); ++i) {
+    data.substructures.push_back(frf::polluted(problem.substructures[i], noise, 1, 0, i));
+  }
+  data.assembly = frf::polluted(problem.assembly, noise, 1, 0, problem.substructures.size());
+  return data;
+}
+
+std::vector<ident::CheckedFile> files_of(const problems::Problem& problem) {
+  const auto plan = problems::plan(problems::scene(problem), {problem.substructures, problem.assembly});
+  return ident::read_checked_files(*plan, 64, {});
+}
+
+struct PlantedIn : testing::TestWithParam<std::tuple<const char*, SuspectKind>> {};
+
+TEST_P(PlantedIn, comes_first) {
+  const auto [name, kind] = GetParam();
+  const problems::Planted planted =
+      problems::plant(problem_named(name), kind, separate_errors(0.01), 1 + static_cast<std::uint64_t>(kind));
+  const ident::CheckResult result = checked(problem_named(name), planted.data);
+  EXPECT_NE(result.verdict, ident::Verdict::clean);
+  ASSERT_FALSE(result.suspects.empty());
+  const ident::Suspect& first = result.suspects.front();
+  EXPECT_TRUE(problems::is_found(planted, result.suspects))
+      << ident::name(first.kind) << " in " << first.file << ": " << first.evidence;
+}
+
+INSTANTIATE_TEST_SUITE_P(check, PlantedIn,
+                         testing::Combine(testing::Values("A1", "rig1"), testing::ValuesIn(problems::plantable())),
+                         [](const auto& info) {
+                           return std::string(std::get<0>(info.param)) + "_" + ident::name(std::get<1>(info.param));
+                         });
+
+TEST(check, remedy_names_file_channel_and_key) {
+  const problems::Planted planted = problems::plant(problem_named("rig1"), SuspectKind::sign, separate_errors(0.01), 1);
+  const ident::CheckResult result = checked(problem_named("rig1"), planted.data);
+  ASSERT_FALSE(result.suspects.empty());
+  EXPECT_EQ(result.suspects.front().remedy,
+            "[data.files.\"" + planted.files.front() + "\"]\nflip = [\"" + planted.dofs.front().name() + "\"]");
+}
+
+TEST(check, clean_scenes_are_clean) {
+  for (const char* name : {"A1", "A3", "A8", "C1", "E1", "G4", "H1", "H3"}) {
+    const problems::Problem& problem = problem_named(name);
+    for (const frf::NoiseModel& noise : {frf::NoiseModel{}, separate_errors(0.01)}) {
+      const ident::CheckResult result = checked(problem, noisy(problem, noise));
+      EXPECT_EQ(result.verdict, ident::Verdict::clean)
+          << name << ": " << (result.suspects.empty() ? "" : result.suspects.front().evidence);
+    }
+  }
+}
+
+TEST(check, reads_every_frf_at_most_once) {
+  const problems::Problem& problem = problem_named("rig1");
+  const auto plan = problems::plan(problems::scene(problem), noisy(problem, separate_errors(0.01)));
+  (void)ident::check_data(*plan);
+  const frf::FrfSource& source = plan->assembly->source(0);
+  EXPECT_EQ(source.count().entries, source.header().lines() * source.header().entries());
+}
+
+TEST(check, missing_numbers_are_no_mistake) {
+  const problems::Problem& problem = problem_named("A1");
+  problems::Measurement data = noisy(problem, separate_errors(0.01));
+  const std::size_t columns = data.assembly.header.reference.size();
+  for (std::size_t c = 0; c < columns; ++c) data.assembly.values[data.assembly.index(3, 2, c)] = std::nan("");
+  for (std::size_t l = 0; l < data.assembly.header.lines(); ++l) {
+    for (std::size_t c = 0; c < columns; ++c) data.assembly.values[data.assembly.index(l, 0, c)] = std::nan("");
+  }
+  EXPECT_EQ(checked(problem, std::move(data)).verdict, ident::Verdict::clean);
+}
+
+TEST(span_test, exact_frfs_leave_nothing_whatever_the_joint) {
+  const problems::Problem& problem = problem_named("B");
+  const auto files = files_of(problem);
+  const auto setups = ident::span_setups(files, problem.joint_dofs);
+  ASSERT_EQ(setups.size(), 4u);  // two parts, both directions
+  for (const auto& setup : setups)
+    EXPECT_NEAR(ident::span_test(setup, files, ident::SpanDetail::level).level, 1e-3, 1e-5);  // the floor
+}
+
+TEST(span_test, finds_the_factor_of_a_row) {
+  const problems::Problem& problem = problem_named("A1");
+  auto files = files_of(problem);
+  for (auto& line : files.back().frfs) line.row(1) *= 0.8;
+  const auto setup = ident::span_setups(files, problem.joint_dofs).front();
+  const ident::SpanTest test = ident::span_test(setup, files, ident::SpanDetail::rows);
+  EXPECT_NEAR(test.gain[1], 1.25, 1e-6);
+  EXPECT_NEAR(test.share[1], 1.0, 1e-6);
+}
+
+TEST(reciprocity_test, finds_the_mass_that_travels_with_the_sensor) {
+  const problems::Planted planted = problems::plant(problem_named("rig1"), SuspectKind::mass, {.level = 0.0}, 1);
+  const auto plan = problems::plan(problems::scene(problem_named("rig1")), planted.data);
+  const auto files = ident::read_checked_files(*plan, 64, {});
+  EXPECT_NEAR(ident::reciprocity_test(files.back(), true).mass, 0.003, 1e-8);
+}
+
+TEST(delay_fit, finds_the_delay_and_its_scatter) {
+  std::vector<ident::PhaseSample> samples;
+  for (int i = 1; i <= 50; ++i) {
+    const double omega = 200.0 * i;
+    samples.push_back({omega, std::polar(1.0, -35e-6 * omega)});
+  }
+  const ident::DelayFit fit = ident::fit_delay(samples);
+  EXPECT_NEAR(fit.delay, 35e-6, 1e-12);
+  EXPECT_LT(fit.deviation, 1e-10);
+}
+
+TEST(shifted_frfs, are_those_of_the_structure_at_the_other_frequencies) {
+  ident::CheckedFile file;
+  file.responses = file.references = {frf::Dof::parse("1:+Y")};
+  const auto mode = [](double resonance, double hz) {
+    return 1.0 / (std::complex<double>(resonance * resonance, 90.0) - hz * hz);
+  };
+  const auto receptance = [&](double hz) { return mode(300.0, hz) + 0.5 * mode(340.0, hz); };
+  for (int i = 0; i < 20; ++i) {
+    file.frequency_hz.push_back(250.0 + 5.0 * i);
+    file.frfs.push_back(Eigen::MatrixXcd::Constant(1, 1, receptance(file.frequency_hz.back())));
+  }
+  const auto shifted = ident::shifted_frfs(file, {4, 10, 15}, 0.004);
+  EXPECT_NEAR(std::abs(shifted[1](0, 0) / receptance(300.0 * 1.004) - 1.0), 0.0, 1e-6);
+}
+
+}  // namespace

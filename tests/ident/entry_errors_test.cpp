@@ -1,0 +1,90 @@
+#include "ident/entry_errors.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "problems/in_memory.hpp"
+
+namespace jointid::ident {
+namespace {
+
+struct SolvedProblem {
+  std::unique_ptr<Plan> plan;
+  Solution solution;
+};
+
+SolvedProblem solved_problem(const std::string& name) {
+  const problems::Problem problem = problems::make(name);
+  SolvedProblem out{problems::plan(problems::scene(problem), {problem.substructures, problem.assembly}), {}};
+  out.solution = solve(*out.plan);
+  return out;
+}
+
+/// A joint 1.5 times as stiff as the right one.
+SolvedProblem too_stiff(const std::string& name) {
+  SolvedProblem out = solved_problem(name);
+  for (auto& [kind, matrix] : out.solution.bands.front().matrices) {
+    for (auto& row : matrix) {
+      for (double& value : row) value *= 1.5;
+    }
+  }
+  return out;
+}
+
+TEST(EntryErrors, NoiseFreeDataHaveNone) {
+  SolvedProblem a1 = solved_problem("A1");
+  const EntryErrors errors = entry_errors(*a1.plan, a1.solution.bands);
+  EXPECT_EQ(errors.responses.size(), errors.all_responses);
+  ASSERT_EQ(errors.rms_db.size(), errors.responses.size() * errors.references.size());
+  for (const double error : errors.rms_db) EXPECT_LE(error, 1e-4);
+}
+
+double size_of(const RegeneratedFrf& frf) {
+  double largest = 0.0;
+  for (const Complex& value : frf.measured) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Second route: one FRF after the other by regenerate().
+TEST(EntryErrors, AreThoseOfTheFrfsRegeneratedOneByOne) {
+  for (const char* name : {"A1", "B"}) {
+    SolvedProblem problem = too_stiff(name);
+    const EntryErrors errors = entry_errors(*problem.plan, problem.solution.bands);
+    const Regenerated all = regenerate(*problem.plan, problem.solution.bands, choose_entries(*problem.plan, 100000));
+    double largest = 0.0;
+    for (const RegeneratedFrf& frf : all.frfs) {
+      const std::size_t row = frf::find_coordinate(errors.responses, frf.entry.response);
+      const std::size_t column = frf::find_coordinate(errors.references, frf.entry.reference);
+      const double error = errors.rms_db[row * errors.references.size() + column];
+      if (std::isnan(error)) {
+        EXPECT_LT(size_of(frf), 1e-9 * size_of(all.frfs.front())) << "left out though it does not vanish by symmetry";
+        continue;
+      }
+      EXPECT_NEAR(error, decibel_error(frf).value(), 1e-9) << name << " " << frf.entry.response.name() << "/" << frf.entry.reference.name();
+      largest = std::max(largest, error);
+    }
+    EXPECT_EQ(all.frfs.size(), errors.rms_db.size());
+    EXPECT_GT(largest, 0.5) << name;
+  }
+}
+
+TEST(EntryErrors, OutsideEveryBandThereIsNothingToCompare) {
+  SolvedProblem a1 = solved_problem("A1");
+  a1.solution.bands.front().band_hz = Range{1.0, 2.0};
+  for (const double error : entry_errors(*a1.plan, a1.solution.bands).rms_db) EXPECT_TRUE(std::isnan(error));
+}
+
+TEST(EntryErrors, ThinnedCoordinatesKeepTheirEnds) {
+  Dofs dofs;
+  for (std::size_t i = 1; i <= 10; ++i) dofs.push_back(frf::Dof::parse(std::to_string(i) + ":+Y"));
+  const Dofs three = thinned(dofs, 3);
+  ASSERT_EQ(three.size(), 3U);
+  EXPECT_EQ(three.front(), dofs.front());
+  EXPECT_EQ(three.back(), dofs.back());
+  EXPECT_EQ(thinned(dofs, 10), dofs);
+}
+
+}  // namespace
+}  // namespace jointid::ident
