@@ -1,21 +1,34 @@
 #include "modalfit/fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "modalfit/clusters.hpp"
+#include "modalfit/doubled.hpp"
 #include "modalfit/inputs.hpp"
 #include "modalfit/noise_laws.hpp"
+#include "modalfit/prominence.hpp"
 #include "modalfit/refine.hpp"
+#include "modalfit/residual_peaks.hpp"
 #include "modalfit/selection.hpp"
+#include "modalfit/uncertainty.hpp"
 
 namespace jointid::modalfit {
 namespace {
 
 constexpr int most_rounds = 10;
 constexpr double most_noise_change = 0.05;  ///< of the variances from round to round, where they are estimated
+constexpr int most_peak_rounds = 6;
+constexpr std::size_t most_peaks_at_once = 6;
+constexpr double least_peak_share = 0.02;  ///< of the highest peak, for one to become a pole in the same round
+constexpr int most_merges = 12, most_vague_rounds = 3;
+constexpr double most_damping_deviation = 0.5;  ///< of the damping of a mode
+constexpr double vague_lines = 4.0;             ///< lines per half width from which a mode must show its damping
 /// A pole beyond the range that wanders longer has no place of its own.
 constexpr std::size_t most_trial_iterations = 12;
 
@@ -57,7 +70,10 @@ class Fitter {
     std::vector<Pole> poles = candidates(out);
     tell("refining poles");
     RefinedPoles refined = settled(std::move(poles), false, out);
+    add_peaks(refined, out);
+    merge_doubled(refined, out);
     extend(refined, out);
+    drop_vague(refined, out);
     finish(std::move(refined), out);
     return out;
   }
@@ -85,20 +101,123 @@ class Fitter {
   /// Selects and refines until both agree.
   RefinedPoles settled(std::vector<Pole> poles, bool beyond, ModalFit& out) {
     RefinedPoles refined;
+    double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < most_rounds; ++round) {
       poles = select(poles, beyond);
       refined = refine(band_, entries_, options_.kind, poles, {}, options_.interrupted);
       out.iterations += refined.iterations;
       if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, refined.poles);
       poles = select(refined.poles, beyond);
-      if ((poles.size() == refined.poles.size() && round > 0 && noise_agrees(refined)) || stopped()) break;
+      if ((poles.size() == refined.poles.size() && round > 0 && noise_agrees(refined, before)) || stopped()) break;
+      before = refined.cost;
     }
     return refined;
   }
 
-  /// Whether the weights of the refinement were those of the noise that it leaves.
-  bool noise_agrees(const RefinedPoles& refined) const {
-    return band_.known_noise || !(std::abs(refined.cost - refined.freedom) > most_noise_change * refined.freedom);
+  /// Whether the weights of the refinement were those of the noise that it leaves, or no longer change.
+  bool noise_agrees(const RefinedPoles& refined, double before) const {
+    return band_.known_noise || !(std::abs(refined.cost - refined.freedom) > most_noise_change * refined.freedom) ||
+           std::abs(refined.cost - before) <= most_noise_change * before;
+  }
+
+  static bool has_pole_at(const std::vector<Pole>& poles, const ModelKind& kind, const Pole& peak) {
+    return std::ranges::any_of(poles, [&](const Pole& pole) {
+      return std::abs(pole.frequency_hz - peak.frequency_hz) < 3.0 * (half_width_hz(kind, peak) + half_width_hz(kind, pole));
+    });
+  }
+
+  /// Peaks of the residual FRFs become poles until none stands out. What a pole at the highest of them does not take is said.
+  void add_peaks(RefinedPoles& refined, ModalFit& out) {
+    std::vector<ResidualPeak> peaks;
+    for (int round = 0; round < most_peak_rounds && !stopped(); ++round) {
+      tell("peaks of the residual FRFs");
+      peaks = residual_peaks(band_, entries_, options_.kind, refined.poles);
+      if (peaks.empty()) return;
+      const std::size_t known = refined.poles.size();
+      std::vector<Pole> poles = refined.poles;
+      for (std::size_t i = 0; i < std::min(peaks.size(), most_peaks_at_once); ++i) {
+        if (peaks[i].growth >= least_peak_share * peaks.front().growth) poles.push_back(peaks[i].pole);
+      }
+      const std::vector<Pole> added(poles.begin() + static_cast<std::ptrdiff_t>(known), poles.end());
+      RefinedPoles more = settled(std::move(poles), false, out);
+      if (std::ranges::none_of(added, [&](const Pole& peak) { return has_pole_at(more.poles, options_.kind, peak); })) {
+        if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, refined.poles);
+        break;
+      }
+      refined = std::move(more);
+    }
+    for (const ResidualPeak& peak : peaks) {
+      if (has_pole_at(refined.poles, options_.kind, peak.pole)) continue;
+      out.peaks_left_hz.push_back(peak.pole.frequency_hz);
+    }
+  }
+
+  /// Two poles within a half-power bandwidth become one where one does.
+  void merge_doubled(RefinedPoles& refined, ModalFit& out) {
+    std::vector<std::array<Pole, 2>> kept;
+    for (int merge = 0; merge < most_merges && !stopped(); ++merge) {
+      const auto pair = doubled_pair(refined.poles, options_.kind, kept);
+      if (!pair) return;
+      const std::array<Pole, 2> two = {refined.poles[(*pair)[0]], refined.poles[(*pair)[1]]};
+      const RefinedPoles before = refine(band_, entries_, options_.kind, refined.poles, {}, options_.interrupted);
+      RefinedPoles one = refine(band_, entries_, options_.kind, with_one(refined.poles, *pair), {}, options_.interrupted);
+      out.iterations += before.iterations + one.iterations;
+      if (!one_pole_does(band_, entries_, options_.kind, one, before, *pair)) {
+        kept.push_back(two);
+        continue;
+      }
+      refined = settled(std::move(one.poles), false, out);
+      const auto [low, high] = std::minmax(two[0].frequency_hz, two[1].frequency_hz);
+      out.remarks.push_back(fmt::format("Poles at {:.6g} and {:.6g} Hz lay within one half-power bandwidth and were merged: one mode{} "
+                                        "does for them.",
+                                        low, high, entries_.size() > 1 ? ", with a frequency of its own in each FRF," : ""));
+    }
+  }
+
+  /// Poles in the range that are no modes go, and their share to the residual terms.
+  void drop_vague(RefinedPoles& refined, ModalFit& out) {
+    for (int round = 0; round < most_vague_rounds && refined.converged && !refined.poles.empty() && !stopped(); ++round) {
+      const std::vector<std::string> why = objections(refined);
+      if (options_.modes && std::ranges::none_of(why, &std::string::empty)) return;  // what was asked for, rather than nothing
+      std::vector<Pole> poles;
+      for (std::size_t r = 0; r < why.size(); ++r) {
+        if (why[r].empty()) {
+          poles.push_back(refined.poles[r]);
+        } else {
+          out.remarks.push_back(fmt::format("A pole at {:.6g} Hz is no mode and was left out: {}.", refined.poles[r].frequency_hz, why[r]));
+        }
+      }
+      if (poles.size() == refined.poles.size()) return;
+      refined = settled(std::move(poles), true, out);
+    }
+  }
+
+  /// [N] why a pole in the range is no mode, or nothing: its damping is hardly known though it spans many lines (a bend of the FRFs), or
+  /// it rests on one line, or it changes no FRF by 1 dB at its own line (side bands of a resonance, say, by a swaying suspension).
+  std::vector<std::string> objections(const RefinedPoles& refined) const {
+    const double spacing = (band_.frequency_hz.back() - band_.frequency_hz.front()) / static_cast<double>(band_.lines() - 1);
+    const std::size_t n = refined.poles.size();
+    const PoleScatter scatter = pole_scatter(band_, entries_, options_.kind, refined);
+    const double noise = chi_square_quantile(static_cast<double>(2 * entries_.size() + 2), significance_deviations) *
+                         std::max(1.0, refined.freedom > 0.0 ? refined.cost / refined.freedom : 1.0);
+    const std::vector<Prominence> prominence = prominences(band_, entries_, options_.kind, refined.poles);
+    std::vector<std::string> out(n);
+    for (std::size_t r = 0; r < n; ++r) {
+      const Pole& pole = refined.poles[r];
+      const std::size_t at = 2 * r + 1;
+      if (!is_inside(pole, band_)) continue;
+      const double deviation = scatter.factor[at] * std::sqrt(std::max(0.0, refined.covariance[at * 2 * n + at]));
+      if (deviation > most_damping_deviation * pole.damping && half_width_hz(options_.kind, pole) > vague_lines * spacing) {
+        out[r] = fmt::format("its {} is {:.2g} ± {:.2g} %", options_.kind.damping == Damping::hysteretic ? "η" : "ζ", 100.0 * pole.damping,
+                             100.0 * deviation);
+      } else if (prominence[r].flanks < noise) {
+        out[r] = "it rests on a single line";
+      } else if (!options_.modes && prominence[r].share < least_prominence) {
+        out[r] = fmt::format("even in the FRF that shows it best it is {:.2g} % of the other terms, less than 1 dB",
+                             100.0 * prominence[r].share);
+      }
+    }
+    return out;
   }
 
   /// What is where modes are wanted, and significant.
@@ -165,15 +284,32 @@ class Fitter {
     const bool whole = entries_.size() == all.size();
     sort(refined);
     if (!band_.known_noise && !whole) estimate_noise(band_, all, options_.kind, refined.poles);
+    const PoleScatter scatter = pole_scatter(band_, entries_, options_.kind, refined);
+    widen(refined.covariance, scatter.factor);
     out.residues = fit_residues(band_, all, options_.kind, refined.poles, whole ? refined.covariance : std::vector<double>());
-    fill_modes(refined, out);
+    fill_modes(refined, scatter, out);
     if (refined.poles.empty()) {
       out.status = FitStatus::no_modes;
       out.message = "No mode stands out of the noise: widen the range, or look at the FRFs.";
     } else if (!refined.converged) {
       out.status = FitStatus::not_converged;
       out.message = "The refinement of the poles did not settle: narrow the range, or say how many modes there are.";
+    } else {
+      doubt(out);
     }
+  }
+
+  void doubt(ModalFit& out) const {
+    if (options_.modes && out.modes_inside() != *options_.modes) {
+      out.message = fmt::format("{} modes were asked for, {} found: no other pole comes again from order to order or stands out as a peak.",
+                                *options_.modes, out.modes_inside());
+    } else if (!out.peaks_left_hz.empty()) {
+      std::string where;
+      for (const double f : out.peaks_left_hz) where += fmt::format("{}{:.6g}", where.empty() ? "" : ", ", f);
+      out.message = "Peaks are left in the residual FRFs, at " + where + " Hz: " +
+                    (options_.modes ? "ask for more modes, or narrow the range." : "narrow the range, and look at the FRFs there.");
+    }
+    if (!out.message.empty()) out.status = FitStatus::doubtful;
   }
 
   static void sort(RefinedPoles& refined) {
@@ -191,7 +327,7 @@ class Fitter {
     refined = std::move(sorted);
   }
 
-  void fill_modes(const RefinedPoles& refined, ModalFit& out) const {
+  void fill_modes(const RefinedPoles& refined, const PoleScatter& scatter, ModalFit& out) const {
     const std::size_t n = refined.poles.size();
     const double coefficients = static_cast<double>(band_.entries() * (options_.kind.real_modes ? 1 : 2) + 2);
     const double least = chi_square_quantile(coefficients, significance_deviations) *
@@ -203,6 +339,8 @@ class Fitter {
                            .frequency_deviation_hz = refined.poles[r].frequency_hz * std::sqrt(variance(2 * r)),
                            .damping_deviation = std::sqrt(variance(2 * r + 1)),
                            .significance = out.residues.growth[r] / least,
+                           .scatter = scatter.factor[2 * r],
+                           .own_hz = scatter.own_hz[r],
                            .inside = is_inside(refined.poles[r], band_)});
     }
   }
@@ -218,9 +356,13 @@ std::string name(FitStatus status) {
   switch (status) {
     case FitStatus::no_modes: return "no_modes";
     case FitStatus::not_converged: return "not_converged";
+    case FitStatus::doubtful: return "doubtful";
+    case FitStatus::poor_fit: return "poor_fit";
     default: return "ok";
   }
 }
+
+bool is_usable(FitStatus status) { return status == FitStatus::ok || status == FitStatus::doubtful; }
 
 std::vector<Pole> ModalFit::poles() const {
   std::vector<Pole> poles;
@@ -230,6 +372,14 @@ std::vector<Pole> ModalFit::poles() const {
 
 std::size_t ModalFit::modes_inside() const {
   return static_cast<std::size_t>(std::ranges::count(modes, true, &Mode::inside));
+}
+
+void judge(ModalFit& fit, double rms_db_away) {
+  if (!is_usable(fit.status) || !(rms_db_away > most_synthesis_db)) return;
+  fit.status = FitStatus::poor_fit;
+  fit.message = fmt::format("The model is {:.2g} dB off away from antiresonances and noise: modes are missing, or the structure is not "
+                            "that linear. {}", rms_db_away, fit.message);
+  if (fit.message.back() == ' ') fit.message.pop_back();
 }
 
 ModalFit fit(Band& band, const frf::FrfHeader& header, const FitOptions& options) {

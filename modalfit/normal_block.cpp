@@ -1,6 +1,6 @@
 #include "modalfit/normal_block.hpp"
 
-#include <Eigen/Cholesky>
+#include "dense/cholesky.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -37,7 +37,8 @@ NormalBlock::NormalBlock(const RealBasis& basis, const Band& band, std::size_t e
   for (double& scale : scale_) scale = std::isfinite(scale) ? scale : 0.0;
   normal = (scale_.asDiagonal() * normal.selfadjointView<Eigen::Lower>().toDenseMatrix() * scale_.asDiagonal()).eval();
   for (Index i = 0; i < size; ++i) normal(i, i) = scale_(i) > 0.0 ? 1.0 + ridge : 1.0;
-  factor_ = normal.llt().matrixL();
+  dense::cholesky_in_place(normal);
+  factor_ = normal;
   coefficients_ = solve(weighted_.transpose() * y);
   residual_ = y - weighted_ * coefficients_;
   cost_ = residual_.squaredNorm();
@@ -45,12 +46,12 @@ NormalBlock::NormalBlock(const RealBasis& basis, const Band& band, std::size_t e
 
 MatrixXd NormalBlock::solve(const MatrixXd& right) const {
   MatrixXd out = scale_.asDiagonal() * right;
-  factor_.triangularView<Eigen::Lower>().solveInPlace(out);
-  factor_.triangularView<Eigen::Lower>().transpose().solveInPlace(out);
+  dense::solve_lower(factor_, out);
+  dense::solve_lower_transposed(factor_, out);
   return scale_.asDiagonal() * out;
 }
 
-NormalBlock::PoleTerms NormalBlock::pole_terms(const RealBasis& basis) const {
+MatrixXd NormalBlock::weighted_slopes(const RealBasis& basis) const {
   MatrixXd d(basis.columns.rows(), 2 * basis.modes);
   for (Index mode = 0; mode < basis.modes; ++mode) {
     for (Index parameter = 0; parameter < 2; ++parameter) {
@@ -59,7 +60,17 @@ NormalBlock::PoleTerms NormalBlock::pole_terms(const RealBasis& basis) const {
           basis.derivatives.middleCols(first, basis.per_mode) * coefficients_.segment(mode * basis.per_mode, basis.per_mode);
     }
   }
-  d = weight_.asDiagonal() * d;
+  return weight_.asDiagonal() * d;
+}
+
+MatrixXd NormalBlock::pole_rows(const RealBasis& basis) const {
+  MatrixXd d = weighted_slopes(basis);
+  d.noalias() -= weighted_ * solve(weighted_.transpose() * d);
+  return d;
+}
+
+NormalBlock::PoleTerms NormalBlock::pole_terms(const RealBasis& basis) const {
+  const MatrixXd d = weighted_slopes(basis);
   PoleTerms terms;
   terms.cross.noalias() = weighted_.transpose() * d;
   terms.gradient.noalias() = d.transpose() * residual_;

@@ -25,6 +25,7 @@ class NormalBlock {
   const Eigen::VectorXd& coefficients() const { return coefficients_; }
   double cost() const { return cost_; }        ///< ‖W(y − Xc)‖²
   double equations() const { return equations_; }  ///< rows with a weight
+  const Eigen::VectorXd& residual() const { return residual_; }  ///< [2F] W(y − Xc)
   /// (XᵀW²X)⁻¹B.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right) const;
 
@@ -35,8 +36,12 @@ class NormalBlock {
     Eigen::VectorXd gradient;  ///< DᵀW²(y − Xc)
   };
   PoleTerms pole_terms(const RealBasis& basis) const;
+  /// [2F,2N] W(D − X(XᵀW²X)⁻¹XᵀW²D): rows of the Jacobian of the poles with c eliminated.
+  Eigen::MatrixXd pole_rows(const RealBasis& basis) const;
 
  private:
+  Eigen::MatrixXd weighted_slopes(const RealBasis& basis) const;  ///< WD
+
   Eigen::VectorXd weight_;    ///< [2F]
   Eigen::MatrixXd weighted_;  ///< WX
   Eigen::VectorXd scale_, coefficients_, residual_;  ///< residual W(y − Xc)

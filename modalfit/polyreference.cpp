@@ -2,11 +2,13 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "dense/cholesky.hpp"
+#include "dense/eigen.hpp"
+#include "dense/svd.hpp"
 #include "modalfit/inputs.hpp"
 
 namespace jointid::modalfit {
@@ -104,7 +106,7 @@ MatrixXd reduced_block(const WeightedRows& rows, const Lags& lags, Index order) 
     }
   }
   r.diagonal().array() += pole_ridge * r.diagonal().sum();
-  t.noalias() -= s.transpose() * r.llt().solve(s);
+  t.noalias() -= s.transpose() * dense::solve_positive(r, s);
   return t;
 }
 
@@ -136,7 +138,8 @@ class OrderSolver {
     const Index rest = normal_.rows() - inputs_;
     MatrixXd block = normal_.bottomRightCorner(rest, rest);
     block.diagonal().array() += pole_ridge * block.diagonal().sum();
-    lower_ = block.llt().matrixL();
+    dense::cholesky_in_place(block);  // what rounding spoils at high orders is not reached by low ones
+    lower_ = block.triangularView<Eigen::Lower>();
   }
 
   OrderPoles solve(Index order) const {
@@ -151,7 +154,7 @@ class OrderSolver {
     for (Index k = 0; k < order; ++k) companion.block(0, k * inputs_, inputs_, inputs_) = -alpha.middleRows(k * inputs_, inputs_);
     companion.bottomLeftCorner(size - inputs_, size - inputs_).setIdentity();
     OrderPoles out{.order = static_cast<std::size_t>((size + 1) / 2), .poles = {}};
-    const VectorXcd roots = companion.eigenvalues();
+    const VectorXcd roots = dense::eigenvalues(companion);
     for (Index i = 0; i < size; ++i) append(roots(i), alpha, residual, out.poles);
     return out;
   }
@@ -175,8 +178,8 @@ class OrderSolver {
       slope = slope * y + p;
       p = p * y + alpha.middleRows(k * inputs_, inputs_);
     }
-    const Eigen::JacobiSVD<MatrixXcd> svd(p, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const VectorXcd w = svd.matrixU().col(inputs_ - 1), v = svd.matrixV().col(inputs_ - 1);
+    const dense::ComplexSvd svd = dense::jacobi_svd(p, dense::Vectors::full, dense::Vectors::full);
+    const VectorXcd w = svd.u.col(inputs_ - 1), v = svd.v.col(inputs_ - 1);
     VectorXcd u(alpha.rows());
     Complex factor = 1.0;
     for (Index k = order; k-- > 0; factor *= y) u.segment(k * inputs_, inputs_) = factor * w.conjugate();

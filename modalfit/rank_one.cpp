@@ -1,8 +1,10 @@
 #include "modalfit/rank_one.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
+
+#include "dense/cholesky.hpp"
+#include "dense/svd.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -30,8 +32,8 @@ VectorXcd start(const std::vector<RankOneDatum>& data, Index size, bool real) {
     matrix(at(datum.row), at(datum.column)) = datum.value;
     rows(at(datum.row)) = columns(at(datum.column)) = 1;
   }
-  const Eigen::BDCSVD<MatrixXcd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const VectorXcd u = svd.matrixU().col(0), v = svd.matrixV().col(0).conjugate();
+  const dense::ComplexSvd svd = dense::svd(matrix, dense::Vectors::thin, dense::Vectors::thin);
+  const VectorXcd u = svd.u.col(0), v = svd.v.col(0).conjugate();
   Complex both = 0.0;
   double square = 0.0;
   for (Index i = 0; i < size; ++i) {
@@ -40,8 +42,8 @@ VectorXcd start(const std::vector<RankOneDatum>& data, Index size, bool real) {
     square += std::norm(v(i));
   }
   const Complex ratio = std::abs(both) > 0.0 && square > 0.0 ? both / square : Complex(1.0);  // u = ratio·v
-  Complex scale = std::sqrt(svd.singularValues()(0) / ratio);
-  if (real) scale = std::sqrt(svd.singularValues()(0) / std::abs(ratio));
+  Complex scale = std::sqrt(svd.sigma(0) / ratio);
+  if (real) scale = std::sqrt(svd.sigma(0) / std::abs(ratio));
   VectorXcd phi(size);
   for (Index i = 0; i < size; ++i) phi(i) = rows(i) ? scale * u(i) : scale * ratio * v(i);
   if (real) {
@@ -83,7 +85,7 @@ MatrixXcd inverse_of(MatrixXcd normal) {
     }
     scaled(i, i) = 1.0 + 1e-12;
   }
-  return scale.asDiagonal() * scaled.llt().solve(MatrixXcd::Identity(scaled.rows(), scaled.cols())) * scale.asDiagonal();
+  return scale.asDiagonal() * dense::solve_positive(scaled, MatrixXcd::Identity(scaled.rows(), scaled.cols())) * scale.asDiagonal();
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
+#include "dense/cholesky.hpp"
 #include "modalfit/normal_block.hpp"
 
 namespace jointid::modalfit {
@@ -96,7 +96,7 @@ VectorXd damped_step(const Sums& at, const std::vector<Pole>& poles, double spac
     damped.col(own).setZero();
     damped(own, own) = 1.0;
   }
-  return damped.ldlt().solve(gradient);
+  return dense::solve_symmetric(damped, gradient);
 }
 
 bool all_finite(const std::vector<Pole>& poles) {
@@ -133,7 +133,7 @@ RefinedPoles refine(const Band& band, const std::vector<std::size_t>& entries, c
   out.cost = at.cost;
   out.freedom = at.freedom;
   if (parameters == 0) return out;
-  const MatrixXd covariance = at.curvature.ldlt().solve(MatrixXd::Identity(parameters, parameters));
+  const MatrixXd covariance = dense::solve_symmetric(at.curvature, MatrixXd::Identity(parameters, parameters));
   out.covariance.assign(covariance.data(), covariance.data() + covariance.size());
   return out;
 }

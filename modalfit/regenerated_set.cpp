@@ -27,7 +27,7 @@ double mean_square(const Band& band, const frf::FrfSet& regenerated) {
 }
 
 std::string harm_of(const RegeneratedSet& set, const ModalFit& fit) {
-  if (fit.status != FitStatus::ok) return fit.message;
+  if (!is_usable(fit.status)) return fit.message;
   if (set.error.rms_db_away > most_db) {
     return fmt::format("the modal model of {} modes is {:.2g} dB off away from antiresonances", set.modes, set.error.rms_db_away);
   }

@@ -2,8 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Dense>
-
+#include "dense/cholesky.hpp"
 #include "modalfit/normal_block.hpp"
 
 namespace jointid::modalfit {
@@ -12,6 +11,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// Three standard deviations.
+constexpr double bounded_square = 9.0;
 
 /// diag(J C Jᵀ) with J = ∂c/∂θ = −(XᵀW²X)⁻¹XᵀW²D: what the poles' covariance adds.
 VectorXd pole_share(const NormalBlock& block, const RealBasis& basis, const MatrixXd& covariance) {
@@ -24,7 +26,7 @@ void fill_growth(const VectorXd& coefficients, const MatrixXd& covariance, Index
   for (Index mode = 0; mode * per_mode + 4 < coefficients.size(); ++mode) {
     const VectorXd own = coefficients.segment(mode * per_mode, per_mode);
     const MatrixXd block = covariance.block(mode * per_mode, mode * per_mode, per_mode, per_mode);
-    if (block.diagonal().minCoeff() > 0.0) growth[mode] = own.dot(block.ldlt().solve(own));
+    if (block.diagonal().minCoeff() > 0.0) growth[mode] = own.dot(dense::solve_symmetric(block, own).col(0));
   }
 }
 
@@ -38,7 +40,7 @@ Residues fit_residues(const Band& band, const std::vector<std::size_t>& entries,
   const MatrixXd covariance = with_poles ? MatrixXd(Eigen::Map<const MatrixXd>(pole_covariance.data(), parameters, parameters)) : MatrixXd();
   const std::size_t size = static_cast<std::size_t>(columns), count = entries.size();
   Residues out{size, std::vector<double>(count * size), std::vector<double>(count * size), std::vector<double>(count),
-               std::vector<double>(count), std::vector<double>(poles.size())};
+               std::vector<double>(count), std::vector<double>(count), std::vector<double>(poles.size())};
   std::vector<double> growth(count * poles.size());
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
     const NormalBlock block(basis, band, entries[k]);
@@ -49,6 +51,7 @@ Residues fit_residues(const Band& band, const std::vector<std::size_t>& entries,
     Eigen::Map<VectorXd>(out.coefficients.data() + k * size, columns) = block.coefficients();
     Eigen::Map<VectorXd>(out.variance.data() + k * size, columns) = variance;
     out.cost[k] = block.cost();
+    out.bounded_cost[k] = block.residual().cwiseAbs2().cwiseMin(bounded_square).sum();
     out.freedom[k] = std::max(0.0, block.equations() - static_cast<double>(columns));
     fill_growth(block.coefficients(), inverse, basis.per_mode, growth.data() + k * poles.size());
   });

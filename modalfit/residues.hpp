@@ -15,6 +15,7 @@ struct Residues {
   std::vector<double> coefficients;  ///< [entry, column]
   std::vector<double> variance;      ///< [entry, column], with that of the poles where their covariance was given
   std::vector<double> cost;          ///< [entry] Σ|residual|²/σ²
+  std::vector<double> bounded_cost;  ///< [entry] the same with no part of a line counted above 9: what a few lines cannot spoil
   std::vector<double> freedom;       ///< [entry] equations minus columns, 0 where nothing was measured
   /// [mode] by how much Σcost would grow if the mode were left out (Wald): Σ_e cᵀ(cov c)⁻¹c over its coefficients.
   std::vector<double> growth;

@@ -9,10 +9,11 @@
 namespace jointid::modalfit {
 namespace {
 
-/// Mean square of the weighted residuals, at least 1: what is more than noise makes a mode less sure.
+/// Mean square of the weighted residuals, at least 1: what is more than noise makes a mode less sure. Bounded line by line: a high peak
+/// that no mode has yet does not make the others doubtful.
 double misfit(const Residues& residues) {
   const double freedom = std::accumulate(residues.freedom.begin(), residues.freedom.end(), 0.0);
-  const double cost = std::accumulate(residues.cost.begin(), residues.cost.end(), 0.0);
+  const double cost = std::accumulate(residues.bounded_cost.begin(), residues.bounded_cost.end(), 0.0);
   return freedom > 0.0 ? std::max(1.0, cost / freedom) : 1.0;
 }
 

@@ -2,11 +2,12 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "dense/lu.hpp"
+#include "dense/minimum_norm.hpp"
 #include "modalfit/basis.hpp"
 #include "modalfit/rank_one.hpp"
 
@@ -105,7 +106,7 @@ class ResidualFitter {
     ResidualTerms out{.lower = {}, .upper = {}, .covariance = {}, .measured = true};
     const Vector4 scale = normal.diagonal().cwiseSqrt().cwiseInverse();
     const Matrix4 scaled = scale.asDiagonal() * normal * scale.asDiagonal();
-    const Matrix4 inverse = scale.asDiagonal() * scaled.inverse() * scale.asDiagonal();
+    const Matrix4 inverse = scale.asDiagonal() * dense::inverse_4x4(scaled) * scale.asDiagonal();
     const Vector4 units(lower_scale_, lower_scale_, 1.0, 1.0);
     const Vector4 x = units.asDiagonal() * (inverse * right);
     out.lower = {x(0), x(1)};
@@ -174,9 +175,7 @@ MatrixXcd completed(const SymmetricModel& model, const std::vector<std::size_t>&
       core(static_cast<Index>(r), static_cast<Index>(c)) = model.residuals[columns[r] * n + columns[c]].*term;
     }
   }
-  Eigen::CompleteOrthogonalDecomposition<MatrixXcd> decomposition;
-  decomposition.setThreshold(1e-2);  // directions that noise would blow up
-  decomposition.compute(core);
+  const dense::ComplexMinimumNorm decomposition(core, 1e-2);  // without directions that noise would blow up
   return tall * decomposition.solve(tall.transpose());
 }
 

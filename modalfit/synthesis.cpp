@@ -14,6 +14,9 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double cancelled = 0.1;
+constexpr double most_noise = 0.1;  ///< of the model: beyond it the difference is noise, 0.6 dB rms and more
+/// With fewer lines what is taken for their noise may be what the model misses.
+constexpr std::size_t lines_for_noise = 400;
 
 /// Lines of the header inside a range.
 struct Lines {
@@ -93,6 +96,13 @@ class EntryModel {
   std::vector<std::array<double, 4>> poles_;
 };
 
+/// Whether the noise of a line says more of its deviation than the model.
+bool is_noise(const Band& band, std::size_t entry, std::size_t line, double model) {
+  if (!band.known_noise && band.lines() < lines_for_noise) return false;
+  const double* weight = band.weights(entry) + 2 * line;
+  return weight[0] > 0.0 && weight[1] > 0.0 && std::hypot(1.0 / weight[0], 1.0 / weight[1]) > most_noise * model;
+}
+
 std::vector<Pole> poles_of(const SymmetricModel& model) {
   std::vector<Pole> poles;
   for (const SymmetricMode& mode : model.modes) poles.push_back(mode.pole);
@@ -152,7 +162,7 @@ std::vector<SynthesisError> synthesis_errors(const ModalFit& fit, const Band& ba
       const double db = 20.0 * std::log10(std::abs(model) / std::abs(measured));
       all += db * db;
       ++error.lines;
-      if (std::abs(model) < cancelled * moduli) continue;
+      if (std::abs(model) < cancelled * moduli || is_noise(band, e, i, std::abs(model))) continue;
       away += db * db;
       ++error.lines_away;
     }

@@ -22,12 +22,13 @@ frf::FrfSet regenerate(const ModalFit& fit, frf::FrfHeader header, const std::ar
 /// How far a model is from what was measured.
 struct SynthesisError {
   double rms_db = 0.0;       ///< rms over lines of 20 log10(|model|/|measured|), NaN when nothing was measured
-  double rms_db_away = 0.0;  ///< the same away from antiresonances
+  double rms_db_away = 0.0;  ///< the same away from antiresonances and from lines whose noise is above a tenth of the model
   std::size_t lines = 0, lines_away = 0;
 };
 
 /// Of every entry of the band. A line is near an antiresonance where the terms of the fit cancel to less than a tenth of the sum
-/// of their moduli. `regenerated`: the band's lines and entries.
+/// of their moduli. Lines that are mostly noise are known by the weights; where the noise was estimated, from 400 lines on. `regenerated`: the
+/// band's lines and entries.
 std::vector<SynthesisError> synthesis_errors(const ModalFit& fit, const Band& band, const frf::FrfSet& regenerated);
 
 /// Over all entries.
