@@ -66,7 +66,7 @@ void run(const Case& which, double level, double gross, std::size_t trials) {
   std::vector<double> iterations, times;
   std::size_t failed = 0;
   for (const ident::Trial& trial : done) {
-    failed += trial.status != ident::Status::ok;
+    failed += !ident::is_usable(trial.status);
     iterations.push_back(static_cast<double>(trial.iterations));
     times.push_back(1e3 * trial.solve_s);
   }

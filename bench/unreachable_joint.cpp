@@ -102,7 +102,7 @@ class Bench {
     std::size_t settled = 0;
     for (std::size_t seed = 1; seed <= seeds; ++seed) {
       const ident::Solution solution = solve(scene, problems::polluted(problem_, seed, 0));
-      settled += solution.status == ident::Status::ok;
+      settled += ident::is_usable(solution.status);
       times.push_back(1e3 * solution.runtime_s.total);
       errors.push_back(error(solution));
       const ident::DecibelError error = ident::predict(*exact, solution.bands, ident::Control());

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "problems/spring_coupling.hpp"
+
 namespace jointid::problems {
 namespace {
 
@@ -27,13 +29,13 @@ void add_hammer_coherence(frf::FrfSet& set, const HammerCoherence& hammer, doubl
   }
 }
 
-frf::FrfSet clean_set(const Case& definition, const Structure& structure, const std::vector<frf::Dof>& chosen,
-                      const std::string& file) {
+ResponseRequest request_of(const Case& definition, const Structure& structure, const std::vector<frf::Dof>& chosen) {
   const std::vector<frf::Dof> dofs = measured(structure, chosen);
-  frf::FrfSet set = frequency_response(structure, {.response = dofs,
-                                                   .reference = dofs,
-                                                   .frequency_hz = frequencies(definition.axis),
-                                                   .window_rate = definition.window_rate});
+  return {.response = dofs, .reference = dofs, .frequency_hz = frequencies(definition.axis), .window_rate = definition.window_rate};
+}
+
+/// What the file of a structure holds, from its receptances.
+frf::FrfSet clean_set(const Case& definition, frf::FrfSet set, const std::string& file) {
   set.header.file = file;
   set.header.quantity = definition.quantity;
   if (definition.accelerometer_mass > 0.0) {
@@ -45,7 +47,49 @@ frf::FrfSet clean_set(const Case& definition, const Structure& structure, const 
   return set;
 }
 
+frf::FrfSet part_response(const Case& definition, const Structure& part, const Modes& all_modes) {
+  const ResponseRequest request = request_of(definition, part, definition.measured_substructures);
+  return definition.coupled_by_springs ? modal_response(all_modes, request) : frequency_response(part, request);
+}
+
+std::vector<ComplexSpring> complex_springs(const Case& definition) {
+  std::vector<ComplexSpring> result;
+  for (const JointMatrix& matrix : definition.joint) {
+    const auto& springs = std::get<std::vector<restrictions::Spring>>(matrix.spec);
+    const frf::Complex unit = matrix.kind == Kind::stiffness ? frf::Complex(1.0) : frf::Complex(0.0, 1.0);
+    result.resize(springs.size());
+    for (std::size_t i = 0; i < springs.size(); ++i) {
+      result[i].ends = springs[i];
+      result[i].stiffness += unit * matrix.unknowns[i].value;
+    }
+  }
+  return result;
+}
+
+frf::FrfSet assembly_response(const Case& definition, const std::vector<frf::FrfSet>& parts) {
+  if (definition.coupled_by_springs) return with_springs(side_by_side(parts), complex_springs(definition));
+  return frequency_response(definition.assembly, request_of(definition, definition.assembly, definition.measured_assembly));
+}
+
 }  // namespace
+
+JointMatrix springs(Kind kind, const std::vector<frf::Dof>& joint_dofs, std::vector<restrictions::Spring> springs,
+                    const std::vector<double>& values) {
+  Structure joint({}, joint_dofs);
+  JointMatrix result{.kind = kind, .truth = {}, .spec = {}, .unknowns = {}};
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    joint.add(kind, springs[i], values[i]);
+    const std::string other = springs[i].second ? springs[i].second->name() : "ground";
+    result.unknowns.push_back({restrictions::symbol(kind) + "[" + springs[i].first.name() + "," + other + "]", values[i]});
+  }
+  const std::size_t n = joint_dofs.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = joint.matrix(kind).begin() + static_cast<std::ptrdiff_t>(i * n);
+    result.truth.emplace_back(row, row + static_cast<std::ptrdiff_t>(n));
+  }
+  result.spec = std::move(springs);
+  return result;
+}
 
 std::vector<double> frequencies(const Axis& axis) {
   std::vector<double> result(axis.lines);
@@ -89,14 +133,15 @@ Problem build(const Case& definition) {
   problem.description = definition.description;
   problem.joint_dofs = definition.joint_dofs;
   problem.noise = definition.noise;
+  std::vector<frf::FrfSet> parts;
   for (std::size_t i = 0; i < definition.substructures.size(); ++i) {
     const std::string file = definition.name + "_substructure_" + std::to_string(i + 1) + ".h5";
     const Structure& part = definition.substructures[i];
-    problem.substructures.push_back(clean_set(definition, part, definition.measured_substructures, file));
     problem.substructure_modes.push_back(modes(part));
+    parts.push_back(part_response(definition, part, problem.substructure_modes.back()));
+    problem.substructures.push_back(clean_set(definition, parts.back(), file));
   }
-  problem.assembly = clean_set(definition, definition.assembly, definition.measured_assembly,
-                               definition.name + "_assembly.h5");
+  problem.assembly = clean_set(definition, assembly_response(definition, parts), definition.name + "_assembly.h5");
   problem.assembly_modes = modes(definition.assembly);
   for (const JointMatrix& matrix : definition.joint) {
     problem.truth[matrix.kind] = matrix.truth;

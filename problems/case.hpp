@@ -14,7 +14,7 @@ namespace jointid::problems {
 struct JointMatrix {
   Kind kind = Kind::stiffness;
   Matrix truth;                   ///< N×N over the case's joint DOFs
-  restrictions::MatrixSpec spec;  ///< symmetric pattern or entries
+  restrictions::MatrixSpec spec;  ///< symmetric pattern, entries or springs
   std::vector<ExactUnknown> unknowns;
 };
 
@@ -24,6 +24,10 @@ JointMatrix symmetric(Kind kind, Matrix truth);
 /// Declared entry by entry; `letters` are the exact values of the entries' names.
 JointMatrix expressed(Kind kind, const Matrix& truth, restrictions::EntryMatrix entries,
                       const std::vector<ExactUnknown>& letters);
+
+/// Declared as springs, each its own unknown; `values` in their order.
+JointMatrix springs(Kind kind, const std::vector<frf::Dof>& joint_dofs, std::vector<restrictions::Spring> springs,
+                    const std::vector<double>& values);
 
 /// Lines start, start + step, …
 struct Axis {
@@ -66,6 +70,10 @@ struct Case {
   frf::Quantity quantity = frf::Quantity::receptance;
   double window_rate = 0.0;         ///< 1/s, exponential window
   double accelerometer_mass = 0.0;  ///< kg, roving
+
+  /// FRFs of the parts from all their modes, of the assembly by coupling these with the joint's springs: the quick way where damping
+  /// of the parts is proportional, all measured DOFs are those of parts, and K and D of the joint are the same springs.
+  bool coupled_by_springs = false;
 };
 
 /// The parts side by side with the joint matrices between them.

@@ -1,8 +1,9 @@
 #include "problems/modes.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+
+#include "dense/eigen.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -42,18 +43,17 @@ Modes modes(const Structure& structure) {
   const auto real = [&](Kind kind) {
     return Eigen::Map<const RowMajor>(structure.matrix(kind).data(), n, n);
   };
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(real(Kind::stiffness),
-                                                                         real(Kind::mass));
-  const Eigen::MatrixXd& phi = solver.eigenvectors();
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(real(Kind::stiffness), real(Kind::mass));
+  const Eigen::MatrixXd& phi = eigen.vectors;
   const Eigen::VectorXd damping = (phi.transpose() * real(Kind::hysteretic_damping) * phi).diagonal();
-  const double smallest = 1e-11 * solver.eigenvalues().maxCoeff();
+  const double smallest = 1e-11 * eigen.values.maxCoeff();
   Modes result{.nodes = structure.nodes(),
                .dofs = structure.dofs(),
                .frequency_hz = {},
                .loss_factor = {},
                .shapes = {}};
   for (Eigen::Index r = 0; r < n; ++r) {
-    const double square = solver.eigenvalues()(r);
+    const double square = eigen.values(r);
     const bool rigid = square < smallest;
     result.frequency_hz.push_back(rigid ? 0.0 : std::sqrt(square) / two_pi);
     result.loss_factor.push_back(rigid ? 0.0 : damping(r) / square);

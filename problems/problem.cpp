@@ -29,6 +29,7 @@ std::vector<Case> all_cases() {
   append(all, cases_of_hard_joints());
   append(all, cases_of_other_data());
   append(all, cases_of_rig_one());
+  append(all, cases_of_bolts());
   return all;
 }
 

@@ -44,7 +44,7 @@ std::vector<double> elements(const Outcome& outcome, const TableEntry& entry, co
   const std::size_t size = problem.joint_dofs.size();
   std::vector<double> values;
   for (const ident::Trial& trial : outcome.trials) {
-    if (trial.status != ident::Status::ok) continue;
+    if (!ident::is_usable(trial.status)) continue;
     values.push_back(outcome.restriction.matrix(entry.kind, trial.values)[entry.i * size + entry.j] / truth);
   }
   return values;

@@ -1,10 +1,10 @@
 #include "problems/response.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <complex>
 #include <numbers>
 
+#include "dense/lu.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::problems {
@@ -46,10 +46,10 @@ ExtendedMatrix dynamic_stiffness(const Structure& structure, Extended s) {
 /// Solves Z x = f to the last bit of double precision: LU in double, and one step of refinement with the residual in long
 /// double. Noise-free FRFs are the reference that methods are held against, the ill-conditioned direct solution too.
 Eigen::MatrixXcd solve_refined(const ExtendedMatrix& z, const Eigen::MatrixXcd& forces) {
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(z.cast<frf::Complex>());
+  const dense::ComplexLu lu(z.cast<frf::Complex>());
   const Eigen::MatrixXcd first = lu.solve(forces);
   const ExtendedMatrix residual = forces.cast<Extended>() - z.lazyProduct(first.cast<Extended>());
-  const Eigen::MatrixXcd correction = lu.solve(Eigen::MatrixXcd(residual.cast<frf::Complex>()));
+  const Eigen::MatrixXcd correction = lu.solve(residual.cast<frf::Complex>());
   return (first.cast<Extended>() + correction.cast<Extended>()).cast<frf::Complex>();
 }
 

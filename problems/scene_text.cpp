@@ -34,8 +34,13 @@ std::string entry_text(const restrictions::Entry& entry) {
   return value ? number(*value) : quoted(std::get<std::string>(entry));
 }
 
-/// Cases declare symmetric patterns and entries only.
+std::string spring_text(const restrictions::Spring& spring) {
+  return "[" + quoted(spring.first.name()) + ", " + quoted(spring.second ? spring.second->name() : "ground") + "]";
+}
+
+/// Cases declare symmetric patterns, entries and springs only.
 std::string declaration(const restrictions::MatrixSpec& spec) {
+  if (const auto* springs = std::get_if<std::vector<restrictions::Spring>>(&spec)) return "springs = " + array(*springs, spring_text);
   const auto* entries = std::get_if<restrictions::EntryMatrix>(&spec);
   if (entries == nullptr) return "pattern = \"symmetric\"";
   return "matrix = " + array(*entries, [](const auto& row) { return array(row, entry_text); });
@@ -114,7 +119,8 @@ std::string noise_text(const ProblemNoise& noise) {
   }
   const auto& model = std::get<frf::NoiseModel>(noise);
   if (model.kind == frf::NoiseKind::hammer) return {};
-  return "[noise]\nmodel = " + quoted(frf::name(model.kind)) + "\nlevel = " + number(model.level) + "\n\n";
+  return "[noise]\nmodel = " + quoted(frf::name(model.kind)) + "\nlevel = " + number(model.level) + "\n" +
+         (model.floor > 0.0 ? "floor = " + number(model.floor) + "\n" : "") + "\n";
 }
 
 std::string truth_text(const Problem& problem) {

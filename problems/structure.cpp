@@ -59,9 +59,11 @@ std::size_t Structure::index(const frf::Dof& dof) const {
 
 void Structure::add(Kind kind, const std::vector<frf::Dof>& at, const Matrix& element) {
   std::vector<double>& matrix = matrices_[static_cast<std::size_t>(kind)];
+  std::vector<std::size_t> place;
+  for (const frf::Dof& dof : at) place.push_back(index(dof));
   for (std::size_t i = 0; i < at.size(); ++i) {
     for (std::size_t j = 0; j < at.size(); ++j) {
-      matrix[index(at[i]) * size() + index(at[j])] += at[i].sign * at[j].sign * element[i][j];
+      matrix[place[i] * size() + place[j]] += at[i].sign * at[j].sign * element[i][j];
     }
   }
 }

@@ -1,11 +1,13 @@
 #include "ident/scene.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "problems/catalogue.hpp"
+#include "problems/in_memory.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -56,6 +58,7 @@ TEST_P(EveryScene, UsesTheLinesOfTheCase) {
   }
   EXPECT_EQ(left_out > 0, GetParam().exclude_resonances);
   EXPECT_LE(left_out, axis.size() / 5);
+  EXPECT_THAT(plan(scene, {problem.substructures, problem.assembly})->warnings, testing::IsEmpty());
 }
 
 std::string test_name(const testing::TestParamInfo<Case>& info) {

@@ -1,0 +1,104 @@
+// What constraints do to errors: K and D positive semidefinite, 5 % noise, against the same seeds without. Prints the table of
+// docs/admissible-joints.md; returns 1 when an error is larger with the constraints or an estimate is not admissible.
+//   bench_admissible [TRIALS]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "dense/eigen.hpp"
+#include "ident/trial_loop.hpp"
+#include "problems/in_memory.hpp"
+
+namespace {
+
+using namespace jointid;
+
+constexpr double noise_level = 0.05;
+constexpr double negative = -1e-10;  ///< of the largest eigenvalue
+
+double least_relative_eigenvalue(const std::vector<double>& matrix) {
+  const auto size = static_cast<Eigen::Index>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
+  const Eigen::VectorXd values = dense::symmetric_eigenvalues(Eigen::Map<const Eigen::MatrixXd>(matrix.data(), size, size));
+  return values[0] / values[size - 1];
+}
+
+/// rms over the trials that both runs settled in of the rms relative error of a matrix.
+double rms_error(const std::vector<ident::Trial>& trials, const std::vector<ident::Trial>& others, std::size_t matrix) {
+  double squares = 0.0, count = 0.0;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    if (trials[t].status != ident::Status::ok || others[t].status != ident::Status::ok) continue;
+    squares += std::pow(trials[t].quality[matrix].rms_relative_error, 2.0);
+    ++count;
+  }
+  return std::sqrt(squares / count);
+}
+
+double coverage(const std::vector<ident::Trial>& trials, const std::vector<problems::ExactUnknown>& truth) {
+  double inside = 0.0, count = 0.0;
+  for (const ident::Trial& trial : trials) {
+    for (std::size_t u = 0; u < truth.size(); ++u) {
+      if (trial.status != ident::Status::ok || !trial.ci95[u]) continue;
+      inside += (*trial.ci95[u])[0] <= truth[u].value && truth[u].value <= (*trial.ci95[u])[1];
+      ++count;
+    }
+  }
+  return inside / count;
+}
+
+std::size_t settled(const std::vector<ident::Trial>& trials) {
+  return static_cast<std::size_t>(std::ranges::count(trials, ident::Status::ok, &ident::Trial::status));
+}
+
+bool run(const std::string& name, ident::Method method, std::size_t trials) {
+  problems::Problem problem = problems::make(name);
+  auto& noise = std::get<frf::NoiseModel>(problem.noise);
+  noise.level = noise_level;
+  ident::Scene scene = problems::scene(problem);
+  scene.noise = ident::NoiseSection{.model = frf::name(noise.kind), .level = noise_level, .frf_model = noise};
+  scene.identify.method = method;
+  scene.identify.equations = {ident::Equation::nn, ident::Equation::nj};
+  scene.identify.weighting = weighting::Weighting::wb;
+  const auto data = problems::trial_data(scene, problem);
+  const auto free = ident::run_trials(data, {.trials = trials});
+  for (const auto& [kind, matrix] : scene.joints[0].matrices) scene.joints[0].definite.insert(kind);
+  const auto constrained = ident::run_trials(problems::trial_data(scene, problem), {.trials = trials});
+  const auto plan = problems::plan(scene, problems::polluted(problem, 1, 0));
+  std::size_t indefinite = 0;
+  bool kept = settled(constrained) + trials / 50 >= settled(free);
+  for (std::size_t t = 0; t < trials; ++t) {
+    double before = 1.0;
+    for (const auto kind : data->judged) {
+      before = std::min(before, least_relative_eigenvalue(plan->restriction.matrix(kind, free[t].values)));
+      if (constrained[t].status != ident::Status::ok) continue;
+      kept = kept && least_relative_eigenvalue(plan->restriction.matrix(kind, constrained[t].values)) >= negative;
+    }
+    indefinite += before < negative;
+  }
+  fmt::print("| {} | {} | {} of {} |", name, ident::name(method), indefinite, trials);
+  for (std::size_t k = 0; k < data->judged.size(); ++k) {
+    const double before = rms_error(free, constrained, k), after = rms_error(constrained, free, k);
+    fmt::print(" {} {:.3g} → {:.3g} |", restrictions::symbol(data->judged[k]), before, after);
+    kept = kept && after <= before;
+  }
+  if (method == ident::Method::likelihood) {
+    const double before = coverage(free, problem.unknowns), after = coverage(constrained, problem.unknowns);
+    fmt::print(" coverage {:.3f} → {:.3f} |", before, after);
+    kept = kept && after >= before - 0.01;
+  }
+  fmt::print(" settled {} → {} | {}\n", settled(free), settled(constrained), kept ? "kept" : "MISSED");
+  return kept;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t trials = argc > 1 ? std::stoul(argv[1]) : 200;
+  bool kept = true;
+  for (const auto method : {ident::Method::one, ident::Method::likelihood}) {
+    for (const char* name : {"A1", "C1", "D1"}) kept = run(name, method, trials) && kept;
+  }
+  return kept ? 0 : 1;
+}

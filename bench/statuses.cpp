@@ -1,0 +1,149 @@
+// What `solve` says of its answer: built-in problems with mistakes planted into the assembly's FRFs, which must never end with status ok, and
+// clean ones, of which at most 1 in 100 may end with another. Prints a table and returns 1 when it misses that.
+//   bench_statuses [planted|clean|all [SEEDS [verbose]]]
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "frf/error.hpp"
+#include "ident/solve.hpp"
+#include "problems/in_memory.hpp"
+#include "problems/planted.hpp"
+
+namespace {
+
+using namespace jointid;
+
+const ident::Control judged = [] {
+  ident::Control control;
+  control.judgement = ident::Judgement::data;
+  return control;
+}();
+using ident::Method;
+using problems::Measurement;
+
+struct Setting {
+  problems::Problem problem;
+  ident::Scene scene;
+};
+
+/// A problem with noise of a level in the law of its own kind; hammer tests keep theirs at level 0.
+Setting setting_of(const std::string& name, Method method, double level) {
+  Setting out{problems::make(name), {}};
+  if (auto* noise = std::get_if<frf::NoiseModel>(&out.problem.noise); noise != nullptr && level > 0.0) {
+    *noise = frf::NoiseModel{.kind = noise->kind == frf::NoiseKind::hammer ? frf::NoiseKind::circular : noise->kind, .level = level};
+  }
+  out.scene = problems::scene(out.problem);
+  if (const auto* noise = std::get_if<frf::NoiseModel>(&out.problem.noise); noise != nullptr && level > 0.0) {
+    out.scene.noise = ident::NoiseSection{.model = frf::name(noise->kind), .level = level, .frf_model = *noise};
+    out.scene.identify.variance = ident::VarianceChoice::noise;  // the coherences of a hammer test do not tell it
+  }
+  if (method == Method::likelihood && out.scene.identify.method != Method::likelihood) {
+    out.scene.identify.solver = "auto";
+    out.scene.identify.method = method;
+    if (out.problem.name != "H4" && out.problem.name != "H3") out.scene.identify.start.clear();
+  }
+  return out;
+}
+
+/// The largest error of an unknown, in parts of the largest of its unit.
+double error_of(const problems::Problem& problem, const ident::Solution& solution) {
+  std::map<std::string, double> largest, error;
+  for (std::size_t u = 0; u < std::min(problem.unknowns.size(), solution.unknowns.size()); ++u) {
+    const ident::Estimate& estimate = solution.unknowns[u];
+    const std::string group = estimate.name.substr(0, 1) + estimate.unit;
+    largest[group] = std::max(largest[group], std::abs(problem.unknowns[u].value));
+    error[group] = std::max(error[group], std::abs(estimate.value - problem.unknowns[u].value));
+  }
+  double worst = 0.0;
+  for (const auto& [group, size] : largest) worst = std::max(worst, error[group] / size);
+  return worst;
+}
+
+void print(const std::string& what, const problems::Problem& problem, const ident::Solution& solution) {
+  const auto& chi = solution.fit.chi_square;
+  fmt::print("{:<44} {:<14} error {:<9.3g} misfit {:<9.3g} {:.2f} s  {}\n", what, ident::name(solution.status), error_of(problem, solution),
+             chi ? chi->value / chi->degrees_of_freedom : solution.fit.misfit.value_or(-1.0), solution.runtime_s.total, solution.message);
+  std::fflush(stdout);
+}
+
+/// How many mistakes end with ok although the answer is off by three times what it is without the mistake.
+std::size_t planted(std::size_t seeds) {
+  std::size_t missed = 0;
+  for (const std::string name : {"A1", "rig1", "bolts"}) {
+    for (const double level : {0.01, 0.05}) {
+      for (const Method method : {Method::one, Method::likelihood}) {
+        if (name == "bolts" && method == Method::likelihood) continue;  // minutes
+        const Setting setting = setting_of(name, method, level);
+        for (std::size_t seed = 1; seed <= seeds; ++seed) {
+          const std::string what = fmt::format("{} {} {} {}", name, level, ident::name(method), seed);
+          const ident::Solution right = ident::solve(*problems::plan(setting.scene, problems::polluted(setting.problem, seed, 0)), judged);
+          print(what + " clean", setting.problem, right);
+          for (const ident::SuspectKind kind : problems::plantable()) {
+            try {
+              const auto& noise = std::get<frf::NoiseModel>(setting.problem.noise);
+              const ident::Solution solution = ident::solve(*problems::plan(setting.scene, problems::plant(setting.problem, kind, noise, seed).data), judged);
+              print(what + " " + ident::name(kind), setting.problem, solution);
+              missed += solution.status == ident::Status::ok && error_of(setting.problem, solution) > 3.0 * error_of(setting.problem, right);
+            } catch (const InputError& error) {
+              fmt::print("{} {}: refused: {}\n", what, ident::name(kind), error.what());
+            }
+          }
+        }
+      }
+    }
+  }
+  return missed;
+}
+
+struct Count {
+  std::size_t scenes = 0, worse = 0;
+};
+
+Count clean(std::size_t seeds, bool verbose) {
+  Count count;
+  for (const problems::ProblemInfo& info : problems::list()) {
+    if (info.name.starts_with("coupling") || info.name.starts_with("rig2") || info.name.starts_with("table")) continue;
+    for (const Method method : {Method::one, Method::likelihood}) {
+      if (info.name == "bolts" && method == Method::likelihood) continue;
+      for (const double level : {0.0, 0.01, 0.05}) {
+        for (std::size_t seed = 1; seed <= seeds; ++seed) {
+          const Setting setting = setting_of(info.name, method, level);
+          try {
+            const ident::Solution solution = ident::solve(*problems::plan(setting.scene, problems::polluted(setting.problem, 100 + seed, 0)), judged);
+            const bool told = solution.status == ident::Status::doubtful || solution.status == ident::Status::poor_fit;
+            ++count.scenes;
+            count.worse += told;
+            if (told || verbose) print(fmt::format("{} {} {} {}", info.name, level, ident::name(method), seed), setting.problem, solution);
+          } catch (const InputError& error) {
+            if (verbose) fmt::print("{} {}: {}\n", info.name, ident::name(method), error.what());
+          }
+        }
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "all";
+  const std::size_t seeds = argc > 2 ? std::stoul(argv[2]) : 1;
+  const bool verbose = argc > 3;
+  bool good = true;
+  if (what != "clean") {
+    const std::size_t missed = planted(seeds);
+    fmt::print("planted mistakes with status ok and a joint more than three times the clean error away: {}\n", missed);
+    good = missed == 0;
+  }
+  if (what != "planted") {
+    const Count found = clean(seeds, verbose);
+    fmt::print("clean scenes: {}, worse than ok: {}\n", found.scenes, found.worse);
+    good = good && 100 * found.worse <= found.scenes;
+  }
+  return good ? 0 : 1;
+}
