@@ -1,8 +1,6 @@
 #include "cli/arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cstdint>
 #include <sstream>
 
 #include "cli/command_options.hpp"
@@ -14,6 +12,7 @@
 #include "cli/stability_arguments.hpp"
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
+#include "cli/whole_number.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::cli {
@@ -30,20 +29,22 @@ void add_info(CLI::App& app, Chosen& chosen) {
 
 void add_convert(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] =
-      add_command<ConvertArguments>(app, chosen, "convert", "Convert an FRF file; the name of OUT gives the format");
-  command->add_option("IN", arguments->in, "UFF, HDF5, MAT or CSV")->required();
-  command->add_option("OUT", arguments->out, "File to write")->required();
+      add_command<ConvertArguments>(app, chosen, "convert", "Convert FRF files, several of one structure into one; the name of OUT gives the format");
+  command
+      ->add_option_function<std::vector<std::filesystem::path>>(
+          "IN OUT",
+          [to = arguments](const std::vector<std::filesystem::path>& files) {
+            if (files.size() < 2) throw CLI::RequiredError("OUT");
+            to->in = {files.begin(), files.end() - 1};
+            to->out = files.back();
+          },
+          "Files to read: UFF, HDF5, MAT, CSV or text exports of an analyser; last the file to write")
+      ->required();
   add_open_options(command, arguments->open);
   command->footer(
       "Examples:\n  jointid convert beam_long.uff beam_long.h5\n"
-      "  jointid convert rig.mat rig.h5 --quantity accelerance --response 4:+Y,5:+Y");
-}
-
-std::string is_whole_number(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_one = error == std::errc() && end == text.data() + text.size();
-  return is_one ? "" : "'" + text + "' is not a whole number of at least 0";
+      "  jointid convert rig.mat rig.h5 --quantity accelerance --response 4:+Y,5:+Y\n"
+      "  jointid convert hit_1.txt hit_3.txt beam.h5 --response 4:-X --reference 1:+X,3:+X");
 }
 
 void add_problem(CLI::App& app, Chosen& chosen) {
@@ -61,9 +62,7 @@ void add_problem(CLI::App& app, Chosen& chosen) {
   write->add_option("--format", arguments->options.format, "Format of the FRF files")
       ->check(CLI::IsMember({"h5", "uff"}))
       ->capture_default_str();
-  write->add_option("--seed", arguments->options.seed, "Of the noise")
-      ->check(is_whole_number)
-      ->capture_default_str();
+  add_whole_number(write, "--seed", arguments->options.seed, "Of the noise", {});
   write->add_flag("--clean", arguments->options.clean, "Leave the noise out");
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
 }
@@ -100,15 +99,20 @@ void add_plan(CLI::App& app, Chosen& chosen) {
       "  jointid plan joint.toml --bound --candidates 3:+Y,4:+RZ");
 }
 
+void add_check(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] =
+      add_command<CheckArguments>(app, chosen, "check", "Look for mistakes in the FRFs of a scene: signs, labels, units, axes, loose joints");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
+  command->add_option("--json", arguments->json, "Write verdict and suspects as JSON to a file, or - for stdout");
+  command->footer("Examples:\n  jointid check joint.toml\n  jointid check joint.toml --json - | jq .suspects");
+}
+
 /// --trials, --seed and --threads of commands that draw noise.
 template <class T>
 void add_trial_options(CLI::App* command, T& arguments) {
-  const auto count = [command](const char* name, auto& to, const char* what) {
-    command->add_option(name, to, what)->check(CLI::NonNegativeNumber)->capture_default_str();
-  };
-  count("--trials", arguments.trials, "How often");
-  count("--seed", arguments.seed, "Of the noise");
-  count("--threads", arguments.threads, "0 for all cores; the results do not depend on it");
+  add_whole_number(command, "--trials", arguments.trials, "How often", counts_of_trials());
+  add_whole_number(command, "--seed", arguments.seed, "Of the noise", {});
+  add_whole_number(command, "--threads", arguments.threads, "0 for all cores; the results do not depend on it", counts_of_threads());
 }
 
 void add_study(CLI::App& app, Chosen& chosen) {
@@ -162,6 +166,7 @@ std::variant<Arguments, Notice> parse(int argc, const char* const* argv) {
   Chosen chosen;
   add_solve(app, chosen);
   add_plan(app, chosen);
+  add_check(app, chosen);
   add_study(app, chosen);
   add_compare(app, chosen);
   auto [loading_curve, loading_curve_arguments] =

@@ -23,7 +23,8 @@ struct InfoArguments {
 };
 
 struct ConvertArguments {
-  std::filesystem::path in, out;
+  std::vector<std::filesystem::path> in;
+  std::filesystem::path out;
   frf::OpenOptions open;
 };
 
@@ -46,6 +47,11 @@ struct PlanArguments {
   std::filesystem::path scene;
   bool bound = false;                ///< predict standard errors
   std::vector<frf::Dof> candidates;  ///< coordinates that are not there yet; only with `bound`
+  Target json;
+};
+
+struct CheckArguments {
+  std::filesystem::path scene;
   Target json;
 };
 
@@ -99,7 +105,7 @@ struct StabilityArguments {
 
 using Arguments = std::variant<InfoArguments, ConvertArguments, ProblemListArguments, ProblemWriteArguments,
                                SolveArguments, PlanArguments, StudyArguments, CompareArguments, LoadingCurveArguments, CoupleArguments,
-                               EquivalentArguments, ModalfitArguments, StabilityArguments>;
+                               EquivalentArguments, ModalfitArguments, StabilityArguments, CheckArguments>;
 
 /// What to print instead of doing anything: help, version or what is wrong with the command line.
 struct Notice {

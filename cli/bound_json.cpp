@@ -27,12 +27,14 @@ Json bound_json(const ident::BoundReport& report) {
                         {"bound", value(unknown.bound)},
                         {"relative", value(unknown.relative)}});
   }
-  return {{"variances", report.variances},
+  Json json = {{"variances", report.variances},
           {"unknowns", unknowns},
           {"weakest", weakest_json(report.weakest)},
           {"without_coordinate", changes(report.without_coordinate)},
           {"without_lines", changes(report.without_lines)},
           {"with_more", changes(report.with_more)}};
+  if (report.interrupted) json["interrupted"] = true;
+  return json;
 }
 
 }  // namespace jointid::cli

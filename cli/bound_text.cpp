@@ -39,7 +39,8 @@ std::string bound_text(const ident::BoundReport& report) {
     unknowns.add({unknown.name, number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed", unknown.unit,
                   fixed ? ident::percent(unknown.relative) : ""});
   }
-  return "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) + "\n" +
+  const std::string cut = report.interrupted ? "\nINTERRUPTED: not all changes of the data were looked at\n" : "";
+  return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) + "\n" +
          unknowns.text() + "\nweakest combinations, in parts of the assumed values\n" + weakest_table(report.weakest).text() +
          changes_text("without a coordinate", report.without_coordinate, report) +
          changes_text("without a part of the lines", report.without_lines, report) +

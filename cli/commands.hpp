@@ -13,6 +13,7 @@ ExitCode execute(const ProblemListArguments& arguments, std::ostream& out);
 ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out);
 ExitCode execute(const SolveArguments& arguments, std::ostream& out);
 ExitCode execute(const PlanArguments& arguments, std::ostream& out);
+ExitCode execute(const CheckArguments& arguments, std::ostream& out);
 ExitCode execute(const StudyArguments& arguments, std::ostream& out);
 ExitCode execute(const CompareArguments& arguments, std::ostream& out);
 ExitCode execute(const LoadingCurveArguments& arguments, std::ostream& out);

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "cli/of_option.hpp"
-#include "cli/output.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::cli {
@@ -66,7 +65,6 @@ void check(const CompareArguments& arguments) {
   if (arguments.scene.empty() && arguments.reproduce.empty()) {
     fail("compare", "there is nothing to compare", "name a scene, or a table of the thesis with --reproduce");
   }
-  check_targets(arguments.scene, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   if (arguments.trials == 0) fail("--trials", "it is 0", "give 1 or more");
 }
 

@@ -17,7 +17,6 @@ namespace {
 
 /// Trials as asked, with progress on `progress` and Ctrl-C.
 ident::TrialOptions watched(const CompareArguments& arguments, Progress& progress) {
-  catch_interrupts();
   return {.trials = arguments.trials,
           .seed = arguments.seed,
           .threads = arguments.threads,
@@ -27,12 +26,8 @@ ident::TrialOptions watched(const CompareArguments& arguments, Progress& progres
           .interrupted = interrupted};
 }
 
-ComparisonReport compared(const CompareArguments& arguments, const ident::Scene& scene) {
-  const auto lists = alternatives(arguments);
-  Progress progress;
-  return {scene.title, arguments.trials, arguments.seed,
-          ident::compare(scene, ident::combinations(scene.identify, lists, scene.data.regenerate), ident::load_trial_data,
-                         watched(arguments, progress))};
+void check_outputs(const CompareArguments& arguments, const std::vector<ident::NamedFile>& inputs) {
+  check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
 }
 
 ReproductionReport reproduced(const CompareArguments& arguments) {
@@ -49,8 +44,36 @@ void write(const CompareArguments& arguments, std::ostream& out, const std::stri
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << text;
 }
 
+void write(const CompareArguments& arguments, std::ostream& out, const ComparisonReport& report, const ident::Scene& scene) {
+  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report), report::comparison_report(report, scene));
+}
+
+/// Writes the ways that were finished when the command was interrupted.
+std::string save(const CompareArguments& arguments, std::ostream& out, std::optional<ComparisonReport> done, const ident::Scene& scene) {
+  if (!done) return "interrupted";
+  done->comparison.interrupted = true;
+  ident::mark_fronts(done->comparison.combinations);
+  write(arguments, out, *done, scene);
+  return fmt::format("interrupted; the {} ways that were finished are written", done->comparison.combinations.size());
+}
+
+ComparisonReport compared(const CompareArguments& arguments, const ident::Scene& scene, std::ostream& out) {
+  const auto lists = alternatives(arguments);
+  SoFar<ComparisonReport> done;
+  Progress progress;
+  const auto keep = [&](const ident::Comparison& comparison) {
+    if (!comparison.combinations.empty()) done.put({scene.title, arguments.trials, arguments.seed, comparison});
+  };
+  return with_last_words([&] { return save(arguments, out, done.get(), scene); }, [&]() -> ComparisonReport {
+    return {scene.title, arguments.trials, arguments.seed,
+            ident::compare(scene, ident::combinations(scene.identify, lists, scene.data.regenerate), ident::load_trial_data,
+                           watched(arguments, progress), keep)};
+  });
+}
+
 bool some_usable(const std::vector<ident::Combination>& combinations) {
-  return std::ranges::any_of(combinations, [](const auto& each) { return each.statuses.contains(ident::Status::ok); });
+  const auto usable = [](const auto& status) { return ident::is_usable(status.first); };
+  return std::ranges::any_of(combinations, [&](const auto& each) { return std::ranges::any_of(each.statuses, usable); });
 }
 
 }  // namespace
@@ -62,15 +85,16 @@ ExitCode execute(const CompareArguments& arguments, std::ostream& out) {
     return ExitCode::done;
   }
   if (!arguments.reproduce.empty()) {
+    check_outputs(arguments, {});
     const ReproductionReport report = reproduced(arguments);
     write(arguments, out, reproduction_text(report), reproduction_json(report), reproduction_csv(report),
           report::reproduction_report(report));
     return ExitCode::done;
   }
   const ident::Scene scene = ident::read_scene(arguments.scene);
-  const ComparisonReport report = compared(arguments, scene);
-  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report),
-        report::comparison_report(report, scene));
+  check_outputs(arguments, ident::files_of(scene));
+  const ComparisonReport report = compared(arguments, scene, out);
+  write(arguments, out, report, scene);
   return some_usable(report.comparison.combinations) ? ExitCode::done : ExitCode::unusable;
 }
 

@@ -60,6 +60,7 @@ std::vector<std::string> csv_cells(const ident::Combination& each, const ident::
 
 std::string comparison_json(const ComparisonReport& report) {
   Json json = {{"trials", report.trials}, {"seed", report.seed}, {"combinations", Json::array()}, {"left_out", Json::array()}};
+  if (report.comparison.interrupted) json["interrupted"] = true;
   for (const auto& each : report.comparison.combinations) json["combinations"].push_back(combination(each));
   for (const auto& each : report.comparison.left_out) {
     Json left_out = way(each.way);

@@ -26,6 +26,7 @@ std::string comparison_text(const ComparisonReport& report) {
   const std::vector<ident::Combination>& all = report.comparison.combinations;
   std::string text = report.title.empty() ? "" : report.title + "\n";
   text += fmt::format("{} trials of seed {}, the same for every row\n", report.trials, report.seed);
+  if (report.comparison.interrupted) text += fmt::format("INTERRUPTED: only the first {} ways\n", all.size());
   for (std::size_t matrix = 0; matrix < all.front().matrices.size(); ++matrix) {
     text += "\n" + words(restrictions::key(all.front().matrices[matrix].kind)) + "\n" + pairs_text(all, matrix) +
             "all combinations\n" + figures_table(all, matrix).text();

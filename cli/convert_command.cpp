@@ -3,6 +3,9 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/line_pieces.hpp"
+#include "cli/open_options.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "frf/hdf5_writer.hpp"
 #include "frf/write.hpp"
 
@@ -19,6 +22,7 @@ bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
   frf::Hdf5Writer writer(path, header);
   std::vector<frf::Complex> values, variance;
   std::vector<double> coherence;
+  Progress progress;
   const bool complete = for_each_piece(header, writer.lines_per_chunk(), [&](const frf::Block& block) {
     values.resize(block.size());
     source.read(block, values);
@@ -30,6 +34,7 @@ bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
       coherence.resize(block.size());
       source.read_coherence(block, coherence);
     }
+    progress.count("converting", block.lines.front(), header.lines());
     writer.write_lines(block.lines.front(), block.lines.size(), values, variance, coherence);
     return !interrupted();
   });
@@ -40,12 +45,14 @@ bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
 }  // namespace
 
 ExitCode execute(const ConvertArguments& arguments, std::ostream& out) {
-  catch_interrupts();
-  const auto source = frf::open(arguments.in, arguments.open);
+  std::vector<ident::NamedFile> inputs;
+  for (const auto& file : arguments.in) inputs.push_back({file, "IN"});
+  check_targets(inputs, {{"OUT", arguments.out.string()}});
+  const auto source = with_progress("reading", [&] { return open_as_one(arguments.in, arguments.open); });
   if (is_hdf5(arguments.out)) {
     if (!stream_to_hdf5(*source, arguments.out)) return ExitCode::interrupted;
   } else {
-    frf::write(frf::load(*source), arguments.out);
+    with_progress("converting", [&] { frf::write(frf::load(*source), arguments.out); });
   }
   const frf::FrfHeader& header = source->header();
   out << "wrote " << arguments.out.string() << ": " << header.lines() << " lines, " << header.response.size() << " × "

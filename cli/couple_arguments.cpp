@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command_options.hpp"
+#include "cli/whole_number.hpp"
 
 namespace jointid::cli {
 
@@ -12,9 +13,7 @@ void add_couple(CLI::App& app, std::optional<Arguments>& chosen) {
   command->add_option("--out", arguments->out, "FRFs of the assembly (HDF5); default: SCENE's name with .coupled.h5, here");
   command->add_flag("--bounds", arguments->bounds,
                     "Leave out conditions that the others nearly imply, and write the FRFs with them as well: what is right lies between");
-  command->add_option("--threads", arguments->threads, "0 for all cores; the results do not depend on it")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
   add_outputs(command, *arguments, "what was done", "condition numbers, alphas and singular values line by line",
               "predicted FRFs, conditions and thresholds");
   command->footer(

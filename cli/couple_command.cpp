@@ -2,11 +2,9 @@
 #include "cli/couple_json.hpp"
 #include "cli/couple_text.hpp"
 #include "cli/failure.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/report/couple_report.hpp"
-#include "frf/error.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -18,25 +16,19 @@ std::filesystem::path result_path(const CoupleArguments& arguments) {
   return path;
 }
 
-/// A part must not be overwritten while it is read.
-void require_other_files(const ident::CoupleScene& scene, const std::filesystem::path& out, bool bounds) {
-  for (const ident::DataFile& part : scene.parts) {
-    for (const auto& file : {out, bounds ? ident::with_all_path(out) : out}) {
-      std::error_code ignored;
-      if (!std::filesystem::equivalent(part.path, file, ignored)) continue;
-      throw InputError({ErrorKind::usage, file.string(), "--out", "it is a part of the scene", "name another file"});
-    }
-  }
+void check_outputs(const CoupleArguments& arguments, const ident::CoupleScene& scene, const std::filesystem::path& out) {
+  std::vector<OptionTarget> targets = {
+      {"--out", out.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}};
+  if (arguments.bounds) targets.push_back({"--bounds", ident::with_all_path(out).string()});
+  check_targets(ident::files_of(scene), targets);
 }
 
 }  // namespace
 
 ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   const std::filesystem::path path = result_path(arguments);
-  check_targets(arguments.scene, {{"--out", path.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   const ident::CoupleScene scene = ident::read_couple_scene(arguments.scene);
-  require_other_files(scene, path, arguments.bounds);
-  catch_interrupts();
+  check_outputs(arguments, scene, path);
   Progress progress;
   ident::Control control = progress.control();
   control.threads = arguments.threads;

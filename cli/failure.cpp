@@ -41,4 +41,6 @@ Failure explain(const std::exception_ptr& exception) {
 
 void print_error(const std::string& line) { std::cerr << "jointid: error: " << line << '\n'; }
 
+void print_warning(const std::string& line) { std::cerr << "jointid: warning: " << line << '\n'; }
+
 }  // namespace jointid::cli

@@ -18,4 +18,7 @@ Failure explain(const std::exception_ptr& exception);
 /// "jointid: error: LINE" on stderr.
 void print_error(const std::string& line);
 
+/// "jointid: warning: LINE" on stderr, for results that are written and usable.
+void print_warning(const std::string& line);
+
 }  // namespace jointid::cli

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "ident/likelihood/findings.hpp"
 
 namespace jointid::cli {
@@ -35,8 +37,9 @@ Table weakest_table(const std::vector<ident::WeakCombination>& weakest) {
 
 std::vector<std::pair<std::string, std::string>> visibility_rows(const ident::Solution& solution) {
   const ident::Identifiability& found = *solution.identifiability;
+  const bool errors = !std::isnan(found.largest_relative_error);
   return {{"standard errors and intervals", interval_words(solution.intervals)},
-          {"largest relative standard error", ident::percent(found.largest_relative_error)},
+          {"largest relative standard error", errors ? ident::percent(found.largest_relative_error) : "–"},
           {"median of |H_sub - H_asm| over its error", times(found.joint.effect)},
           {"work of the combination fixed worst, assembled over free parts", times(found.joint.deformation)}};
 }

@@ -5,6 +5,7 @@
 #include "cli/commands.hpp"
 #include "cli/frf_summary.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/progress.hpp"
 #include "cli/table.hpp"
 #include "frf/file_format.hpp"
 #include "frf/uff_file.hpp"
@@ -42,7 +43,6 @@ std::string records_text(const frf::UffSummary& summary) {
 }  // namespace
 
 ExitCode execute(const InfoArguments& arguments, std::ostream& out) {
-  catch_interrupts();
   const frf::FileFormat format = frf::detect_format(arguments.file);
   out << arguments.file.string() << ": " << frf::name(format) << '\n';
   if (format == frf::FileFormat::uff) {
@@ -50,7 +50,7 @@ ExitCode execute(const InfoArguments& arguments, std::ostream& out) {
     out << datasets_text(summary) << records_text(summary);
   }
   const auto source = frf::open(arguments.file, arguments.open);
-  const FrfCensus census = take_census(*source, interrupted);
+  const FrfCensus census = with_progress("reading", [&] { return take_census(*source, interrupted); });
   out << "FRFs\n" << summary_text(source->header(), census);
   return census.complete ? ExitCode::done : ExitCode::interrupted;
 }

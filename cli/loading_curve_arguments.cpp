@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 
 #include "cli/command_options.hpp"
 #include "cli/output.hpp"
@@ -73,35 +74,31 @@ void check_columns(const LoadingCurveArguments& arguments) {
   }
 }
 
+bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
 void check_numbers(const LoadingCurveArguments& arguments) {
-  if (arguments.limit && !(*arguments.limit > 0.0)) fail("--limit", "it is not positive", "give a force, N");
+  if (arguments.limit && !is_positive(*arguments.limit)) fail("--limit", "it is not positive", "give a force, N");
   if (arguments.limit && arguments.friction_coefficient) fail("--limit", "does not go with --friction-coefficient", "leave one out");
   if (arguments.friction_coefficient && arguments.normal_loads.empty()) fail("--friction-coefficient", "needs normal loads", "give --normal-load");
   for (const double load : arguments.normal_loads) {
-    if (!(load > 0.0)) fail("--normal-load", "a load is not positive", "give forces, N");
+    if (!is_positive(load)) fail("--normal-load", "a load is not positive", "give forces, N");
   }
   if (arguments.normal_loads.size() > 1 && arguments.normal_loads.size() != arguments.files.size()) {
     fail("--normal-load", std::to_string(arguments.normal_loads.size()) + " loads for " + std::to_string(arguments.files.size()) + " files",
          "give one for all files or one for each");
   }
-  if (!arguments.ring.empty() && !(arguments.ring[0] >= 0.0 && arguments.ring[1] > arguments.ring[0])) {
+  if (!arguments.ring.empty() && !(arguments.ring[0] >= 0.0 && arguments.ring[1] > arguments.ring[0] && is_positive(arguments.ring[1]))) {
     fail("--ring", "the radii do not increase", "give inner and outer radius, m, e.g. 0.0255,0.038");
   }
-  if (arguments.specimen_stiffness && !(*arguments.specimen_stiffness > 0.0)) fail("--specimen-stiffness", "it is not positive", "give it in N/m");
+  if (arguments.specimen_stiffness && !is_positive(*arguments.specimen_stiffness)) fail("--specimen-stiffness", "it is not positive", "give it in N/m");
   if (arguments.specimen_stiffness && !arguments.specimen.empty()) fail("--specimen", "does not go with --specimen-stiffness", "leave one out");
 }
 
 void check_outputs(const LoadingCurveArguments& arguments) {
-  const std::vector<OptionTarget> targets = {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}};
-  check_targets({}, targets);
-  for (const auto& [option, target] : targets) {
-    for (const auto& file : arguments.files) {
-      std::error_code ignored;
-      if (target && std::filesystem::equivalent(*target, file, ignored)) {
-        fail(option.c_str(), "would replace " + file.string(), "give another name");
-      }
-    }
-  }
+  std::vector<ident::NamedFile> inputs;
+  for (const auto& file : arguments.files) inputs.push_back({file, "FILES"});
+  if (!arguments.specimen.empty()) inputs.push_back({arguments.specimen, "--specimen"});
+  check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
 }
 
 }  // namespace

@@ -54,7 +54,8 @@ void share_all(const std::string& law, friction::FitOptions& options) {
 
 class Fitting {
  public:
-  explicit Fitting(const LoadingCurveArguments& arguments) : arguments_(arguments), options_(options(arguments)) {}
+  Fitting(const LoadingCurveArguments& arguments, SoFar<LoadingCurveReport>& done)
+      : arguments_(arguments), options_(options(arguments)), done_(done) {}
 
   LoadingCurveReport run() {
     LoadingCurveReport report;
@@ -65,14 +66,21 @@ class Fitting {
       throw InputError({ErrorKind::usage, "", "--friction-coefficient", "is for loading curves, not for loops",
                         "leave it out: with --normal-load the coefficient of every limit is printed"});
     }
-    for (const std::string& law : laws(arguments_)) report.fits.push_back(together(report.data.curves, law, several_loops));
-    std::ranges::stable_sort(report.fits, {}, [](const Fit& fit) { return std::pair(fit.status != friction::FitStatus::usable, fit.aic); });
+    for (const std::string& law : laws(arguments_)) {
+      report.fits.push_back(together(report.data.curves, law, several_loops));
+      best_first(report.fits);
+      done_.put(report);
+    }
     if (!several_loops) return report;
     for (const Fit& fit : report.fits) report.of_loops.push_back(one_by_one(report.data.curves, fit.law));
     return report;
   }
 
  private:
+  static void best_first(std::vector<Fit>& fits) {
+    std::ranges::stable_sort(fits, {}, [](const Fit& fit) { return std::pair(fit.status != friction::FitStatus::usable, fit.aic); });
+  }
+
   static void stop_when_asked() {
     if (interrupted()) throw ident::Interrupted();
   }
@@ -97,12 +105,29 @@ class Fitting {
 
   const LoadingCurveArguments& arguments_;
   friction::FitOptions options_;
+  SoFar<LoadingCurveReport>& done_;
   Progress progress_;
 };
 
-LoadingCurveReport fitted(const LoadingCurveArguments& arguments) {
+void write(const LoadingCurveArguments& arguments, const LoadingCurveReport& report, std::ostream& out) {
+  if (arguments.json) write_target(*arguments.json, loading_curve_json(report), out);
+  if (arguments.csv) write_target(*arguments.csv, loading_curve_csv(report), out);
+  if (arguments.report) write_target(*arguments.report, report::loading_curve_report(report), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << loading_curve_text(report);
+}
+
+/// Writes the laws that were fitted when the command was interrupted.
+std::string save(const LoadingCurveArguments& arguments, std::optional<LoadingCurveReport> done, std::ostream& out) {
+  if (!done) return "interrupted";
+  done->data.notes.push_back("INTERRUPTED: only the laws that were fitted so far");
+  write(arguments, *done, out);
+  return "interrupted; the laws that were fitted so far are written";
+}
+
+LoadingCurveReport fitted(const LoadingCurveArguments& arguments, std::ostream& out) {
+  SoFar<LoadingCurveReport> done;
   try {
-    return Fitting(arguments).run();
+    return with_last_words([&] { return save(arguments, done.get(), out); }, [&] { return Fitting(arguments, done).run(); });
   } catch (const std::invalid_argument& error) {
     throw InputError({ErrorKind::usage, "", "loading-curve", error.what(), "change the options"});
   }
@@ -112,12 +137,8 @@ LoadingCurveReport fitted(const LoadingCurveArguments& arguments) {
 
 ExitCode execute(const LoadingCurveArguments& arguments, std::ostream& out) {
   check(arguments);
-  catch_interrupts();
-  const LoadingCurveReport report = fitted(arguments);
-  if (arguments.json) write_target(*arguments.json, loading_curve_json(report), out);
-  if (arguments.csv) write_target(*arguments.csv, loading_curve_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, report::loading_curve_report(report), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << loading_curve_text(report);
+  const LoadingCurveReport report = fitted(arguments, out);
+  write(arguments, report, out);
   if (some_usable(report)) return ExitCode::done;
   print_error(report.title + ": " + report.fits.front().message);
   return ExitCode::unusable;

@@ -7,6 +7,7 @@
 #include "cli/command_options.hpp"
 #include "cli/of_option.hpp"
 #include "cli/open_options.hpp"
+#include "cli/whole_number.hpp"
 #include "frf/error.hpp"
 
 namespace jointid::cli {
@@ -43,11 +44,9 @@ void add_modalfit(CLI::App& app, std::optional<Arguments>& chosen) {
   command->add_option("FILES", arguments->files, "FRFs of one structure: UFF, HDF5, MAT or CSV")->required();
   command->add_option_function<std::string>(
       "--range", [arguments](const std::string& text) { arguments->fit.range_hz = parse_range(text); }, "Lines to fit, LOW:HIGH in Hz; default: all");
-  command
-      ->add_option_function<std::size_t>(
-          "--modes", [arguments](const std::size_t& count) { arguments->fit.modes = count; },
-          "Keep the most significant so many; default: all that stand out of the noise")
-      ->check(CLI::PositiveNumber);
+  add_whole_number(
+      command, "--modes", [arguments](std::uint64_t count) { arguments->fit.modes = count; },
+      "Keep the most significant so many; default: all that stand out of the noise", {.least = 1, .most = 10000, .remedy = {}});
   command->add_flag("--real", arguments->fit.kind.real_modes, "Real modes: all coordinates move in phase or in antiphase");
   command
       ->add_option_function<std::string>(

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/modalfit_text.hpp"
 #include "cli/output.hpp"
 #include "cli/report/modalfit_report.hpp"
@@ -12,18 +13,20 @@ Target text_of(const std::optional<std::filesystem::path>& path) { return path ?
 }  // namespace
 
 ExitCode execute(const ModalfitArguments& arguments, std::ostream& out) {
-  for (const auto& file : arguments.files) {
-    check_targets(file, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report},
+  std::vector<ident::NamedFile> inputs;
+  for (const auto& file : arguments.files) inputs.push_back({file, "FILES"});
+  check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report},
                          {"--regenerate", text_of(arguments.regenerate)}, {"--shapes", text_of(arguments.shapes)}});
-  }
   const ModalRun run = run_modalfit(arguments);
-  if (arguments.regenerate) write_regenerated(run, *arguments.regenerate);
-  if (arguments.shapes) write_shapes(run, *arguments.shapes);
+  const bool complete = !interrupted();  // files that could not say that they are not are left out
+  if (arguments.regenerate && complete) write_regenerated(run, *arguments.regenerate);
+  if (arguments.shapes && complete) write_shapes(run, *arguments.shapes);
   if (arguments.json) write_target(*arguments.json, modalfit_json(run), out);
   if (arguments.csv) write_target(*arguments.csv, modes_csv(run), out);
   if (arguments.report) write_target(*arguments.report, report::modalfit_report(run), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << modalfit_text(run);
-  if (run.fit.status == modalfit::FitStatus::ok) return ExitCode::done;
+  if (!complete) throw ident::Interrupted("interrupted; what was fitted so far is written");
+  if (modalfit::is_usable(run.fit.status)) return ExitCode::done;
   print_error(run.files + ": " + run.fit.message);
   return ExitCode::unusable;
 }

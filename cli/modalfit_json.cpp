@@ -18,6 +18,8 @@ Json mode(const ModalRun& run, const Shapes& all, std::size_t r) {
                {"damping", of.pole.damping},
                {"damping_std", value(of.damping_deviation)},
                {"significance", value(of.significance)},
+               {"scatter", value(of.scatter)},
+               {"own_hz", {value(of.own_hz[0]), value(of.own_hz[1])}},
                {"inside", of.inside}};
   json["rank_one_misfit"] = run.symmetric ? value(run.symmetric->modes[r].misfit) : Json(nullptr);
   json["shape"] = Json::array();

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "cli/interrupt.hpp"
+#include "cli/open_options.hpp"
 #include "cli/progress.hpp"
-#include "frf/merged_set.hpp"
 #include "frf/uff55.hpp"
 #include "frf/write.hpp"
 #include "ident/solve.hpp"
@@ -20,9 +20,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 frf::FrfSet read(const ModalfitArguments& arguments) {
-  std::vector<frf::FrfSet> sets;
-  for (const auto& file : arguments.files) sets.push_back(frf::load(*frf::open(file, arguments.open)));
-  return frf::merged(std::move(sets));
+  return frf::load(*open_as_one(arguments.files, arguments.open));
 }
 
 std::string names(const std::vector<std::filesystem::path>& files) {
@@ -37,6 +35,7 @@ void synthesise(ModalRun& run) {
   const std::array range = {lines.frequency_hz.front(), lines.frequency_hz.back()};
   run.regenerated = modalfit::regenerate(run.fit, lines, range);
   run.of_fit = modalfit::synthesis_errors(run.fit, run.band, run.regenerated);
+  modalfit::judge(run.fit, modalfit::overall(run.of_fit).rms_db_away);
   run.obstacle = modalfit::obstacle(run.fit);
   if (!run.obstacle.empty()) return;
   run.symmetric = modalfit::make_symmetric(run.fit, run.band);
@@ -86,12 +85,18 @@ frf::Uff55Mode uff_mode(const ModalRun& run, const Shapes& all, std::size_t r) {
   return mode;
 }
 
+/// A fit that was stopped with modes of its own is worth writing.
+void mark_interrupted(modalfit::ModalFit& fit) {
+  if (fit.modes.empty()) throw ident::Interrupted();
+  fit.status = modalfit::FitStatus::not_converged;
+  fit.message = "Interrupted: the modes are those found so far.";
+}
+
 }  // namespace
 
 ModalRun run_modalfit(const ModalfitArguments& arguments) {
   ModalRun run;
   run.files = names(arguments.files);
-  catch_interrupts();
   Progress progress;
   const auto start = Clock::now();
   const frf::FrfSet set = read(arguments);
@@ -102,7 +107,7 @@ ModalRun run_modalfit(const ModalfitArguments& arguments) {
   options.interrupted = interrupted;
   run.band = modalfit::make_band(set, options.range_hz);
   run.fit = modalfit::fit(run.band, run.header, options);
-  ident::stop_if(interrupted);
+  if (interrupted()) mark_interrupted(run.fit);
   synthesise(run);
   run.fit_s = seconds_since(start) - run.read_s;
   return run;

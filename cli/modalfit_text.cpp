@@ -13,6 +13,10 @@ namespace {
 
 constexpr double alike = 0.3;
 constexpr double harm_db = 1.0;
+constexpr double much_scatter = 2.0;
+
+/// A pole beyond the range of which hardly more is known than that it is there.
+bool is_flank(const modalfit::Mode& mode) { return !mode.inside && mode.damping_deviation > 0.5 * mode.pole.damping; }
 
 std::string decibel(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "–"; }
 
@@ -43,6 +47,7 @@ Table modes_table(const ModalRun& run) {
   const std::vector<double> misfits = off_rank_one(run);
   for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
     const modalfit::Mode& mode = run.fit.modes[r];
+    if (is_flank(mode)) continue;
     table.add({fmt::format("{}", r + 1), fmt::format("{:.4f}", mode.pole.frequency_hz), fmt::format("{:.1e}", mode.frequency_deviation_hz),
                fmt::format("{:.4f}", 100.0 * mode.pole.damping), fmt::format("{:.1e}", 100.0 * mode.damping_deviation),
                fmt::format("{:.3g}", mode.significance),
@@ -97,18 +102,42 @@ std::string edge_note(const ModalRun& run) {
   return modes.empty() ? modes : "At the edge of the range, where few lines tell a mode from what lies beyond: " + modes + " Hz.";
 }
 
+/// Frequencies on which single FRFs disagree.
+std::string scatter_note(const ModalRun& run) {
+  std::string modes;
+  for (const modalfit::Mode& mode : run.fit.modes) {
+    if (!mode.inside || mode.scatter < much_scatter || !(mode.own_hz[1] > mode.own_hz[0])) continue;
+    modes += fmt::format("{}{:.7g} to {:.7g}", modes.empty() ? "" : ", ", mode.own_hz[0], mode.own_hz[1]);
+  }
+  if (modes.empty()) return {};
+  return "The FRFs do not agree on frequencies, each by itself: " + modes +
+         " Hz (temperature, suspension, mass of the accelerometer). The standard deviations contain it.";
+}
+
+std::string flank_note(const ModalRun& run) {
+  std::string poles;
+  for (const modalfit::Mode& mode : run.fit.modes) {
+    if (is_flank(mode)) poles += fmt::format("{}{:.4g}", poles.empty() ? "" : ", ", mode.pole.frequency_hz);
+  }
+  return poles.empty() ? poles : "Flanks of what lies beyond the range were fitted by poles near " + poles + " Hz, which are not listed.";
+}
+
 }  // namespace
 
 std::vector<std::string> notes(const ModalRun& run) {
   std::vector<std::string> out;
   if (!run.fit.message.empty()) out.push_back(run.fit.message);
-  if (!run.fit.known_noise) out.push_back("The files say nothing of their noise: it was estimated from what the fit leaves.");
+  if (!run.fit.known_noise) out.push_back("The files say nothing of their noise: it was estimated from neighbouring lines.");
+  out.insert(out.end(), run.fit.remarks.begin(), run.fit.remarks.end());
+  for (const std::string& note : {scatter_note(run), flank_note(run)}) {
+    if (!note.empty()) out.push_back(note);
+  }
   if (!run.obstacle.empty()) out.push_back("No symmetric model: " + run.obstacle + ".");
   if (const std::string edge = edge_note(run); !edge.empty()) out.push_back(edge);
   const double misfit = run.fit.freedom > 0.0 ? run.fit.cost / run.fit.freedom : 1.0;
-  if (run.fit.known_noise && misfit > 2.0) {
-    out.push_back(fmt::format("The FRFs deviate from the model by {:.1f} times their noise: the structure is not that linear, or the noise is larger "
-                              "than the files say; the standard deviations are too small.", std::sqrt(misfit)));
+  if (misfit > 2.0) {
+    out.push_back(fmt::format("The FRFs deviate from the model by {:.1f} times {}: the structure is not that linear, or the noise is larger.",
+                              std::sqrt(misfit), run.fit.known_noise ? "their noise" : "the scatter of neighbouring lines"));
   }
   if (modalfit::overall(told(run)).rms_db_away > harm_db) {
     out.push_back("The model is more than 1 dB off away from antiresonances: regenerated FRFs would harm rather than help.");
@@ -120,13 +149,16 @@ std::string modalfit_text(const ModalRun& run) {
   const auto& axis = run.band.frequency_hz;
   std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses, run.band.references,
                                  axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));
+  if (run.fit.status != modalfit::FitStatus::ok) text += fmt::format("{}: {}\n\n", modalfit::name(run.fit.status), run.fit.message);
   text += modes_table(run).text() + "\n";
   text += "  fit of each FRF:  " + synthesis_text(run.of_fit) + "\n";
   if (run.symmetric) text += "  symmetric model:  " + synthesis_text(run.of_model) + "\n";
   text += fmt::format("  residuals over noise (mean square): {:.3f}, {} FRFs, {} iterations, {:.2f} s\n",
                       run.fit.freedom > 0.0 ? run.fit.cost / run.fit.freedom : 0.0, run.fit.refined_entries, run.fit.iterations, run.fit_s);
   if (!mac_table(run).rows().empty()) text += "\nmodes of like shapes:\n" + mac_table(run).text();
-  for (const std::string& note : notes(run)) text += "\n" + note + "\n";
+  for (const std::string& note : notes(run)) {
+    if (note != run.fit.message) text += "\n" + note + "\n";
+  }
   return text;
 }
 

@@ -92,7 +92,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"unknowns", unknowns_text(plan)});
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() + phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
-         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("notes", plan.notes);
+         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
 }
 
 std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundReport>& bound) {
@@ -118,6 +118,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundR
   json["cost"] = cost_json(plan.cost);
   json["variances"] = variances_json(ident::variance_sources(plan));
   json["left_out"] = plan.left_out;
+  json["warnings"] = plan.warnings;
   json["notes"] = plan.notes;
   if (bound) json["bound"] = bound_json(*bound);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

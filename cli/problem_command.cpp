@@ -1,6 +1,10 @@
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
 #include "cli/commands.hpp"
-#include "cli/interrupt.hpp"
 #include "cli/table.hpp"
+#include "frf/error.hpp"
 #include "problems/coupling_problem.hpp"
 #include "problems/loading_curves.hpp"
 #include "problems/modal_set.hpp"
@@ -19,8 +23,28 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   return ExitCode::done;
 }
 
+namespace {
+
+/// Throws InputError where files of that name are in the folder and `problem write` has not made them: its truth.json names the problem.
+void check_folder(const ProblemWriteArguments& arguments) {
+  std::error_code ignored;
+  std::ifstream truth(arguments.directory / "truth.json");
+  const std::string text{std::istreambuf_iterator<char>(truth), {}};
+  const bool is_own = text.find("\"name\": \"" + arguments.name + "\"") != std::string::npos;
+  if (is_own) return;
+  for (const auto& entry : std::filesystem::directory_iterator(arguments.directory, ignored)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_in_the_way = name == "truth.json" || name.starts_with(arguments.name + ".") || name.starts_with(arguments.name + "_");
+    if (!is_in_the_way) continue;
+    throw InputError({ErrorKind::usage, entry.path().string(), "", "would perhaps be replaced, and is not of problem " + arguments.name,
+                      "name another folder"});
+  }
+}
+
+}  // namespace
+
 ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
-  catch_interrupts();  // a file that is being written is finished
+  check_folder(arguments);
   if (const auto* curve = problems::find_loading_curve(arguments.name)) {
     const auto file = problems::write(*curve, arguments.directory, arguments.options);
     out << "wrote " << file.string() << "\nnext: jointid loading-curve " << file.string() << ' ' << problems::fit_options(*curve) << '\n';

@@ -11,6 +11,7 @@ namespace jointid::cli {
 namespace {
 
 int report(ExitCode code, const std::string& line) {
+  if (interrupted()) claim_end();
   print_error(line);
   return static_cast<int>(code);
 }
@@ -28,6 +29,7 @@ int finish(ExitCode code) {
 }
 
 int perform(const Arguments& arguments) {
+  catch_interrupts();
   return finish(std::visit([](const auto& command) { return execute(command, std::cout); }, arguments));
 }
 

@@ -15,6 +15,8 @@ Json unknown(const ident::Estimate& estimate, bool constrained) {
           {"std_error", value(estimate.std_error)},
           {"ci95", value(estimate.ci95)},
           {"rounding", value(estimate.rounding)},
+          {"error_estimate", value(estimate.error_estimate)},
+          {"bias", value(estimate.bias)},
           {"determined", estimate.determined}};
   if (constrained) json["limit"] = estimate.limit.empty() ? Json(nullptr) : Json(estimate.limit);
   return json;
@@ -68,7 +70,23 @@ Json fit(const ident::Fit& fit) {
           {"digits", value(fit.digits)},
           {"asm_frf_error", value(fit.asm_frf_error)},
           {"iterations", fit.iterations},
-          {"chi_square", chi_square(fit.chi_square)}};
+          {"chi_square", chi_square(fit.chi_square)},
+          {"misfit", value(fit.misfit)}};
+}
+
+Json check(const ident::CheckResult& found) {
+  Json json = {{"verdict", ident::name(found.verdict)}, {"suspects", Json::array()}};
+  for (const ident::Suspect& suspect : found.suspects) {
+    Json dofs = Json::array();
+    for (const frf::Dof& dof : suspect.dofs) dofs.push_back(dof.name());
+    json["suspects"].push_back({{"kind", ident::name(suspect.kind)},
+                                {"file", suspect.file},
+                                {"dofs", dofs},
+                                {"evidence", suspect.evidence},
+                                {"confidence", value(suspect.confidence)},
+                                {"remedy", suspect.remedy}});
+  }
+  return json;
 }
 
 /// Where the starts ended, best first.
@@ -123,6 +141,7 @@ std::string solution_json(const ident::Solution& solution) {
   json["used"] = used(solution.used);
   json["variances"] = variances(solution.variances);
   json["warnings"] = solution.warnings;
+  if (solution.check) json["check"] = check(*solution.check);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -16,23 +16,41 @@ namespace {
 
 std::string number_or_dash(const std::optional<double>& value) { return value ? number(*value) : "–"; }
 
+/// Suspects of a check, most likely first, with the scene lines that would mend them.
+void add_suspects(const std::vector<ident::Suspect>& suspects, Table& table) {
+  constexpr std::size_t most = 5;
+  for (std::size_t i = 0; i < std::min(most, suspects.size()); ++i) {
+    const ident::Suspect& suspect = suspects[i];
+    const std::string dofs = dofs_text(suspect);
+    table.add({"suspect", ident::name(suspect.kind) + (dofs.empty() ? "" : " " + dofs) + (suspect.file.empty() ? "" : " in " + suspect.file) +
+                              ": " + suspect.evidence});
+    std::string remedy = suspect.remedy;
+    std::ranges::replace(remedy, '\n', ' ');
+    if (!remedy.empty()) table.add({"  remedy", remedy});
+  }
+}
+
 std::string head(const ident::Solution& solution, const std::string& title) {
   const ident::Used& used = solution.used;
   Table table({{"", Align::left}, {"", Align::left}});
   table.add({"status", words(ident::name(solution.status))});
   if (!solution.message.empty()) table.add({"message", solution.message});
   for (const std::string& warning : solution.warnings) table.add({"warning", warning});
+  if (solution.check && solution.check->verdict != ident::Verdict::clean) add_suspects(solution.check->suspects, table);
   table.add({"method", method_text(used.method, used.equations, used.weighting, used.delta, used.solver)});
   return (title.empty() ? "" : title + "\n") + table.text();
 }
 
-std::string matrix_text(const std::vector<frf::Dof>& dofs, const ident::Matrix& rows) {
+/// `errors`: of the elements, or null.
+std::string matrix_text(const std::vector<frf::Dof>& dofs, const ident::Matrix& rows, const ident::Matrix* errors) {
   std::vector<Column> columns = {{"", Align::left}};
   for (const auto& dof : dofs) columns.push_back({dof.name(), Align::right});
   Table table(std::move(columns));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::vector<std::string> cells = {dofs.at(i).name()};
-    for (const double element : rows[i]) cells.push_back(number(element));
+    for (std::size_t j = 0; j < rows[i].size(); ++j) {
+      cells.push_back(number(rows[i][j], errors == nullptr ? std::nullopt : std::optional((*errors)[i][j])));
+    }
     table.add(std::move(cells));
   }
   return table.text();
@@ -44,7 +62,8 @@ std::string matrices_text(const ident::Solution& solution) {
     const std::string where = band.band_hz ? fmt::format(", {:g} to {:g} Hz", (*band.band_hz)[0], (*band.band_hz)[1]) : "";
     for (const auto& [kind, rows] : band.matrices) {
       text += fmt::format("\n{} {} (SI units){}\n", words(restrictions::key(kind)), restrictions::symbol(kind), where);
-      text += matrix_text(solution.dofs, rows);
+      const auto errors = band.errors.find(kind);
+      text += matrix_text(solution.dofs, rows, errors == band.errors.end() ? nullptr : &errors->second);
     }
   }
   return text;
@@ -54,35 +73,51 @@ std::string interval(const ident::Estimate& estimate) {
   return estimate.ci95 ? number((*estimate.ci95)[0]) + " … " + number((*estimate.ci95)[1]) : "–";
 }
 
+std::string short_number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? fmt::format("{:.2g}", *value) : "–";
+}
+
+/// What the error estimates of a linear method are.
+std::string estimate_note(const ident::Solution& solution) {
+  const bool bias = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.bias.has_value(); });
+  return bias ? "  error estimate: scatter between groups of lines, and the bias that noise in the coefficients makes, to first order\n"
+              : "  error estimate: scatter between groups of lines; the bias that noise in the coefficients makes is not known and not in it\n";
+}
+
 /// Columns of errors only where a method has them.
 std::string unknowns_text(const ident::Solution& solution) {
   const bool errors = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.std_error || u.ci95; });
+  const bool estimates = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.error_estimate.has_value(); });
   std::vector<Column> columns = {{"name", Align::left}, {"value"}, {"unit", Align::left}};
   if (errors) columns.insert(columns.end(), {{"std error"}, {"95 % interval"}});
+  if (estimates) columns.push_back({"error estimate"});
   columns.push_back({"", Align::left});
   Table table(std::move(columns));
   for (const auto& estimate : solution.unknowns) {
-    std::vector<std::string> cells = {estimate.name, number(estimate.value), estimate.unit};
+    std::vector<std::string> cells = {estimate.name, number(estimate.value, estimate.error_estimate), estimate.unit};
     if (errors) cells.insert(cells.end(), {number_or_dash(estimate.std_error), interval(estimate)});
+    if (estimates) cells.push_back(short_number(estimate.error_estimate));
     cells.push_back(estimate.determined ? estimate.limit : "not determined by the data");
     table.add(std::move(cells));
   }
-  return "\nunknowns\n" + table.text();
+  return "\nunknowns\n" + table.text() + (estimates ? estimate_note(solution) : "");
 }
 
-std::string fit_text(const ident::Fit& fit) {
+std::string fit_text(const ident::Solution& solution) {
+  const ident::Fit& fit = solution.fit;
   Table table({{"", Align::left}, {""}});
   table.add({"frequency lines", fmt::format("{}", fit.lines)});
   table.add({"equations used", fmt::format("{}", fit.equations_used)});
   table.add({"equations dropped", fmt::format("{}", fit.equations_dropped)});
   table.add({"rank", fmt::format("{}", fit.rank)});
   if (!fit.chi_square) table.add({"condition", number(fit.condition)});
-  if (fit.digits) table.add({"digits left by rounding", fmt::format("{:.1f}", *fit.digits)});
+  if (fit.digits) table.add({"digits that rounding alone leaves", rounding_digits(solution)});
   if (fit.iterations > 0) table.add({"iterations", fmt::format("{}", fit.iterations)});
   if (fit.chi_square) {
     table.add({"χ² / degrees of freedom", chi_square_text(*fit.chi_square)});
     table.add({"outlying lines", fmt::format("{}", fit.chi_square->outlying_lines)});
   }
+  if (fit.misfit) table.add({"residuals over what noise explains", fmt::format("{:.3g}", std::sqrt(*fit.misfit))});
   table.add({"assembly FRF error, dB", number_or_dash(fit.asm_frf_error)});
   return "\nfit\n" + table.text();
 }
@@ -141,7 +176,7 @@ std::string time_text(const ident::RunTime& time) {
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
   return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + constraints_text(solution) + identifiability_text(solution) +
-         fit_text(solution.fit) + search_text(solution) + variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
+         fit_text(solution) + search_text(solution) + variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 
 std::string unknowns_csv(const ident::Solution& solution) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "cli/commands.hpp"
 #include "cli/failure.hpp"
 #include "cli/frf_plot.hpp"
@@ -14,10 +16,33 @@
 namespace jointid::cli {
 namespace {
 
-ident::Solution solve_watched(ident::Plan& plan) {
-  catch_interrupts();
+void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
+  check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+}
+
+void write_numbers(const SolveArguments& arguments, const ident::Solution& solution, const std::string& title, std::ostream& out) {
+  if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
+  if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << solution_text(solution, title);
+}
+
+/// Writes the best estimate that there was when the command was interrupted, and marks it; the page would need the data again.
+std::string save(const SolveArguments& arguments, std::optional<ident::Solution> best, const std::string& title, std::ostream& out) {
+  if (!best) return "interrupted";
+  const std::string when = best->fit.iterations > 0 ? fmt::format(" after {} iterations", best->fit.iterations) : "";
+  best->status = ident::Status::not_converged;
+  best->message = "Interrupted" + when + ": these are the best values so far." + (best->message.empty() ? "" : " ") + best->message;
+  write_numbers(arguments, *best, title, out);
+  return "interrupted; the best values so far are written" + std::string(arguments.report ? ", the page is not" : "");
+}
+
+ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, std::ostream& out) {
+  SoFar<ident::Solution> best;
   Progress progress;
-  return ident::solve(plan, progress.control());
+  ident::Control control = progress.control();
+  control.judgement = ident::Judgement::data;
+  control.so_far = [&](const ident::Solution& solution) { best.put(solution); };
+  return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, out); }, [&] { return ident::solve(plan, control); });
 }
 
 void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
@@ -51,21 +76,21 @@ void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution
 }  // namespace
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
-  check_targets(arguments.scene,
-                {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   const ident::Scene scene = ident::read_scene(arguments.scene);
-  const auto plan = ident::make_plan(scene);
+  check_outputs(arguments, scene);
+  const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
   std::optional<ident::FrfEntry> entry;
   if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
-  const ident::Solution solution = solve_watched(*plan);
-  if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
-  if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) {
-    out << solution_text(solution, scene.title);
-    if (entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
-  }
+  const ident::Solution solution = solve_watched(arguments, *plan, out);
+  write_numbers(arguments, solution, scene.title, out);
+  const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
+  if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry, out);
   if (solution.status == ident::Status::ok) return ExitCode::done;
+  if (ident::is_usable(solution.status)) {
+    print_warning(arguments.scene.string() + ": doubtful: " + solution.message);
+    return ExitCode::done;
+  }
   print_error(arguments.scene.string() + ": " + solution.message);
   return ExitCode::unusable;
 }

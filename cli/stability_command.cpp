@@ -8,14 +8,43 @@
 namespace jointid::cli {
 namespace {
 
-StabilityReport measured(const StabilityArguments& arguments) {
-  catch_interrupts();
+void write(const StabilityArguments& arguments, const StabilityReport& report, std::ostream& out) {
+  if (arguments.json) write_target(*arguments.json, stability_json(report), out);
+  if (arguments.csv) write_target(*arguments.csv, stability_csv(report), out);
+  if (arguments.report) write_target(*arguments.report, report::stability_report(report), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << stability_text(report);
+}
+
+/// Writes the rows that were measured when the command was interrupted.
+std::string save(const StabilityArguments& arguments, std::optional<StabilityReport> done, std::ostream& out) {
+  if (!done) return "interrupted";
+  done->interrupted = true;
+  write(arguments, *done, out);
+  return "interrupted; what was measured so far is written";
+}
+
+StabilityReport measured(const StabilityArguments& arguments, std::ostream& out) {
+  SoFar<StabilityReport> done;
   Progress progress;
-  const stability::Watch watch{[&progress](const std::string& what) { progress.show(what); }, interrupted};
   StabilityReport report;
   report.seed = arguments.seed;
-  report.rows = stability::run_sweeps(arguments.sweeps, watch);
-  report.count = stability::count_verdicts(arguments.seed, 0, arguments.scenes, watch);
+  const stability::Watch watch{.progress = [&progress](const std::string& what) { progress.show(what); },
+                               .interrupted = interrupted,
+                               .measured =
+                                   [&](const stability::Measured& row) {
+                                     report.rows.push_back(row);
+                                     done.put(report);
+                                   },
+                               .counted =
+                                   [&](const stability::Count& count) {
+                                     report.count = count;
+                                     done.put(report);
+                                   }};
+  with_last_words([&] { return save(arguments, done.get(), out); },
+                  [&] {
+                    stability::run_sweeps(arguments.sweeps, watch);
+                    report.count = stability::count_verdicts(arguments.seed, 0, arguments.scenes, watch);
+                  });
   return report;
 }
 
@@ -30,11 +59,8 @@ bool keeps_silent(const StabilityReport& report) {
 
 ExitCode execute(const StabilityArguments& arguments, std::ostream& out) {
   check_targets({}, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
-  const StabilityReport report = measured(arguments);
-  if (arguments.json) write_target(*arguments.json, stability_json(report), out);
-  if (arguments.csv) write_target(*arguments.csv, stability_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, report::stability_report(report), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << stability_text(report);
+  const StabilityReport report = measured(arguments, out);
+  write(arguments, report, out);
   return keeps_silent(report) ? ExitCode::unusable : ExitCode::done;
 }
 

@@ -33,7 +33,7 @@ std::string stability_json(const StabilityReport& report) {
   Json rows = Json::array();
   for (const stability::Measured& each : report.rows) rows.push_back(row(each));
   const stability::Count& count = report.count;
-  const Json json = {{"rows", rows},
+  Json json = {{"rows", rows},
                      {"random_scenes",
                       {{"seed", report.seed},
                        {"scenes", count.scenes},
@@ -43,6 +43,7 @@ std::string stability_json(const StabilityReport& report) {
                        {"silent_wrong", count.silent_wrong},
                        {"silent_wrong_scenes", count.silent},
                        {"false_alarm", count.false_alarm}}}};
+  if (report.interrupted) json["interrupted"] = true;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

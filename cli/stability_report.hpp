@@ -12,6 +12,7 @@ struct StabilityReport {
   std::vector<stability::Measured> rows;
   stability::Count count;  ///< of random scenes
   std::uint64_t seed = 0;
+  bool interrupted = false;  ///< not all rows and scenes are there
 
   /// The rows of one sweep.
   std::vector<stability::Measured> of(const std::string& sweep) const;

@@ -5,7 +5,7 @@
 namespace jointid::cli {
 
 std::string stability_text(const StabilityReport& report) {
-  std::string text;
+  std::string text = report.interrupted ? "INTERRUPTED: only what was measured so far\n\n" : "";
   for (const stability::Sweep& sweep : stability::sweeps()) {
     const auto rows = report.of(sweep.name);
     if (rows.empty()) continue;

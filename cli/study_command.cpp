@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <atomic>
 #include <chrono>
 #include <optional>
 #include <thread>
@@ -24,11 +25,17 @@ std::filesystem::path result_file(const StudyArguments& arguments) {
 }
 
 void check(const StudyArguments& arguments) {
-  check_targets(arguments.scene, {{"--json", arguments.json},
-                                  {"--csv", arguments.csv},
-                                  {"--report", arguments.report},
-                                  {"--out", result_file(arguments).string()}});
   if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
+}
+
+/// The journal of an interrupted study is written, too.
+void check_outputs(const StudyArguments& arguments, const ident::Scene& scene) {
+  const std::string result = result_file(arguments).string();
+  check_targets(ident::files_of(scene), {{"--json", arguments.json},
+                                         {"--csv", arguments.csv},
+                                         {"--report", arguments.report},
+                                         {"--out", result},
+                                         {"--out (while it runs)", ident::journal_path(result).string()}});
 }
 
 ident::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
@@ -77,15 +84,31 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
   ident::start_together(team, [&] {
     check(arguments);
     start.options = options_of(arguments, ident::read_text(arguments.scene));
-    start.data = ident::load_trial_data(ident::read_scene(arguments.scene));
+    const ident::Scene scene = ident::read_scene(arguments.scene);
+    check_outputs(arguments, scene);
+    start.data = with_progress("reading", [&] { return ident::load_trial_data(scene); });
   });
   return start;
 }
 
+std::string to_go_on(const ident::StudyOptions& options, std::size_t done) {
+  if (!std::filesystem::exists(ident::journal_path(options.out))) return "interrupted";
+  return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues",
+                     ident::journal_path(options.out).string(), done, options.trials);
+}
+
+/// Trials that take longer than an interrupted process has are dropped; what was done before is in the journal.
 ident::StudyRun run_watched(const Start& start, ident::Team& team) {
   StudyProgress progress;
+  std::atomic<std::size_t> trials_done = 0;
+  const LastWords words([&] { return to_go_on(start.options, trials_done); });
   ident::StudyControl control{.progress = {}, .interrupted = interrupted};
-  if (team.rank() == 0) control.progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
+  if (team.rank() == 0) {
+    control.progress = [&](std::size_t done, std::size_t total) {
+      trials_done = done;
+      progress.show(done, total);
+    };
+  }
   return ident::run_study(start.data, start.options, team, control);
 }
 
@@ -93,17 +116,15 @@ ident::StudyRun run_watched(const Start& start, ident::Team& team) {
 
 ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
-  catch_interrupts();
   const Start start = start_in(*team, arguments);
   const ident::StudyOptions& options = start.options;
   const ident::StudyRun run = run_watched(start, *team);
   if (team->rank() != 0) return ExitCode::done;
   if (!run.complete) {
-    throw ident::Interrupted(fmt::format("interrupted; {}.partial keeps {} of {} trials, the same command with --resume continues",
-                                         options.out.string(), run.done, options.trials));
+    throw ident::Interrupted(to_go_on(options, run.done));
   }
   const StudyReport report{start.data->scene.title, options.out.string(), options.seed, run,
-                           ident::study_statistics(options.out)};
+                           ident::study_statistics(options.out), start.data->notes};
   if (arguments.json) write_target(*arguments.json, study_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
   if (arguments.report) write_target(*arguments.report, report::study_report(report, start.data->scene), out);

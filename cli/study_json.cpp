@@ -24,12 +24,15 @@ std::string study_json(const StudyReport& report) {
   const ident::StudyStatistics& of = report.statistics;
   Json json = {{"trials",
                 {{"all", of.trials},
-                 {"ok", of.usable},
+                 {"ok", of.usable - of.doubtful},
                  {"rank_deficient", of.rank_deficient},
                  {"no_equations", of.no_equations},
-                 {"not_converged", of.not_converged}}},
+                 {"not_converged", of.not_converged},
+                 {"doubtful", of.doubtful},
+                 {"poor_fit", of.poor_fit}}},
                {"seed", report.seed},
                {"file", report.file},
+               {"notes", report.notes},
                {"quantile_levels", ident::study_quantiles}};
   json["unknowns"] = Json::array();
   for (const auto& one : of.unknowns) json["unknowns"].push_back(unknown(one));

@@ -27,6 +27,8 @@ std::string trials_text(const ident::StudyStatistics& statistics) {
   if (statistics.rank_deficient > 0) text += fmt::format(", {} rank deficient", statistics.rank_deficient);
   if (statistics.no_equations > 0) text += fmt::format(", {} without equations", statistics.no_equations);
   if (statistics.not_converged > 0) text += fmt::format(", {} not converged", statistics.not_converged);
+  if (statistics.poor_fit > 0) text += fmt::format(", {} of poor fit", statistics.poor_fit);
+  if (statistics.doubtful > 0) text += fmt::format("; {} of them doubtful", statistics.doubtful);
   return text;
 }
 

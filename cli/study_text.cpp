@@ -15,6 +15,7 @@ std::string head(const StudyReport& report) {
   table.add({"trials", trials_text(report.statistics)});
   table.add({"seed", fmt::format("{}", report.seed)});
   table.add({"all results", report.file});
+  for (const std::string& note : report.notes) table.add({"note", note});
   return (report.title.empty() ? "" : report.title + "\n") + table.text();
 }
 

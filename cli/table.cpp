@@ -58,6 +58,12 @@ std::string Table::text(std::size_t indent) const {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "–"; }
 
+std::string number(double value, const std::optional<double>& error) {
+  if (!error || !std::isfinite(*error) || *error <= 0.0 || !std::isfinite(value) || value == 0.0) return number(value);
+  const double digits = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(*error)) + 2.0;
+  return fmt::format("{:.{}g}", value, static_cast<int>(std::clamp(digits, 1.0, 6.0)));
+}
+
 std::string csv_number(const std::optional<double>& value) { return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string(); }
 
 std::string csv_line(const std::vector<std::string>& fields) {

@@ -36,6 +36,9 @@ class Table {
 /// A number with six significant digits; "–" when it is not finite.
 std::string number(double value);
 
+/// With the digits that an error leaves, two of the error's own; with six at most, as without one.
+std::string number(double value, const std::optional<double>& error);
+
 /// With all its digits; empty when there is none, or it is not finite.
 std::string csv_number(const std::optional<double>& value);
 

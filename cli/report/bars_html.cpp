@@ -88,7 +88,7 @@ std::string to_html(const Bars& bars) {
   out += "<td></td></tr></thead><tbody>\n";
   for (const Bar& bar : bars.bars) {
     out += fmt::format("<tr{}><th scope=\"row\">{}</th><td>{}</td><td class=\"unit\">{}</td>",
-                       bar.remark.empty() ? "" : " class=\"doubtful\"", html(bar.name), number(bar.value),
+                       bar.remark.empty() ? "" : " class=\"doubtful\"", html(bar.name), number(bar.value, bar.error),
                        html(bar.unit));
     if (intervals) out += "<td data-name=\"95 %:\">" + interval_text(bar) + "</td>";
     if (truths) out += "<td data-name=\"truth:\">" + (bar.truth ? number(*bar.truth) : "–") + "</td>";

@@ -69,6 +69,7 @@ ScatterPlot error_against_time(const std::vector<Combination>& combinations, std
   const std::vector<std::size_t> named = differing(combinations);
   ScatterPlot plot;
   plot.title = "Error against run time";
+  plot.front_name = "Pareto front";
   for (const Combination& each : combinations) {
     const ident::MatrixFigures& figures = each.matrices[matrix];
     if (!std::isfinite(figures.rms_relative_error.median)) continue;

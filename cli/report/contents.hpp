@@ -16,6 +16,23 @@ struct Text {
   bool quiet = false;
 };
 
+/// How much a result can be trusted, as a colour.
+enum class Trust { good, doubtful, bad };
+
+/// A likely cause of a bad result: what is wrong, where, how one sees it, and the scene lines that would mend it.
+struct SuspectLines {
+  std::string kind, file, dofs, evidence, remedy;
+};
+
+/// What stands above everything else of a page: the status in its colour, why, and what is to be suspected, most likely first.
+struct StatusBanner {
+  Trust trust = Trust::good;
+  std::string word;
+  std::string message;
+  std::vector<std::string> remarks{};  ///< one sentence each
+  std::vector<SuspectLines> suspects{};
+};
+
 /// Names and values below each other.
 struct Facts {
   std::vector<std::pair<std::string, std::string>> rows;
@@ -27,6 +44,21 @@ struct MatrixTable {
   std::vector<std::string> names;
   std::vector<std::vector<double>> values;
   std::vector<std::vector<double>> truth;  ///< empty, or as `values`
+  std::vector<std::vector<double>> errors{};  ///< empty, or as `values`: for the digits
+};
+
+/// How much of a table is shown, and where all of it is.
+struct RowLimit {
+  std::size_t most = 300;
+  std::string rest = "--json and --csv write all of them";  ///< a clause; empty: nothing has them
+};
+
+/// Errors of FRFs in dB, responses × references, in classes of colour that are the same on every page.
+struct HeatMap {
+  std::string title;
+  std::vector<std::string> rows, columns;
+  std::vector<double> values;                        ///< [rows × columns]; NaN: nothing to compare
+  std::vector<double> row_totals, column_totals;     ///< over all of a row or column, also of what is not shown
 };
 
 enum class Verdict { inside, outside, doubtful };
@@ -51,6 +83,7 @@ struct Bar {
   std::optional<std::array<double, 2>> interval;
   std::optional<double> truth;
   std::string remark;  ///< "not determined"
+  std::optional<double> error{};  ///< of the value, for its digits; not drawn
 };
 
 /// Values as bars from zero. Those whose names start alike (K, M, C, D) and whose units are equal share a scale.
@@ -67,7 +100,8 @@ enum class Style {
   line,
   reference,  ///< broad and grey: what the other curves are compared with
   dashed,
-  points
+  points,
+  reference_points  ///< points in the colour of `reference`
 };
 
 struct Series {
@@ -85,6 +119,8 @@ struct CurvePlot {
   std::optional<std::array<double, 2>> band;  ///< part of the x-axis to shade
   std::optional<double> level;                ///< a horizontal line to compare with
   std::optional<double> period;               ///< of y: a curve that jumps by more than half of it is interrupted
+  std::optional<std::array<double, 2>> y_range{};  ///< fixed ends of the y-axis
+  std::optional<double> deviation{};  ///< the y-axis shows as much above `level` as below, at least this; the plot is a low strip
 };
 
 struct Point {
@@ -97,11 +133,20 @@ struct PointGroup {
   std::vector<Point> points;
 };
 
+/// Curves behind the points of a scatter plot, over the same x-axis and a y-axis of their own on the right.
+struct Backdrop {
+  Axis y;
+  std::vector<double> x_values;  ///< ascending
+  std::vector<Series> series;    ///< as long as x_values
+};
+
 struct ScatterPlot {
   std::string title;
   Axis x, y;
   std::vector<PointGroup> groups;
-  std::vector<Point> front;  ///< joined by a line, e.g. the Pareto front; ascending in x
+  std::vector<Point> front;      ///< joined by a line; ascending in x
+  std::string front_name{};      ///< e.g. "Pareto front"
+  std::optional<Backdrop> backdrop{};
 };
 
 struct HistogramPlot {

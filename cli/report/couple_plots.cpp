@@ -8,6 +8,7 @@
 
 #include "cli/report/decimate.hpp"
 #include "cli/report/frf_curves.hpp"
+#include "cli/report/phase_branch.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -71,7 +72,7 @@ Choice choice(const Values& frequency_hz, const PredictedFrf& frf, std::size_t m
   if (!frf.with_all.empty()) phases.push_back({"with all conditions", all_phases(frf.with_all), Style::reference});
   phases.push_back({"predicted", all_phases(frf.value), Style::line});
   CurvePlot phase = over_frequency("Phase", {"phase (°)", false}, frequency_hz, std::move(phases), most);
-  phase.period = 360.0;
+  choose_branch(phase);
   return {name,
           {over_frequency("Magnitude of " + name, {receptance_label(frf.response, frf.reference), true}, frequency_hz, magnitude_series(frf), most),
            phase}};

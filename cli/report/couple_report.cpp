@@ -8,6 +8,7 @@
 #include "cli/report/couple_plots.hpp"
 #include "cli/report/limits.hpp"
 #include "cli/report/page.hpp"
+#include "cli/report/status_banner.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -27,7 +28,6 @@ std::string condition_text(const ident::CoupleResult& result) {
 
 void add_summary(const ident::CoupleScene& scene, const ident::CoupleResult& result, ReportPage& page) {
   page.section("Summary");
-  if (!result.message.empty()) page.add(Text{result.message});
   Facts facts{{{"method", coupling_method_text(scene)},
                {"conditions", result.dependencies ? fmt::format("{} of {}", result.result.conditions, result.dependencies->conditions.size())
                                                   : fmt::format("{}", result.result.conditions)},
@@ -39,6 +39,15 @@ void add_summary(const ident::CoupleScene& scene, const ident::CoupleResult& res
                {"result", result.result.path.string()}}};
   if (result.with_all) facts.rows.emplace_back("with all conditions", result.with_all->path.string());
   page.add(facts);
+}
+
+StatusBanner couple_banner(const ident::CoupleResult& result) {
+  StatusBanner banner = status_banner(ident::name(result.status), result.message);
+  if (banner.trust == Trust::good && result.unusable_lines > 0) {
+    banner.trust = Trust::doubtful;
+    banner.remarks.push_back(fmt::format("{} of {} lines are not usable.", result.unusable_lines, result.lines));
+  }
+  return banner;
 }
 
 std::vector<std::string> names(const coupling::Dependencies& dependencies) {
@@ -80,17 +89,19 @@ void add_lines(const ident::CoupleScene& scene, const ident::CoupleResult& resul
 void add_frfs(const ident::CoupleResult& result, ReportPage& page) {
   page.section("Predicted FRFs");
   page.add(predicted_plots(result.frequency_hz, read_predicted(result, most_frfs), most_points));
+  const std::size_t frfs = result.responses * result.references;
+  if (frfs > most_frfs) page.add(Text{fmt::format("First {} of {} FRFs; {} has all of them.", most_frfs, frfs, result.result.path.string()), true});
   Table table({{"resonance (Hz)"}});
   if (result.with_all) table = Table({{"resonance (Hz)"}, {"with all conditions (Hz)"}});
   const std::vector<double> all = result.with_all ? result.with_all->resonances_hz : std::vector<double>();
-  const std::size_t rows = std::min(most_resonances, std::max(result.result.resonances_hz.size(), all.size()));
+  const std::size_t rows = std::max(result.result.resonances_hz.size(), all.size());
   for (std::size_t i = 0; i < rows; ++i) {
     const auto cell = [i](const std::vector<double>& list) { return i < list.size() ? number(list[i]) : std::string(); };
     std::vector<std::string> row = {cell(result.result.resonances_hz)};
     if (result.with_all) row.push_back(cell(all));
     table.add(row);
   }
-  page.add(table, "Resonances");
+  page.add(table, "Resonances", {most_resonances, "--json writes all of them"});
   if (result.with_all) page.add(Text{"A condition that is dependent only in part is right somewhere between the two.", true});
 }
 
@@ -99,6 +110,7 @@ void add_frfs(const ident::CoupleResult& result, ReportPage& page) {
 std::string couple_report(const ident::CoupleScene& scene, const ident::CoupleResult& result) {
   const std::string file = scene.file.filename().string();
   ReportPage page(scene.title.empty() ? file : scene.title, "jointid couple " + file);
+  page.status(couple_banner(result));
   add_summary(scene, result, page);
   add_conditions(scene, result, page);
   if (!result.records.empty()) {

@@ -1,5 +1,7 @@
 #include "cli/report/frf_curves.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -21,6 +23,10 @@ std::vector<double> phases_deg(std::span<const std::complex<double>> frf, std::s
 std::string receptance_label(const frf::Dof& response, const frf::Dof& reference) {
   const std::string moved = response.is_rotation() ? "rad" : "m";
   return "receptance (" + moved + (reference.is_rotation() ? "/(N·m))" : "/N)");
+}
+
+std::string drawn_text(std::size_t drawn, std::size_t all) {
+  return drawn < all ? fmt::format("{} of {} FRFs are drawn, those that are met worst among them.", drawn, all) : "";
 }
 
 }  // namespace jointid::cli::report

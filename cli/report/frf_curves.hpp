@@ -19,4 +19,7 @@ std::vector<double> phases_deg(std::span<const std::complex<double>> frf, std::s
 /// "receptance (m/N)", with rad and N·m for rotations.
 std::string receptance_label(const frf::Dof& response, const frf::Dof& reference);
 
+/// "16 of 256 FRFs, …" where not all are drawn, else empty.
+std::string drawn_text(std::size_t drawn, std::size_t all);
+
 }  // namespace jointid::cli::report

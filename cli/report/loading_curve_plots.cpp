@@ -17,7 +17,7 @@ using friction::CurveKind;
 using friction::Fit;
 using Values = std::vector<double>;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_samples = 1500;
 
 /// Fits that have something to draw.
@@ -118,7 +118,7 @@ std::vector<std::size_t> evenly(std::size_t size, std::size_t most) {
 double slip_displacement(const friction::Element& element, double h, double most) {
   const double first = element.response(0.0).tangent;
   const auto slips = [&](double u) { return 1.0 - element.response(u).tangent / first >= h; };
-  if (!slips(most)) return nan;
+  if (!slips(most)) return no_value;
   double low = 0.0, high = most;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
@@ -207,7 +207,7 @@ PlotGroup loops_in_turn(const LoadingCurveReport& report) {
     for (std::size_t i = 0; i < report.data.curves.size(); ++i) plot.x_values.push_back(static_cast<double>(i + 1));
     for (std::size_t law = 0; law < report.of_loops.size(); ++law) {
       Values y;
-      for (const Fit& fit : report.of_loops[law]) y.push_back(fit.curves.empty() ? nan : figure(fit.curves[0]));
+      for (const Fit& fit : report.of_loops[law]) y.push_back(fit.curves.empty() ? no_value : figure(fit.curves[0]));
       if (std::ranges::any_of(y, [](double each) { return std::isfinite(each); })) plot.series.push_back({report.fits[law].law, std::move(y), Style::line});
     }
     return plot;

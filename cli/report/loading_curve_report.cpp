@@ -7,6 +7,7 @@
 #include "cli/loading_curve_tables.hpp"
 #include "cli/report/loading_curve_plots.hpp"
 #include "cli/report/page.hpp"
+#include "cli/report/status_banner.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -23,7 +24,15 @@ void add_summary(const LoadingCurveReport& report, ReportPage& page) {
                   {"best law by AIC", best.law + ", " + best.title},
                   {"minimiser", best.minimiser}}});
   for (const std::string& note : report.data.notes) page.add(Text{note, true});
-  for (const std::string& finding : best.findings) page.add(Text{best.law + ": " + finding});
+}
+
+/// The status of the best law, and what the curves cannot tell of it.
+StatusBanner loading_banner(const LoadingCurveReport& report) {
+  const friction::Fit& best = report.fits.front();
+  if (!some_usable(report)) return status_banner(friction::name(best.status), best.message);
+  std::vector<std::string> findings;
+  for (const std::string& finding : best.findings) findings.push_back(best.law + ": " + finding);
+  return status_banner("ok", fmt::format("Best law by AIC: {}, {}.", best.law, best.title), std::move(findings));
 }
 
 void add_laws(const LoadingCurveReport& report, ReportPage& page) {
@@ -59,10 +68,15 @@ void add_vibration(const LoadingCurveReport& report, ReportPage& page) {
 
 std::string loading_curve_report(const LoadingCurveReport& report) {
   ReportPage page(report.title, "jointid loading-curve");
+  page.status(loading_banner(report));
   add_summary(report, page);
   add_laws(report, page);
   page.section("Curves and residuals");
   page.add(curves_and_residuals(report, most_curves));
+  if (report.data.curves.size() > most_curves) {
+    page.add(Text{fmt::format("{} of {} curves, evenly chosen; --json and --csv have the figures of all of them.", most_curves, report.data.curves.size()),
+                  true});
+  }
   page.section("Slip over the stiffness area");
   page.add(slip_distribution(report));
   page.add(Text{"u(h) of (2.53): dT/du = k(1 − h). The level is the largest measured displacement.", true});

@@ -17,10 +17,12 @@ function number(value) {
   return String(Number(value.toPrecision(6)));
 }
 
-/// Powers of ten; between them 2 and 5 where there are few.
+/// Powers of ten; between them 2 and 5 where there are few, and only every second, third, … where there are too many to be read.
 function logSplits(plot, index, low, high) {
   const first = Math.floor(Math.log10(low)), last = Math.ceil(Math.log10(high)), splits = [];
-  for (let power = first; power <= last; ++power) {
+  const across = plot.axes[index].scale === "x", size = across ? plot.width - 80 : plot.height - 60;
+  const step = Math.max(1, Math.ceil((last - first) * (across ? 52 : 18) / Math.max(1, size)));
+  for (let power = Math.ceil(first / step) * step; power <= last; power += step) {
     for (const digit of high / low > 300 ? [1] : [1, 2, 5]) splits.push(Number(digit + "e" + power));
   }
   return splits.filter((value) => value >= low && value <= high);
@@ -29,7 +31,7 @@ function logSplits(plot, index, low, high) {
 /// `period`: of an angle in degrees.
 function axis(description, side, period) {
   return {
-    scale: side, label: description.label, labelSize: 22, labelGap: 0, size: side === "y" ? 58 : 38,
+    scale: side, label: description.label, labelSize: 22, labelGap: 0, size: side === "x" ? 38 : 58,
     stroke: colour("ink"), font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif",
     grid: { stroke: colour("grid"), width: 1 }, ticks: { stroke: colour("line"), width: 1, size: 5 },
     ...(description.log && { splits: logSplits, filter: (plot, splits) => splits }),

@@ -46,6 +46,8 @@ std::string list(const std::vector<std::string>& items) {
 ReportPage::ReportPage(std::string title, std::string subtitle)
     : title_(std::move(title)), subtitle_(std::move(subtitle)) {}
 
+void ReportPage::status(const StatusBanner& banner) { banner_ = to_html(banner); }
+
 void ReportPage::section(const std::string& title) {
   sections_.push_back(element("h2", "", report::html(title)));
 }
@@ -57,7 +59,15 @@ void ReportPage::append(const std::string& html) {
 
 void ReportPage::add(const Text& text) { append(to_html(text)); }
 void ReportPage::add(const Facts& facts) { append(to_html(facts)); }
-void ReportPage::add(const Table& table, const std::string& title) { append(to_html(table, title)); }
+void ReportPage::add(const HeatMap& map) { append(to_html(map)); }
+
+void ReportPage::add(const Table& table, const std::string& title, const RowLimit& limit) {
+  append(to_html(table, title, limit.most));
+  if (table.rows().size() <= limit.most) return;
+  const std::string rest = limit.rest.empty() ? "" : "; " + limit.rest;
+  add(Text{fmt::format("First {} of {} rows{}.", limit.most, table.rows().size(), rest)});
+}
+
 void ReportPage::add(const MatrixTable& matrix) { append(to_html(matrix)); }
 void ReportPage::add(const ComparedTable& table) { append(to_html(table)); }
 void ReportPage::add(const Bars& bars) { append(to_html(bars)); }
@@ -73,7 +83,7 @@ std::string ReportPage::html() const {
   std::string out = head + element("title", "", report::html(title_)) + element("style", "", style()) +
                     element("script", "", assets::errors_js) + "</head>\n<body>\n<header>\n" +
                     element("h1", "", report::html(title_)) + element("p", "", report::html(subtitle_)) +
-                    "</header>\n<main>\n";
+                    "</header>\n" + banner_ + "<main>\n";
   for (const std::string& section : sections_) out += element("section", "", section);
   out += "</main>\n" + element("footer", "", "jointid " JOINTID_VERSION);
   if (!groups_.empty()) {

@@ -14,13 +14,18 @@ class ReportPage {
  public:
   ReportPage(std::string title, std::string subtitle);
 
+  /// What stands above the first section, in its colour.
+  void status(const StatusBanner& banner);
+
   /// Opens a section; what is added next stands in it.
   void section(const std::string& title);
 
   void add(const Text& text);
   void add(const Facts& facts);
-  /// The first cell of a row is its name. Tables with a title stand beside each other where there is room.
-  void add(const Table& table, const std::string& title = "");
+  /// The first cell of a row is its name. Tables with a title stand beside each other where there is room. A table with more rows
+  /// than `limit` is cut, and says so.
+  void add(const Table& table, const std::string& title = "", const RowLimit& limit = {});
+  void add(const HeatMap& map);
   void add(const MatrixTable& matrix);
   void add(const ComparedTable& table);
   void add(const Bars& bars);
@@ -32,7 +37,7 @@ class ReportPage {
  private:
   void append(const std::string& html);
 
-  std::string title_, subtitle_;
+  std::string title_, subtitle_, banner_;
   std::vector<std::string> sections_;
   std::vector<std::string> groups_;  ///< as JSON
 };

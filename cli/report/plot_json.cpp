@@ -32,6 +32,7 @@ const char* name(Style style) {
     case Style::line: return "line";
     case Style::reference: return "reference";
     case Style::dashed: return "dashed";
+    case Style::reference_points: return "reference points";
     case Style::points: break;
   }
   return "points";
@@ -45,16 +46,23 @@ Json points(const std::vector<Point>& list) {
   return out;
 }
 
+Json series_json(const std::vector<Series>& list) {
+  Json out = Json::array();
+  for (const Series& series : list) {
+    out.push_back({{"name", series.name}, {"style", name(series.style)}, {"y", array(series.y, y_digits)}});
+  }
+  return out;
+}
+
 Json json(const CurvePlot& plot) {
   Json out = {{"kind", "curves"}, {"title", plot.title}, {"x", axis(plot.x)}, {"y", axis(plot.y)}};
   out["values"] = array(plot.x_values, x_digits);
-  out["series"] = Json::array();
-  for (const Series& series : plot.series) {
-    out["series"].push_back({{"name", series.name}, {"style", name(series.style)}, {"y", array(series.y, y_digits)}});
-  }
+  out["series"] = series_json(plot.series);
   if (plot.band) out["band"] = {rounded((*plot.band)[0], x_digits), rounded((*plot.band)[1], x_digits)};
   if (plot.level) out["level"] = rounded(*plot.level, y_digits);
   if (plot.period) out["period"] = rounded(*plot.period, y_digits);
+  if (plot.y_range) out["yRange"] = {rounded((*plot.y_range)[0], y_digits), rounded((*plot.y_range)[1], y_digits)};
+  if (plot.deviation) out["deviation"] = rounded(*plot.deviation, y_digits);
   return out;
 }
 
@@ -65,6 +73,12 @@ Json json(const ScatterPlot& plot) {
     out["groups"].push_back({{"name", group.name}, {"points", points(group.points)}});
   }
   out["front"] = points(plot.front);
+  out["frontName"] = plot.front_name;
+  if (plot.backdrop) {
+    out["backdrop"] = {{"y", axis(plot.backdrop->y)},
+                       {"values", array(plot.backdrop->x_values, x_digits)},
+                       {"series", series_json(plot.backdrop->series)}};
+  }
   return out;
 }
 

@@ -3,6 +3,8 @@
 
 function lineWidth(style) { return style === "reference" ? 4 : 1.75; }
 
+function isReference(style) { return style === "reference" || style === "reference points"; }
+
 /// Interrupts a curve where it jumps by more than half a period, e.g. a phase at ±180°.
 function jumps(period) {
   return (plot, index, from, to, gaps) => {
@@ -16,25 +18,44 @@ function jumps(period) {
 }
 
 function curveSeries(series, index, period) {
-  const shade = series.style === "reference" ? colour("reference") : seriesColour(index);
+  const shade = isReference(series.style) ? colour("reference") : seriesColour(index);
+  const pointed = series.style.endsWith("points");
   const options = {
     label: series.name, stroke: shade, width: lineWidth(series.style), value: (plot, value) => number(value),
-    points: { show: series.style === "points", size: 6, fill: shade },
+    points: { show: pointed, size: series.y.length > 300 ? 3 : 6, width: 0, fill: shade },
   };
-  if (series.style === "points") options.paths = () => null;
+  if (pointed) options.paths = () => null;
   if (series.style === "dashed") options.dash = [6, 4];
   if (period) options.gaps = jumps(period);
   return options;
+}
+
+/// Ends of the y-axis: as the plot says, or the data with a margin, as much above as below of a deviation, and with the level that
+/// the data are compared with. Undefined: as the library chooses.
+function yRange(plot) {
+  if (plot.yRange) return plot.yRange;
+  if (plot.deviation) {
+    return (u, from, to) => {
+      const half = Math.max(plot.deviation, 1.1 * Math.max(Math.abs(from ?? 0), Math.abs(to ?? 0)));
+      return [-half, half];
+    };
+  }
+  if (plot.level == null || (plot.y.log && !(plot.level > 0))) return undefined;
+  return (u, from, to) => {
+    if (from == null) return [null, null];
+    const [low, high] = [Math.min(from, plot.level), Math.max(to, plot.level)];
+    return plot.y.log ? uPlot.rangeLog(low, high, 10, true) : uPlot.rangeNum(low, high, .1, true);
+  };
 }
 
 function curves(plot) {
   let next = 0;
   return {
     data: [plot.values, ...plot.series.map((series) => series.y)],
-    series: plot.series.map((series) => curveSeries(series, series.style === "reference" ? 0 : next++, plot.period)),
+    series: plot.series.map((series) => curveSeries(series, isReference(series.style) ? 0 : next++, plot.period)),
     range: {
       x: plot.x.log && ((u, from, to) => [from, to]),  // the library would widen it to whole decades
-      y: plot.period && [-plot.period / 2, plot.period / 2],
+      y: yRange(plot),
     },
     drag: { x: true, y: false }, x: plot.x, y: plot.y,
   };
@@ -55,9 +76,22 @@ function withMargin(log) {
   };
 }
 
+/// Curves behind points, over their own axis on the right; lists of points like those of groups.
+function backdropSeries(backdrop) {
+  const list = backdrop ? backdrop.series : [];
+  return {
+    lists: list.map((series) => backdrop.values.map((x, i) => [x, series.y[i]])),
+    series: list.map((series, index) => ({
+      label: series.name, scale: "back", stroke: colour(index === 0 ? "reference" : "faint"), width: 1.5, spanGaps: true,
+      points: { show: false }, value: (u, value) => number(value),
+    })),
+  };
+}
+
 /// All points in one list, ascending in x; each row has the value of its own series only.
 function scatter(plot) {
-  const lists = [...plot.groups.map((group) => group.points), plot.front];
+  const back = backdropSeries(plot.backdrop), front = plot.front.length > 0;
+  const lists = [...back.lists, ...plot.groups.map((group) => group.points), ...(front ? [plot.front] : [])];
   const rows = lists.flatMap((points, series) => points.map((point) => ({ point, series })));
   rows.sort((a, b) => a.point[0] - b.point[0]);
   const column = (series) => rows.map((row) => row.series === series ? row.point[1] : null);
@@ -65,12 +99,15 @@ function scatter(plot) {
     label: group.name, stroke: seriesColour(index), paths: () => null, value: (u, value) => number(value),
     points: { show: true, size: 9, fill: seriesColour(index), stroke: colour("paper"), width: 1 },
   }));
-  series.push({
-    label: "Pareto front", stroke: colour("ink"), width: 1.25, dash: [5, 4], spanGaps: true, points: { show: false },
-    value: (u, value) => number(value),
-  });
+  if (front) {
+    series.push({
+      label: plot.frontName, stroke: colour("ink"), width: 1.25, dash: [5, 4], spanGaps: true, points: { show: false },
+      value: (u, value) => number(value),
+    });
+  }
   return {
-    data: [rows.map((row) => row.point[0]), ...lists.map((points, index) => column(index))], series, rows,
+    data: [rows.map((row) => row.point[0]), ...lists.map((points, index) => column(index))], series: [...back.series, ...series],
+    rows: rows.filter((row) => row.point[2]), back: plot.backdrop && plot.backdrop.y,
     range: { x: withMargin(plot.x.log), y: withMargin(plot.y.log) }, drag: { x: true, y: true }, x: plot.x, y: plot.y,
   };
 }
@@ -93,7 +130,16 @@ const kinds = { curves, scatter, histogram };
 
 function scales(made) {
   const one = (description, range) => Object.assign({ time: false, distr: description.log ? 3 : 1 }, range && { range });
-  return { x: one(made.x, made.range.x), y: one(made.y, made.range.y) };
+  return { x: one(made.x, made.range.x), y: one(made.y, made.range.y), ...(made.back && { back: one(made.back) }) };
+}
+
+function axes(made, description) {
+  const both = [axis(made.x, "x"), { ...axis(made.y, "y", description.period), ...(description.deviation && { space: 16 }) }];
+  return made.back ? [...both, { ...axis(made.back, "back"), side: 1, grid: { show: false } }] : both;
+}
+
+function height(description, width) {
+  return description.deviation ? 150 : Math.round(Math.min(340, Math.max(230, width * .42)));
 }
 
 /// The name of the point nearest to the cursor, in a box beside it.
@@ -101,7 +147,6 @@ function showNearest(plot, rows, tip) {
   const { left, top } = plot.cursor;
   let nearest = null, least = 24;
   for (const { point } of left < 0 ? [] : rows) {
-    if (!point[2]) continue;
     const distance = Math.hypot(plot.valToPos(point[0], "x") - left, plot.valToPos(point[1], "y") - top);
     if (distance < least) [nearest, least] = [point, distance];
   }
@@ -117,8 +162,7 @@ function drawPlot(description, element, sync, part) {
   const made = kinds[description.kind](description);
   const width = element.clientWidth;
   const options = {
-    width, height: Math.round(Math.min(340, Math.max(230, width * .42))),
-    scales: scales(made), axes: [axis(made.x, "x"), axis(made.y, "y", description.period)],
+    width, height: height(description, width), scales: scales(made), axes: axes(made, description),
     series: [{ label: made.x.label, value: (plot, value) => number(value) }, ...made.series],
     cursor: { drag: made.drag, sync: { key: sync }, points: { size: 7 } },
     legend: { live: description.kind !== "scatter", markers: { fill: (plot, i) => made.series[i - 1].stroke } },

@@ -1,7 +1,7 @@
 "use strict";
 // With #selfcheck in its address the page uses itself: every choice of every group is drawn, zoomed with the mouse, hovered,
-// set back, and zoomed and set back by its buttons (with the plots over the same axis); points tell their names, and paper is
-// tried. The counts stand in <html data-selfcheck="…"> afterwards, the colour of the background in data-paper.
+// set back, and zoomed and set back by its buttons (with the plots over the same axis); points tell their names, no number is broken
+// into two lines, and paper is tried. The counts stand in <html data-selfcheck="…"> afterwards, the colour of the background in data-paper.
 
 function mouse(plot, kind, x, y) {
   const box = plot.over.getBoundingClientRect();
@@ -63,12 +63,31 @@ async function check(group, one, counts) {
 
 /// A point of a scatter plot tells its name when the pointer is on it.
 async function tellsName(one) {
-  const plot = one.plot, [x, y] = one.description.groups.at(-1).points.at(-1);
+  const filled = one.description.groups.filter((group) => group.points.length > 0);
+  if (filled.length === 0) return true;
+  const plot = one.plot, [x, y] = filled.at(-1).points.at(-1);
   mouse(plot, "mousemove", plot.valToPos(x, "x") / plot.over.clientWidth, plot.valToPos(y, "y") / plot.over.clientHeight);
   await settle();
   const tip = plot.root.parentElement.querySelector(".tip");
   const names = one.description.groups.flatMap((group) => group.points.map((point) => point[2]));
   return !tip.hidden && names.some((name) => tip.textContent.startsWith(name + ":"));
+}
+
+/// Numbers of the page's text that stand on two lines.
+function brokenNumbers() {
+  const broken = [], range = document.createRange();
+  const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (texts.nextNode()) {
+    const node = texts.currentNode;
+    if (node.parentElement.closest("script, style, header, .path")) continue;
+    for (const found of node.data.matchAll(/[-+−]?\d[\d.]*(e[-+]?\d+)?/g)) {
+      range.setStart(node, found.index);
+      range.setEnd(node, found.index + found[0].length);
+      const tops = [...range.getClientRects()].map((box) => Math.round(box.top));
+      if (new Set(tops).size > 1) broken.push(found[0]);
+    }
+  }
+  return broken;
 }
 
 /// On paper every plot is drawn in black on white, no wider than the page.
@@ -104,6 +123,7 @@ async function selfCheck() {
   }
   for (const group of groups) if (!await keepsPart(group)) console.error("a redraw lost what was shown");
   if (document.documentElement.scrollWidth > innerWidth) console.error("the page is wider than its window");
+  for (const text of brokenNumbers()) console.error("a number is broken: " + text);
   if (!await fitsPaper()) console.error("the plots do not fit on paper");
   document.documentElement.dataset.paper = colour("paper");
   document.documentElement.dataset.selfcheck = Object.entries(counts).map(([name, count]) => name + "=" + count).join(" ");

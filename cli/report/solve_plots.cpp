@@ -8,6 +8,7 @@
 
 #include "cli/report/decimate.hpp"
 #include "cli/report/frf_curves.hpp"
+#include "cli/report/phase_branch.hpp"
 #include "ident/decibel_error.hpp"
 
 namespace jointid::cli::report {
@@ -15,7 +16,8 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double least_deviation_db = 0.1;  ///< a difference of less looks small
 
 bool has_any(const Values& values) {
   return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
@@ -41,23 +43,39 @@ std::vector<Series> overlay(Values measured, Values regenerated) {
   return series;
 }
 
+/// 20 log10(|regenerated|/|measured|) at some of the lines; NaN where one of them is not there.
+Values level_differences(const Values& measured, const Values& regenerated, const std::vector<std::size_t>& kept) {
+  Values out;
+  for (const std::size_t i : kept) out.push_back(20.0 * std::log10(regenerated[i] / measured[i]));
+  return out;
+}
+
 Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::optional<std::array<double, 2>> used_hz,
               std::size_t most) {
   const std::vector<Values> curves = {magnitudes(frf.measured), magnitudes(frf.predicted)};
   const std::vector<std::size_t> kept = keep_peaks(curves, most);
-  CurvePlot magnitude, phase;
+  CurvePlot magnitude, phase, difference;
   magnitude.title = "Magnitude of " + frf.entry.response.name() + " / " + frf.entry.reference.name();
   magnitude.x = {"frequency (Hz)", false};
   magnitude.y = {receptance_label(frf.entry.response, frf.entry.reference), true};
   magnitude.x_values = picked(frequency_hz, kept);
   magnitude.series = overlay(picked(curves[0], kept), picked(curves[1], kept));
   magnitude.band = used_hz;
-  phase = magnitude;
+  difference = phase = magnitude;
   phase.title = "Phase";
   phase.y = {"phase (°)", false};
-  phase.period = 360.0;
   phase.series = overlay(phases_deg(frf.measured, kept), phases_deg(frf.predicted, kept));
-  return {entry_name(frf), {magnitude, phase}};
+  choose_branch(phase);
+  Choice out{entry_name(frf), {magnitude, phase}};
+  Values differences = level_differences(curves[0], curves[1], kept);
+  if (!has_any(differences)) return out;
+  difference.title = "Regenerated over measured";
+  difference.y = {"dB", false};
+  difference.level = 0.0;
+  difference.deviation = least_deviation_db;
+  difference.series = {{"difference", std::move(differences), Style::line}};
+  out.plots.insert(out.plots.begin() + 1, std::move(difference));
+  return out;
 }
 
 }  // namespace
@@ -81,8 +99,8 @@ PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines) {
     for (const ident::LineQuality& line : lines) {
       const auto found = line.quality.find(last.first);
       count.push_back(static_cast<double>(line.lines));
-      rjcf.push_back(found == line.quality.end() ? nan : found->second.rjcf);
-      arvf.push_back(found == line.quality.end() ? nan : found->second.arvf);
+      rjcf.push_back(found == line.quality.end() ? missing : found->second.rjcf);
+      arvf.push_back(found == line.quality.end() ? missing : found->second.arvf);
     }
     CurvePlot plot;
     plot.title = "RJCF and ARVF against the number of frequency lines";

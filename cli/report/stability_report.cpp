@@ -30,10 +30,19 @@ CurvePlot digits_plot(const stability::Sweep& sweep, const std::vector<stability
   return plot;
 }
 
+/// Red when a solution was wrong and did not say so.
+StatusBanner stability_banner(const StabilityReport& report) {
+  const auto silent = static_cast<std::size_t>(std::ranges::count(report.rows, stability::Verdict::silent_wrong, &stability::Measured::verdict)) +
+                      report.count.silent_wrong;
+  if (silent == 0) return {Trust::good, "ok", "No solution was silently wrong."};
+  return {Trust::bad, "silently wrong", fmt::format("{} solutions were wrong and did not say so.", silent)};
+}
+
 }  // namespace
 
 std::string stability_report(const StabilityReport& report) {
   ReportPage page("Numerical stability", "jointid stability");
+  page.status(stability_banner(report));
   page.section("What solutions say of themselves");
   page.add(verdict_table(report));
   page.add(Text{"Silent wrong: off by more than 10 times the stated bound, without status or warning. "

@@ -14,7 +14,7 @@
 namespace jointid::cli::report {
 namespace {
 
-constexpr std::size_t most_together = 12;
+constexpr std::size_t histograms_together = 12;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A histogram to be filled, and the column that fills it.
@@ -92,8 +92,8 @@ PlotGroup unknown_histograms(const std::filesystem::path& file, const ident::Stu
   std::vector<std::string> choices;
   for (std::size_t i = 0; i < shown; ++i) {
     const ident::UnknownStatistics& unknown = statistics.unknowns[i];
-    if (i % most_together == 0) {
-      const std::string& last = statistics.unknowns[std::min(i + most_together, shown) - 1].name;
+    if (i % histograms_together == 0) {
+      const std::string& last = statistics.unknowns[std::min(i + histograms_together, shown) - 1].name;
       choices.push_back(last == unknown.name ? last : unknown.name + " … " + last);
     }
     drafts.add(unknown.name, unknown.unit, at.value(i), unknown.quantiles, unknown.truth, "truth", {-infinity, infinity},

@@ -28,7 +28,16 @@ void add_summary(const StudyReport& report, const ident::Scene& scene, ReportPag
                   {"delta", delta_text(identify.method, identify.delta)},
                   {"solver", identify.solver},
                   {"all results", report.file}}});
+  for (const std::string& note : report.notes) page.add(Text{note});
   page.add(Text{speed_text(report.run) + ".", true});
+}
+
+/// Green when every trial gave an estimate.
+StatusBanner study_banner(const ident::StudyStatistics& statistics) {
+  const std::string all = trials_text(statistics);
+  if (statistics.usable == statistics.trials) return {Trust::good, "ok", all + "."};
+  return statistics.usable > 0 ? StatusBanner{Trust::doubtful, "some trials failed", all + "."}
+                               : StatusBanner{Trust::bad, "no trial gave an estimate", all + "."};
 }
 
 void add_unknowns(const StudyReport& report, ReportPage& page) {
@@ -44,7 +53,7 @@ void add_unknowns(const StudyReport& report, ReportPage& page) {
     page.add(Text{"Coverage: share of the 95 % intervals that hold the truth.", true});
   }
   if (all > most_unknowns) {
-    page.add(Text{fmt::format("The first {} of {} unknowns; --json and {} have them all.", most_unknowns, all, report.file)});
+    page.add(Text{fmt::format("First {} of {} unknowns; --json, --csv and {} have all of them.", most_unknowns, all, report.file)});
   }
   page.add(unknown_histograms(report.file, report.statistics, most_unknowns));
 }
@@ -61,6 +70,7 @@ void add_quality(const StudyReport& report, ReportPage& page) {
 std::string study_report(const StudyReport& report, const ident::Scene& scene) {
   const std::string file = scene.file.filename().string();
   ReportPage page(scene.title.empty() ? file : scene.title, "jointid study " + file);
+  page.status(study_banner(report.statistics));
   add_summary(report, scene, page);
   add_unknowns(report, page);
   add_quality(report, page);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/report/escape.hpp"
@@ -12,9 +13,30 @@ namespace {
 /// Tables of more are written smaller.
 constexpr std::size_t most_columns = 8;
 
-/// Wide tables scroll by themselves, not the page.
-std::string scrolling(const std::string& table, const char* kind) {
-  return fmt::format("<div class=\"{}\" tabindex=\"0\">{}</div>\n", kind, table);
+/// Texts longer than this are broken between words.
+constexpr std::size_t longest_unbroken = 48;
+
+/// Wide tables scroll by themselves, not the page; their title stays.
+std::string scrolling(const std::string& table, const std::string& title, bool beside) {
+  const std::string named = title.empty() ? "" : fmt::format("<div class=\"caption\">{}</div>", html(title));
+  return fmt::format("<div class=\"{}\">{}<div class=\"wide\" tabindex=\"0\" aria-label=\"{}\">{}</div></div>\n", beside ? "titled beside" : "titled", named, html(title),
+                     table);
+}
+
+std::string classes(const Column& column, const std::string& cell) {
+  const std::string side = column.align == Align::left ? "left" : "", length = cell.size() > longest_unbroken ? "long" : "";
+  if (side.empty() && length.empty()) return "";
+  return " class=\"" + side + (side.empty() || length.empty() ? "" : " ") + length + "\"";
+}
+
+std::string row_html(const Table& table, const std::vector<std::string>& row) {
+  std::string out = "<tr>";
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    const std::string kind = classes(table.columns()[i], row[i]);
+    out += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", row[i].size() > longest_unbroken ? " class=\"long\"" : "", html(row[i]))
+                  : fmt::format("<td{}>{}</td>", kind, html(row[i]));
+  }
+  return out + "</tr>\n";
 }
 
 std::string deviation(double value, double truth) {
@@ -36,39 +58,30 @@ std::string to_html(const Facts& facts) {
   return out + "</dl>\n";
 }
 
-std::string to_html(const Table& table, const std::string& title) {
-  const auto side = [&](std::size_t i) { return table.columns()[i].align == Align::left ? " class=\"left\"" : ""; };
-  std::string out = fmt::format("<table{}>", table.columns().size() > most_columns ? " class=\"many\"" : "");
-  if (!title.empty()) out += "<caption>" + html(title) + "</caption>";
-  out += "<thead><tr>";
-  for (std::size_t i = 0; i < table.columns().size(); ++i) {
-    out += fmt::format("<th scope=\"col\"{}>{}</th>", side(i), html(table.columns()[i].title));
+std::string to_html(const Table& table, const std::string& title, std::size_t most) {
+  std::string out = fmt::format("<table{}><thead><tr>", table.columns().size() > most_columns ? " class=\"many\"" : "");
+  for (const Column& column : table.columns()) {
+    out += fmt::format("<th scope=\"col\"{}>{}</th>", classes(column, ""), html(column.title));
   }
   out += "</tr></thead><tbody>\n";
-  for (const auto& row : table.rows()) {
-    out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      out += i == 0 ? "<th scope=\"row\">" + html(row[i]) + "</th>"
-                    : fmt::format("<td{}>{}</td>", side(i), html(row[i]));
-    }
-    out += "</tr>\n";
-  }
-  return scrolling(out + "</tbody></table>", title.empty() ? "wide" : "wide beside");
+  for (std::size_t row = 0; row < std::min(most, table.rows().size()); ++row) out += row_html(table, table.rows()[row]);
+  return scrolling(out + "</tbody></table>", title, !title.empty());
 }
 
 std::string to_html(const MatrixTable& matrix) {
-  std::string out = "<table class=\"matrix\"><caption>" + html(matrix.title) + "</caption><thead><tr><td></td>";
+  std::string out = "<table class=\"matrix\"><thead><tr><td></td>";
   for (const std::string& name : matrix.names) out += "<th scope=\"col\">" + html(name) + "</th>";
   out += "</tr></thead><tbody>\n";
   for (std::size_t i = 0; i < matrix.values.size(); ++i) {
     out += "<tr><th scope=\"row\">" + html(matrix.names[i]) + "</th>";
     for (std::size_t j = 0; j < matrix.values[i].size(); ++j) {
       const double value = matrix.values[i][j];
-      out += "<td>" + number(value) + (matrix.truth.empty() ? "" : deviation(value, matrix.truth[i][j])) + "</td>";
+      const auto error = matrix.errors.empty() ? std::nullopt : std::optional(matrix.errors[i][j]);
+      out += "<td>" + number(value, error) + (matrix.truth.empty() ? "" : deviation(value, matrix.truth[i][j])) + "</td>";
     }
     out += "</tr>\n";
   }
-  return scrolling(out + "</tbody></table>", "wide beside");
+  return scrolling(out + "</tbody></table>", matrix.title, true);
 }
 
 }  // namespace jointid::cli::report

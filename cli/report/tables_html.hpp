@@ -10,7 +10,10 @@ namespace jointid::cli::report {
 
 std::string to_html(const Text& text);
 std::string to_html(const Facts& facts);
-std::string to_html(const Table& table, const std::string& title);
+std::string to_html(const StatusBanner& banner);
+/// The first `most` rows.
+std::string to_html(const Table& table, const std::string& title, std::size_t most);
+std::string to_html(const HeatMap& map);
 std::string to_html(const MatrixTable& matrix);
 std::string to_html(const ComparedTable& table);
 std::string to_html(const Bars& bars);

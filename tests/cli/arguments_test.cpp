@@ -38,6 +38,15 @@ TEST(Arguments, CompareTakesListsWithCommas) {
   EXPECT_EQ(compare.trials, 200U);
 }
 
+TEST(Arguments, WholeNumbersMayHaveAnExponent) {
+  const auto study = command<StudyArguments>({"study", "a.toml", "--trials", "1e3", "--seed", "18446744073709551615", "--threads", "2"});
+  EXPECT_EQ(study.trials, 1000U);
+  EXPECT_EQ(study.seed, 18446744073709551615U);
+  EXPECT_EQ(study.threads, 2U);
+  EXPECT_EQ(command<CompareArguments>({"compare", "a.toml", "--trials", "2.5e3"}).trials, 2500U);
+  EXPECT_EQ(command<StabilityArguments>({"stability", "--scenes", "0"}).scenes, 0U);
+}
+
 TEST(Arguments, ProblemWriteHasTheDefaultsOfTheLibrary) {
   const auto write = command<ProblemWriteArguments>({"problem", "write", "A1", "dir"});
   EXPECT_EQ(write.name, "A1");

@@ -16,6 +16,10 @@ command_test(plan_bound_json CODE 0 OUT "\"without_lines\":" AFTER study_data AR
 command_test(plan_candidate_unknown CODE 2 ERR "--candidates.*9:.Z" AFTER study_data ARGS plan a1/A1.toml --bound --candidates 9:+Z)
 command_test(plan_candidates_alone CODE 2 ERR "--bound" AFTER study_data ARGS plan a1/A1.toml --candidates 1:+Y)
 command_test(plan_json CODE 0 OUT "\"left_out\":" AFTER written ARGS plan rig1/rig1.toml --json -)
+command_test(check CODE 0 OUT "^clean: " AFTER written ARGS check rig1/rig1.toml)
+command_test(check_json CODE 0 OUT "^{\n  \"verdict\": \"clean\",\n  \"suspects\": " AFTER written
+  ARGS check rig1/rig1.toml --json -)
+command_test(check_absent CODE 2 ERR "absent.toml" ARGS check absent.toml)
 command_test(solve CODE 0 OUT "against the truth" AFTER written ARGS solve rig1/rig1.toml)
 command_test(solve_json CODE 0 OUT "^{\n  \"status\": \"ok\"" AFTER written ARGS solve rig1/rig1.toml --json -)
 command_test(solve_both CODE 2 ERR "standard output" AFTER written ARGS solve rig1/rig1.toml --json - --csv -)
@@ -94,7 +98,7 @@ command_test(loading_curve_unit CODE 2 ERR "--unit: 'kg' is no unit" AFTER curve
 command_test(loading_curve_loops CODE 3 ERR "no whole cycle" AFTER curve ARGS loading-curve curve/table2.1-1.csv --kind loops)
 command_test(loading_curve_loads CODE 2 ERR "--normal-load: 2 loads for 1 files" AFTER curve
   ARGS loading-curve curve/table2.1-1.csv --normal-load 1,2)
-command_test(loading_curve_over_input CODE 2 ERR "would replace curve/table2.1-1.csv" AFTER curve
+command_test(loading_curve_over_input CODE 2 ERR "would replace the input curve/table2.1-1.csv" AFTER curve
   ARGS loading-curve curve/table2.1-1.csv --json curve/table2.1-1.csv)
 command_test(loading_curve_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER curve
   ARGS loading-curve curve/table2.1-1.csv --report absent/a.html)
@@ -117,7 +121,7 @@ command_test(couple_report_stdout CODE 0 OUT "^<!DOCTYPE html>.*5:.Y = 7:.Y.*2 o
   ARGS couple c/coupling-C.toml --out couple_stdout.h5 --report -)
 command_test(couple_report_unwritable CODE 3 ERR "absent/a.html: cannot be written" AFTER couple_data
   ARGS couple c/coupling-C.toml --out couple_absent.h5 --report absent/a.html)
-command_test(couple_onto_part CODE 2 ERR "it is a part of the scene" AFTER couple_data
+command_test(couple_onto_part CODE 2 ERR "would replace the input c/coupling-C_part_1.h5" AFTER couple_data
   ARGS couple c/coupling-C.toml --out c/coupling-C_part_1.h5)
 command_test(couple_unwritable CODE 3 ERR "absent/a.h5: cannot be written" AFTER couple_data
   ARGS couple c/coupling-C.toml --out absent/a.h5)

@@ -1,20 +1,30 @@
 #include <fcntl.h>
-#include <gtest/gtest.h>
+#include <poll.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <cstdlib>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
 
 #include "frf/hdf5_writer.hpp"
 #include "input_folder.hpp"
+#include "problems/problem.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {
 namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+const std::string said = "jointid: stopping; what there is so far is kept; once more to stop at once\n";
 
 /// A pseudo-terminal, on which the command shows its progress.
 class Terminal {
@@ -33,8 +43,10 @@ class Terminal {
 
   int descriptor() const { return slave_; }
 
-  /// What was shown next; waits for it.
+  /// What was shown next; waits for it, but no longer than a minute.
   std::string next() const {
+    pollfd shown{.fd = master_, .events = POLLIN, .revents = 0};
+    if (::poll(&shown, 1, 60000) != 1) throw std::runtime_error("the command shows nothing");
     std::array<char, 4096> piece{};
     const ssize_t got = ::read(master_, piece.data(), piece.size());
     return {piece.data(), got < 0 ? 0U : static_cast<std::size_t>(got)};
@@ -114,7 +126,7 @@ bool catch_in_the_act(const InputFolder& folder, const std::vector<std::string>&
   }
   EXPECT_EQ(outcome.code, 130);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err, "jointid: error: interrupted\n");
+  EXPECT_EQ(outcome.err, said + "jointid: error: interrupted\n");
   return true;
 }
 
@@ -126,6 +138,112 @@ TEST(InterruptedCommand, AConversionLeavesNoTemporaryFile) {
   for (int attempt = 0; attempt < 20 && !caught; ++attempt) caught = catch_in_the_act(folder, before);
   EXPECT_TRUE(caught);
   EXPECT_EQ(names_in(folder), before);
+}
+
+/// A command that waits for ever for someone to write into a pipe, where nothing asks whether it shall end.
+class Hanging {
+ public:
+  Hanging() {
+    ::mkfifo(folder_.path("pipe").c_str(), 0600);
+    command_.emplace(folder_.path(), std::vector<std::string>{"solve", "pipe"});
+    command_->wait_until_it_catches();
+  }
+  Command& operator*() { return *command_; }
+  Command* operator->() { return &*command_; }
+
+ private:
+  InputFolder folder_;
+  std::optional<Command> command_;
+};
+
+TEST(InterruptedCommand, EndsByItselfWhereNothingAsks) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Hanging command;
+    command->interrupt(signal);
+    const Outcome outcome = command->wait();
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_EQ(outcome.err, said + "jointid: error: interrupted\n");
+  }
+}
+
+TEST(InterruptedCommand, EndsAtOnceWhenItIsAskedTwice) {
+  Hanging command;
+  command->interrupt(SIGTERM);
+  ::usleep(200000);  // two signals at a time are one
+  command->interrupt();
+  const Outcome outcome = command->wait();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.err, said);
+}
+
+TEST(InterruptedCommand, TheLikelihoodLeavesItsBestJointMarked) {
+  const InputFolder folder;
+  problems::write(problems::make("rig1"), folder.path(), {});
+  folder.replace("rig1.toml", "method = \"one\"", "method = \"likelihood\"\nbootstrap = 100000");
+  const Terminal terminal;
+  Command command(folder.path(), {"solve", "rig1.toml", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"},
+                  {.out = -1, .err = terminal.descriptor()});
+  terminal.until("iteration 4: line ");
+  command.interrupt();
+  const std::string shown = terminal.until("jointid: error: interrupted; the best values so far are written, the page is not");
+  const Outcome outcome = command.wait();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(shown, HasSubstr("jointid: stopping; "));
+  EXPECT_THAT(outcome.out, HasSubstr("Interrupted after "));
+  EXPECT_FALSE(std::filesystem::exists(folder.path("x.html")));
+  const Json solution = Json::parse(folder.text("x.json"));
+  EXPECT_EQ(solution["status"], "not_converged");
+  EXPECT_THAT(solution["message"].get<std::string>(), HasSubstr("Interrupted after "));
+  ASSERT_FALSE(solution["unknowns"].empty());
+  for (const Json& unknown : solution["unknowns"]) EXPECT_TRUE(unknown["value"].is_number());
+  EXPECT_GT(folder.text("x.csv").size(), 10U);
+}
+
+TEST(InterruptedCommand, ABoundKeepsWhatWasPredicted) {
+  const InputFolder folder;
+  problems::write(problems::make("rig1"), folder.path(), {});
+  const Terminal terminal;
+  Command command(folder.path(), {"plan", "rig1.toml", "--bound", "--json", "x.json"}, {.out = -1, .err = terminal.descriptor()});
+  terminal.until("predicting errors, data set 2: line ");
+  command.interrupt();
+  terminal.until("jointid: error: interrupted; what was predicted so far is written");
+  const Outcome outcome = command.wait();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_THAT(outcome.out, HasSubstr("INTERRUPTED"));
+  const Json plan = Json::parse(folder.text("x.json"));
+  EXPECT_EQ(plan["bound"]["interrupted"], true);
+  EXPECT_FALSE(plan["bound"]["unknowns"].empty());
+}
+
+TEST(InterruptedCommand, AComparisonKeepsTheWaysThatWereFinished) {
+  const InputFolder folder;
+  const Terminal terminal;
+  const std::string deltas = "0,0.01,0.02,0.03,0.04,0.05,0.06,0.07,0.08,0.09,0.1,0.11,0.12,0.13";
+  Command command(folder.path(), {"compare", "A1.toml", "--trials", "200", "--deltas", deltas, "--json", "x.json"},
+                  {.out = -1, .err = terminal.descriptor()});
+  terminal.until("trial 450 of 2800");
+  command.interrupt();
+  terminal.until("ways that were finished are written");
+  EXPECT_EQ(command.wait().code, 130);
+  const Json comparison = Json::parse(folder.text("x.json"));
+  EXPECT_EQ(comparison["interrupted"], true);
+  EXPECT_GE(comparison["combinations"].size(), 2U);
+  EXPECT_LT(comparison["combinations"].size(), 14U);
+}
+
+TEST(InterruptedCommand, StabilityKeepsWhatWasMeasured) {
+  const InputFolder folder;
+  const Terminal terminal;
+  Command command(folder.path(), {"stability", "--sweeps", "laeuchli", "--scenes", "1e6", "--json", "x.json"},
+                  {.out = -1, .err = terminal.descriptor()});
+  terminal.until("scene 3 of 1000000");
+  command.interrupt();
+  terminal.until("jointid: error: interrupted; what was measured so far is written");
+  EXPECT_EQ(command.wait().code, 130);
+  const Json measured = Json::parse(folder.text("x.json"));
+  EXPECT_EQ(measured["interrupted"], true);
+  EXPECT_FALSE(measured["rows"].empty());
+  EXPECT_GE(measured["random_scenes"]["scenes"].get<int>(), 2);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <array>
-#include <csignal>
+#include <fstream>
 #include <stdexcept>
 
 namespace jointid::cli {
@@ -52,7 +52,18 @@ Command::~Command() {
   ::close(err_);
 }
 
-void Command::interrupt() const { ::kill(process_, SIGINT); }
+void Command::interrupt(int signal) const { ::kill(process_, signal); }
+
+void Command::wait_until_it_catches() {
+  const auto catches = [this] {
+    std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.starts_with("SigCgt:")) return (std::stoull(line.substr(7), nullptr, 16) >> (SIGINT - 1) & 1U) != 0;
+    }
+    return false;
+  };
+  while (!catches() && !has_ended()) ::usleep(1000);
+}
 
 bool Command::has_ended() {
   if (!ended_) ended_ = ::waitpid(process_, &status_, WNOHANG) == process_;

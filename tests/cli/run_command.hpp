@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -29,7 +30,9 @@ class Command {
   Command& operator=(const Command&) = delete;
   ~Command();
 
-  void interrupt() const;
+  void interrupt(int signal = SIGINT) const;
+  /// Waits until the command catches Ctrl-C.
+  void wait_until_it_catches();
   bool has_ended();
   Outcome wait();
 

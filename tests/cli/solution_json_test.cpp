@@ -23,9 +23,10 @@ TEST(SolutionJson, TheKeysStay) {
   const Json json = Json::parse(solution_json(sample_solution()));
   EXPECT_THAT(keys(json), ElementsAre("status", "message", "unknowns", "matrices", "dofs", "fit", "quality",
                                       "runtime_s", "used", "variances", "warnings"));
-  EXPECT_THAT(keys(json["unknowns"][0]), ElementsAre("name", "value", "unit", "std_error", "ci95", "rounding", "determined"));
+  EXPECT_THAT(keys(json["unknowns"][0]), ElementsAre("name", "value", "unit", "std_error", "ci95", "rounding", "error_estimate", "bias",
+                                                  "determined"));
   EXPECT_THAT(keys(json["fit"]), ElementsAre("equations_used", "equations_dropped", "lines", "rank", "condition", "digits",
-                                             "asm_frf_error", "iterations", "chi_square"));
+                                             "asm_frf_error", "iterations", "chi_square", "misfit"));
   EXPECT_THAT(keys(json["quality"]["stiffness"]), ElementsAre("rjcf", "arvf", "rms_relative_error"));
   EXPECT_THAT(keys(json["runtime_s"]), ElementsAre("read", "assemble", "solve", "total"));
 }

@@ -157,7 +157,7 @@ TEST_P(StoppedCommand, InterruptedItLeavesNothingElse) {
     const StoppedFolder folder(GetParam());
     const Outcome outcome = folder.run(GetParam(), {{"STOP_AT", std::to_string(moment)}, {"STOP_HOW", "interrupt"}});
     EXPECT_EQ(outcome.code, 130) << "at call " << moment << ": " << outcome.err;
-    EXPECT_THAT(outcome.err, StartsWith("jointid: error: "));
+    EXPECT_THAT(outcome.err, testing::AllOf(StartsWith("jointid: stopping; "), HasSubstr("\njointid: error: interrupted")));
     expect_whole(folder, is_journal);
   }
 }

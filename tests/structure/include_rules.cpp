@@ -17,6 +17,12 @@ constexpr std::array heavy = {
     std::string_view("IpIpoptApplication.hpp"), std::string_view("IpSolveStatistics.hpp"), std::string_view("IpTNLP.hpp"),
 };
 
+/// Of Eigen's decompositions: minutes of a build where every caller instantiates them.
+constexpr std::array decompositions = {
+    std::string_view("Eigen/Dense"), std::string_view("Eigen/Cholesky"), std::string_view("Eigen/Eigenvalues"),
+    std::string_view("Eigen/LU"),    std::string_view("Eigen/QR"),       std::string_view("Eigen/SVD"),
+};
+
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string::npos) return "";
@@ -91,6 +97,14 @@ std::vector<std::string> heavy_includes(std::istream& header) {
   std::vector<std::string> found;
   for (const std::string& include : includes(header)) {
     if (std::ranges::find(heavy, include) != heavy.end()) found.push_back(include);
+  }
+  return found;
+}
+
+std::vector<std::string> decomposition_includes(std::istream& source) {
+  std::vector<std::string> found;
+  for (const std::string& include : includes(source)) {
+    if (std::ranges::find(decompositions, include) != decompositions.end()) found.push_back(include);
   }
   return found;
 }

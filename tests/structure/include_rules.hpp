@@ -25,6 +25,9 @@ std::vector<std::string> violations(const IncludeTable& table, const std::string
 /// Includes of a header that cost its users much build time or a dependency.
 std::vector<std::string> heavy_includes(std::istream& header);
 
+/// Includes of a source that instantiate Eigen's decompositions.
+std::vector<std::string> decomposition_includes(std::istream& source);
+
 /// The .hpp and .cpp files below a folder, sorted.
 std::vector<std::filesystem::path> sources(const std::filesystem::path& folder);
 

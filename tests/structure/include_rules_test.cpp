@@ -33,7 +33,7 @@ std::vector<std::string> violations_in(const std::string& folder, const std::str
 TEST(IncludeRules, TheTableIsRead) {
   const IncludeTable table = table_of_the_docs();
   EXPECT_THAT(table.at("frf"), IsEmpty());
-  EXPECT_THAT(table.at("restrictions"), ElementsAre("frf"));
+  EXPECT_THAT(table.at("restrictions"), ElementsAre("dense", "frf"));
   EXPECT_TRUE(table.at("cli").contains("ident"));
 }
 
@@ -89,6 +89,26 @@ TEST(IncludeRules, NoHeaderIsHeavy) {
         const std::string name = std::filesystem::relative(path, root).string() + ": " + include;
         EXPECT_TRUE(allowed_heavy.contains(name)) << name;
       }
+    }
+  }
+}
+
+/// Of 50 digits, which dense/ does not have.
+const std::set<std::string> own_decompositions = {"stability/exact_fit.cpp", "stability/exact_identification.cpp",
+                                                  "stability/exact_responses.cpp", "stability/matrix_sweeps.cpp"};
+
+TEST(IncludeRules, ADecompositionIsFound) {
+  std::istringstream source("#include <Eigen/Core>\n#include <Eigen/LU>\n#include <Eigen/Sparse>\n");
+  EXPECT_THAT(decomposition_includes(source), ElementsAre("Eigen/LU"));
+}
+
+TEST(IncludeRules, DecompositionsStandInDense) {
+  for (const auto& row : table_of_the_docs()) {
+    if (row.first == "dense") continue;
+    for (const auto& path : sources(root / row.first)) {
+      if (own_decompositions.contains(std::filesystem::relative(path, root).string())) continue;
+      std::ifstream source(path);
+      EXPECT_THAT(decomposition_includes(source), IsEmpty()) << path;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "cli/report/status_banner.hpp"
 #include "sample_page.hpp"
 
 namespace jointid::cli::report {
@@ -42,7 +43,7 @@ TEST(ReportPage, LoadsNothing) {
 
 TEST(ReportPage, PlotsCarryWhatTheirNamesSay) {
   const auto plots = plots_of(sample_page().html());
-  ASSERT_EQ(plots.size(), 3U);
+  ASSERT_EQ(plots.size(), 5U);
   EXPECT_EQ(plots[0]["choices"][1]["name"], nasty);
   const auto& first = plots[0]["choices"][0]["plots"];
   EXPECT_EQ(first[0]["values"].size(), 100U);
@@ -51,6 +52,90 @@ TEST(ReportPage, PlotsCarryWhatTheirNamesSay) {
   EXPECT_EQ(first[0]["band"], nlohmann::json({20.0, 60.0}));
   EXPECT_EQ(plots[1]["choices"][0]["plots"][0]["groups"][1]["points"][1][2], nasty);
   EXPECT_EQ(plots[2]["choices"][0]["plots"][0]["mark"]["name"], "truth");
+}
+
+TEST(ReportPage, AFrontHasTheNameItIsGiven) {
+  const auto plots = plots_of(sample_page().html());
+  EXPECT_EQ(plots[1]["choices"][0]["plots"][0]["frontName"], "Pareto front");
+  const auto& poles = plots[3]["choices"][0]["plots"][0];
+  EXPECT_TRUE(poles["front"].empty());
+  EXPECT_EQ(poles["backdrop"]["values"].size(), poles["backdrop"]["series"][0]["y"].size());
+}
+
+TEST(ReportPage, StripsAndPhasesTellTheirAxes) {
+  const auto strips = plots_of(sample_page().html())[4]["choices"][0]["plots"];
+  EXPECT_EQ(strips[0]["deviation"], 0.1);
+  EXPECT_FALSE(strips[0].contains("yRange"));
+  EXPECT_EQ(strips[1]["yRange"], nlohmann::json({-270.0, 90.0}));
+  EXPECT_EQ(strips[1]["series"][0]["style"], "reference points");
+}
+
+TEST(ReportPage, TheStatusStandsAboveAllElseInItsColour) {
+  ReportPage page("title", "");
+  page.section("Summary");
+  page.status(status_banner("poor_fit", "far off", {"remark"}, {{"sign", "a.h5", "1:+Y", "evidence", "flip = [\"1:+Y\"]"}, {"axis", "", "", "", ""}}));
+  const std::string html = page.html();
+  EXPECT_LT(html.find("class=\"verdict bad\""), html.find("<h2>Summary"));
+  EXPECT_THAT(html, HasSubstr("<strong class=\"word\">poor fit</strong><p>far off</p><p>remark</p>"));
+  EXPECT_THAT(html, HasSubstr("<li><strong>sign</strong> <span class=\"where\">a.h5, 1:+Y</span><p>evidence</p>"
+                              "<pre>flip = [&quot;1:+Y&quot;]</pre></li>"));
+  EXPECT_THAT(html, HasSubstr("<li><strong>axis</strong></li>"));
+}
+
+TEST(ReportPage, ColoursOfStatuses) {
+  for (const char* status : {"ok", "clean"}) EXPECT_EQ(status_banner(status, "").trust, Trust::good) << status;
+  for (const char* status : {"doubtful", "suspicious"}) EXPECT_EQ(status_banner(status, "").trust, Trust::doubtful) << status;
+  for (const char* status : {"poor_fit", "rank_deficient", "no_equations", "not_converged", "imprecise", "wrong", "no_modes"}) {
+    EXPECT_EQ(status_banner(status, "").trust, Trust::bad) << status;
+  }
+}
+
+TEST(ReportPage, ACutTableSaysSo) {
+  Table table({{"name", Align::left}, {"value"}});
+  for (int i = 0; i < 5; ++i) table.add({"row" + std::to_string(i), "1"});
+  ReportPage cut("title", ""), whole("title", "");
+  cut.add(table, "", {3});
+  whole.add(table, "", {5});
+  EXPECT_THAT(cut.html(), HasSubstr("First 3 of 5 rows; --json and --csv write all of them."));
+  EXPECT_THAT(cut.html(), Not(HasSubstr("row3")));
+  EXPECT_THAT(whole.html(), Not(HasSubstr("First")));
+  EXPECT_THAT(whole.html(), HasSubstr("row4"));
+}
+
+TEST(ReportPage, OnlyLongTextsOfTablesAreBroken) {
+  Table table({{"name", Align::left}, {"text", Align::left}});
+  table.add({"short", std::string(60, 'x')});
+  ReportPage page("title", "");
+  page.add(table);
+  EXPECT_THAT(page.html(), HasSubstr("<th scope=\"row\">short</th><td class=\"left long\">xxx"));
+}
+
+TEST(ReportPage, ErrorsOfFrfsAreColouredByTheirSize) {
+  ReportPage page("title", "");
+  page.add(sample_heat_map());
+  const std::string html = page.html();
+  EXPECT_THAT(html, HasSubstr("<td class=\"h0\" title=\"1:+Y / 1:+Y: 0.05 dB\">0.05</td><td class=\"h1\""));
+  EXPECT_THAT(html, HasSubstr("<td class=\"h5\" title=\"1:+Y / 3:+Y: 12.0 dB\">12.0</td>"));
+  EXPECT_THAT(html, HasSubstr("<td class=\"none\"></td><td class=\"h3\""));
+  EXPECT_THAT(html, HasSubstr(">123</td>"));
+  EXPECT_THAT(html, HasSubstr("<span class=\"h2\">0.3 to 1</span>"));
+}
+
+/// Of too many rows those with the largest totals stay, in their order.
+TEST(ReportPage, AMapThatIsTooLargeKeepsItsWorstRows) {
+  HeatMap map{"map", {}, {"c"}, {}, {}, {1.0}};
+  for (int i = 0; i < 200; ++i) {
+    map.rows.push_back("r" + std::to_string(i) + ":+X");
+    map.values.push_back(i % 2 == 0 ? 0.01 : 1.0 + i);
+    map.row_totals.push_back(map.values.back());
+  }
+  ReportPage page("title", "");
+  page.add(map);
+  const std::string html = page.html();
+  EXPECT_THAT(html, HasSubstr("The 48 of 200 responses with the largest errors."));
+  EXPECT_EQ(count(html, "<th scope=\"row\">r"), 48U);
+  EXPECT_LT(html.find("r105:+X"), html.find("r199:+X"));
+  EXPECT_THAT(html, Not(HasSubstr("r103:+X")));
 }
 
 TEST(ReportPage, WithoutPlotsThereIsNoProgram) {

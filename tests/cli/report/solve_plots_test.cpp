@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 
 #include "cli/report/plot_json.hpp"
@@ -25,10 +26,13 @@ TEST(SolvePlots, MagnitudeAndPhaseOfBoth) {
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].name, "1:+Y / 2:+RZ (6.02 dB)");
   const auto& magnitude = std::get<CurvePlot>(group.choices[0].plots[0]);
-  const auto& phase = std::get<CurvePlot>(group.choices[0].plots[1]);
+  const auto& difference = std::get<CurvePlot>(group.choices[0].plots[1]);
+  const auto& phase = std::get<CurvePlot>(group.choices[0].plots[2]);
   EXPECT_EQ(magnitude.y.label, "receptance (m/(N·m))");
   EXPECT_THAT(magnitude.series[0].y, ElementsAre(1.0, testing::IsNan()));
   EXPECT_THAT(magnitude.series[1].y, ElementsAre(2.0, 3.0));
+  EXPECT_THAT(difference.series[0].y, ElementsAre(testing::DoubleNear(20.0 * std::log10(2.0), 1e-12), testing::IsNan()));
+  EXPECT_EQ(difference.level, 0.0);
   EXPECT_THAT(phase.series[1].y, ElementsAre(90.0, 180.0));
 }
 
@@ -39,6 +43,7 @@ TEST(SolvePlots, WhatIsNotThereIsLeftOut) {
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].name, "1:+Y / 1:+Y");
   EXPECT_EQ(std::get<CurvePlot>(group.choices[0].plots[0]).series.size(), 1U);
+  EXPECT_EQ(group.choices[0].plots.size(), 2U) << "no difference of one curve";
 }
 
 TEST(SolvePlots, AnFrfThatVanishesBySymmetryIsLeftOut) {

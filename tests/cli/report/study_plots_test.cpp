@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double without_value = std::numeric_limits<double>::quiet_NaN();
 
 class StudyPlots : public testing::Test {
  protected:
@@ -24,9 +24,9 @@ class StudyPlots : public testing::Test {
   std::filesystem::path study_file(std::size_t unknowns, std::size_t trials, double base, double truth) const {
     const std::filesystem::path path = folder_ / "study.h5";
     frf::TableHeader header{{{"unknowns", std::to_string(unknowns)}, {"judged", "stiffness"}, {"intervals", "no"}},
-                            {{"status", "", nan}}};
+                            {{"status", "", without_value}}};
     for (std::size_t u = 0; u < unknowns; ++u) header.columns.push_back({"K" + std::to_string(u), "N/m", truth});
-    for (const char* figure : {"rjcf", "arvf", "error"}) header.columns.push_back({figure, "", nan});
+    for (const char* figure : {"rjcf", "arvf", "error"}) header.columns.push_back({figure, "", without_value});
     frf::TableWriter table(path, header, trials);
     for (std::size_t i = 0; i < trials; ++i) {
       std::vector<double> row(unknowns + 4, base + static_cast<double>(i));
@@ -71,7 +71,7 @@ TEST_F(StudyPlots, ReachForATruthThatIsNearOnly) {
 }
 
 TEST_F(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
-  const PlotGroup group = unknowns_of(study_file(40, 30, 0.0, nan), 25);
+  const PlotGroup group = unknowns_of(study_file(40, 30, 0.0, without_value), 25);
   ASSERT_EQ(group.choices.size(), 3U);
   EXPECT_EQ(group.choices[0].name, "K0 … K11");
   EXPECT_EQ(group.choices[0].plots.size(), 12U);
@@ -81,14 +81,14 @@ TEST_F(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
 
 TEST_F(StudyPlots, WhatDoesNotVaryIsLeftOut) {
   EXPECT_TRUE(unknowns_of(study_file(2, 1, 5.0, 5.0), 10).choices.empty());
-  const auto file = study_file(1, 50, 0.0, nan);
+  const auto file = study_file(1, 50, 0.0, without_value);
   const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].plots.size(), 2U) << "the rms error is always 0.5";
 }
 
 TEST_F(StudyPlots, RjcfEndsAtOne) {
-  const auto file = study_file(1, 50, 0.0, nan);
+  const auto file = study_file(1, 50, 0.0, without_value);
   const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
   EXPECT_EQ(histogram(group, 0, 0).high, 1.0);
   EXPECT_EQ(sum(histogram(group, 0, 0).counts), 50.0);
@@ -107,7 +107,7 @@ TEST_F(StudyReportPage, TellsTheSceneAndStaysSmall) {
   EXPECT_THAT(page, HasSubstr("<h1>A &lt;joint&gt;</h1>"));
   EXPECT_THAT(page, HasSubstr("<dd>30, 30 with an estimate</dd>"));
   EXPECT_THAT(page, HasSubstr("<dd>uniform, level 0.05</dd>"));
-  EXPECT_THAT(page, HasSubstr("The first 300 of 1000 unknowns"));
+  EXPECT_THAT(page, HasSubstr("First 300 of 1000 unknowns"));
   EXPECT_THAT(page, Not(HasSubstr("coverage")));
   EXPECT_LT(page.size(), 500'000U);
 }
