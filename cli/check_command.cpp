@@ -1,5 +1,9 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/check_json.hpp"
 #include "cli/check_text.hpp"
 #include "cli/commands.hpp"
+#include "cli/json_value.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "ident/check/check.hpp"
@@ -12,7 +16,7 @@ ExitCode execute(const CheckArguments& arguments, std::ostream& out) {
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
   Progress progress;
   const ident::CheckResult result = ident::check_data(*plan, progress.control());
-  if (arguments.json) write_target(*arguments.json, check_json(result), out);
+  if (arguments.json) write_target(*arguments.json, json_text(check_json(result)), out);
   if (!takes_output({arguments.json})) out << check_text(result);
   return ExitCode::done;
 }

@@ -9,7 +9,4 @@ namespace jointid::cli {
 /// The verdict, a table of the suspects, and below it the evidence and the scene's lines that would mend each.
 std::string check_text(const ident::CheckResult& result);
 
-/// {"verdict", "suspects": [{"kind", "file", "dofs", "evidence", "confidence", "remedy"}]}; "remedy" is null where there is none.
-std::string check_json(const ident::CheckResult& result);
-
 }  // namespace jointid::cli

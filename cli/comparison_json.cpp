@@ -67,7 +67,7 @@ std::string comparison_json(const ComparisonReport& report) {
     left_out["reason"] = each.reason;
     json["left_out"].push_back(std::move(left_out));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string comparison_csv(const ComparisonReport& report) {

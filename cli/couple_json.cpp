@@ -39,7 +39,7 @@ std::string couple_json(const ident::CoupleScene& scene, const ident::CoupleResu
   if (const std::size_t worst = worst_line(result); worst != frf::npos) {
     out["condition"] = {{"largest", value(result.records[worst].condition)}, {"frequency_hz", result.frequency_hz[worst]}};
   }
-  return out.dump(2) + "\n";
+  return json_text(out);
 }
 
 }  // namespace jointid::cli

@@ -43,7 +43,7 @@ std::string equivalent_json(const ident::EquivalentScene& scene, const std::vect
                              {"lines", level.lines},
                              {"settled", level.joint.settled}});
   }
-  return out.dump(2) + "\n";
+  return json_text(out);
 }
 
 std::string equivalent_csv(const std::vector<ident::LevelJoint>& levels) {

@@ -23,4 +23,6 @@ Json values(const std::vector<std::vector<double>>& matrix) {
   return all;
 }
 
+std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
 }  // namespace jointid::cli

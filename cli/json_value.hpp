@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace jointid::cli {
@@ -20,5 +21,8 @@ Json value(const std::optional<std::array<double, 2>>& interval);
 /// A list, or a matrix row by row.
 Json values(std::span<const double> numbers);
 Json values(const std::vector<std::vector<double>>& matrix);
+
+/// What a file holds: two blanks a level, bytes that are no UTF-8 replaced.
+std::string json_text(const Json& json);
 
 }  // namespace jointid::cli

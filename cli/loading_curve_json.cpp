@@ -122,7 +122,7 @@ std::string loading_curve_json(const LoadingCurveReport& report) {
       }
     }
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string loading_curve_csv(const LoadingCurveReport& report) {

@@ -58,8 +58,7 @@ std::string modalfit_json(const ModalRun& run) {
   Json json = {{"status", modalfit::name(run.fit.status)}, {"message", run.fit.message}, {"notes", notes(run)}};
   json["model"] = {{"damping", modalfit::name(run.fit.kind.damping)}, {"real_modes", run.fit.kind.real_modes}};
   json["range_hz"] = {run.band.frequency_hz.front(), run.band.frequency_hz.back()};
-  json["dofs"] = Json::array();
-  for (const auto& dof : all.dofs) json["dofs"].push_back(dof.name());
+  json["dofs"] = frf::names(all.dofs);
   json["modes"] = Json::array();
   for (std::size_t r = 0; r < run.fit.modes.size(); ++r) json["modes"].push_back(mode(run, all, r));
   json["mac"] = Json::array();
@@ -79,7 +78,7 @@ std::string modalfit_json(const ModalRun& run) {
   json["frfs"] = frfs(run);
   json["stabilisation"] = stabilisation(run);
   json["runtime_s"] = {{"read", run.read_s}, {"fit", run.fit_s}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string modes_csv(const ModalRun& run) {

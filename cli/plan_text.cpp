@@ -64,12 +64,6 @@ std::string phrases(const char* title, const std::vector<std::string>& list) {
   return text;
 }
 
-Json names(const std::vector<frf::Dof>& dofs) {
-  Json all = Json::array();
-  for (const auto& dof : dofs) all.push_back(dof.name());
-  return all;
-}
-
 Json cost_json(const ident::Cost& cost) {
   return {{"equations_per_line", cost.equations_per_line},
           {"compressed_rows_per_line", cost.compressed_rows_per_line},
@@ -104,9 +98,9 @@ std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundR
                {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
                {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
                {"solver", plan.solver},
-               {"dofs", names(plan.coordinates.joint)},
-               {"responses", names(plan.coordinates.responses)},
-               {"references", names(plan.coordinates.references)}};
+               {"dofs", frf::names(plan.coordinates.joint)},
+               {"responses", frf::names(plan.coordinates.responses)},
+               {"references", frf::names(plan.coordinates.references)}};
   json["frequency_hz"] = Json::array();
   for (const auto& line : plan.lines) json["frequency_hz"].push_back(line.frequency_hz);
   json["unknowns"] = Json::array();
@@ -121,7 +115,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundR
   json["warnings"] = plan.warnings;
   json["notes"] = plan.notes;
   if (bound) json["bound"] = bound_json(*bound);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace jointid::cli

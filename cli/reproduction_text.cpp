@@ -67,7 +67,7 @@ std::string reproduction_json(const ReproductionReport& report) {
                                {"q95", value(result.ours.high)},
                                {"inside", result.inside}});
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string reproduction_csv(const ReproductionReport& report) {

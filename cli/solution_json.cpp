@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/check_json.hpp"
 #include "cli/identifiability_json.hpp"
 #include "cli/json_value.hpp"
 
@@ -74,21 +75,6 @@ Json fit(const ident::Fit& fit) {
           {"misfit", value(fit.misfit)}};
 }
 
-Json check(const ident::CheckResult& found) {
-  Json json = {{"verdict", ident::name(found.verdict)}, {"suspects", Json::array()}};
-  for (const ident::Suspect& suspect : found.suspects) {
-    Json dofs = Json::array();
-    for (const frf::Dof& dof : suspect.dofs) dofs.push_back(dof.name());
-    json["suspects"].push_back({{"kind", ident::name(suspect.kind)},
-                                {"file", suspect.file},
-                                {"dofs", dofs},
-                                {"evidence", suspect.evidence},
-                                {"confidence", value(suspect.confidence)},
-                                {"remedy", suspect.remedy}});
-  }
-  return json;
-}
-
 /// Where the starts ended, best first.
 Json minima(const ident::MinimumSearch& search) {
   Json all = Json::array();
@@ -128,8 +114,7 @@ std::string solution_json(const ident::Solution& solution) {
   for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate, solution.admissibility.has_value()));
   json["matrices"] = solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
   if (several) json["bands"] = bands(solution.bands);
-  json["dofs"] = Json::array();
-  for (const auto& dof : solution.dofs) json["dofs"].push_back(dof.name());
+  json["dofs"] = frf::names(solution.dofs);
   json["fit"] = fit(solution.fit);
   if (solution.search) json["search"] = minima(*solution.search);
   if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
@@ -141,8 +126,8 @@ std::string solution_json(const ident::Solution& solution) {
   json["used"] = used(solution.used);
   json["variances"] = variances(solution.variances);
   json["warnings"] = solution.warnings;
-  if (solution.check) json["check"] = check(*solution.check);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (solution.check) json["check"] = check_json(*solution.check);
+  return json_text(json);
 }
 
 }  // namespace jointid::cli

@@ -21,9 +21,7 @@ void add_suspects(const std::vector<ident::Suspect>& suspects, Table& table) {
   constexpr std::size_t most = 5;
   for (std::size_t i = 0; i < std::min(most, suspects.size()); ++i) {
     const ident::Suspect& suspect = suspects[i];
-    const std::string dofs = dofs_text(suspect);
-    table.add({"suspect", ident::name(suspect.kind) + (dofs.empty() ? "" : " " + dofs) + (suspect.file.empty() ? "" : " in " + suspect.file) +
-                              ": " + suspect.evidence});
+    table.add({"suspect", ident::title(suspect) + ": " + suspect.evidence});
     std::string remedy = suspect.remedy;
     std::ranges::replace(remedy, '\n', ' ');
     if (!remedy.empty()) table.add({"  remedy", remedy});

@@ -44,7 +44,7 @@ std::string stability_json(const StabilityReport& report) {
                        {"silent_wrong_scenes", count.silent},
                        {"false_alarm", count.false_alarm}}}};
   if (report.interrupted) json["interrupted"] = true;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string stability_csv(const StabilityReport& report) {

@@ -44,7 +44,7 @@ std::string study_json(const StudyReport& report) {
                                       {"rms_over_trials", value(matrix.rms_over_trials)}};
   }
   json["runtime_s"] = {{"total", report.run.wall_s}, {"trials", report.run.computed}, {"one_solution", report.run.solve_s}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace jointid::cli

@@ -40,9 +40,7 @@ std::string rounding_digits(const ident::Solution& solution) {
 }
 
 std::string dofs_text(const ident::Suspect& suspect) {
-  std::vector<std::string> names;
-  for (const frf::Dof& dof : suspect.dofs) names.push_back(dof.name());
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", fmt::join(frf::names(suspect.dofs), ", "));
 }
 
 std::string weighting_text(ident::Method method, weighting::Weighting weighting) {

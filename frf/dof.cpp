@@ -47,4 +47,10 @@ std::string Dof::name() const {
          std::string(direction_names[static_cast<std::size_t>(direction) - 1]);
 }
 
+std::vector<std::string> names(const std::vector<Dof>& dofs) {
+  std::vector<std::string> out;
+  for (const Dof& dof : dofs) out.push_back(dof.name());
+  return out;
+}
+
 }  // namespace jointid::frf

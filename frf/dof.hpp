@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace jointid::frf {
 
@@ -28,6 +29,9 @@ struct Dof {
   }
   bool operator==(const Dof&) const = default;
 };
+
+/// "4:+Y", "5:-RZ", …
+std::vector<std::string> names(const std::vector<Dof>& dofs);
 
 /// Key that orders DOFs by node, then direction, and ignores the sign.
 inline std::int64_t coordinate_key(const Dof& dof) { return dof.node * 8 + static_cast<int>(dof.direction); }

@@ -13,9 +13,7 @@ namespace jointid::frf {
 inline std::size_t index_of_dof(const FrfHeader& header, const std::vector<Dof>& dofs, const Dof& dof, const char* key) {
   const std::size_t at = find_coordinate(dofs, dof);
   if (at != npos) return at;
-  std::vector<std::string> names;
-  for (const Dof& other : dofs) names.push_back(other.name());
-  const std::string near = nearest_word(dof.name(), names);
+  const std::string near = nearest_word(dof.name(), names(dofs));
   const char* role = &dofs == &header.reference ? "reference" : "response";
   throw InputError({.kind = ErrorKind::usage,
                     .file = header.file,

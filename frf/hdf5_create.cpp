@@ -53,10 +53,9 @@ bool write_axis(const Handle& file, const std::vector<double>& frequency_hz) {
 }
 
 bool write_dofs(const Handle& file, const char* name, const std::vector<Dof>& dofs) {
-  std::vector<std::string> names;
-  for (const Dof& dof : dofs) names.push_back(dof.name());
+  const std::vector<std::string> texts = names(dofs);
   std::vector<const char*> pointers;
-  for (const std::string& text : names) pointers.push_back(text.c_str());
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
   return write_dataset(file, name, text_type(), {dofs.size()}, pointers.data()).is_open();
 }
 

@@ -11,7 +11,7 @@
 namespace jointid::frf {
 namespace {
 
-constexpr std::array<const char*, 3> names = {"receptance", "mobility", "accelerance"};
+constexpr std::array<const char*, 3> quantity_names = {"receptance", "mobility", "accelerance"};
 constexpr std::array<const char*, 3> units = {"m/N", "m/(s*N)", "m/(s^2*N)"};
 
 /// The field's words for motion over force.
@@ -68,7 +68,7 @@ std::string plain_word(std::string_view text) {
 
 }  // namespace
 
-std::string name(Quantity quantity) { return names[static_cast<std::size_t>(quantity)]; }
+std::string name(Quantity quantity) { return quantity_names[static_cast<std::size_t>(quantity)]; }
 std::string unit(Quantity quantity) { return units[static_cast<std::size_t>(quantity)]; }
 
 std::string taken_for(Quantity given, Quantity stated) {
@@ -88,7 +88,7 @@ Quantity parse_quantity(std::string_view text) {
                       .problem = "unknown FRF quantity '" + std::string(text) + "': it " + std::string(problem),
                       .remedy = std::string(remedy)});
   }
-  const std::string near = nearest_word(word, names);
+  const std::string near = nearest_word(word, quantity_names);
   throw InputError({.kind = ErrorKind::data,
                     .file = {},
                     .place = {},

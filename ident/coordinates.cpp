@@ -12,9 +12,7 @@ bool has(const Dofs& dofs, const frf::Dof& dof) { return frf::find_coordinate(do
 
 /// The nearest DOF among those of a system, by spelling.
 std::string nearest_dof(const frf::Dof& dof, const frf::FrfSystem& system) {
-  std::vector<std::string> names;
-  for (const frf::Dof& other : system.responses()) names.push_back(other.name());
-  return nearest_word(dof.name(), names);
+  return nearest_word(dof.name(), frf::names(system.responses()));
 }
 
 /// First joint DOF that is missing from `dofs`, as "4:+RZ", or empty.

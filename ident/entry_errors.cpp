@@ -6,17 +6,10 @@
 
 #include "ident/chunk_pipeline.hpp"
 #include "ident/decibel_error.hpp"
-#include "ident/joint_effect.hpp"
+#include "ident/line_pairs.hpp"
 
 namespace jointid::ident {
 namespace {
-
-/// The joint's coordinates stand last in a rectangle of the substructures, as joint_effect() wants them.
-Dofs joint_last(const Dofs& wanted, const Dofs& joint) {
-  Dofs others = wanted;
-  std::erase_if(others, [&](const frf::Dof& dof) { return frf::find_coordinate(joint, dof) != frf::npos; });
-  return joined(others, joint);
-}
 
 std::vector<std::size_t> places_of(const Dofs& wanted, const Dofs& among) {
   std::vector<std::size_t> out;
@@ -30,21 +23,13 @@ class EntryErrorWorker final : public ChunkWorker {
       : EntryErrorWorker(plan, bands, lines, out, joint_last(out.responses, plan.coordinates.joint),
                          joint_last(out.references, plan.coordinates.joint)) {}
 
-  void read(std::size_t first, std::size_t last) override {
-    std::vector<std::size_t> substructure_lines, assembly_lines;
-    for (std::size_t i = first; i < last; ++i) {
-      substructure_lines.push_back(lines_[i].substructures);
-      assembly_lines.push_back(lines_[i].assembly);
-    }
-    substructures_.read(substructure_lines);
-    assembly_.read(assembly_lines);
-  }
+  void read(std::size_t first, std::size_t last) override { pairs_.read(first, last); }
 
   void work(std::size_t first, std::size_t last) override {
     for (std::size_t i = first; i < last; ++i) {
       const Matrices* matrices = matrices_at(bands_, lines_[i].frequency_hz);
       if (matrices == nullptr) continue;
-      add(substructures_.line(i - first), assembly_.line(i - first), joint_impedance(*matrices, n_, lines_[i].frequency_hz));
+      add(pairs_.substructures(i - first), pairs_.assembly(i - first), joint_impedance(*matrices, n_, lines_[i].frequency_hz));
     }
   }
 
@@ -67,8 +52,7 @@ class EntryErrorWorker final : public ChunkWorker {
         n_(plan.coordinates.joint.size()),
         rows_(places_of(out.responses, rows)),
         columns_(places_of(out.references, columns)),
-        substructures_(whole_rectangle(*plan.substructures, rows, columns)),
-        assembly_(whole_rectangle(*plan.assembly, out.responses, out.references)),
+        pairs_(lines, whole_rectangle(*plan.substructures, rows, columns), whole_rectangle(*plan.assembly, out.responses, out.references)),
         sums_(out.rms_db.size(), 0.0),
         counts_(out.rms_db.size(), 0.0) {}
 
@@ -80,10 +64,7 @@ class EntryErrorWorker final : public ChunkWorker {
     }
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       for (std::size_t c = 0; c < columns_.size(); ++c) {
-        Complex value = h(rows_[r], columns_[c]);
-        for (std::size_t j = 0; j < n_; ++j) {
-          value -= effect.left(static_cast<Eigen::Index>(rows_[r]), static_cast<Eigen::Index>(j)) * effect.right(j, columns_[c]);
-        }
+        const Complex value = effect.assembly(h(rows_[r], columns_[c]), rows_[r], columns_[c]);
         add(std::abs(value), std::abs(measured(r, c)), zero_level * largest, r * columns_.size() + c);
       }
     }
@@ -100,7 +81,7 @@ class EntryErrorWorker final : public ChunkWorker {
   const std::vector<Line>& lines_;
   std::size_t n_;
   std::vector<std::size_t> rows_, columns_;  ///< of the entries, in the rectangle of the substructures
-  Rectangle substructures_, assembly_;
+  LinePairs pairs_;
   std::vector<double> sums_, counts_;
 };
 

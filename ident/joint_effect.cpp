@@ -35,8 +35,18 @@ Dofs with_joint(const Dofs& dofs, const Dofs& joint) {
   return frf::find_coordinate(dofs, joint.front()) == frf::npos ? joined(dofs, joint) : dofs;
 }
 
+Dofs joint_last(Dofs dofs, const Dofs& joint) {
+  std::erase_if(dofs, [&](const frf::Dof& dof) { return frf::find_coordinate(joint, dof) != frf::npos; });
+  return joined(std::move(dofs), joint);
+}
+
 Rectangle whole_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns) {
   return {system, {{rows, columns}}, columns};
+}
+
+Complex JointEffect::assembly(Complex h, std::size_t row, std::size_t column) const {
+  for (std::size_t j = 0; j < right.rows; ++j) h -= left(static_cast<Index>(row), static_cast<Index>(j)) * right(j, column);
+  return h;
 }
 
 JointEffect joint_effect(const View& h, std::size_t rows, std::size_t columns, const MatrixXcd& impedance) {

@@ -16,6 +16,9 @@ Eigen::MatrixXcd joint_impedance(const Matrices& matrices, std::size_t n, double
 /// `dofs`, with the joint's DOFs behind them unless they are among them.
 Dofs with_joint(const Dofs& dofs, const Dofs& joint);
 
+/// `dofs` without those of the joint, and the joint's DOFs behind them, as joint_effect() wants them.
+Dofs joint_last(Dofs dofs, const Dofs& joint);
+
 /// A rectangle that is read as a whole.
 Rectangle whole_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns);
 
@@ -23,6 +26,9 @@ Rectangle whole_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& 
 struct JointEffect {
   RowMatrixXc left;  ///< [R×N] H_:b (I + Z_j H_bb)⁻¹ Z_j
   View right;        ///< [N×C] H_b:, a part of H_sub
+
+  /// An FRF of the assembly: that of the substructures, `h`, less the change at its row and column.
+  Complex assembly(Complex h, std::size_t row, std::size_t column) const;
 };
 
 /// The effect of a joint on substructures with the FRFs `h`, whose last N rows and columns are the joint's

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "ident/chunk_pipeline.hpp"
-#include "ident/joint_effect.hpp"
+#include "ident/line_pairs.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -23,16 +23,11 @@ void add_once(Dofs& dofs, const frf::Dof& dof) {
   if (frf::find_coordinate(dofs, dof) == frf::npos) dofs.push_back(dof);
 }
 
-Dofs without(Dofs dofs, const Dofs& others) {
-  std::erase_if(dofs, [&](const frf::Dof& dof) { return frf::find_coordinate(others, dof) != frf::npos; });
-  return dofs;
-}
-
 /// The rows (or columns) of the entries. The joint's stand last in a rectangle of the substructures.
 struct Side {
   Dofs wanted, joint;
 
-  Dofs all() const { return joined(without(wanted, joint), joint); }
+  Dofs all() const { return joint_last(wanted, joint); }
   std::size_t at(const frf::Dof& dof) const { return frf::find_coordinate(all(), dof); }
   /// −1 when the joint points the other way than the entry.
   int sign(const frf::Dof& dof) const { return dof.sign * all()[at(dof)].sign; }
@@ -52,8 +47,7 @@ class Regenerator final : public ChunkWorker {
       : bands_(bands),
         n_(plan.coordinates.joint.size()),
         lines_(lines),
-        substructures_(whole_rectangle(*plan.substructures, rows.all(), columns.all())),
-        assembly_(whole_rectangle(*plan.assembly, rows.wanted, columns.wanted)),
+        pairs_(lines, whole_rectangle(*plan.substructures, rows.all(), columns.all()), whole_rectangle(*plan.assembly, rows.wanted, columns.wanted)),
         out_(out) {
     for (const RegeneratedFrf& frf : out.frfs) {
       const frf::Dof &response = frf.entry.response, &reference = frf.entry.reference;
@@ -63,20 +57,12 @@ class Regenerator final : public ChunkWorker {
     }
   }
 
-  void read(std::size_t first, std::size_t last) override {
-    std::vector<std::size_t> substructure_lines, assembly_lines;
-    for (std::size_t i = first; i < last; ++i) {
-      substructure_lines.push_back(lines_[i].substructures);
-      assembly_lines.push_back(lines_[i].assembly);
-    }
-    substructures_.read(substructure_lines);
-    assembly_.read(assembly_lines);
-  }
+  void read(std::size_t first, std::size_t last) override { pairs_.read(first, last); }
 
   void work(std::size_t first, std::size_t last) override {
     for (std::size_t i = first; i < last; ++i) {
       const Matrices* matrices = matrices_at(bands_, lines_[i].frequency_hz);
-      const View h = substructures_.line(i - first), measured = assembly_.line(i - first);
+      const View h = pairs_.substructures(i - first), measured = pairs_.assembly(i - first);
       for (std::size_t k = 0; k < places_.size(); ++k) {
         out_.frfs[k].measured[i] = measured(places_[k].measured_row, places_[k].measured_column);
       }
@@ -91,18 +77,14 @@ class Regenerator final : public ChunkWorker {
     const JointEffect effect = joint_effect(h, h.rows, h.columns, impedance);
     for (std::size_t k = 0; k < places_.size(); ++k) {
       const std::size_t row = places_[k].row, column = places_[k].column;
-      Complex value = h(row, column);
-      for (std::size_t j = 0; j < n_; ++j) {
-        value -= effect.left(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(j)) * effect.right(j, column);
-      }
-      out_.frfs[k].predicted[i] = places_[k].sign * value;
+      out_.frfs[k].predicted[i] = places_[k].sign * effect.assembly(h(row, column), row, column);
     }
   }
 
   const std::vector<BandMatrices>& bands_;
   std::size_t n_;
   const std::vector<Line>& lines_;
-  Rectangle substructures_, assembly_;
+  LinePairs pairs_;
   std::vector<Place> places_;
   Regenerated& out_;
 };

@@ -9,12 +9,6 @@
 namespace jointid::cli::report {
 namespace {
 
-std::vector<std::string> dof_names(const std::vector<frf::Dof>& dofs) {
-  std::vector<std::string> out;
-  for (const frf::Dof& dof : dofs) out.push_back(dof.name());
-  return out;
-}
-
 /// Root mean square of `count` values, `stride` apart from `first`, of those that are there.
 double rms_of(const std::vector<double>& values, std::size_t first, std::size_t count, std::size_t stride) {
   double sum = 0.0, there = 0.0;
@@ -31,7 +25,7 @@ double rms_of(const std::vector<double>& values, std::size_t first, std::size_t 
 
 HeatMap error_map(const std::string& title, const std::vector<frf::Dof>& responses, const std::vector<frf::Dof>& references,
                   const std::vector<double>& rms_db) {
-  HeatMap map{title, dof_names(responses), dof_names(references), rms_db, {}, {}};
+  HeatMap map{title, frf::names(responses), frf::names(references), rms_db, {}, {}};
   const std::size_t rows = responses.size(), columns = references.size();
   for (std::size_t r = 0; r < rows; ++r) map.row_totals.push_back(rms_of(rms_db, r * columns, columns, 1));
   for (std::size_t c = 0; c < columns; ++c) map.column_totals.push_back(rms_of(rms_db, c, rows, columns));

@@ -109,8 +109,7 @@ void add_matrices(const ident::Plan& plan, const ident::Solution& solution, Repo
     page.add(Text{"Too large to show here; --json writes them."});
     return;
   }
-  std::vector<std::string> names;
-  for (const frf::Dof& dof : solution.dofs) names.push_back(dof.name());
+  const std::vector<std::string> names = frf::names(solution.dofs);
   for (const ident::BandMatrices& band : solution.bands) {
     const std::string where =
         band.band_hz ? fmt::format(", {:g} to {:g} Hz", (*band.band_hz)[0], (*band.band_hz)[1]) : "";

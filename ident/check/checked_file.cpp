@@ -152,9 +152,13 @@ std::vector<CheckedFile> read_checked_files(Plan& plan, std::size_t most, const 
 }
 
 CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& lines) {
-  CheckedFile result = file;
-  result.frequency_hz.clear();
-  result.frfs.clear();
+  CheckedFile result{.name = file.name,
+                     .assembly = file.assembly,
+                     .quantity = file.quantity,
+                     .responses = file.responses,
+                     .references = file.references,
+                     .frequency_hz = {},
+                     .frfs = {}};
   for (const std::size_t l : lines) {
     result.frequency_hz.push_back(file.frequency_hz[l]);
     result.frfs.push_back(file.frfs[l]);

@@ -11,6 +11,16 @@ std::string name(SuspectKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+std::string title(const Suspect& suspect) {
+  std::string text = name(suspect.kind);
+  const char* before = " ";
+  for (const frf::Dof& dof : suspect.dofs) {
+    text += before + dof.name();
+    before = ", ";
+  }
+  return text + (suspect.file.empty() ? "" : " in " + suspect.file);
+}
+
 std::string name(Verdict verdict) {
   static constexpr std::array<const char*, 3> names = {"clean", "suspicious", "wrong"};
   return names[static_cast<std::size_t>(verdict)];

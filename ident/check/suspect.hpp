@@ -42,6 +42,9 @@ struct Suspect {
   std::string remedy;          ///< lines for the scene that would mend it; empty where only measuring again would
 };
 
+/// "sign 125:+Y, 126:+Y in rig.uff".
+std::string title(const Suspect& suspect);
+
 enum class Verdict : std::uint8_t {
   clean,       ///< nothing stands out
   suspicious,  ///< something may be wrong

@@ -147,11 +147,7 @@ void tell(Solution& out, Status status, const std::string& sentence) {
   out.message += sentence;
 }
 
-std::string phrase(const Suspect& suspect) {
-  std::string dofs;
-  for (const frf::Dof& dof : suspect.dofs) dofs += (dofs.empty() ? " " : ", ") + dof.name();
-  return "Most suspect: " + name(suspect.kind) + dofs + (suspect.file.empty() ? "" : " in " + suspect.file) + ". " + suspect.evidence + ".";
-}
+std::string phrase(const Suspect& suspect) { return "Most suspect: " + title(suspect) + ". " + suspect.evidence + "."; }
 
 void tell_check(const CheckResult& found, Solution& out) {
   if (found.verdict == Verdict::clean || found.suspects.empty()) return;

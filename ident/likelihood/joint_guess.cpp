@@ -34,9 +34,7 @@ std::vector<double> joint_guess(const Plan& plan) {
 std::size_t find_candidate(const Scene& scene, const Dofs& coordinates, const frf::Dof& dof) {
   const std::size_t found = frf::find_coordinate(coordinates, dof);
   if (found != frf::npos) return found;
-  std::vector<std::string> names;
-  for (const frf::Dof& known : coordinates) names.push_back(known.name());
-  const std::string near = nearest_word(dof.name(), names);
+  const std::string near = nearest_word(dof.name(), frf::names(coordinates));
   fail(scene, "--candidates", dof.name() + " is no coordinate of both the substructures and the assembly",
        near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
 }

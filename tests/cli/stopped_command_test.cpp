@@ -254,7 +254,7 @@ const Writing writings[] = {
      {"x.h5", "x.json", "x.csv", "x.html"}},
     {"Couple", {"couple", "coupling-A.toml", "--out", "x.h5", "--json", "x.json", "--csv", "x.csv"}, {"x.h5", "x.json", "x.csv"}, add_coupling},
     {"Modalfit",
-     {"modalfit", "A1_substructure_2.h5", "--regenerate", "x.h5", "--shapes", "x.uff", "--json", "x.json", "--csv", "x.csv"},
+     {"modalfit", "A1_substructure_1.h5", "--regenerate", "x.h5", "--shapes", "x.uff", "--json", "x.json", "--csv", "x.csv"},
      {"x.h5", "x.uff", "x.json", "x.csv"}},
     {"LoadingCurve", {"loading-curve", "table2.1-1.csv", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"}, {"x.json", "x.csv", "x.html"}, add_curve},
     {"ConvertToHdf5", {"convert", "a.uff", "x.h5"}, {"x.h5"}},

@@ -20,12 +20,6 @@ Scene scene_with(const std::string& joint, const std::string& rest = "") {
   return parse_scene("[data]\nsubstructures = [\"a.h5\"]\nassembly = [\"b.h5\"]\n[joint]\n" + joint + rest, "scene.toml");
 }
 
-std::vector<std::string> names(const std::vector<frf::Dof>& dofs) {
-  std::vector<std::string> out;
-  for (const frf::Dof& dof : dofs) out.push_back(dof.name());
-  return out;
-}
-
 std::string error_of(const std::string& joint) {
   try {
     scene_with(joint);
