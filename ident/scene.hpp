@@ -26,6 +26,7 @@ struct DataFile {
   frf::OpenOptions options;
   std::vector<DataFile> repeats{};  ///< further runs of the same measurement
   frf::Corrections corrections{};   ///< of its FRFs
+  std::optional<double> mass{};     ///< kg, of the structure, which hung free: what `check` holds its rigid-body lines against
 };
 
 /// Which systems' FRFs a modal model replaces.
@@ -64,7 +65,7 @@ struct FrequencySection {
 };
 
 enum class Method { one, two, direct, newton, likelihood };
-/// The block of the assembly that an equation explains (formulas §2 and §3).
+/// The block of the assembly that an equation explains (docs/formulas.md §2), or that Z_j multiplies (§3).
 enum class Equation { nn, nj, jj, jn };
 
 std::string name(Method method);
@@ -116,7 +117,7 @@ struct IdentifySection {
   std::uint64_t bootstrap_seed = 1;
 };
 
-/// Pairs of coordinates that are coupled rigidly before the identification (thesis §6.9). The joints of a scene are those that
+/// Pairs of coordinates that are coupled rigidly before the identification (docs/formulas.md §4). The joints of a scene are those that
 /// are left then, see reduce_joints().
 struct CoupleFirst {
   std::vector<std::array<frf::Dof, 2>> pairs;

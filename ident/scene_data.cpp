@@ -48,7 +48,7 @@ std::vector<DataFile*> all_files(DataSection& data) {
 
 SceneTable file_table(const SceneItem& item) {
   std::vector<std::string> keys = correction_keys();
-  keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable"});
+  keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable", "mass"});
   return item.table(keys);
 }
 
@@ -86,6 +86,7 @@ void read_all_options(const SceneItem& item, const Names& names, const std::vect
     const SceneTable keys = file_table(*of_file);
     files[i]->options = read_options(keys);
     files[i]->corrections = read_corrections(keys);
+    if (const auto mass = keys.find("mass")) files[i]->mass = mass->positive();
   }
 }
 

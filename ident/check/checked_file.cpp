@@ -55,11 +55,20 @@ void leave_out_unmeasured(CheckedFile& file) {
   if (rows.size() < file.responses.size() || columns.size() < file.references.size()) keep(file, rows, columns);
 }
 
+std::optional<double> mass_of(const Scene& scene, const std::string& file) {
+  for (const auto* files : {&scene.data.substructures, &scene.data.assembly}) {
+    const auto found = std::ranges::find_if(*files, [&](const DataFile& one) { return one.path.string() == file; });
+    if (found != files->end()) return found->mass;
+  }
+  return std::nullopt;
+}
+
 CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& source_lines, const Scene& scene, bool assembly) {
   const frf::FrfHeader& header = source.header();
   CheckedFile file{.name = name_in_scene(scene, header.file),
                    .assembly = assembly,
                    .quantity = header.quantity,
+                   .mass = mass_of(scene, header.file),
                    .responses = positive(header.response),
                    .references = positive(header.reference),
                    .frequency_hz = {},
@@ -155,6 +164,7 @@ CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& li
   CheckedFile result{.name = file.name,
                      .assembly = file.assembly,
                      .quantity = file.quantity,
+                     .mass = file.mass,
                      .responses = file.responses,
                      .references = file.references,
                      .frequency_hz = {},

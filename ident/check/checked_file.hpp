@@ -15,6 +15,7 @@ struct CheckedFile {
   std::string name;  ///< as the scene names it
   bool assembly = false;
   frf::Quantity quantity = frf::Quantity::receptance;  ///< as stored
+  std::optional<double> mass{};                        ///< kg, as the scene says
   Dofs responses, references;
   std::vector<double> frequency_hz;    ///< [F]
   std::vector<Eigen::MatrixXcd> frfs;  ///< [F] receptances, responses × references; NaN where not measured

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "ident/check/rigid_mass.hpp"
 #include "ident/check/sameness.hpp"
 #include "ident/check/trials.hpp"
 
@@ -229,6 +230,7 @@ CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Con
   std::erase_if(files, [](const CheckedFile& file) { return file.responses.empty() || file.references.empty(); });
   if (!files.empty()) {
     for (Suspect& label : find_labels(files, joint)) result.suspects.push_back(std::move(label));
+    for (Suspect& mass : find_wrong_masses(files)) result.suspects.push_back(std::move(mass));
     for (Suspect& suspect : Inquiry(std::move(files), joint, control, with_axis).suspects())
       result.suspects.push_back(std::move(suspect));
   }

@@ -8,6 +8,7 @@
 
 #include "ident/check/axis_shift.hpp"
 #include "ident/check/delay_fit.hpp"
+#include "ident/check/unit_factor.hpp"
 #include "ident/median.hpp"
 
 namespace jointid::ident {
@@ -289,40 +290,8 @@ void add_gain_trials(const Files& files, const std::vector<SpanSetup>& setups, c
   }
 }
 
-struct UnitFactor {
-  double factor;
-  const char* words;
-};
-
-constexpr std::array<UnitFactor, 9> unit_factors = {{{9.80665, "g in place of m/s²"},
-                                                     {1e-3, "mm in place of m"},
-                                                     {1e-6, "µm in place of m"},
-                                                     {0.0254, "inches in place of m"},
-                                                     {0.3048, "feet in place of m"},
-                                                     {1.0 / 4.4482216, "pounds of force in place of N"},
-                                                     {386.0886, "g taken for in/s²"},
-                                                     {9806.65, "g taken for mm/s²"},
-                                                     {0.01, "cm in place of m"}}};
-
-std::string unit_words(double factor) {
-  for (const UnitFactor& unit : unit_factors) {
-    if (std::abs(std::log(factor / unit.factor)) < 0.03) return unit.words;
-    if (std::abs(std::log(factor * unit.factor)) < 0.03) return std::string("the reverse of ") + unit.words;
-  }
-  return {};
-}
-
-double rounded_to_unit(double factor) {
-  for (const UnitFactor& unit : unit_factors) {
-    if (std::abs(std::log(factor / unit.factor)) < 0.03) return unit.factor;
-    if (std::abs(std::log(factor * unit.factor)) < 0.03) return 1.0 / unit.factor;
-  }
-  return factor;
-}
-
 MistakeTrial file_gain_trial(const Files& files, std::size_t f, double measured) {
-  const std::string words = unit_words(measured);
-  const double factor = rounded_to_unit(measured);
+  const auto [factor, words] = nearest_unit(measured, 0.03);
   return {.kind = words.empty() ? SuspectKind::gain : SuspectKind::unit,
           .files = {f},
           .dofs = {},

@@ -1,6 +1,7 @@
 // Mistakes in measured FRFs: what a check says of planted ones, of clean scenes, and of its parts alone.
 #include "ident/check/check.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "ident/check/axis_shift.hpp"
 #include "ident/check/delay_fit.hpp"
 #include "ident/check/file_tests.hpp"
+#include "ident/check/rigid_mass.hpp"
 #include "ident/check/span_test.hpp"
 #include "problems/in_memory.hpp"
 #include "problems/planted.hpp"
@@ -152,6 +154,49 @@ TEST(shifted_frfs, are_those_of_the_structure_at_the_other_frequencies) {
   }
   const auto shifted = ident::shifted_frfs(file, {4, 10, 15}, 0.004);
   EXPECT_NEAR(std::abs(shifted[1](0, 0) / receptance(300.0 * 1.004) - 1.0), 0.0, 1e-6);
+}
+
+/// A free beam of 2.4 kg and 0.05 kg m² with points at -0.3, 0.1 and 0.4 m from its middle, and one elastic mode; 10 to 60 Hz.
+ident::CheckedFile free_beam(double grounded_hz = 0.0) {
+  const Eigen::Vector3d ones = Eigen::Vector3d::Ones(), place(-0.3, 0.1, 0.4), shape(1.0, -0.8, 1.3);
+  ident::CheckedFile file;
+  for (const char* dof : {"1:+Y", "2:+Y", "3:+Y"}) file.responses.push_back(frf::Dof::parse(dof));
+  file.references = file.responses;
+  const auto square = [](double hz) { return std::pow(2.0 * M_PI * hz, 2); };
+  for (double hz = 10.0; hz <= 60.0; hz += 2.0) {
+    const std::complex<double> damped(1.0, 0.002);
+    const Eigen::Matrix3d rigid = ones * ones.transpose() / 2.4 + place * place.transpose() / 0.05;
+    file.frequency_hz.push_back(hz);
+    file.frfs.push_back(rigid.cast<std::complex<double>>() / (damped * square(grounded_hz) - square(hz)) +
+                        (shape * shape.transpose() / 2.0).cast<std::complex<double>>() / (damped * square(300.0) - square(hz)));
+  }
+  return file;
+}
+
+TEST(rigid_body_mass, is_that_of_a_free_structure_and_of_no_other) {
+  const auto mass = ident::rigid_body_mass(free_beam());
+  ASSERT_TRUE(mass);
+  EXPECT_NEAR(*mass, 2.4, 0.03);
+  EXPECT_FALSE(ident::rigid_body_mass(free_beam(25.0)));
+  EXPECT_FALSE(ident::rigid_body_mass(free_beam(500.0)));
+}
+
+TEST(find_wrong_masses, tells_units_and_puts_the_file_right) {
+  for (const auto& [unit, weighed, words] : {std::tuple(1.0, 2.5, ""), std::tuple(9.80665, 2.4, "g in place of m/s²"), std::tuple(1000.0, 2.4, "mm in place of m"),
+                                             std::tuple(1.0, 1.6, "1.6 kg were weighed")}) {
+    ident::CheckedFile file = free_beam();
+    file.mass = weighed;
+    for (auto& line : file.frfs) line *= unit == 9.80665 ? 1.0 / unit : unit;
+    std::vector<ident::CheckedFile> files = {file};
+    const auto suspects = ident::find_wrong_masses(files);
+    ASSERT_EQ(suspects.size(), std::string(words).empty() ? 0u : 1u) << unit;
+    if (suspects.empty()) continue;
+    EXPECT_EQ(suspects.front().kind, unit == 1.0 ? SuspectKind::gain : SuspectKind::unit);
+    EXPECT_THAT(suspects.front().evidence, testing::HasSubstr(words));
+    if (unit != 1.0) {
+      EXPECT_NEAR(std::abs(files.front().frfs.front()(0, 1) / free_beam().frfs.front()(0, 1)), 1.0, 1e-12);
+    }
+  }
 }
 
 }  // namespace

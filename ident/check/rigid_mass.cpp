@@ -1,0 +1,123 @@
+#include "ident/check/rigid_mass.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "dense/eigen.hpp"
+#include "ident/check/trials.hpp"
+#include "ident/check/unit_factor.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::Index;
+
+constexpr double least_eigenvalue = 0.02;  ///< of the largest: smaller ones are noise
+constexpr double most_imaginary = 0.3;     ///< of the real part
+constexpr double most_bend = 0.1;          ///< of log m over the lines
+constexpr double heavier = 1.15;           ///< than weighed: what neither geometry nor elasticity makes
+constexpr double unit_tolerance = 0.15;    ///< of the logarithm
+constexpr double sure = 0.95, not_sure = 0.7;
+
+struct Places {
+  std::vector<Index> rows, columns;
+};
+
+/// Translations of one direction in both roles, of the direction that has most of them.
+Places most_translations(const CheckedFile& file) {
+  Places best;
+  for (const frf::Direction direction : {frf::Direction::x, frf::Direction::y, frf::Direction::z}) {
+    Places places;
+    for (std::size_t r = 0; r < file.responses.size(); ++r) {
+      const std::size_t c = place_of(file.references, file.responses[r]);
+      if (file.responses[r].direction != direction || c == frf::npos) continue;
+      places.rows.push_back(static_cast<Index>(r));
+      places.columns.push_back(static_cast<Index>(c));
+    }
+    if (places.rows.size() > best.rows.size()) best = std::move(places);
+  }
+  return best;
+}
+
+/// 1ᵀA⁺1 of one line, or nothing where that is no mass.
+std::optional<double> mass_at(const Eigen::MatrixXcd& receptance, double frequency_hz) {
+  const double omega = 2.0 * std::numbers::pi * frequency_hz;
+  const Eigen::MatrixXcd accelerance = -omega * omega * 0.5 * (receptance + receptance.transpose());
+  if (!accelerance.allFinite() || accelerance.imag().norm() > most_imaginary * accelerance.real().norm()) return std::nullopt;
+  const dense::SymmetricEigen eigen = dense::symmetric_eigen(accelerance.real());
+  const double largest = eigen.values[eigen.values.size() - 1];
+  if (!(largest > 0.0)) return std::nullopt;
+  double mass = 0.0;
+  for (Index k = 0; k < eigen.values.size(); ++k) {
+    if (eigen.values[k] > least_eigenvalue * largest) mass += std::pow(eigen.vectors.col(k).sum(), 2) / eigen.values[k];
+  }
+  return mass;
+}
+
+/// log m against f² by a straight line.
+struct MassLine {
+  std::vector<double> square, log_mass;
+
+  std::optional<double> at_zero() const {
+    const auto n = static_cast<double>(square.size());
+    if (n < 3.0) return std::nullopt;
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (std::size_t i = 0; i < square.size(); ++i) {
+      x += square[i] / n;
+      y += log_mass[i] / n;
+    }
+    for (std::size_t i = 0; i < square.size(); ++i) {
+      xx += std::pow(square[i] - x, 2);
+      xy += (square[i] - x) * (log_mass[i] - y);
+    }
+    const double slope = xx > 0.0 ? xy / xx : 0.0;
+    double left = 0.0;
+    for (std::size_t i = 0; i < square.size(); ++i) left += std::pow(log_mass[i] - y - slope * (square[i] - x), 2) / n;
+    if (std::abs(slope) * x > most_bend || std::sqrt(left) > most_bend) return std::nullopt;
+    return std::exp(y - slope * x);
+  }
+};
+
+}  // namespace
+
+std::optional<double> rigid_body_mass(const CheckedFile& file) {
+  const Places places = most_translations(file);
+  if (places.rows.empty()) return std::nullopt;
+  MassLine line;
+  double first = 0.0;
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    const double f = file.frequency_hz[l];
+    if (!(f > 0.0)) continue;
+    if (first == 0.0) first = f;
+    if (f > 2.0 * first) break;
+    const auto mass = mass_at(file.frfs[l](places.rows, places.columns), f);
+    if (!mass) return std::nullopt;
+    line.square.push_back(f * f);
+    line.log_mass.push_back(std::log(*mass));
+  }
+  return line.at_zero();
+}
+
+std::vector<Suspect> find_wrong_masses(std::vector<CheckedFile>& files) {
+  std::vector<Suspect> found;
+  for (CheckedFile& file : files) {
+    const auto told = file.mass ? rigid_body_mass(file) : std::nullopt;
+    if (!told) continue;
+    const double measured = *told / *file.mass;
+    const auto [factor, words] = nearest_unit(measured, unit_tolerance);
+    if (words.empty() && measured < heavier) continue;
+    found.push_back({.kind = words.empty() ? SuspectKind::gain : SuspectKind::unit,
+                     .file = file.name,
+                     .dofs = {},
+                     .evidence = fmt::format("the rigid-body lines are those of {:.3g} kg, where {:.4g} kg were weighed{}", *told, *file.mass,
+                                             words.empty() ? "" : ": " + words),
+                     .confidence = words.empty() ? not_sure : sure,
+                     .remedy = remedy_in(file.name, fmt::format("gain = {:.6g}", factor))});
+    for (Eigen::MatrixXcd& line : file.frfs) line *= factor;
+  }
+  return found;
+}
+
+}  // namespace jointid::ident
