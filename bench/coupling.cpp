@@ -77,7 +77,7 @@ bool compare_operations() {
   for (const auto& [n, m] : {std::pair<Index, Index>{12, 1}, {12, 3}, {12, 6}, {40, 5}, {40, 10}, {40, 20}, {120, 20}, {120, 40}, {120, 60}}) {
     const ComplexMatrix h = Modal(n, 1).at(100.0);
     const auto count = coupling::count_multiplications(h, m);
-    // (5.45) over (5.46), which is what figure 5.4 plots.
+    // (5.45) over (5.46) of docs/formulas.md §8, which is what figure 5.4 plots.
     double print_mtc = 0.0, print_grc = static_cast<double>(m * n * (n - m) + m * m);
     for (Index i = 1; i <= m; ++i) print_mtc += static_cast<double>((n - i) * (n + 1 - i));
     for (Index i = 1; i < m; ++i) print_grc += static_cast<double>(2 * (m - i) * (m + 1));

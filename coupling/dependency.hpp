@@ -7,7 +7,7 @@
 
 namespace jointid::coupling {
 
-/// What the alphas of a condition (5.70) say over the lines.
+/// What the alphas of a condition (docs/formulas.md §8, 5.70) say over the lines.
 struct Dependency {
   std::string condition;
   double median = 0.0, lower = 0.0, upper = 0.0;  ///< of alpha; 5 and 95 % quantiles

@@ -38,7 +38,7 @@ Matrix row_jumps(const Matrix& h, const Conditions& conditions, const std::vecto
   return out;
 }
 
-/// S = B H Bᵀ, [m, m]: H_bb + H_cc − H_bc − H_cb of thesis eq. 5.36.
+/// S = B H Bᵀ, [m, m]: H_bb + H_cc − H_bc − H_cb of docs/formulas.md §8 (5.36).
 template <class Matrix>
 Matrix jump_receptance(const Matrix& h, const Conditions& conditions) {
   const auto m = static_cast<Index>(conditions.size());
@@ -64,7 +64,7 @@ Matrix jump_receptance(const Matrix& h, const Conditions& conditions) {
   return out;
 }
 
-/// H − H Bᵀ S⁻¹ B H at the wanted rows and columns (thesis eq. 5.36a, with ground 5.37); solve(S, Y) gives S⁻¹Y.
+/// H − H Bᵀ S⁻¹ B H at the wanted rows and columns (5.36a, with ground 5.37); solve(S, Y) gives S⁻¹Y.
 template <class Matrix, class Solve>
 Matrix one_step(const Matrix& h, const Conditions& conditions, const Wanted& wanted, Solve solve) {
   const Matrix x = column_jumps(h, conditions, wanted.rows);

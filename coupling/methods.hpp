@@ -8,7 +8,7 @@
 
 namespace jointid::coupling {
 
-/// The methods of thesis chapter 5. Without numerical errors they give the same FRFs, whatever the noise in H is.
+/// The methods of docs/formulas.md §8 (thesis chapter 5). Without numerical errors they give the same FRFs, whatever the noise in H is.
 enum class Method {
   gic,  ///< general impedance coupling: invert H, add, invert back (§5.4)
   rc,   ///< receptance coupling: two structures at a time (§5.5)
@@ -25,7 +25,7 @@ Method parse_method(std::string_view text);
 // Each returns H_asm at the wanted rows and columns of H. Coupled coordinates have equal rows, grounded ones zeros. Where a
 // matrix to invert is singular the result is not finite.
 
-/// (Tᵀ H⁻¹ T)⁻¹, x = T x_asm (5.9). H must be square with the same coordinates among rows and columns, all measured, and not
+/// (Tᵀ H⁻¹ T)⁻¹, x = T x_asm (5.9, 5.10). H must be square with the same coordinates among rows and columns, all measured, and not
 /// singular.
 ComplexMatrix gic(const MatrixRef& h, const Conditions& conditions, const Wanted& wanted);
 
@@ -57,7 +57,7 @@ MtcResult mtc(const MatrixRef& h, const Conditions& conditions, const Wanted& wa
 /// coordinates that move as one, 2 for ground. 0 where all three vanish.
 double alpha(Complex ii, Complex jj, Complex ij);
 
-/// H with a joint of known dynamic stiffness Z (N/m) between coordinates: H − H_:j (I + Z H_jj)⁻¹ Z H_j: (thesis 6.12).
+/// H with a joint of known dynamic stiffness Z (N/m) between coordinates: H − H_:j (I + Z H_jj)⁻¹ Z H_j: (6.12).
 ComplexMatrix with_joint(const MatrixRef& h, const std::vector<Index>& at, const MatrixRef& z);
 
 }  // namespace jointid::coupling

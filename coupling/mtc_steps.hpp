@@ -8,7 +8,7 @@
 
 namespace jointid::coupling {
 
-/// Multi-step two-coordinate coupling (thesis §5.6.4): one condition at a time, H ← H − d dᵀ/(h_ii + h_jj − 2h_ij) with
+/// Multi-step two-coordinate coupling (docs/formulas.md §8, thesis §5.6.4): one condition at a time, H ← H − d dᵀ/(h_ii + h_jj − 2h_ij) with
 /// d = h_i − h_j, for a matrix that need not be symmetric H ← H − (H b)(bᵀH)/(bᵀH b). Once coupled, the second coordinate is
 /// deleted, so that m steps of n coordinates cost Σ(n − k)(n − k + 1) multiplications (5.45). The steps are kept as
 /// H − U Vᵀ, one column of U and V for each, and worked out where the next steps and the result need them: one product of

@@ -9,7 +9,7 @@
 
 namespace jointid::coupling {
 
-/// What is done about matrices that are nearly singular.
+/// What is done about matrices that are nearly singular, docs/formulas.md §8.
 enum class Threshold {
   none,
   fixed,   ///< grc, pcc: singular values σ ≤ epsilon·σ₁ are dropped (5.67)

@@ -15,7 +15,7 @@ struct LineVariance {
 /// never do.
 inline bool is_one_measurement(Complex there, Complex back) { return std::abs(there - back) <= 1e-12 * std::abs(there); }
 
-/// The differential of coupling, δH_asm = L δH R (formulas §11): L = [I | 0] + …, where all but `own` entries of 1 stand in the
+/// The differential of coupling, δH_asm = L δH R (docs/formulas.md §11b): L = [I | 0] + …, where all but `own` entries of 1 stand in the
 /// columns (rows of R) of the coordinates that conditions or joints name, the first b.
 struct Sensitivity {
   ComplexMatrix left;   ///< [wanted rows, b] without the 1 of rows behind b

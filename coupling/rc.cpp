@@ -38,7 +38,7 @@ Interface interface_of(const Conditions& conditions, const Bodies& body, std::si
   return out;
 }
 
-/// Couples structures A and B of `h` in place by their own FRFs (5.20, appendix C).
+/// Couples structures A and B of `h` in place by their own FRFs (docs/formulas.md §8; 5.20, appendix C).
 void couple_two(ComplexMatrix& h, const Interface& at, const std::vector<Index>& a_rows, const std::vector<Index>& a_columns,
                 const std::vector<Index>& b_rows, const std::vector<Index>& b_columns) {
   const auto m = static_cast<Index>(at.a.size());

@@ -4,7 +4,7 @@
 
 namespace jointid::coupling {
 
-/// S⁺ = Σ_{i≤k} v_i u_iᴴ/σ_i over the k largest singular values of S (thesis eq. 5.66).
+/// S⁺ = Σ_{i≤k} v_i u_iᴴ/σ_i over the k largest singular values of S (docs/formulas.md §8, 5.66).
 struct Truncation {
   ComplexMatrix inverse;      ///< [m, m]
   Eigen::VectorXd sigma;      ///< [m] descending

@@ -10,8 +10,8 @@ namespace jointid::frf {
 
 /// How the measurement errors of FRFs are simulated. H is the exact value, Ĥ the polluted one.
 enum class NoiseKind : std::uint8_t {
-  uniform,  ///< real and imaginary part each times an independent factor, uniform in [1−p, 1+p] (formulas of
-            ///< thesis §6.6.2)
+  uniform,  ///< real and imaginary part each times an independent factor, uniform in [1−p, 1+p] (docs/formulas.md
+            ///< §11a)
   gaussian,  ///< as uniform, the factors normal with the same mean 1 and variance p²/3
   circular,  ///< Ĥ = H + e, e complex normal, E|e|² = (p|H|)², independent real and imaginary part
   hammer     ///< Ĥ = H + e by the H1 estimate of a hammer test, see NoiseModel::coherence
@@ -37,7 +37,7 @@ struct NoiseModel {
   double level = 0.05;  ///< p, 0 ≤ p < 1; not used by hammer
 
   /// Hammer: coherence γ² of every entry, 0 < γ² ≤ 1; a set that carries `coherence` has its own per entry.
-  /// e is complex normal with E|e|² = |H|²(1−γ²)/(γ²(n_d−1)) (formulas §11). The result carries the coherence
+  /// e is complex normal with E|e|² = |H|²(1−γ²)/(γ²(n_d−1)) (docs/formulas.md §11a). The result carries the coherence
   /// that such a test of n_d hits would have estimated, γ̂² = |Ĥ|²/(|Ĥ|² + E|e|²·g), g ~ Gamma(n_d−1, 1): put
   /// into the same formula it gives the variance of e without bias.
   double coherence = 0.998;

@@ -4,7 +4,8 @@
 
 namespace jointid::friction {
 
-/// Root of a clamped beam of unit width with dry friction (§2.7.2), loaded by a force F at the length L₀ outside of the clamp.
+/// Root of a clamped beam of unit width with dry friction (docs/formulas.md §10e, thesis §2.7.2), loaded by a force F at the length L₀
+/// outside of the clamp.
 /// Inside, the length b slips forward and a behind it backward (2.14, 2.15 with M = FL₀):
 /// a = √(FL₀/τ + F²/(2τ²)), b = a + F/τ. Euler beam, nothing moves behind a + b, so that at the mouth
 /// u_L = (τ/EI)(−b⁴ + 4ab³ + 6a²b² + 4a³b + a⁴)/24, θ_L = (τ/EI)(−b³ + 3ab² + 3a²b + a³)/6,

@@ -7,7 +7,7 @@
 
 namespace jointid::friction {
 
-/// T = au + bu² for u < −a/(2b), then −a²/(4b) (2.44, b < 0).
+/// T = au + bu² for u < −a/(2b), then −a²/(4b) (docs/formulas.md §10a; 2.44, b < 0).
 class Burdekin final : public Element {
  public:
   static const Law law;

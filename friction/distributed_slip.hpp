@@ -7,7 +7,7 @@
 
 namespace jointid::friction {
 
-/// Force along any history from the shear stress of every slider, algorithm A of §3.5.1: constant memory however long the
+/// Force along any history from the shear stress of every slider, algorithm A of docs/formulas.md §10b: constant memory however long the
 /// history, and the normal load may change. Exact for its sliders, an approximation of the law that they stand for.
 class DistributedSlip {
  public:

@@ -23,7 +23,7 @@ struct Parameter {
   bool lower_included = false;
 };
 
-/// The initial loading law T(u) of a joint in the tangential direction, u ≥ 0 (thesis chapter 2): T(0) = 0, T increasing,
+/// The initial loading law T(u) of a joint in the tangential direction, u ≥ 0 (docs/formulas.md §10): T(0) = 0, T increasing,
 /// dT/du decreasing. Its odd continuation and Masing's rule give every other path (masing_path.hpp). Units are SI; they
 /// are N and m for a translational joint, N·m and rad for a rotary one, N/m² and m for a law per area.
 /// No argument is checked but by constructors; u must be ≥ 0.

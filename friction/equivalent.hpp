@@ -7,7 +7,7 @@
 
 namespace jointid::friction {
 
-/// What a harmonic balance sees of a joint under x = x₀ cos ωt (appendix B): the first harmonic of the force is
+/// What a harmonic balance sees of a joint under x = x₀ cos ωt (docs/formulas.md §10c, appendix B): the first harmonic of the force is
 /// (k_e + i d_e)x₀.
 struct Equivalent {
   double amplitude = 0.0;    ///< x₀

@@ -3,7 +3,7 @@
 #include "friction/fe_joint.hpp"
 #include "friction/menq_bar.hpp"
 
-/// The numerical case studies of thesis §2.16.2.
+/// The numerical case studies of thesis §2.16.2 (docs/formulas.md §10e).
 namespace jointid::friction {
 
 /// Case One: a uniform bar on a bilinear interface, for which Menq's formula is the exact answer. The text of the thesis gives no

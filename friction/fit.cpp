@@ -106,7 +106,7 @@ double weighted_squares(const Curve& curve, const std::vector<double>& values, c
   return sum;
 }
 
-/// ΔE (2.58b), or (7.20).
+/// ΔE (2.58b), or (7.20), docs/formulas.md §10f.
 double objective_of(const Curve& curve, const std::vector<double>& predicted) {
   return weighted_squares(curve, predicted, row_weights(curve, Weighting::largest));
 }

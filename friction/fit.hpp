@@ -15,6 +15,7 @@
 namespace jointid::friction {
 
 /// By what a residual T_e − T_a is divided before it is squared. Equivalents are always divided by √(k_e² + d_e²) (7.20).
+/// See docs/formulas.md §10f.
 enum class Weighting : std::uint8_t {
   none,      ///< nothing (2.58a)
   largest,   ///< the largest |T_e| of the curve (2.58b)

@@ -12,7 +12,7 @@ struct SlipPoint {
   double displacement = 0.0;
 };
 
-/// The generalised microslip element (2.51) with u(h) given by a table and linear between its points:
+/// The generalised microslip element (docs/formulas.md §10a, 2.51) with u(h) given by a table and linear between its points:
 /// T = k(∫₀^h u dh + (1 − h)u(h)), dT/du = k(1 − h). Any law that obeys Masing's rule is of this form (§2.11.2). A table that
 /// ends at h < 1 leaves the share 1 − h elastic for ever: the joint then has no limit.
 class GeneralizedSlip final : public Element {

@@ -21,7 +21,8 @@ struct Branch {
   double closure = 0.0;  ///< displacement where it joins an outer branch; ±infinity when it does not
 };
 
-/// Force along any displacement history by Masing's rule (2.7, 2.8) with the memory of corner points, algorithm B of §3.5.2.
+/// Force along any displacement history by Masing's rule (2.7, 2.8) with the memory of corner points, algorithm B of
+/// docs/formulas.md §10b.
 /// Exact: nested loops close, and what lies inside a closed loop is forgotten. The history starts at u = 0 without force.
 class MasingPath {
  public:

@@ -15,7 +15,7 @@ struct Record {
 /// samples. Throws std::invalid_argument unless `time` increases and both are equally long.
 std::vector<double> integrated(std::span<const double> time, std::span<const double> velocity);
 
-/// The record without the elastic deformation u = F/stiffness of the specimen around the joint (§2.14).
+/// The record without the elastic deformation u = F/stiffness of the specimen around the joint (docs/formulas.md §10f).
 Record without_elastic(Record record, double stiffness);
 
 /// The same by the measured loading curve of a specimen without joint: u_s(F) is interpolated linearly between its points and

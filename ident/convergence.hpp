@@ -11,7 +11,7 @@ struct LineQuality {
   std::map<restrictions::Kind, Quality> quality;
 };
 
-/// RJCF and ARVF against the number of frequency lines (thesis figures 6.6 and 6.7): the scene solved from its first line,
+/// RJCF and ARVF against the number of frequency lines (docs/formulas.md §6): the scene solved from its first line,
 /// its first two, … Starts where the lines fix every unknown. With more than `points` lines, that many numbers of lines
 /// spread evenly. Empty when the scene tells no truth.
 std::vector<LineQuality> quality_by_line(Plan& plan, std::size_t points, const Control& control = {});

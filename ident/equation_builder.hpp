@@ -54,16 +54,16 @@ class EquationBuilder {
   std::unique_ptr<Rectangle> substructures_, assembly_;
 };
 
-/// Method One (formulas §2): H_nj Z_j H_ba = H_aa − H_nn and so on.
+/// Method One (docs/formulas.md §2): H_nj Z_j H_ba = H_aa − H_nn and so on.
 std::unique_ptr<EquationBuilder> make_method_one(const Coordinates& coordinates, const EquationSet& equations,
                                                  frf::FrfSystem& substructures, frf::FrfSystem& assembly);
 
-/// Method Two (formulas §3): Z_j H_jn = −Z_ba H_nn − Z_bb H_jn (`jn`), Z_j H_jj = I − Z_ba H_nj − Z_bb H_jj (`jj`), with
+/// Method Two (docs/formulas.md §3): Z_j H_jn = −Z_ba H_nn − Z_bb H_jn (`jn`), Z_j H_jj = I − Z_ba H_nj − Z_bb H_jj (`jj`), with
 /// Z = H_sub⁻¹ over all coordinates. It inverts measured data and is the noisier of the two.
 std::unique_ptr<EquationBuilder> make_method_two(const Coordinates& coordinates, const EquationSet& equations,
                                                  frf::FrfSystem& substructures, frf::FrfSystem& assembly);
 
-/// Direct solution without joint coordinates of the assembly (thesis eq. 6.77, 6.78): equation `nn` with
+/// Direct solution without joint coordinates of the assembly (docs/formulas.md §7; 6.77, 6.78): equation `nn` with
 /// H_nj = H_ab − (H_aa − H_nn) H_ba⁺ H_bb. Exact without noise, useless with it.
 std::unique_ptr<EquationBuilder> make_direct(const Coordinates& coordinates, frf::FrfSystem& substructures,
                                              frf::FrfSystem& assembly);

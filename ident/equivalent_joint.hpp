@@ -6,7 +6,7 @@
 
 namespace jointid::ident {
 
-/// FRFs at the two ends 1 and 2 of a massless joint between them, by line (thesis §7.3.6), m/N.
+/// FRFs at the two ends 1 and 2 of a massless joint between them, by line (docs/formulas.md §12), m/N.
 struct JointLines {
   std::vector<std::complex<double>> a, b, c;  ///< without the joint: h_11, h_22, h_12
   std::vector<std::complex<double>> h1, h3;   ///< with it: h_11, h_21

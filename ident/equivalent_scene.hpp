@@ -19,7 +19,7 @@ struct EquivalentScene {
   FrequencySection frequency;  ///< without exclude_resonances
   std::array<frf::Dof, 2> dofs;  ///< ends of the joint; the assembly is excited at the first
   std::vector<DisplacementLevel> levels;
-  std::optional<DataFile> rigid;  ///< the assembly with the joint clamped: then (7.18), else (7.11)
+  std::optional<DataFile> rigid;  ///< the assembly with the joint clamped: then (7.18), else (7.11), docs/formulas.md §12
   bool real = false;              ///< (7.19) for the parts
   bool relative = false;          ///< residuals over the FRFs, see JointLines
 };

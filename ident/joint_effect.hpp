@@ -10,7 +10,7 @@ namespace jointid::ident {
 /// The matrices of the band that a line lies in; null between bands.
 const Matrices* matrices_at(const std::vector<BandMatrices>& bands, double frequency_hz);
 
-/// Z_j(ω) [N×N] of thesis eq. (6.28).
+/// Z_j(ω) [N×N] of docs/formulas.md §1 (6.28).
 Eigen::MatrixXcd joint_impedance(const Matrices& matrices, std::size_t n, double frequency_hz);
 
 /// `dofs`, with the joint's DOFs behind them unless they are among them.
@@ -32,7 +32,7 @@ struct JointEffect {
 };
 
 /// The effect of a joint on substructures with the FRFs `h`, whose last N rows and columns are the joint's
-/// (formulas §2, thesis eq. 6.12–6.15).
+/// (docs/formulas.md §2, 6.12–6.15).
 JointEffect joint_effect(const View& h, std::size_t rows, std::size_t columns, const Eigen::MatrixXcd& impedance);
 
 }  // namespace jointid::ident

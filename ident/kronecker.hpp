@@ -38,7 +38,7 @@ struct SubProduct {
   std::span<const double> column_weight;   ///< one per entry of `columns`
 };
 
-/// Replaces W_r A Z_j B W_c = W_r (C₁ − C₂) W_c by its compressed form (formulas §5): with the thin QR factors
+/// Replaces W_r A Z_j B W_c = W_r (C₁ − C₂) W_c by its compressed form (docs/formulas.md §5): with the thin QR factors
 /// W_r A = Q_A R_A and (B W_c)ᵀ = Q_B R_B, C'' = Q_Aᴴ W_r (C₁ − C₂) W_c Q_B*. The least-squares problem is unchanged, and
 /// nothing is squared. Costs about 8(MN(N+L) + LN²) flops instead of the 8·M·L·N² of writing the equations out.
 class KroneckerCompressor {

@@ -23,7 +23,7 @@ struct View {
   }
 };
 
-/// All equations of one line in the common form A Z_j B = C₁ − C₂ (thesis eq. 6.24): A [M×N], B [N×L], C [M×L].
+/// All equations of one line in the common form A Z_j B = C₁ − C₂ (docs/formulas.md §2, 6.24): A [M×N], B [N×L], C [M×L].
 /// Rows and columns come in two classes, 0 = non-joint and 1 = joint coordinates; the pair (row class, column class) is the
 /// named equation (0,0) nn, (0,1) nj, (1,1) jj, (1,0) jn.
 struct LineProduct {

@@ -10,7 +10,8 @@
 namespace jointid::ident {
 
 /// Writes compressed equations R_A Z_j R_Bᵀ = C'' as real rows over the unknowns: row = [E T_f T | p] with
-/// E = R_A ⊗ R_B, T_f = [I, −(ω/ω₀)²I, i(ω/ω₀)I, iI] (thesis eq. 6.35), T the restriction matrix, p = C'' − R_A Z_known R_Bᵀ,
+/// E = R_A ⊗ R_B, T_f = [I, −(ω/ω₀)²I, i(ω/ω₀)I, iI] (docs/formulas.md §1, 6.35), T the restriction matrix (§4),
+/// p = C'' − R_A Z_known R_Bᵀ,
 /// real and imaginary part one below the other (6.46–6.49). The unknowns are those of x = {k, ω₀²m, ω₀c, d} (6.36).
 ///
 /// Made for one set of unknowns (a `Support`); matrices with the same terms share the work.

@@ -84,7 +84,7 @@ struct Fit {
   std::optional<double> misfit{};
 };
 
-/// Figures of merit of formulas §6 for one matrix against the truth.
+/// Figures of merit of docs/formulas.md §6 for one matrix against the truth.
 struct Quality {
   double rjcf = 0.0;
   double arvf = 0.0;

@@ -71,7 +71,7 @@ struct IpoptOptions {
 Minimum ipopt_minimum(const LeastSquares& problem, std::span<const double> start, const IpoptOptions& options = {});
 bool has_ipopt();
 
-/// Pattern search of Hooke and Jeeves (thesis §2.13): exploratory moves along the axes, then moves along the way that they went;
+/// Pattern search of Hooke and Jeeves (docs/formulas.md §10f): exploratory moves along the axes, then moves along the way that they went;
 /// the step is halved when none helps, until it is below `tolerance`.
 struct PatternOptions {
   double step = 0.1;

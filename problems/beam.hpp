@@ -15,7 +15,7 @@ struct BeamSection {
   double density = 0.0;         ///< kg/m³
 };
 
-/// Stiffness and consistent mass matrix of one element of `length` over {y₁, θ₁, y₂, θ₂}, thesis §6.6.1 with
+/// Stiffness and consistent mass matrix of one element of `length` over {y₁, θ₁, y₂, θ₂}, docs/formulas.md §13 with
 /// I = wh³/12 and m = ρwh (the matrices printed there are rounded).
 Matrix element_stiffness(const BeamSection& section, double length);
 Matrix element_mass(const BeamSection& section, double length);

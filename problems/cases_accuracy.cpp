@@ -56,7 +56,7 @@ JointMatrix springs_with_three_unknowns() {
                    {{"x8", rotary_spring}, {"x9", 0.0}, {"x10", rotary_spring}});
 }
 
-/// (6.74) with L = 0.3 m.
+/// docs/formulas.md §13 (6.74) with L = 0.3 m.
 JointMatrix beam_with_one_unknown() {
   return expressed(Kind::stiffness, joint_stiffness(),
                    {{"12*y", "1.8*y", "-12*y", "1.8*y"},

@@ -44,7 +44,7 @@ JointMatrix two_unknowns() {
 }
 
 /// Rotations 8 and 10 rigidly coupled before: one substructure, and the joint is the translational spring.
-/// The stiff joint's own coordinates are left out of both files, as §6.9.1 says for a rigid joint without
+/// The stiff joint's own coordinates are left out of both files, as thesis §6.9.1 says for a rigid joint without
 /// mass.
 Case coupled_case(const std::string& name, const std::string& description, bool exclude_resonances) {
   Case definition = springs_case(name, description, six_unknowns(), exclude_resonances);

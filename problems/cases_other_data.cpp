@@ -11,7 +11,7 @@ Case modal_errors(const std::string& name, const std::string& description, bool 
   return definition;
 }
 
-/// §6.12.3: only H_nn of the assembly, joint without damping.
+/// Thesis §6.12.3: only H_nn of the assembly, joint without damping.
 Case inaccessible_joint(const std::string& name, const std::string& description, const std::string& method,
                         const Axis& axis) {
   Case definition = basic_case(name, description);

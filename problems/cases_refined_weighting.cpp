@@ -4,7 +4,7 @@
 namespace jointid::problems {
 namespace {
 
-/// §6.7.2.1: the form that the geometric symmetry of the joint leaves, six unknowns per matrix.
+/// Thesis §6.7.2.1: the form that the geometric symmetry of the joint leaves, six unknowns per matrix.
 JointMatrix six_letters(Kind kind, const Matrix& x) {
   return expressed(
       kind, x, {{"a", "c", "e", "d"}, {"c", "b", "-d", "f"}, {"e", "-d", "a", "-c"}, {"d", "f", "-c", "b"}},

@@ -42,7 +42,7 @@ std::vector<frf::Dof> translations(const std::vector<std::int64_t>& nodes) {
   return result;
 }
 
-/// The form (7.1) that the symmetry of the joint gives.
+/// The form (7.1), docs/formulas.md §13, that the symmetry of the joint gives.
 Matrix mirrored(double a, double b, double c, double d, double unit) {
   return scaled({{a, b, c, d}, {b, a, d, c}, {c, d, a, b}, {d, c, b, a}}, unit);
 }

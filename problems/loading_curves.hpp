@@ -12,7 +12,7 @@
 
 namespace jointid::problems {
 
-/// Radii of the rings of §2.15.2, m.
+/// Radii of the rings of thesis §2.15.2, m.
 struct Ring {
   double inner = 0.0255, outer = 0.038;
 };

@@ -8,7 +8,7 @@
 
 namespace jointid::problems {
 
-/// FRFs of known modes, for modal fits: (5.65) with real shapes and hysteretic damping, nothing outside the range.
+/// FRFs of known modes, for modal fits: docs/formulas.md §9 (5.65) with real shapes and hysteretic damping, nothing outside the range.
 struct ModalSet {
   std::string name, description;
   Modes modes;

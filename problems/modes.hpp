@@ -9,7 +9,7 @@
 
 namespace jointid::problems {
 
-/// Modal model of a structure with damping proportional to stiffness (formulas §9).
+/// Modal model of a structure with damping proportional to stiffness (docs/formulas.md §9).
 struct Modes {
   std::vector<frf::Node> nodes;
   std::vector<frf::Dof> dofs;        ///< [n]
@@ -25,10 +25,10 @@ struct Modes {
 /// proportional to K; other hysteretic damping keeps only its diagonal ΦᵀDΦ, viscous damping is ignored.
 Modes modes(const Structure& structure);
 
-/// H(ω) = Φ diag(1/(ω_r² − ω² + iη_rω_r²)) Φᵀ (thesis 5.65) at the request's DOFs; no window.
+/// H(ω) = Φ diag(1/(ω_r² − ω² + iη_rω_r²)) Φᵀ (5.65) at the request's DOFs; no window.
 frf::FrfSet modal_response(const Modes& modes, const ResponseRequest& request);
 
-/// "Consistent errors" (formulas §9): every element of Φ, every ω_r and every η_r is multiplied by a factor
+/// "Consistent errors" (docs/formulas.md §9): every element of Φ, every ω_r and every η_r is multiplied by a factor
 /// of its own, uniform in [1−p, 1+p]. The FRFs regenerated from them agree with each other but not with the
 /// structure.
 struct ConsistentErrors {

@@ -12,7 +12,7 @@
 
 namespace jointid::restrictions {
 
-/// The four real matrices of Z_j(ω) = K − ω²M + i(ωC + D) (thesis eq. 6.28).
+/// The four real matrices of Z_j(ω) = K − ω²M + i(ωC + D) (docs/formulas.md §1, 6.28).
 enum class Kind { stiffness, mass, viscous_damping, hysteretic_damping };
 inline constexpr std::array<Kind, 4> all_kinds = {Kind::stiffness, Kind::mass, Kind::viscous_damping,
                                                   Kind::hysteretic_damping};

@@ -38,7 +38,7 @@ struct MatrixTerms {
   std::vector<Known> known;  ///< sorted by (row, column), non-zero only
 };
 
-/// The restriction matrix T of thesis eq. (6.38), kept sparse and per matrix: x = T y₁ + T₂y₂, where the unknowns y₁ are
+/// The restriction matrix T of docs/formulas.md §4 (6.38), kept sparse and per matrix: x = T y₁ + T₂y₂, where the unknowns y₁ are
 /// `unknowns` and the known part T₂y₂ is already multiplied out. Only matrices that the scene names are here.
 struct Restriction {
   std::vector<frf::Dof> dofs;      ///< N joint DOFs, those of the joints one after the other

@@ -5,7 +5,7 @@
 
 namespace jointid::weighting {
 
-/// Row weights of thesis §6.5 and §6.7 (formulas §5); "largest" is by modulus of the complex element.
+/// Row weights of docs/formulas.md §5 (thesis §6.5 and §6.7); "largest" is by modulus of the complex element.
 enum class Weighting {
   none,
   wa,   ///< after: one factor per line, largest element of E₀ᵀE₀ (after T_f and T) is 1

@@ -1,4 +1,4 @@
-"""Coupling of two parts in numpy: H_asm = H - X S^-1 X^T (thesis eq. 5.36a), all lines at once in pieces of 50.
+"""Coupling of two parts in numpy: H_asm = H - X S^-1 X^T (docs/formulas.md §8, 5.36a), all lines at once in pieces of 50.
 
 coupling.py FILE LINES N M: FILE holds complex128 [line, part, N, N]; coordinate k of part 0 is coordinate k of part 1 for k < M.
 Prints the seconds of processor time of the best of three rounds, then for each line the sum of |H| over the coordinates of the assembly.

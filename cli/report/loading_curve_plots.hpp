@@ -9,7 +9,7 @@ namespace jointid::cli::report {
 /// Measured curves with those of all laws, and their residuals; one choice per curve, at most `most` of them, evenly chosen.
 PlotGroup curves_and_residuals(const LoadingCurveReport& report, std::size_t most);
 
-/// u(h): displacement at which the share h of the stiffness slips, by law (2.53).
+/// u(h): displacement at which the share h of the stiffness slips, by law (docs/formulas.md §10a, 2.53).
 PlotGroup slip_distribution(const LoadingCurveReport& report);
 
 /// k_e, d_e and energy per cycle over amplitude, by law; measured energies of loops as points of their own.

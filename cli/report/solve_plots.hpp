@@ -11,7 +11,7 @@ namespace jointid::cli::report {
 /// that of the lines that the joint was identified from. At most `most` points per FRF, peaks kept.
 PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most);
 
-/// RJCF and ARVF of each matrix against the number of lines (thesis figures 6.6 and 6.7).
+/// RJCF and ARVF of each matrix against the number of lines (docs/formulas.md §6).
 PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines);
 
 }  // namespace jointid::cli::report

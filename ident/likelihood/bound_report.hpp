@@ -24,7 +24,7 @@ struct BoundChange {
   double mean = 1.0;            ///< geometric mean of the factors
 };
 
-/// What a test can tell about a joint, before it is made (formulas §11).
+/// What a test can tell about a joint, before it is made (docs/formulas.md §11g).
 struct BoundReport {
   bool interrupted = false;  ///< not all changes of the data are there
   std::vector<UnknownBound> unknowns;

@@ -54,7 +54,7 @@ using Starts = std::function<std::optional<std::vector<double>>(std::size_t k)>;
 /// Watches a fit; called once per iteration, may throw to stop it.
 using FitWatcher = std::function<void(std::size_t iteration)>;
 
-/// Maximum-likelihood estimate of the joint with all FRFs taken as noisy (formulas §11): minimises Σ_lines L(χ²) over the
+/// Maximum-likelihood estimate of the joint with all FRFs taken as noisy (docs/formulas.md §11d): minimises Σ_lines L(χ²) over the
 /// joint's unknowns and the true substructure FRFs of every line; L is χ² for lines that fit, and bounded for those with gross
 /// errors. Three stages:
 ///  1. a few steps of iterative quadratic maximum likelihood;

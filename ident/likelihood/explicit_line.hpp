@@ -10,7 +10,7 @@ namespace jointid::ident {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// One line of the explicit likelihood (output error with free substructure FRFs, formulas §11). What X, Y and Z predict is
+/// One line of the explicit likelihood (output error with free substructure FRFs, docs/formulas.md §11f). What X, Y and Z predict is
 ///   A = P X,  B = P Y,  D = Xᵀ Z A,  P = (I + Y Z)⁻¹,
 /// and a residual is weight · (predicted − measured), one per measured real number. Free are the joint's unknowns and
 /// u: X and Y as centre + scale · u, with scale the standard deviation where measured and the size of the FRFs where not.

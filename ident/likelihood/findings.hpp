@@ -18,7 +18,7 @@ std::string text(const WeakCombination& weak);
 
 /// What to say about combinations, joint and intervals of `found`, and about χ² of `fit` on the lines `frequency_hz`:
 ///   weak_combination  deviation ≥ 10 %;
-///   soft_joint        effect < 5, deformation > 0.5 and some error ≥ 10 % (thesis §6.8.2);
+///   soft_joint        effect < 5, deformation > 0.5 and some error ≥ 10 % (docs/formulas.md §11i, thesis §6.8.2);
 ///   stiff_joint       deformation < 0.01 and some error ≥ 10 % (thesis §6.8.3, §6.8.5, §6.9), with the stiff pairs as the
 ///                     line couple_first of a scene;
 ///   nonlinear         an error ≥ 30 %, unless the intervals are those of the bootstrap;

@@ -12,7 +12,7 @@ namespace jointid::ident {
 
 using ComplexMatrix = Eigen::MatrixXcd;
 
-/// Z_j at one line as a function of the unknowns of that line, in the scaled form x = {k, ω₀²m, ω₀c, d} (formulas §1):
+/// Z_j at one line as a function of the unknowns of that line, in the scaled form x = {k, ω₀²m, ω₀c, d} (docs/formulas.md §1):
 /// Z_j(θ) = Z_known + Σ_t θ_t ∂Z/∂θ_t. Symmetric restrictions only.
 class JointImpedance {
  public:

@@ -5,7 +5,7 @@
 
 namespace jointid::ident {
 
-/// How far the joint can be seen (thesis §6.8), as medians over coordinates and lines:
+/// How far the joint can be seen (docs/formulas.md §11i, thesis §6.8), as medians over coordinates and lines:
 ///   effect: |H_sub − H_asm| of a real or imaginary part over its standard deviation, measured values;
 ///   deformation: |aᵀ δZ a| / |xᵀ δZ x|, the work that a change δZ of the joint in `direction` (scaled unknowns) does on the motion
 ///   of the joint's coordinates in the assembly, a = H_asm(j,k), and on that of the free parts, x = H_sub(j,k). About 1 for a

@@ -17,7 +17,7 @@ struct ReducedLine {
   double cost = 0.0;            ///< χ² of the linearised problem at δθ = 0
 };
 
-/// The linearised line (docs/theory of the likelihood, formulas §11). With P = (I + Y Z)⁻¹, G = Z A, R = X − A − Y Z A:
+/// The linearised line (docs/formulas.md §11e). With P = (I + Y Z)⁻¹, G = Z A, R = X − A − Y Z A:
 ///   δA = P (R + δX − δY G − Y δZ A),  δD(r,k) = G_kᵀ δX_r + h_r (R_k + δX_k − δY G_k) + (X_rᵀ − h_r Y) δZ A_k,
 /// h = Xᵀ Z P, and likewise for B. Eliminating δA, δB and H(n,n), which stands alone in its rows, leaves δX, δY and δθ: the
 /// step is that of the implicit errors-in-variables problem (Gauss–Helmert), and on the constraint, where R = 0, that of the

@@ -14,7 +14,7 @@ Complex measured(const Channel& channel, std::size_t i) {
   return channel.weight[i] == Complex(0.0) ? Complex(missing, missing) : channel.value[i];
 }
 
-/// X, Y and D in the form of (6.12); D alone stands for both systems.
+/// X, Y and D in the form of docs/formulas.md §7 (6.12); D alone stands for both systems.
 ReachableFrfs frfs_of(const LineLayout& layout, const LineData& data) {
   const auto n = static_cast<Eigen::Index>(layout.others), joint = static_cast<Eigen::Index>(layout.joint);
   ReachableFrfs out = {Eigen::MatrixXcd::Zero(n, n), {}, Eigen::MatrixXcd::Zero(joint, n), Eigen::MatrixXcd::Zero(joint, joint),

@@ -24,8 +24,8 @@ struct NewtonOptions {
 /// Gauss–Newton step is below 1e-3 standard deviations, as the residuals tell them, or below 1e-10 of every unknown.
 NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options = {});
 
-/// The scheme of the thesis: full Gauss–Newton steps, divided by five until the cost falls (6.85), with its weights and choice of
-/// lines. The same end.
+/// The scheme of the thesis: full Gauss–Newton steps, divided by five until the cost falls (docs/formulas.md §7, 6.85), with its weights
+/// and choice of lines. The same end.
 NewtonFit divided_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options = {});
 
 /// Coordinates in which the linearised problem at a point is a sphere, for searches that know no derivatives:

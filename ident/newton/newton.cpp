@@ -21,7 +21,7 @@ using Point = std::vector<double>;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Seven lines in ten, other ones in every iteration: each choice has local minima of its own (§6.12.2.4).
+/// Seven lines in ten, other ones in every iteration: each choice has local minima of its own (docs/formulas.md §7).
 std::function<bool()> draws_of(std::size_t start) {
   return [start, drawn = std::uint64_t{0}]() mutable {
     return frf::uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7;

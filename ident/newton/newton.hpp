@@ -5,7 +5,7 @@
 
 namespace jointid::ident {
 
-/// Method "newton" (thesis §6.12.2): the joint that predicts H_nn best, by the plan's solver.
+/// Method "newton" (docs/formulas.md §7, thesis §6.12.2): the joint that predicts H_nn best, by the plan's solver.
 void solve_newton(Plan& plan, const Control& control, Solution& out);
 
 /// The solvers of method "newton", in the order in which messages name them.

@@ -19,7 +19,8 @@ struct ReachableFrfs {
 
 /// What one line says of the joint by (6.12), which is nonlinear in it:
 ///   F(θ) = H_nn − [H_aa − H_ab (I + Z_j H_bb)⁻¹ Z_j H_ba],   ∂F/∂θ = H_nj (∂Z_j/∂θ) H_jn
-/// with H_nj = H_ab (I + Z_j H_bb)⁻¹ and H_jn = (I + H_bb Z_j)⁻¹ H_ba (formulas §7). Entries that are not fully measured are left out.
+/// with H_nj = H_ab (I + Z_j H_bb)⁻¹ and H_jn = (I + H_bb Z_j)⁻¹ H_ba (docs/formulas.md §7). Entries that are not fully measured are
+/// left out.
 class ResponseLine {
  public:
   ResponseLine(ReachableFrfs frfs, JointImpedance joint);

@@ -7,7 +7,8 @@
 
 namespace jointid::ident {
 
-/// All lines of (6.12) as least squares Σ α_i²‖F_i‖² in scaled unknowns q = θ/scale, with lines weighted by α_i and some left out.
+/// All lines of (6.12), docs/formulas.md §7, as least squares Σ α_i²‖F_i‖² in scaled unknowns q = θ/scale, with lines weighted by α_i
+/// and some left out.
 class ResponseProblem final : public minimise::LeastSquares {
  public:
   /// `unknowns`: of the whole problem.

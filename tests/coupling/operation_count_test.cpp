@@ -19,7 +19,7 @@ TEST(OperationCount, MtcIsBelowGrcAsInFigureFivePointFour) {
     for (Index m = 1; 2 * m <= n; ++m) {
       const CountedCoupling count = count_multiplications(some_matrix(n), m);
       EXPECT_LT(count.difference, 1e-12);
-      // (5.45), and one division each: as many as rank-one steps through all that is not deleted yet.
+      // (5.45) of docs/formulas.md §8, and one division each: as many as rank-one steps through all that is not deleted yet.
       Index steps = m;
       for (Index i = 1; i <= m; ++i) steps += (n - i) * (n + 1 - i);
       EXPECT_EQ(static_cast<Index>(count.mtc), steps);

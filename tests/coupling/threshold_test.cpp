@@ -28,7 +28,7 @@ TEST(Truncation, FixedKeepsWhatIsAboveTheShareOfTheLargest) {
   EXPECT_EQ(found.kept, 3);
   EXPECT_NEAR(found.sigma[3], 0.019, 1e-14);
   EXPECT_NEAR(found.limit[3], 0.02, 1e-14);
-  // S⁺SS⁺ = S⁺ (5.51b)
+  // S⁺SS⁺ = S⁺ (5.51b), docs/formulas.md §8
   EXPECT_LT((found.inverse * s * found.inverse - found.inverse).norm(), 1e-10);
   EXPECT_EQ(truncate_fixed(s, 0.001).kept, 4);
   EXPECT_LT((truncate_fixed(s, 0.001).inverse * s - ComplexMatrix::Identity(4, 4)).norm(), 1e-10);

@@ -111,7 +111,7 @@ TEST(Assembly, NumbersTheParametersOfItsParts) {
   EXPECT_THROW(Parallel{Parts{}}, std::invalid_argument);
 }
 
-// Against (B.4) as printed, with the cosine.
+// Against (B.4) of docs/formulas.md §10c, with the cosine.
 RC_GTEST_PROP(EquivalentStiffness, IsThePrintedIntegral, ()) {
   const auto element = any_element();
   const double u = any_displacement(*element);

@@ -133,8 +133,8 @@ RC_GTEST_PROP(Joint, DerivativesByParameters, ()) {
   }
 }
 
-// The formula sheet's Menq bar, for a free far end.
-RC_GTEST_PROP(MenqBar, WithoutSpringIsTheFormulaSheet, ()) {
+// Menq's bar of docs/formulas.md §10e for a free far end.
+RC_GTEST_PROP(MenqBar, WithoutSpringIsTheClosedFormula, ()) {
   const double ea = any_decade(1e6, 1e8), length = any_in(0.05, 1.0), k = any_decade(1e8, 1e11), tau = any_decade(1e2, 1e4);
   const MenqBar bar({ea, length, k, tau, 0.0});
   const double s = length * any_in(0.0, 1.0), lambda = std::sqrt(k / ea);

@@ -20,7 +20,7 @@ bool near(double value, double expected, double relative) {
   return false;
 }
 
-/// The formulas as printed, with more digits so that their differences do not matter.
+/// The formulas of docs/formulas.md §10a, with more digits so that their differences do not matter.
 long double printed_force(const std::string& law, const std::vector<double>& p, long double u) {
   const long double first = p[0], second = p.size() > 1 ? p[1] : 0.0L;
   if (law == "ren") {
@@ -148,7 +148,7 @@ TEST(Law, RenWithoutSpreadIsBilinear) {
   }
 }
 
-TEST(Law, WorkedValuesOfTheFormulaSheet) {
+TEST(Law, WorkedValues) {
   const auto ren = make_element("ren", std::vector{3.43e-8, 2.79, 5.82e7});
   EXPECT_NEAR(ren->limit(), 10.93365182, 5e-9);
   EXPECT_NEAR(ren->equivalent_stiffness(4e-7), 2.486537e7, 5.0);

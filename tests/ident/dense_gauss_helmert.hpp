@@ -7,7 +7,8 @@
 
 namespace jointid::ident {
 
-/// The step of the theory's implicit problem, with every FRF of both systems as a variable and dense matrices throughout:
+/// The step of the implicit problem (docs/formulas.md §11e), with every FRF of both systems as a variable and dense matrices
+/// throughout:
 /// conditions C = H_s − H_a − H_s Z H_a on full matrices over n + N coordinates.
 class DenseStep {
  public:

@@ -58,7 +58,7 @@ struct Sample {
   restrictions::Restriction restriction;
 };
 
-/// Z = K − ω²M + i(ωC + D) of the unknowns y in SI units (formulas §1).
+/// Z = K − ω²M + i(ωC + D) of the unknowns y in SI units (docs/formulas.md §1).
 ComplexMatrix impedance(const restrictions::Restriction& restriction, const std::vector<double>& y, double omega) {
   const auto k = restriction.matrix(Kind::stiffness, y), m = restriction.matrix(Kind::mass, y);
   const auto c = restriction.matrix(Kind::viscous_damping, y), d = restriction.matrix(Kind::hysteretic_damping, y);

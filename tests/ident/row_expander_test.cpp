@@ -30,7 +30,7 @@ restrictions::Restriction all_matrices() {
   return restrictions::build({joint});
 }
 
-/// Columns of E·T_f·T, known part E·T_f·T₂y₂ last, straight from the formulas.
+/// Columns of E·T_f·T, known part E·T_f·T₂y₂ last, straight from docs/formulas.md §1 and §4.
 MatrixXcd expected_rows(const restrictions::Restriction& restriction, const MatrixXcd& e, double omega, double omega0) {
   const Eigen::Index elements = e.cols(), unknowns = index_of(restriction.unknowns.size());
   const Complex i(0.0, 1.0);

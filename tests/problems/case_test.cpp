@@ -55,7 +55,7 @@ Eigen::MatrixXcd line_of(const std::vector<frf::FrfSet>& sets, const std::vector
   return h;
 }
 
-/// Coupling by the joint: H_asm = H_sub − H_sj (I + Z_j H_jj)⁻¹ Z_j H_js (formulas §7, thesis 6.12) over all
+/// Coupling by the joint: H_asm = H_sub − H_sj (I + Z_j H_jj)⁻¹ Z_j H_js (docs/formulas.md §2, 6.12) over all
 /// measured DOFs. The substructure files alone, the truth alone and the assembly file have to agree.
 TEST_P(EveryCase, AssemblyIsTheSubstructuresCoupledByTheTrueJoint) {
   Case definition = GetParam();

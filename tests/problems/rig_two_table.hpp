@@ -8,7 +8,7 @@
 
 namespace jointid::problems {
 
-/// (7.11) or (7.18), with the parts' FRFs as they are or real (7.19), residuals over the FRFs or as printed.
+/// (7.11) or (7.18) of docs/formulas.md §12, with the parts' FRFs as they are or real (7.19), residuals over the FRFs or as printed.
 struct Form {
   bool rigid = true, real = true, relative = true;
 };

@@ -29,7 +29,7 @@ TEST(EquivalentJoint, InvertsTheCoupledFrfs) {
     for (int line = 0; line < 5; ++line) {
       Eigen::Matrix2cd h = 1e-4 * Eigen::Matrix2cd::Random();
       h(1, 0) = h(0, 1);
-      const auto joined = [&h](Complex joint) {  // (6.15)
+      const auto joined = [&h](Complex joint) {  // (6.15), docs/formulas.md §2
         const Eigen::Matrix2cd stiffness = joint * (Eigen::Matrix2cd() << 1.0, -1.0, -1.0, 1.0).finished();
         return Eigen::Matrix2cd(h * (Eigen::Matrix2cd::Identity() + stiffness * h).inverse());
       };
