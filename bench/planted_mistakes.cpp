@@ -3,12 +3,12 @@
 // clean.
 //   bench_planted_mistakes [CLEAN]    CLEAN: seeds per clean problem and noise (default 2, 0: none)
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 #include <map>
 #include <string>
 
-#include "ident/check/check.hpp"
 #include "problems/catalogue.hpp"
 #include "problems/in_memory.hpp"
 #include "problems/planted.hpp"
@@ -24,21 +24,14 @@ struct Noise {
 
 frf::NoiseModel circular(double level) { return {.kind = frf::NoiseKind::circular, .level = level, .reciprocal = false}; }
 
-std::string dofs_text(const std::vector<frf::Dof>& dofs) {
-  std::string text;
-  for (const frf::Dof& dof : dofs) text += " " + dof.name();
-  return text;
-}
-
 ident::CheckResult check(const problems::Problem& problem, problems::Measurement data) {
-  const auto plan = problems::plan(problems::scene(problem), std::move(data));
-  return ident::check_data(*plan);
+  return problems::check(problems::scene(problem), std::move(data));
 }
 
 std::string first_of(const ident::CheckResult& result) {
   if (result.suspects.empty()) return "nothing";
   const ident::Suspect& first = result.suspects.front();
-  return fmt::format("{} in {}{} ({:.2f})", ident::name(first.kind), first.file, dofs_text(first.dofs), first.confidence);
+  return fmt::format("{} ({:.2f})", ident::title(first), first.confidence);
 }
 
 bool planted_are_found() {
@@ -60,8 +53,8 @@ bool planted_are_found() {
         hits += hit ? 1 : 0;
         ++count;
         if (!hit) {
-          fmt::print("  missed: {} {} {:.0f} %: {} in {}{}; said {}\n", name, ident::name(kind), 100 * level, ident::name(kind),
-                     planted.files.front(), dofs_text(planted.dofs), first_of(result));
+          fmt::print("  missed: {} {} {:.0f} %: {} in {}; said {}\n", name, ident::name(kind), 100 * level,
+                     fmt::join(frf::names(planted.dofs), " "), planted.files.front(), first_of(result));
         }
         if (seconds > 2.0) fmt::print("  slow: {} {} {:.1f} s\n", name, ident::name(kind), seconds);
       }

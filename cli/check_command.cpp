@@ -13,9 +13,8 @@ namespace jointid::cli {
 ExitCode execute(const CheckArguments& arguments, std::ostream& out) {
   const ident::Scene scene = ident::read_scene(arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
-  const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
   Progress progress;
-  const ident::CheckResult result = ident::check_data(*plan, progress.control());
+  const ident::CheckResult result = ident::check_scene(scene, progress.control());
   if (arguments.json) write_target(*arguments.json, json_text(check_json(result)), out);
   if (!takes_output({arguments.json})) out << check_text(result);
   return ExitCode::done;

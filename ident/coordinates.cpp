@@ -137,7 +137,7 @@ std::vector<Equation> choose_equations(const Scene& scene, const Coordinates& co
       chosen.push_back(equation);
     } else if (is_named) {
       fail(scene, "[identify] equations", "equation " + name(equation) + " cannot be used: " + lack,
-           "leave it out, or measure what it lacks");
+           "leave it out, measure what it lacks, or let `jointid check` look for a mistaken label");
     }
   }
   if (chosen.empty()) {

@@ -3,10 +3,20 @@
 namespace jointid::problems {
 namespace {
 
-std::unique_ptr<frf::FrfSystem> system(const char* name, std::vector<frf::FrfSet> sets, frf::Composition composition) {
+std::shared_ptr<frf::FrfSystem> system(const char* name, std::vector<frf::FrfSet> sets, frf::Composition composition) {
   std::vector<std::unique_ptr<frf::FrfSource>> sources;
   for (frf::FrfSet& set : sets) sources.push_back(frf::from_memory(std::move(set)));
-  return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, false);
+  return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, false);
+}
+
+std::shared_ptr<frf::FrfSystem> parts_of(Measurement& measurement) {
+  return system("substructures", std::move(measurement.substructures), frf::Composition::uncoupled);
+}
+
+std::shared_ptr<frf::FrfSystem> assembly_of(Measurement& measurement) {
+  std::vector<frf::FrfSet> assembly;
+  assembly.push_back(std::move(measurement.assembly));
+  return system("assembly", std::move(assembly), frf::Composition::merged);
 }
 
 }  // namespace
@@ -14,10 +24,11 @@ std::unique_ptr<frf::FrfSystem> system(const char* name, std::vector<frf::FrfSet
 ident::Scene scene(const Problem& problem) { return ident::parse_scene(problem.scene, problem.name + ".toml"); }
 
 std::unique_ptr<ident::Plan> plan(const ident::Scene& scene, Measurement measurement) {
-  std::vector<frf::FrfSet> assembly;
-  assembly.push_back(std::move(measurement.assembly));
-  return ident::make_plan(scene, system("substructures", std::move(measurement.substructures), frf::Composition::uncoupled),
-                          system("assembly", std::move(assembly), frf::Composition::merged));
+  return ident::make_plan(scene, parts_of(measurement), assembly_of(measurement));
+}
+
+ident::CheckResult check(const ident::Scene& scene, Measurement measurement) {
+  return ident::check_systems(scene, parts_of(measurement), assembly_of(measurement));
 }
 
 std::shared_ptr<const ident::TrialData> trial_data(const ident::Scene& scene, const Problem& problem) {

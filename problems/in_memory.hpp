@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "ident/check/check.hpp"
 #include "ident/plan.hpp"
 #include "ident/trial_data.hpp"
 #include "problems/problem.hpp"
@@ -13,6 +14,9 @@ ident::Scene scene(const Problem& problem);
 
 /// A plan on FRFs in memory: the scene's files are not opened.
 std::unique_ptr<ident::Plan> plan(const ident::Scene& scene, Measurement measurement);
+
+/// What a check says of FRFs in memory.
+ident::CheckResult check(const ident::Scene& scene, Measurement measurement);
 
 /// Base data and noise of the problem for trials: trial t of a seed has the FRFs of polluted(problem, seed, t). `scene` may
 /// differ from the problem's own in what it identifies and how.

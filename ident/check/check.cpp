@@ -3,22 +3,56 @@
 #include <algorithm>
 
 #include "ident/check/inquiry.hpp"
+#include "ident/couple_first.hpp"
+#include "ident/data_source.hpp"
+#include "ident/line_choice.hpp"
 
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t lines_of_short_form = 24;
+constexpr std::size_t lines_of_short_form = 24, all_lines = static_cast<std::size_t>(-1);
 
-CheckResult check_lines(Plan& plan, const Control& control, std::size_t most, bool with_axis) {
-  return inquire(read_checked_files(plan, most, control.interrupted), plan.coordinates.joint, control, with_axis);
+CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const Control& control, std::size_t most) {
+  return inquire(read_checked_files(systems, most, control.interrupted), joint, control, most == all_lines);
+}
+
+CheckedSystems systems_of(const Plan& plan) { return {plan.scene, *plan.substructures, *plan.assembly, plan.lines}; }
+
+/// The coordinates of all joints of a scene, whether or not the files have them.
+Dofs joint_of(const Scene& scene) {
+  Dofs all;
+  for (const restrictions::JointSpec& joint : scene.joints) {
+    for (const frf::Dof& dof : joint.dofs) {
+      if (frf::find_coordinate(all, dof) == frf::npos) all.push_back(dof);
+    }
+  }
+  return all;
 }
 
 }  // namespace
 
-CheckResult check_data(Plan& plan, const Control& control) {
-  return check_lines(plan, control, static_cast<std::size_t>(-1), true);
+CheckResult check_data(const Plan& plan, const Control& control) {
+  return check_lines(systems_of(plan), plan.coordinates.joint, control, all_lines);
 }
 
-CheckResult quick_check(Plan& plan, const Control& control) { return check_lines(plan, control, lines_of_short_form, false); }
+CheckResult quick_check(const Plan& plan, const Control& control) {
+  return check_lines(systems_of(plan), plan.coordinates.joint, control, lines_of_short_form);
+}
+
+CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures, std::shared_ptr<frf::FrfSystem> assembly,
+                          const Control& control) {
+  std::vector<std::string> notes;
+  Scene reduced = scene;
+  const auto parts = couple_first(reduced, std::move(substructures), notes);
+  const std::vector<Line> lines = choose_lines(reduced, *parts, *assembly, notes);
+  return check_lines({reduced, *parts, *assembly, lines}, joint_of(reduced), control, all_lines);
+}
+
+CheckResult check_scene(const Scene& scene, const Control& control) {
+  return check_systems(
+      scene,
+      std::make_shared<frf::FrfSystem>("substructures", open_all(scene.data.substructures), frf::Composition::uncoupled, scene.data.reciprocity),
+      std::make_shared<frf::FrfSystem>("assembly", open_all(scene.data.assembly), frf::Composition::merged, scene.data.reciprocity), control);
+}
 
 }  // namespace jointid::ident

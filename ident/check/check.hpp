@@ -10,9 +10,15 @@ namespace jointid::ident {
 /// lines of the scene), compares H_ij with H_ji, the sign of driving points, and the assembly with its parts: with forces at the
 /// joint alone, H_asm − H_sub lies in the span of H_sub(:, J) and of H_sub(J, :). Where something stands out, each mistake it
 /// knows is undone on trial; the one that heals most comes first.
-CheckResult check_data(Plan& plan, const Control& control = {});
+CheckResult check_data(const Plan& plan, const Control& control = {});
+
+/// The same of a scene whose data no plan needs to fit: a mistaken label may be one that the joint or the equations need. FRFs as
+/// measured, before a modal model replaces them.
+CheckResult check_scene(const Scene& scene, const Control& control = {});
+CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures, std::shared_ptr<frf::FrfSystem> assembly,
+                          const Control& control = {});
 
 /// The same on at most 24 lines: for solve and plan, where the data are read for something else.
-CheckResult quick_check(Plan& plan, const Control& control = {});
+CheckResult quick_check(const Plan& plan, const Control& control = {});
 
 }  // namespace jointid::ident

@@ -138,8 +138,8 @@ std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count) {
   return lines;
 }
 
-std::vector<CheckedFile> read_checked_files(Plan& plan, std::size_t most, const std::function<bool()>& interrupted) {
-  frf::FrfSystem* const systems[] = {plan.substructures.get(), plan.assembly.get()};
+std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_t most, const std::function<bool()>& interrupted) {
+  frf::FrfSystem* const systems[] = {&of.substructures, &of.assembly};
   std::size_t entries = 0;
   for (const frf::FrfSystem* system : systems) {
     for (std::size_t s = 0; s < system->source_count(); ++s) entries += system->source(s).header().entries();
@@ -147,14 +147,14 @@ std::vector<CheckedFile> read_checked_files(Plan& plan, std::size_t most, const 
   const std::size_t count = std::max<std::size_t>(std::min(most, most_values / std::max<std::size_t>(entries, 1)), 2);
   std::vector<CheckedFile> files;
   for (frf::FrfSystem* system : systems) {
-    const bool assembly = system == plan.assembly.get();
+    const bool assembly = system == &of.assembly;
     for (std::size_t s = 0; s < system->source_count(); ++s) {
       stop_if(interrupted);
       std::vector<std::size_t> lines;
-      for (const std::size_t l : spread_lines(plan.lines.size(), count)) {
-        lines.push_back(system->source_line(s, assembly ? plan.lines[l].assembly : plan.lines[l].substructures));
+      for (const std::size_t l : spread_lines(of.lines.size(), count)) {
+        lines.push_back(system->source_line(s, assembly ? of.lines[l].assembly : of.lines[l].substructures));
       }
-      files.push_back(read_file(system->source(s), lines, plan.scene, assembly));
+      files.push_back(read_file(system->source(s), lines, of.scene, assembly));
     }
   }
   return files;

@@ -21,8 +21,16 @@ struct CheckedFile {
   std::vector<Eigen::MatrixXcd> frfs;  ///< [F] receptances, responses × references; NaN where not measured
 };
 
-/// Reads every file of the plan once, at `most` or fewer of its lines, evenly spread, and at no more than 64 MB of values.
-std::vector<CheckedFile> read_checked_files(Plan& plan, std::size_t most, const std::function<bool()>& interrupted);
+/// What is read of a scene.
+struct CheckedSystems {
+  const Scene& scene;
+  frf::FrfSystem& substructures;
+  frf::FrfSystem& assembly;
+  const std::vector<Line>& lines;
+};
+
+/// Reads every file once, at `most` or fewer of its lines, evenly spread, and at no more than 64 MB of values.
+std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_t most, const std::function<bool()>& interrupted);
 
 /// The file at some of its lines.
 CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& lines);

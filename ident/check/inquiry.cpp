@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t screening_lines = 64, trial_lines = 24;  ///< at most
 constexpr double screening_work = 2.5e6, trial_work = 7e5;     ///< products of complex numbers, about
-constexpr double least_score = 0.4;                            ///< of a trial that counts
+constexpr double clear_score = 1.2;                            ///< of a trial beside which stretched axes need no search
 constexpr double noise_that_halves = 0.15;
 constexpr double tie = 0.93;     ///< of the best score: cannot be told from it
 constexpr double certain = 0.7;  ///< score whose confidence is 1 − 1/e
@@ -95,13 +95,13 @@ class Inquiry {
     const Misfit before = misfit_of(small, setups_, noise_);
     std::vector<Scored> scored;
     for (MistakeTrial& trial : trials_of(small, setups_, screening, before)) judge(std::move(trial), small, before, scored);
-    if (with_axis_ && best_score(scored) < 3.0 * least_score) {
+    if (with_axis_ && best_score(scored) < clear_score) {
       for (MistakeTrial& trial : axis_trials(all_, setups_, spread_lines(all_.front().frfs.size(), trials_))) {
         judge(std::move(trial), small, before, scored);
       }
     }
     std::ranges::stable_sort(scored, std::ranges::greater{}, &Scored::score);
-    if (scored.empty() || scored.front().score < least_score) return false;
+    if (scored.empty()) return false;
     report(scored, before, found);
     scored.front().trial.undo(all_);
     return true;
@@ -125,7 +125,7 @@ class Inquiry {
     };
     const Misfit after = with(trial.undo);
     const double score = (healing(trial.leave ? with(trial.leave) : before, after) + trial.bonus) / doubt(touched, after);
-    if (std::isfinite(score)) scored.push_back({std::move(trial), after, score});
+    if (score >= trial.least_score) scored.push_back({std::move(trial), after, score});
   }
 
   /// Noise makes healing by chance: what counts grows with what is left afterwards, of the worst test that the trial touches.

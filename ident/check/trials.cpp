@@ -568,6 +568,7 @@ std::vector<MistakeTrial> axis_trials(const std::vector<CheckedFile>& all, const
   constexpr std::array<double, 16> grid = {-0.03, -0.02, -0.015, -0.01,  -0.0075, -0.005, -0.003, -0.002,
                                            0.002, 0.003, 0.005,  0.0075, 0.01,    0.015,  0.02,   0.03};
   constexpr double step = 1e-3, least_stretch = 0.002;
+  constexpr double least_score_of_axis = 0.55;  // between lines, FRFs are smoothed, too
   std::vector<MistakeTrial> out;
   Files small;
   for (const CheckedFile& file : all) small.push_back(at_lines(file, lines));
@@ -584,12 +585,13 @@ std::vector<MistakeTrial> axis_trials(const std::vector<CheckedFile>& all, const
       best = epsilon;
     };
     for (const double epsilon : grid) consider(epsilon);
-    if (std::abs(best) < least_stretch) continue;
+    if (best == 0.0 || std::abs(best) == grid.back()) continue;  // at an end of the grid it is no minimum
     for (double width = 0.25 * std::abs(best); width > 0.01 * std::abs(best); width *= 0.5) {
       const double middle = best;
       consider(middle - width);
       consider(middle + width);
     }
+    if (std::abs(best) < least_stretch) continue;
     out.push_back({.kind = SuspectKind::axis,
                    .files = {f},
                    .dofs = {},
@@ -598,6 +600,7 @@ std::vector<MistakeTrial> axis_trials(const std::vector<CheckedFile>& all, const
                    .remedy = remedy_in(all[f].name, "frequency_scale = " + digits(1.0 / (1.0 + best), "%.6g")),
                    .undo = [f, best](Files& files) { shift_all(files[f], best); },
                    .bonus = 0.01 * std::min(found.deviations, 25.0),
+                   .least_score = least_score_of_axis,
                    .only_span = true,
                    .leave = [f](Files& files) { shift_all(files[f], 0.0); }});
   }

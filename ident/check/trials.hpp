@@ -16,6 +16,7 @@ struct MistakeTrial {
   std::string remedy;  ///< of the first file
   std::function<void(std::vector<CheckedFile>&)> undo;
   double bonus = 0.0;      ///< what the data say for it beside the healing
+  double least_score = 0.4;  ///< of a trial that counts
   bool only_span = false;  ///< of no effect on reciprocity and signs; takes all lines that were read
   /// What to compare with, where undoing smooths as well: the same with the mistake left in.
   std::function<void(std::vector<CheckedFile>&)> leave{};

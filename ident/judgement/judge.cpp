@@ -157,12 +157,8 @@ void tell_check(const CheckResult& found, Solution& out) {
 
 void judge_linear(Plan& plan, const LinearSolution& linear, const Control& control, Solution& out) {
   if (linear.rank != plan.columns->size()) return;
-  std::optional<NoisyLines> data;
-  std::optional<WhitenedFit> fit;
-  if (const std::size_t lines = affordable_lines(plan); lines > 0 && plan.regenerated.empty() && plan.scene.couple_first.pairs.empty()) {
-    data = read_noisy_lines(plan, lines);
-    if (data) fit = whitened_fit(plan, *data, linear.y);
-  }
+  const std::optional<NoisyLines> data = lines_to_judge(plan);
+  const std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, linear.y) : std::nullopt;
   if (fit) {
     out.fit.misfit = fit->misfit;
     tell_misfit(*data, *fit, out);

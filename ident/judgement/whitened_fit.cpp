@@ -281,8 +281,7 @@ bool finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-}  // namespace
-
+/// How many lines take about a second; 0: not even a few.
 std::size_t affordable_lines(const Plan& plan) {
   constexpr double flops = 6e8;
   constexpr std::size_t most = 32, least = 6;
@@ -292,6 +291,21 @@ std::size_t affordable_lines(const Plan& plan) {
   const double per_line = 4.0 * rows * columns * (2.0 * unknowns * unknowns + 40.0 * unknowns) + 20.0 * all * all;
   const double lines = flops / per_line;
   return lines < static_cast<double>(least) ? 0 : std::min(most, static_cast<std::size_t>(lines));
+}
+
+}  // namespace
+
+std::optional<NoisyLines> lines_to_judge(Plan& plan) {
+  const std::size_t lines = affordable_lines(plan);
+  if (lines == 0 || !plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty()) return std::nullopt;
+  return read_noisy_lines(plan, lines);
+}
+
+bool beyond_any_joint(Plan& plan, const std::vector<double>& theta) {
+  constexpr double far_misfit = 9.0;
+  const std::optional<NoisyLines> data = lines_to_judge(plan);
+  const std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, theta) : std::nullopt;
+  return fit && fit->misfit > far_misfit;
 }
 
 std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data, std::vector<double> start) {

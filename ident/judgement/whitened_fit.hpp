@@ -29,7 +29,12 @@ struct WhitenedFit {
 /// Starts from the scaled unknowns of an estimate. Empty where no line has an equation with noise.
 std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data, std::vector<double> start);
 
-/// How many lines whitened_fit() takes in about a second; 0: not even a few.
-std::size_t affordable_lines(const Plan& plan);
+/// Whether the data contradict every joint of a scene: WhitenedFit::misfit above 9, from the scaled unknowns of any estimate. False where that
+/// cannot be told.
+bool beyond_any_joint(Plan& plan, const std::vector<double>& theta);
+
+/// Lines for whitened_fit(), as many as it takes in about a second. Empty where those are not even a few, where errors have much in common (modal
+/// models, couple_first), and as read_noisy_lines().
+std::optional<NoisyLines> lines_to_judge(Plan& plan);
 
 }  // namespace jointid::ident

@@ -38,6 +38,9 @@ constexpr std::size_t most_iterations = 60;
 /// when starts end within a tenth of each other no other is tried: the data are wrong, or the joint's model.
 constexpr double far_misfit = 9.0, mended = 0.02, same_end = 0.1;
 constexpr std::size_t patience = 4;
+/// The same where the data contradict every joint.
+constexpr double mended_beyond = 0.3;
+constexpr std::size_t patience_beyond = 1;
 
 /// How far it is still after a step of that size, when steps shrink by that ratio; as far as the step where they do not shrink.
 double left_after(double size, double ratio) { return ratio < 0.5 ? size * ratio / (1.0 - ratio) : size; }
@@ -142,6 +145,12 @@ Eigen::VectorXd LikelihoodEstimator::joint_step(const std::vector<double>& theta
 
 bool LikelihoodEstimator::far_from_fitting() const { return lines_.tolerance() > far_misfit; }
 
+bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
+  if (!second_opinion_ || !far_from_fitting()) return false;
+  if (!beyond_any_joint_) beyond_any_joint_ = second_opinion_(theta);
+  return *beyond_any_joint_;
+}
+
 bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
   lines_.relax(fit.theta);
   if (admissible_ == nullptr) lines_.choose_tolerance();
@@ -180,7 +189,9 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     crawling = scale < 0.01 ? crawling + 1 : 0;
     if (crawling == 3) return false;
     losses.push_back(loss);
-    if (far_from_fitting() && losses.size() > patience && loss > (1.0 - mended) * losses[losses.size() - 1 - patience]) {
+    const bool beyond = beyond_any_joint(fit.theta);
+    const std::size_t steps = beyond ? patience_beyond : patience;
+    if (far_from_fitting() && losses.size() > steps && loss > (1.0 - (beyond ? mended_beyond : mended)) * losses[losses.size() - 1 - steps]) {
       fit.hopeless = true;
       return false;
     }
@@ -297,6 +308,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   std::vector<LikelihoodFit::End> ends;
   std::vector<FittedLine> places;  // of the best
   std::vector<double> far;         // losses of ends far from fitting
+  beyond_any_joint_.reset();
   const std::ptrdiff_t enough = lines_.layout().a.empty() ? 4 : 2;
   bool any = false, fits = false;
   for (std::size_t k = 0;; ++k) {
@@ -313,7 +325,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     any = true;
     best.starts = k + 1;
     if (far_from_fitting()) far.push_back(end_loss);
-    if (follow != Follow::all && !fits && times_as_far(best.loss, far) >= enough) {
+    if (follow != Follow::all && !fits && (times_as_far(best.loss, far) >= enough || beyond_any_joint(best.theta))) {
       best.hopeless = true;
       break;
     }

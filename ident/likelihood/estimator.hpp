@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,10 @@ class LikelihoodEstimator {
   LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction, const UnknownColumns& columns,
                       double omega0, std::size_t threads);
 
+  /// Asked at most once per run, and only where most lines are far from fitting: whether the data contradict every joint, as something else than
+  /// this fit tells. Then one start is followed, and no longer than steps mend the misfit by a third.
+  void set_second_opinion(std::function<bool(const std::vector<double>& theta)> opinion) { second_opinion_ = std::move(opinion); }
+
   /// Normal priors count like measurements: information += 1/σ², gradient += (value − θ)/σ², cost += ((value − θ)/σ)².
   void set_priors(std::vector<ScaledPrior> priors) { priors_ = std::move(priors); }
 
@@ -124,6 +129,7 @@ class LikelihoodEstimator {
   Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
   bool far_from_fitting() const;
+  bool beyond_any_joint(const std::vector<double>& theta);
   LikelihoodFit begun(std::vector<double> start);
   LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
   void finish(LikelihoodFit& fit) const;
@@ -132,6 +138,8 @@ class LikelihoodEstimator {
   }
 
   std::function<void(const LikelihoodFit&, double)> listener_;
+  std::function<bool(const std::vector<double>&)> second_opinion_;
+  std::optional<bool> beyond_any_joint_;  ///< what it said
   std::size_t unknowns_;
   FittedLines lines_;
   std::vector<ScaledPrior> priors_;

@@ -12,6 +12,7 @@
 
 #include "ident/admissible/outcome.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/judgement/whitened_fit.hpp"
 #include "ident/likelihood/bootstrap.hpp"
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/bundle.hpp"
@@ -267,6 +268,9 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   LikelihoodEstimator estimator = make_estimator(plan, control, stage);
   BestJoint best(plan, out, control);
   if (control.so_far) estimator.set_listener([&best](const LikelihoodFit& found, double loss) { best.tell(found, loss); });
+  if (control.judgement == Judgement::data) {
+    estimator.set_second_opinion([&plan](const std::vector<double>& theta) { return beyond_any_joint(plan, theta); });
+  }
   LikelihoodFit fit = fit_by_solver(plan, estimator, control, *stage);
   estimator.set_listener(nullptr);
   if (plan.admissible) {

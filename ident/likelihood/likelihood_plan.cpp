@@ -44,7 +44,7 @@ void choose_equations(Plan& plan, bool joint_on_assembly) {
       plan.equations.push_back(equation);
     } else if (is_named) {
       fail(plan.scene, "[identify] equations", "equation " + name(equation) + " cannot be used: " + lack,
-           "leave it out, or measure what it lacks");
+           "leave it out, measure what it lacks, or let `jointid check` look for a mistaken label");
     }
   }
   if (plan.equations.empty()) {

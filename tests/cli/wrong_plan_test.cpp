@@ -55,7 +55,7 @@ const Wrong plans[] = {
      {"A1.toml: ", "[joint] dofs: ", "no substructure file has the DOF 5:+Z", "did you mean 5:+Y?"}},
     {"EquationThatTheDataDoNotAllow", first_responses("A1_substructure_1.h5", 6), solve(), 2,
      {"A1.toml: ", "[identify] equations: ", "equation nn cannot be used", "the substructures have no response 4:+Y",
-      "leave it out, or measure what it lacks"}},
+      "leave it out, measure what it lacks, or let `jointid check` look for a mistaken label"}},
     {"NoEquation", both(first_responses("A1_substructure_1.h5", 6), scene("equations = [\"nn\", \"nj\"]\n", "")), solve(), 2,
      {"A1.toml: ", "[data]: ", "the data allow no equation", "the substructures have no response 4:+Y", "measure it"}},
     {"RangeWithoutLines", scene("[400.0, 1000.0]", "[401.0, 419.0]"), solve(), 2,

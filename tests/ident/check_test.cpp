@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -12,6 +13,7 @@
 #include "ident/check/file_tests.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/span_test.hpp"
+#include "frf/error.hpp"
 #include "problems/in_memory.hpp"
 #include "problems/planted.hpp"
 
@@ -29,7 +31,7 @@ const problems::Problem& problem_named(const std::string& name) {
 }
 
 ident::CheckResult checked(const problems::Problem& problem, problems::Measurement data) {
-  return ident::check_data(*problems::plan(problems::scene(problem), std::move(data)));
+  return problems::check(problems::scene(problem), std::move(data));
 }
 
 problems::Measurement noisy(const problems::Problem& problem, const frf::NoiseModel& noise) {
@@ -43,7 +45,7 @@ problems::Measurement noisy(const problems::Problem& problem, const frf::NoiseMo
 
 std::vector<ident::CheckedFile> files_of(const problems::Problem& problem) {
   const auto plan = problems::plan(problems::scene(problem), {problem.substructures, problem.assembly});
-  return ident::read_checked_files(*plan, 64, {});
+  return ident::read_checked_files({plan->scene, *plan->substructures, *plan->assembly, plan->lines}, 64, {});
 }
 
 struct PlantedIn : testing::TestWithParam<std::tuple<const char*, SuspectKind>> {};
@@ -83,6 +85,19 @@ TEST(check, clean_scenes_are_clean) {
           << name << ": " << (result.suspects.empty() ? "" : result.suspects.front().evidence);
     }
   }
+}
+
+TEST(check, a_mistaken_label_may_be_one_that_the_scene_needs) {
+  const problems::Problem& problem = problem_named("A1");
+  problems::Measurement data = noisy(problem, separate_errors(0.01));
+  const frf::Dof right = problem.joint_dofs.front(), wrong = frf::Dof::parse("99:+Y");
+  auto& responses = data.assembly.header.response;
+  *std::ranges::find_if(responses, [&](const frf::Dof& dof) { return dof.same_coordinate(right); }) = wrong;
+  EXPECT_THROW(problems::plan(problems::scene(problem), data), jointid::InputError);
+  const ident::CheckResult result = checked(problem, std::move(data));
+  ASSERT_FALSE(result.suspects.empty());
+  EXPECT_EQ(result.suspects.front().kind, SuspectKind::label);
+  EXPECT_EQ(frf::names(result.suspects.front().dofs), (std::vector<std::string>{wrong.name(), right.name()}));
 }
 
 TEST(check, reads_every_frf_at_most_once) {
@@ -126,7 +141,7 @@ TEST(span_test, finds_the_factor_of_a_row) {
 TEST(reciprocity_test, finds_the_mass_that_travels_with_the_sensor) {
   const problems::Planted planted = problems::plant(problem_named("rig1"), SuspectKind::mass, {.level = 0.0}, 1);
   const auto plan = problems::plan(problems::scene(problem_named("rig1")), planted.data);
-  const auto files = ident::read_checked_files(*plan, 64, {});
+  const auto files = ident::read_checked_files({plan->scene, *plan->substructures, *plan->assembly, plan->lines}, 64, {});
   EXPECT_NEAR(ident::reciprocity_test(files.back(), true).mass, 0.003, 1e-8);
 }
 

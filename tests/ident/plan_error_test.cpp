@@ -65,7 +65,7 @@ TEST(PlanError, ADofThatTheAssemblyLacksIsSaidByTheEquation) {
   keep(wrong.assembly, false, {"1:+Y", "4:+Y", "9:+Y"});
   wrong.scene.identify.equations = {Equation::nn};
   expect_usage(wrong, {"[identify] equations", "equation nn cannot be used: the assembly has no reference 5:+Y",
-                       "leave it out, or measure what it lacks"});
+                       "leave it out, measure what it lacks, or let `jointid check` look for a mistaken label"});
 }
 
 struct Lack {
