@@ -176,6 +176,19 @@ CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& li
   return result;
 }
 
+CheckedFile part_of(const CheckedFile& file, const Dofs& responses, const Dofs& references) {
+  const auto places = [](const Dofs& all, const Dofs& wanted) {
+    std::vector<Eigen::Index> out;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (place_of(wanted, all[i]) != frf::npos) out.push_back(static_cast<Eigen::Index>(i));
+    }
+    return out;
+  };
+  CheckedFile result = file;
+  keep(result, places(file.responses, responses), places(file.references, references));
+  return result;
+}
+
 std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file) {
   std::vector<Suspect> found;
   std::vector<Eigen::Index> rows, columns;

@@ -35,6 +35,9 @@ std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_
 /// The file at some of its lines.
 CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& lines);
 
+/// The file's FRFs between some of the coordinates that it has.
+CheckedFile part_of(const CheckedFile& file, const Dofs& responses, const Dofs& references);
+
 /// `count` or fewer of 0 … size−1, evenly spread, the first and the last among them.
 std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count);
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "ident/check/axis_trials.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/sameness.hpp"
 #include "ident/check/trials.hpp"
@@ -69,6 +70,7 @@ class Inquiry {
  public:
   Inquiry(Files files, const Dofs& joint, const Control& control, bool with_axis)
       : all_(std::move(files)),
+        joint_(joint),
         setups_(span_setups(all_, joint)),
         control_(control),
         with_axis_(with_axis),
@@ -77,26 +79,25 @@ class Inquiry {
 
   std::vector<Suspect> suspects() {
     std::vector<Suspect> found;
-    const Screening first = screen(lines_of(all_, screening_), setups_);
-    noise_ = first.noise;
+    Screening screening = screen(lines_of(all_, screening_), setups_);
+    noise_ = screening.noise;
     for (Suspect& same : find_sameness(lines_of(all_, screening_), setups_, noise_)) found.push_back(std::move(same));
     if (!found.empty()) return found;
     const std::size_t rounds = all_.size() + 2;
-    for (std::size_t round = 0; round < rounds && one_round(found); ++round) continue;
+    for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round) screening = screen(lines_of(all_, screening_), setups_);
     if (found.empty()) look_for_rest(found);
     return found;
   }
 
  private:
-  bool one_round(std::vector<Suspect>& found) {
+  bool one_round(const Screening& screening, std::vector<Suspect>& found) {
     stop_if(control_.interrupted);
-    const Screening screening = screen(lines_of(all_, screening_), setups_);
     const Files small = lines_of(all_, trials_);
     const Misfit before = misfit_of(small, setups_, noise_);
     std::vector<Scored> scored;
     for (MistakeTrial& trial : trials_of(small, setups_, screening, before)) judge(std::move(trial), small, before, scored);
     if (with_axis_ && best_score(scored) < clear_score) {
-      for (MistakeTrial& trial : axis_trials(all_, setups_, spread_lines(all_.front().frfs.size(), trials_))) {
+      for (MistakeTrial& trial : axis_trials(all_, joint_)) {
         judge(std::move(trial), small, before, scored);
       }
     }
@@ -206,6 +207,7 @@ class Inquiry {
   }
 
   Files all_;
+  const Dofs& joint_;
   std::vector<SpanSetup> setups_;
   std::vector<double> noise_;
   const Control& control_;

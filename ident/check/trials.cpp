@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <numbers>
 
-#include "ident/check/axis_shift.hpp"
 #include "ident/check/delay_fit.hpp"
 #include "ident/check/unit_factor.hpp"
 #include "ident/median.hpp"
@@ -514,96 +513,6 @@ std::vector<MistakeTrial> trials_of(const std::vector<CheckedFile>& files, const
   }
   add_gain_trials(files, setups, screening, out);
   add_file_trials(files, setups, screening, misfit, out);
-  return out;
-}
-
-namespace {
-
-Files shifted(const Files& all, const Files& small, std::size_t f, const std::vector<std::size_t>& lines, double epsilon) {
-  Files result = small;
-  result[f].frfs = shifted_frfs(all[f], lines, epsilon);
-  return result;
-}
-
-/// ε by one step of least squares from residuals at ±`step`, and its distance from 0 in standard deviations.
-GainFinding first_step(const Files& low, const Files& high, const std::vector<SpanSetup>& setups, std::size_t f, double step) {
-  double slope = 0.0, square = 0.0;
-  std::vector<std::pair<double, double>> per_line;
-  for (const SpanSetup& setup : setups) {
-    if (setup.part != f && setup.assembly != f) continue;
-    const SpanTest a = span_test(setup, low, SpanDetail::residuals), b = span_test(setup, high, SpanDetail::residuals);
-    for (std::size_t l = 0; l < a.residuals.size(); ++l) {
-      if (a.residuals[l].size() == 0 || b.residuals[l].size() == 0) continue;
-      const Eigen::MatrixXcd change = (b.residuals[l] - a.residuals[l]) / (2.0 * step),
-                             middle = 0.5 * (a.residuals[l] + b.residuals[l]);
-      per_line.emplace_back(-change.conjugate().cwiseProduct(middle).sum().real(), change.squaredNorm());
-      slope += per_line.back().first;
-      square += per_line.back().second;
-    }
-  }
-  if (!(square > 0.0)) return {};
-  double scatter = 0.0;
-  for (const auto& [s, q] : per_line) scatter += std::pow(s - slope / square * q, 2);
-  return {slope / square, std::abs(slope) / std::max(std::sqrt(scatter), 1e-300)};
-}
-
-void shift_all(CheckedFile& file, double epsilon) {
-  std::vector<std::size_t> every(file.frequency_hz.size());
-  for (std::size_t l = 0; l < every.size(); ++l) every[l] = l;
-  file.frfs = shifted_frfs(file, every, epsilon);
-}
-
-double span_sum(const Files& files, const std::vector<SpanSetup>& setups, std::size_t f) {
-  double sum = 0.0;
-  for (const SpanSetup& setup : setups) {
-    if (setup.part == f || setup.assembly == f) sum += std::log(span_test(setup, files, SpanDetail::level).level + 1e-3);
-  }
-  return sum;
-}
-
-}  // namespace
-
-std::vector<MistakeTrial> axis_trials(const std::vector<CheckedFile>& all, const std::vector<SpanSetup>& setups,
-                               const std::vector<std::size_t>& lines) {
-  constexpr std::array<double, 16> grid = {-0.03, -0.02, -0.015, -0.01,  -0.0075, -0.005, -0.003, -0.002,
-                                           0.002, 0.003, 0.005,  0.0075, 0.01,    0.015,  0.02,   0.03};
-  constexpr double step = 1e-3, least_stretch = 0.002;
-  constexpr double least_score_of_axis = 0.55;  // between lines, FRFs are smoothed, too
-  std::vector<MistakeTrial> out;
-  Files small;
-  for (const CheckedFile& file : all) small.push_back(at_lines(file, lines));
-  for (std::size_t f = 0; f < all.size(); ++f) {
-    if (all[f].frequency_hz.size() < 8) continue;
-    const GainFinding found =
-        first_step(shifted(all, small, f, lines, -step), shifted(all, small, f, lines, step), setups, f, step);
-    if (found.deviations < 1.5) continue;
-    double best = 0.0, least = span_sum(shifted(all, small, f, lines, 0.0), setups, f);
-    const auto consider = [&](double epsilon) {
-      const double sum = span_sum(shifted(all, small, f, lines, epsilon), setups, f);
-      if (!(sum < least)) return;
-      least = sum;
-      best = epsilon;
-    };
-    for (const double epsilon : grid) consider(epsilon);
-    if (best == 0.0 || std::abs(best) == grid.back()) continue;  // at an end of the grid it is no minimum
-    for (double width = 0.25 * std::abs(best); width > 0.01 * std::abs(best); width *= 0.5) {
-      const double middle = best;
-      consider(middle - width);
-      consider(middle + width);
-    }
-    if (std::abs(best) < least_stretch) continue;
-    out.push_back({.kind = SuspectKind::axis,
-                   .files = {f},
-                   .dofs = {},
-                   .what = "resonances agree with the other files when the frequencies of the file are divided by " +
-                           digits(1.0 + best, "%.5g"),
-                   .remedy = remedy_in(all[f].name, "frequency_scale = " + digits(1.0 / (1.0 + best), "%.6g")),
-                   .undo = [f, best](Files& files) { shift_all(files[f], best); },
-                   .bonus = 0.01 * std::min(found.deviations, 25.0),
-                   .least_score = least_score_of_axis,
-                   .only_span = true,
-                   .leave = [f](Files& files) { shift_all(files[f], 0.0); }});
-  }
   return out;
 }
 

@@ -36,10 +36,6 @@ Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSe
 std::vector<MistakeTrial> trials_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups,
                              const Screening& screening, const Misfit& misfit);
 
-/// Stretched axes: files whose FRFs at slightly other frequencies fit better. `all`: every line that was read.
-std::vector<MistakeTrial> axis_trials(const std::vector<CheckedFile>& all, const std::vector<SpanSetup>& setups,
-                               const std::vector<std::size_t>& lines);
-
 /// Lines for trials and for a screening: fewer where the tests of a line take longer.
 std::size_t lines_for(const std::vector<SpanSetup>& setups, std::size_t most, double work);
 
