@@ -88,10 +88,12 @@ void run(const Case& which, double level, double gross, std::size_t trials) {
   }
   std::sort(iterations.begin(), iterations.end());
   std::sort(times.begin(), times.end());
-  const auto mean = [](const Figures& f) { return f.count == 0 ? std::string("–") : fmt::format("{:.2f} / {:.2f}", f.mean / static_cast<double>(f.count), f.worst); };
-  fmt::print("| {} | {} | {:.2g} % | {} | {} | {:.2f} | {:.3f} | {:.0f} / {:.0f} | {} | {:.0f} |\n", which.label, noise_text(level, gross), 100.0 * largest_bound,
-             mean(stiffness), mean(rest), std::max(stiffness.bias, rest.bias), covered / intervals, iterations[iterations.size() / 2],
-             iterations.back(), failed, times[times.size() / 2]);
+  const auto mean = [](const Figures& f) {
+    return f.count == 0 ? std::string("–") : fmt::format("{:.2f} / {:.2f}", f.mean / static_cast<double>(f.count), f.worst);
+  };
+  fmt::print("| {} | {} | {:.2g} % | {} | {} | {:.2f} | {:.3f} | {:.0f} / {:.0f} | {} | {:.0f} |\n", which.label,
+             noise_text(level, gross), 100.0 * largest_bound, mean(stiffness), mean(rest), std::max(stiffness.bias, rest.bias),
+             covered / intervals, iterations[iterations.size() / 2], iterations.back(), failed, times[times.size() / 2]);
   std::fflush(stdout);
 }
 
@@ -100,8 +102,10 @@ void run(const Case& which, double level, double gross, std::size_t trials) {
 int main(int argc, char** argv) {
   const std::size_t trials = argc > 1 ? std::stoul(argv[1]) : 100;
   const std::vector<std::string> wanted(argv + std::min(argc, 2), argv + argc);
-  fmt::print("| case | noise | largest bound | K: rms / bound, mean / worst | M, D: the same | largest bias / bound | coverage | iterations, median / most | "
-             "not converged | ms |\n|---|---|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| case | noise | largest bound | K: rms / bound, mean / worst | M, D: the same | largest bias / bound | coverage | "
+      "iterations, median / most | "
+      "not converged | ms |\n|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Case& which : cases) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), which.label) == wanted.end()) continue;
     if (which.problem == "rig1") {

@@ -15,7 +15,7 @@
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
-#include "ident/spread.hpp"
+#include "base/statistics.hpp"
 #include "problems/in_memory.hpp"
 
 namespace {
@@ -32,7 +32,7 @@ Intervals intervals_of(const std::vector<ident::Replicate>& replicates, std::siz
     if (replicate.usable) values.push_back(replicate.theta[column]);
   }
   std::ranges::sort(values);
-  const double low = ident::quantile(values, 0.025), high = ident::quantile(values, 0.975);
+  const double low = quantile(values, 0.025), high = quantile(values, 0.975);
   return {Interval{estimate - 1.96 * error, estimate + 1.96 * error}, Interval{low, high},
           Interval{2.0 * estimate - high, 2.0 * estimate - low},
           ident::bootstrap_error(replicates, column, estimate, error).ci95};

@@ -1,6 +1,7 @@
 // Coupling: multiplications and time of MTC against GRC on one line, and two parts of 84 × 84 FRFs × 800 lines at 40 interface
 // DOFs, in memory and from files, beside numpy with the same formulas. Exit code 1 when MTC multiplies more than GRC with an
-// explicit inverse, coupling the files takes 5 s or more of processor time (of two cores half of it when nobody else works), or numpy's answer differs by more than 1e-9.
+// explicit inverse, coupling the files takes 5 s or more of processor time (of two cores half of it when nobody else works), or
+// numpy's answer differs by more than 1e-9.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -14,6 +15,7 @@
 #include <random>
 #include <sstream>
 
+#include "base/stopwatch.hpp"
 #include "bench/measure.hpp"
 #include "bench/output_of.hpp"
 #include "coupling/methods.hpp"
@@ -25,13 +27,9 @@
 namespace {
 
 using namespace jointid;
-using coupling::Complex;
+using Complex;
 using coupling::ComplexMatrix;
 using coupling::Index;
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// A symmetric modal receptance of n coordinates at one frequency.
 class Modal {
  public:
@@ -73,8 +71,10 @@ double best_us(Call call) {
 bool compare_operations() {
   bool less = true;
   fmt::print("multiplications and time of one line, n coordinates, m pairs\n");
-  fmt::print("{:>5} {:>5} {:>12} {:>12} {:>8} {:>14} {:>12} {:>12}\n", "n", "m", "GRC", "MTC", "MTC/GRC", "print, figure", "GRC, µs", "MTC, µs");
-  for (const auto& [n, m] : {std::pair<Index, Index>{12, 1}, {12, 3}, {12, 6}, {40, 5}, {40, 10}, {40, 20}, {120, 20}, {120, 40}, {120, 60}}) {
+  fmt::print("{:>5} {:>5} {:>12} {:>12} {:>8} {:>14} {:>12} {:>12}\n", "n", "m", "GRC", "MTC", "MTC/GRC", "print, figure",
+             "GRC, µs", "MTC, µs");
+  for (const auto& [n, m] :
+       {std::pair<Index, Index>{12, 1}, {12, 3}, {12, 6}, {40, 5}, {40, 10}, {40, 20}, {120, 20}, {120, 40}, {120, 60}}) {
     const ComplexMatrix h = Modal(n, 1).at(100.0);
     const auto count = coupling::count_multiplications(h, m);
     // (5.45) over (5.46) of docs/formulas.md §8, which is what figure 5.4 plots.
@@ -87,7 +87,8 @@ bool compare_operations() {
     const double grc = best_us([&] { coupling::grc(h, conditions, all); });
     const double mtc = best_us([&] { coupling::mtc(h, conditions, all); });
     const double ratio = static_cast<double>(count.mtc) / static_cast<double>(count.grc);
-    fmt::print("{:>5} {:>5} {:>12} {:>12} {:>8.3f} {:>14.3f} {:>12.1f} {:>12.1f}\n", n, m, count.grc, count.mtc, ratio, print_mtc / print_grc, grc, mtc);
+    fmt::print("{:>5} {:>5} {:>12} {:>12} {:>8.3f} {:>14.3f} {:>12.1f} {:>12.1f}\n", n, m, count.grc, count.mtc, ratio,
+               print_mtc / print_grc, grc, mtc);
     less = less && (m == 1 || count.mtc < count.grc);
   }
   return less;
@@ -139,7 +140,8 @@ void write_raw(const std::filesystem::path& folder) {
   for (std::size_t line = 0; line < lines; ++line) {
     for (const Modal& part : parts) {
       const ComplexMatrix h = part.at(20.0 + static_cast<double>(line));
-      out.write(reinterpret_cast<const char*>(h.data()), static_cast<std::streamsize>(sizeof(Complex) * static_cast<std::size_t>(h.size())));
+      out.write(reinterpret_cast<const char*>(h.data()),
+                static_cast<std::streamsize>(sizeof(Complex) * static_cast<std::size_t>(h.size())));
     }
   }
 }
@@ -163,7 +165,10 @@ bool compare_with_peer(const std::filesystem::path& folder) {
     for (std::size_t i = 0; i < ours.header.entries(); ++i) found += std::abs(ours.values[line * ours.header.entries() + i]);
     worst = std::max(worst, std::abs(found / expected - 1.0));
   }
-  fmt::print("  numpy, one BLAS thread, from memory       {:8.2f} s of processor time\n  largest difference of a line's Σ|H|       {:8.1e}   at most 1e-9\n", peer, worst);
+  fmt::print(
+      "  numpy, one BLAS thread, from memory       {:8.2f} s of processor time\n  largest difference of a line's Σ|H|       "
+      "{:8.1e}   at most 1e-9\n",
+      peer, worst);
   return worst <= 1e-9;
 }
 

@@ -69,7 +69,8 @@ void print(const char* what, const std::vector<Step>& steps) {
     fmt::print("  {:5g}: {:9.3f} ms", step.size, times.back());
   }
   const std::size_t last = steps.size() - 1;
-  fmt::print("   exponent {:.2f}, over the last step {:.2f}\n", std::log(times[last] / times[0]) / std::log(steps[last].size / steps[0].size),
+  fmt::print("   exponent {:.2f}, over the last step {:.2f}\n",
+             std::log(times[last] / times[0]) / std::log(steps[last].size / steps[0].size),
              std::log(times[last] / times[last - 1]) / std::log(steps[last].size / steps[last - 1].size));
 }
 

@@ -28,7 +28,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
-using RowMatrixXcd = Eigen::Matrix<frf::Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMatrixXcd = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr Index free_count = 200, joint_count = 12, count = free_count + joint_count, modes = 60;
 constexpr std::size_t lines = 1600;
@@ -44,7 +44,7 @@ std::vector<frf::Dof> dofs() {
 MatrixXcd joint_impedance() {
   MatrixXcd z = MatrixXcd::Zero(joint_count, joint_count);
   for (Index s = 0; s < joint_count / 2; ++s) {
-    const frf::Complex k = (1.0 + 0.1 * static_cast<double>(s)) * frf::Complex(stiffness, damping);
+    const Complex k = (1.0 + 0.1 * static_cast<double>(s)) * Complex(stiffness, damping);
     const Index t = s + joint_count / 2;
     z(s, s) += k;
     z(t, t) += k;
@@ -70,7 +70,7 @@ void write_files(const std::filesystem::path& directory) {
     VectorXcd modal(modes);
     for (Index r = 0; r < modes; ++r) {
       const double omega_r = 2.0 * M_PI * (30.0 + 17.0 * static_cast<double>(r));
-      modal[r] = 1.0 / frf::Complex(omega_r * omega_r - omega * omega, 0.01 * omega_r * omega_r);
+      modal[r] = 1.0 / Complex(omega_r * omega_r - omega * omega, 0.01 * omega_r * omega_r);
     }
     const RowMatrixXcd h = shapes * modal.asDiagonal() * shapes.transpose();
     const MatrixXcd h_bb = h.bottomRightCorner(joint_count, joint_count);

@@ -50,7 +50,8 @@ class RandomStructure {
 
 frf::FrfSet empty_set(std::size_t lines, std::size_t first, std::size_t last) {
   frf::FrfSet set;
-  for (std::size_t i = 0; i < lines; ++i) set.header.frequency_hz.push_back(100.0 + 900.0 * static_cast<double>(i) / static_cast<double>(lines));
+  for (std::size_t i = 0; i < lines; ++i)
+    set.header.frequency_hz.push_back(100.0 + 900.0 * static_cast<double>(i) / static_cast<double>(lines));
   for (std::size_t i = first; i < last; ++i) set.header.response.push_back({static_cast<std::int64_t>(i), frf::Direction::y, +1});
   set.header.reference = set.header.response;
   return set;
@@ -155,9 +156,12 @@ int main() {
     const Run run = random_problem(lines);
     const double each = run.seconds / static_cast<double>(run.iterations);
     if (lines == 100) first = each;
-    fmt::print("{:5} lines x (20 + 4) coordinates, 1 % noise   {:8.2f} s, {} iterations, {:.1f} ms each, exponent {:.2f}, {:.0f} MB, largest error {:.1f} standard errors\n",
-               lines, run.seconds, run.iterations, 1e3 * each, lines == 100 ? 1.0 : std::log(each / first) / std::log(static_cast<double>(lines) / 100.0),
-               memory_mb(), run.largest_error);
+    fmt::print(
+        "{:5} lines x (20 + 4) coordinates, 1 % noise   {:8.2f} s, {} iterations, {:.1f} ms each, exponent {:.2f}, {:.0f} MB, "
+        "largest error {:.1f} standard errors\n",
+        lines, run.seconds, run.iterations, 1e3 * each,
+        lines == 100 ? 1.0 : std::log(each / first) / std::log(static_cast<double>(lines) / 100.0), memory_mb(),
+        run.largest_error);
     good = good && run.seconds < 120.0 && run.largest_error < 5.0;
   }
   return good ? 0 : 1;

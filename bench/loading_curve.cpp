@@ -38,8 +38,8 @@ bool row(const friction::Curve& curve, const std::string& law) {
   const Timed fast = timed(curve, friction::family(law), {}, 101);
   const Timed thesis = timed(curve, friction::family(law), {.minimiser = friction::Minimiser::pattern}, 5);
   const double above = fast.fit.weighted_sum / thesis.fit.weighted_sum - 1.0;
-  fmt::print("{:10} {:8.3f} {:10} {:10.3f} {:12.1e} {:12.2e} {:10.1f}\n", law, fast.milliseconds, fast.fit.iterations, thesis.milliseconds, above,
-             fast.fit.objective, fast.fit.aic);
+  fmt::print("{:10} {:8.3f} {:10} {:10.3f} {:12.1e} {:12.2e} {:10.1f}\n", law, fast.milliseconds, fast.fit.iterations,
+             thesis.milliseconds, above, fast.fit.objective, fast.fit.aic);
   return fast.milliseconds < 5.0 && above < 1e-6;
 }
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "ident/median.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::bench {
 
-using ident::median;
+using median;
 
 /// Of elements [first, last), relative to the largest of b's.
 inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b, std::size_t first, std::size_t last) {

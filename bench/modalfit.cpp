@@ -1,7 +1,7 @@
-// Modal fit of 84 × 84 FRFs × 800 lines, 30 modes in the range, two rigid-body modes below and ten modes above it, 1 % circular noise with
-// its variances: time, memory and accuracy; then poles and residues against numpy with the same formulas.
-// Exit code 1 when the fit takes 20 s or more (by the clock, and of processor time on a busy machine) or 2 GB or more, modes are missed or invented, a frequency is more than 1e-4 or a loss factor
-// more than 3 % off, or numpy's answers differ.
+// Modal fit of 84 × 84 FRFs × 800 lines, 30 modes in the range, two rigid-body modes below and ten modes above it, 1 % circular
+// noise with its variances: time, memory and accuracy; then poles and residues against numpy with the same formulas. Exit code 1
+// when the fit takes 20 s or more (by the clock, and of processor time on a busy machine) or 2 GB or more, modes are missed or
+// invented, a frequency is more than 1e-4 or a loss factor more than 3 % off, or numpy's answers differ.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -14,10 +14,11 @@
 #include <optional>
 #include <sstream>
 
+#include "base/stopwatch.hpp"
 #include "bench/measure.hpp"
 #include "bench/output_of.hpp"
 #include "frf/noise.hpp"
-#include "frf/random.hpp"
+#include "base/random.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/inputs.hpp"
 #include "modalfit/symmetric_model.hpp"
@@ -27,11 +28,7 @@
 namespace {
 
 using namespace jointid;
-using Clock = std::chrono::steady_clock;
-
 constexpr std::size_t coordinates = 84, lines = 800, inside = 30, above = 10, below = 2;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Of all threads: what the fit would take on one core.
 double processor_seconds() {
@@ -55,18 +52,19 @@ problems::Modes structure() {
   };
   for (std::size_t r = 0; r < below; ++r) add(0.0, 0.0);
   for (std::size_t r = 0; r < inside + above; ++r) {
-    const auto u = frf::uniform_numbers({.seed = 84}, r);
+    const auto u = uniform_numbers({.seed = 84}, r);
     add(220.0 + (r < inside ? 25.0 : 60.0) * (static_cast<double>(r) + 0.6 * (u[0] - 0.5)), 0.006 + 0.01 * u[1]);
   }
   for (std::size_t i = 0; i < coordinates; ++i) modes.dofs.push_back({static_cast<std::int64_t>(i + 1), frf::Direction::z, 1});
-  for (std::size_t k = 0; k < coordinates * modes.count(); ++k) modes.shapes.push_back(frf::normal_numbers({.seed = 85}, k)[0]);
+  for (std::size_t k = 0; k < coordinates * modes.count(); ++k) modes.shapes.push_back(normal_numbers({.seed = 85}, k)[0]);
   return modes;
 }
 
 frf::FrfSet measurement(const problems::Modes& modes) {
   problems::ResponseRequest request{.response = modes.dofs, .reference = modes.dofs, .frequency_hz = {}};
   for (std::size_t i = 0; i < lines; ++i) request.frequency_hz.push_back(200.0 + static_cast<double>(i));
-  return frf::polluted(problems::modal_response(modes, request), {.kind = frf::NoiseKind::circular, .level = 0.01, .record_variance = true}, 1, 0);
+  return frf::polluted(problems::modal_response(modes, request),
+                       {.kind = frf::NoiseKind::circular, .level = 0.01, .record_variance = true}, 1, 0);
 }
 
 bool accurate(const modalfit::ModalFit& fit, const problems::Modes& modes) {
@@ -131,9 +129,9 @@ bool compare_with_peer(const modalfit::Band& band, const modalfit::ModalFit& fit
   const auto file = std::filesystem::temp_directory_path() / "jointid-bench-modalfit.bin";
   write_for_peer(file, band, choice, fit.poles());
   const std::size_t highest = 2 * orders.back().order / choice.inputs.size();
-  std::istringstream answer(bench::output_of(fmt::format("/usr/bin/python3 {}/modalfit.py {} {} {} {} {} {} {} {} 2>/dev/null", JOINTID_PEER_DIR,
-                                                  file.string(), choice.outputs, choice.inputs.size(), band.lines(), band.entries(),
-                                                  fit.modes.size(), highest, order_list(orders, choice.inputs.size()))));
+  std::istringstream answer(bench::output_of(fmt::format(
+      "/usr/bin/python3 {}/modalfit.py {} {} {} {} {} {} {} {} 2>/dev/null", JOINTID_PEER_DIR, file.string(), choice.outputs,
+      choice.inputs.size(), band.lines(), band.entries(), fit.modes.size(), highest, order_list(orders, choice.inputs.size()))));
   std::filesystem::remove(file);
   std::string times, pole_line, residue_line;
   if (!std::getline(answer, times) || !std::getline(answer, pole_line) || !std::getline(answer, residue_line)) {
@@ -141,13 +139,18 @@ bool compare_with_peer(const modalfit::Band& band, const modalfit::ModalFit& fit
     return true;
   }
   const std::vector<double> seconds = numbers(times), theirs = numbers(pole_line), coefficients = numbers(residue_line);
-  fmt::print("  poles of {} orders: {:.2f} s, numpy {:.2f} s; residues of {} FRFs: {:.2f} s, numpy {:.2f} s: {:.1f} times faster together\n",
-             orders.size(), poles_s, seconds[0], entries.size(), residues_s, seconds[1], (seconds[0] + seconds[1]) / (poles_s + residues_s));
+  fmt::print(
+      "  poles of {} orders: {:.2f} s, numpy {:.2f} s; residues of {} FRFs: {:.2f} s, numpy {:.2f} s: {:.1f} times faster "
+      "together\n",
+      orders.size(), poles_s, seconds[0], entries.size(), residues_s, seconds[1],
+      (seconds[0] + seconds[1]) / (poles_s + residues_s));
   double pole_difference = 0.0;
   for (const modalfit::Mode& mode : fit.modes) {  // poles of the structure; those of the noise depend on rounding
     const auto nearest = [&](auto begin, auto end, auto frequency) {
       double best = 1e300;
-      for (auto each = begin; each != end; ++each) best = std::abs(frequency(*each) - mode.pole.frequency_hz) < std::abs(best - mode.pole.frequency_hz) ? frequency(*each) : best;
+      for (auto each = begin; each != end; ++each)
+        best = std::abs(frequency(*each) - mode.pole.frequency_hz) < std::abs(best - mode.pole.frequency_hz) ? frequency(*each)
+                                                                                                             : best;
       return best;
     };
     const auto& own = orders.back().poles;
@@ -155,7 +158,8 @@ bool compare_with_peer(const modalfit::Band& band, const modalfit::ModalFit& fit
     const double b = nearest(theirs.begin(), theirs.end(), [](double frequency) { return frequency; });
     pole_difference = std::max(pole_difference, std::abs(a - b) / b);
   }
-  const std::vector<double> first(residues.coefficients.begin(), residues.coefficients.begin() + static_cast<std::ptrdiff_t>(residues.columns));
+  const std::vector<double> first(residues.coefficients.begin(),
+                                  residues.coefficients.begin() + static_cast<std::ptrdiff_t>(residues.columns));
   const double residue_difference = bench::largest_difference(first, coefficients, 0, first.size());
   fmt::print("  largest relative difference: poles {:.1e}, residues {:.1e}\n", pole_difference, residue_difference);
   return pole_difference < 1e-5 && residue_difference < 1e-6;
@@ -177,8 +181,10 @@ int main() {
     const modalfit::SymmetricModel model = modalfit::make_symmetric(fit, band);
     const frf::FrfSet regenerated = modalfit::regenerate(model, set.header);
     const auto error = modalfit::overall(modalfit::synthesis_errors(fit, band, regenerated));
-    fmt::print("  fit {:.2f} s, {:.2f} s of processor time ({} FRFs refine the poles, {} iterations), symmetric model and regeneration {:.2f} s, {:.0f} MB\n", fit_s,
-               processor_s, fit.refined_entries, fit.iterations, seconds_since(start) - fit_s, peak_megabytes());
+    fmt::print(
+        "  fit {:.2f} s, {:.2f} s of processor time ({} FRFs refine the poles, {} iterations), symmetric model and regeneration "
+        "{:.2f} s, {:.0f} MB\n",
+        fit_s, processor_s, fit.refined_entries, fit.iterations, seconds_since(start) - fit_s, peak_megabytes());
     fmt::print("  regenerated FRFs: {:.3f} dB rms from the measured ones\n", error.rms_db);
     good = accurate(fit, modes) && std::min(fit_s, processor_s) < 20.0 && peak_megabytes() < 2048.0;
     good = compare_with_peer(band, fit) && good;

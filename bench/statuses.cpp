@@ -1,5 +1,5 @@
-// What `solve` says of its answer: built-in problems with mistakes planted into the assembly's FRFs, which must never end with status ok, and
-// clean ones, of which at most 1 in 100 may end with another. Prints a table and returns 1 when it misses that.
+// What `solve` says of its answer: built-in problems with mistakes planted into the assembly's FRFs, which must never end with
+// status ok, and clean ones, of which at most 1 in 100 may end with another. Prints a table and returns 1 when it misses that.
 //   bench_statuses [planted|clean|all [SEEDS [verbose]]]
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
 #include "problems/planted.hpp"
@@ -94,9 +94,11 @@ std::size_t planted(std::size_t seeds) {
           for (const ident::SuspectKind kind : problems::plantable()) {
             try {
               const auto& noise = std::get<frf::NoiseModel>(setting.problem.noise);
-              const ident::Solution solution = ident::solve(*problems::plan(setting.scene, problems::plant(setting.problem, kind, noise, seed).data), judged);
+              const ident::Solution solution =
+                  ident::solve(*problems::plan(setting.scene, problems::plant(setting.problem, kind, noise, seed).data), judged);
               print(what + " " + ident::name(kind), setting.problem, solution);
-              const bool wrong = error_of(setting.problem, solution) > 3.0 * error_of(setting.problem, right) || is_outside(setting.problem, solution);
+              const bool wrong = error_of(setting.problem, solution) > 3.0 * error_of(setting.problem, right) ||
+                                 is_outside(setting.problem, solution);
               missed += solution.status == ident::Status::ok && wrong;
             } catch (const InputError& error) {
               fmt::print("{} {}: refused: {}\n", what, ident::name(kind), error.what());
@@ -121,11 +123,13 @@ Count clean(std::size_t seeds, bool verbose) {
     for (const Method method : {Method::one, Method::likelihood}) {
       if (info.name.starts_with("bolts") && method == Method::likelihood) continue;  // minutes
       for (const double level : {0.0, 0.01, 0.05}) {
-        if (level == 0.01 && (info.name == "G4" || info.name == "G5")) continue;  // what they couple rigidly is not that rigid: 1 % noise shows it
+        if (level == 0.01 && (info.name == "G4" || info.name == "G5"))
+          continue;  // what they couple rigidly is not that rigid: 1 % noise shows it
         for (std::size_t seed = 1; seed <= seeds; ++seed) {
           const Setting setting = setting_of(info.name, method, level);
           try {
-            const ident::Solution solution = ident::solve(*problems::plan(setting.scene, problems::polluted(setting.problem, 100 + seed, 0)), judged);
+            const ident::Solution solution =
+                ident::solve(*problems::plan(setting.scene, problems::polluted(setting.problem, 100 + seed, 0)), judged);
             const bool told = solution.status == ident::Status::doubtful || solution.status == ident::Status::poor_fit;
             ++count.scenes;
             count.worse += told;
@@ -149,7 +153,9 @@ int main(int argc, char** argv) {
   bool good = true;
   if (what != "clean") {
     const std::size_t missed = planted(seeds);
-    fmt::print("planted mistakes with status ok and a joint more than three times the clean error away, or five standard errors: {}\n", missed);
+    fmt::print(
+        "planted mistakes with status ok and a joint more than three times the clean error away, or five standard errors: {}\n",
+        missed);
     good = missed == 0;
   }
   if (what != "planted") {

@@ -52,7 +52,7 @@ std::vector<frf::Dof> order(const problems::Problem& problem) {
   return dofs;
 }
 
-void add_set(const frf::FrfSet& set, const std::vector<frf::Dof>& dofs, std::vector<frf::Complex>& out) {
+void add_set(const frf::FrfSet& set, const std::vector<frf::Dof>& dofs, std::vector<Complex>& out) {
   for (std::size_t line = 0; line < set.header.lines(); ++line) {
     for (std::size_t i = 0; i < dofs.size(); ++i) {
       for (std::size_t j = 0; j < dofs.size(); ++j) {
@@ -71,11 +71,11 @@ void write_trials(const problems::Problem& problem, const std::filesystem::path&
   for (std::size_t trial = 0; trial < compared; ++trial) {
     const problems::Measurement measurement = problems::polluted(problem, 1, trial);
     const std::size_t size = measurement.assembly.header.lines() * coordinates * coordinates;
-    std::vector<frf::Complex> substructures(size), assembly(size);
+    std::vector<Complex> substructures(size), assembly(size);
     for (const frf::FrfSet& set : measurement.substructures) add_set(set, dofs, substructures);
     add_set(measurement.assembly, dofs, assembly);
     for (const auto* matrix : {&substructures, &assembly}) {
-      out.write(reinterpret_cast<const char*>(matrix->data()), static_cast<std::streamsize>(size * sizeof(frf::Complex)));
+      out.write(reinterpret_cast<const char*>(matrix->data()), static_cast<std::streamsize>(size * sizeof(Complex)));
     }
   }
 }

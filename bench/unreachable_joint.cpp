@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "ident/likelihood/bound.hpp"
-#include "ident/median.hpp"
+#include "base/statistics.hpp"
 #include "ident/prediction.hpp"
 #include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
@@ -68,9 +68,11 @@ class Bench {
   void starts(const Way& way, std::size_t count) const {
     ident::Scene scene = this->scene(way);
     const problems::Measurement exact = {problem_.substructures, problem_.assembly};
-    const ident::Matrix thesis = scene.identify.start.at(restrictions::Kind::stiffness), truth = scene.truth.at(restrictions::Kind::stiffness);
+    const ident::Matrix thesis = scene.identify.start.at(restrictions::Kind::stiffness),
+                        truth = scene.truth.at(restrictions::Kind::stiffness);
     std::vector<std::string> named;
-    for (const auto& [label, from, factor] : {std::tuple("thesis", thesis, 1.0), std::tuple("rigid", thesis, 1e3), std::tuple("free", thesis, 1e-5)}) {
+    for (const auto& [label, from, factor] :
+         {std::tuple("thesis", thesis, 1.0), std::tuple("rigid", thesis, 1e3), std::tuple("free", thesis, 1e-5)}) {
       scene.identify.start[restrictions::Kind::stiffness] = scaled(from, [f = factor] { return f; });
       const ident::Solution solution = solve(scene, exact);
       named.push_back(fmt::format("{}, {}", text(error(solution)), solution.fit.iterations));
@@ -87,7 +89,8 @@ class Bench {
       ++reached;
       iterations.push_back(static_cast<double>(solution.fit.iterations));
     }
-    fmt::print("| {} | {} | {} | {} | {} of {} | {:.0f} | {:.0f} |\n", way.label, named[0], named[1], named[2], reached, count, ident::median(iterations), ident::median(times));
+    fmt::print("| {} | {} | {} | {} | {} of {} | {:.0f} | {:.0f} |\n", way.label, named[0], named[1], named[2], reached, count,
+               median(iterations), median(times));
     std::fflush(stdout);
   }
 
@@ -97,7 +100,8 @@ class Bench {
     ident::Scene bounded = scene;
     bounded.identify.method = ident::Method::likelihood;
     bounded.identify.solver = "auto";
-    const std::vector<double> bound = ident::cramer_rao_bound(*problems::plan(bounded, {problem_.substructures, problem_.assembly}), truth_, ident::Control());
+    const std::vector<double> bound =
+        ident::cramer_rao_bound(*problems::plan(bounded, {problem_.substructures, problem_.assembly}), truth_, ident::Control());
     std::vector<double> errors, decibels, ratios, times;
     std::size_t settled = 0;
     for (std::size_t seed = 1; seed <= seeds; ++seed) {
@@ -112,8 +116,8 @@ class Bench {
       ratios.push_back(std::sqrt(squares / static_cast<double>(truth_.size())));
     }
     const auto good = std::count_if(errors.begin(), errors.end(), [](double error) { return error <= 0.5; });
-    fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {} | {:.0f} |\n", way.label, seeds, settled, good, text(ident::median(errors)), ident::median(decibels),
-               text(ident::median(ratios)), ident::median(times));
+    fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {} | {:.0f} |\n", way.label, seeds, settled, good, text(median(errors)),
+               median(decibels), text(median(ratios)), median(times));
     std::fflush(stdout);
   }
 
@@ -144,8 +148,12 @@ int main(int argc, char** argv) {
       if (wanted.empty() || std::find(wanted.begin(), wanted.end(), way.solver) != wanted.end()) run(way);
     }
   };
-  fmt::print("| noise-free | thesis's start: largest error, iterations | rigid | free | random starts that reach it | iterations | ms |\n|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| noise-free | thesis's start: largest error, iterations | rigid | free | random starts that reach it | iterations | ms "
+      "|\n|---|---|---|---|---|---|---|\n");
   each([&](const Way& way) { bench.starts(way, way.slow ? starts / 10 : starts); });
-  fmt::print("\n| 5 % noise | seeds | settled | largest error below 0.5 | its median | assembly FRFs, dB | rms error / bound | ms |\n|---|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "\n| 5 % noise | seeds | settled | largest error below 0.5 | its median | assembly FRFs, dB | rms error / bound | ms "
+      "|\n|---|---|---|---|---|---|---|---|\n");
   each([&](const Way& way) { bench.noise(way, way.slow ? seeds / 10 : seeds); });
 }

@@ -5,7 +5,9 @@
 namespace jointid::cli {
 
 Table constraints_table(const ident::Admissibility& found) {
-  Table table({{"constraint", Align::left}, {"at its limit", Align::left}, {found.from_variances ? "cost, χ²" : "cost, residual sum / mean square"}});
+  Table table({{"constraint", Align::left},
+               {"at its limit", Align::left},
+               {found.from_variances ? "cost, χ²" : "cost, residual sum / mean square"}});
   for (const auto& [text, size, at_limit, chi_square] : found.constraints) {
     const std::string held = size == 1 ? "yes" : fmt::format("{} of {}", at_limit, size);
     table.add({text, at_limit == 0 ? "no" : held, number(chi_square)});

@@ -13,7 +13,7 @@
 #include "cli/usage_error.hpp"
 #include "cli/version.hpp"
 #include "cli/whole_number.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -28,8 +28,8 @@ void add_info(CLI::App& app, Chosen& chosen) {
 }
 
 void add_convert(CLI::App& app, Chosen& chosen) {
-  auto [command, arguments] =
-      add_command<ConvertArguments>(app, chosen, "convert", "Convert FRF files, several of one structure into one; the name of OUT gives the format");
+  auto [command, arguments] = add_command<ConvertArguments>(
+      app, chosen, "convert", "Convert FRF files, several of one structure into one; the name of OUT gives the format");
   command
       ->add_option_function<std::vector<std::filesystem::path>>(
           "IN OUT",
@@ -73,7 +73,8 @@ void add_solve(CLI::App& app, Chosen& chosen) {
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
   command->footer(
-      "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | jq .unknowns\n"
+      "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | "
+      "jq .unknowns\n"
       "  jointid solve joint.toml --report joint.html");
 }
 
@@ -100,8 +101,8 @@ void add_plan(CLI::App& app, Chosen& chosen) {
 }
 
 void add_check(CLI::App& app, Chosen& chosen) {
-  auto [command, arguments] =
-      add_command<CheckArguments>(app, chosen, "check", "Look for mistakes in the FRFs of a scene: signs, labels, units, axes, loose joints");
+  auto [command, arguments] = add_command<CheckArguments>(
+      app, chosen, "check", "Look for mistakes in the FRFs of a scene: signs, labels, units, axes, loose joints");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write verdict and suspects as JSON to a file, or - for stdout");
   command->footer("Examples:\n  jointid check joint.toml\n  jointid check joint.toml --json - | jq .suspects");
@@ -139,9 +140,11 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   const std::vector<CLI::Option*> alternatives = {
       list("--methods", arguments->methods, "one,two; default of each list: the scene's"),
       command->add_option("--equations", arguments->equations, "Sets of equations, e.g. \"nn nj;nn nj jj jn\""),
-      list("--weightings", arguments->weightings, "none,WA,WB,WBG,WBS"), list("--deltas", arguments->deltas, "0,0.05,0.1"),
+      list("--weightings", arguments->weightings, "none,WA,WB,WBG,WBS"),
+      list("--deltas", arguments->deltas, "0,0.05,0.1"),
       list("--solvers", arguments->solvers, "qr,normal,spqr"),
-      list("--regenerate", arguments->regenerate, "FRFs replaced by those of modal models: none,substructures,assembly,substructures+assembly")};
+      list("--regenerate", arguments->regenerate,
+           "FRFs replaced by those of modal models: none,substructures,assembly,substructures+assembly")};
   CLI::Option* reproduce = command->add_option("--reproduce", arguments->reproduce,
                                                "Instead of a scene: a table of Ren's thesis beside ours, e.g. 6.3; or list");
   reproduce->excludes(scene);

@@ -11,7 +11,10 @@ namespace {
 Json changes(const std::vector<ident::BoundChange>& list) {
   Json all = Json::array();
   for (const ident::BoundChange& change : list) {
-    all.push_back({{"what", change.what}, {"worst", value(change.worst)}, {"mean", value(change.mean)}, {"factors", values(change.factors)}});
+    all.push_back({{"what", change.what},
+                   {"worst", value(change.worst)},
+                   {"mean", value(change.mean)},
+                   {"factors", values(change.factors)}});
   }
   return all;
 }

@@ -37,7 +37,7 @@ std::string bound_text(const ident::BoundReport& report) {
   for (const ident::UnknownBound& unknown : report.unknowns) {
     const bool fixed = std::isfinite(unknown.bound);
     unknowns.add({unknown.name, number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed", unknown.unit,
-                  fixed ? ident::percent(unknown.relative) : ""});
+                  fixed ? percent(unknown.relative) : ""});
   }
   const std::string cut = report.interrupted ? "\nINTERRUPTED: not all changes of the data were looked at\n" : "";
   return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) + "\n" +

@@ -38,8 +38,8 @@ std::string check_text(const ident::CheckResult& result) {
   for (std::size_t i = 0; i < result.suspects.size(); ++i) {
     const ident::Suspect& suspect = result.suspects[i];
     const std::string number = std::to_string(i + 1);
-    table.add({number, ident::name(suspect.kind), suspect.file.empty() ? "–" : suspect.file, suspect.dofs.empty() ? "–" : dofs_text(suspect),
-               in_percent_of_one(suspect.confidence)});
+    table.add({number, ident::name(suspect.kind), suspect.file.empty() ? "–" : suspect.file,
+               suspect.dofs.empty() ? "–" : dofs_text(suspect), in_percent_of_one(suspect.confidence)});
     details += "\n" + number + ". " + suspect.evidence + "\n";
     details += suspect.remedy.empty() ? "   measure it again\n" : "   to mend it:\n" + indented(suspect.remedy);
   }

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "cli/of_option.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::cli {
 namespace {

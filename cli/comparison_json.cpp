@@ -21,7 +21,7 @@ Json way(const ident::Way& chosen) {
           {"regenerate", ident::name(chosen.regenerate)}};
 }
 
-Json spread(const ident::Spread& s) {
+Json spread(const Spread& s) {
   return {{"median", value(s.median)}, {"q05", value(s.low)}, {"q95", value(s.high)}};
 }
 
@@ -48,7 +48,7 @@ std::vector<std::string> csv_cells(const ident::Combination& each, const ident::
   const bool weighs = ident::weighs_equations(each.way.method);
   std::vector<std::string> cells = {ident::name(each.way.method), equations, weighs ? weighting::name(each.way.weighting) : "",
                                     weighs ? csv_number(each.way.delta) : "", each.way.solver, restrictions::key(figures.kind)};
-  for (const ident::Spread& s : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
+  for (const Spread& s : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
     cells.insert(cells.end(), {csv_number(s.median), csv_number(s.low), csv_number(s.high)});
   }
   cells.insert(cells.end(), {csv_number(figures.bias), figures.on_front ? "true" : "false", csv_number(each.solve_s),

@@ -23,7 +23,7 @@ std::string frame_of(const ident::Way& way) {
 
 std::string short_number(double value) { return std::isfinite(value) ? fmt::format("{:.3g}", value) : "–"; }
 
-std::string range(const ident::Spread& spread) {
+std::string range(const Spread& spread) {
   return short_number(spread.low) + " … " + short_number(spread.high);
 }
 
@@ -95,7 +95,7 @@ Table figures_table(const std::vector<Combination>& all, std::size_t matrix) {
   for (const Combination& each : all) {
     const ident::MatrixFigures& figures = each.matrices[matrix];
     std::vector<std::string> cells = way_cells(each.way);
-    for (const ident::Spread& spread : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
+    for (const Spread& spread : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
       cells.insert(cells.end(), {short_number(spread.median), range(spread)});
     }
     cells.insert(cells.end(), {short_number(figures.bias), short_number(1e3 * each.solve_s), figures.on_front ? "*" : ""});

@@ -33,7 +33,9 @@ std::string comparison_text(const ComparisonReport& report) {
   }
   text += "\n  rms error: relative, median over the trials; bias: rms of the mean relative error of the unknowns\n"
           "  * on the Pareto front: no other row has both less error in this matrix and less time\n";
-  text += "\ncost: median time of one solution on one thread, memory of the reduced system (likelihood: of its data and states)\n" + cost_table(all).text();
+  text +=
+      "\ncost: median time of one solution on one thread, memory of the reduced system (likelihood: of its data and states)\n" +
+      cost_table(all).text();
   return text + left_out_text(report.comparison.left_out);
 }
 

@@ -20,7 +20,7 @@ bool is_hdf5(const Path& path) { return path.extension() == ".h5" || path.extens
 bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
   const frf::FrfHeader& header = source.header();
   frf::Hdf5Writer writer(path, header);
-  std::vector<frf::Complex> values, variance;
+  std::vector<Complex> values, variance;
   std::vector<double> coherence;
   Progress progress;
   const bool complete = for_each_piece(header, writer.lines_per_chunk(), [&](const frf::Block& block) {

@@ -9,7 +9,8 @@ Table cost_table(std::vector<Column> way, const std::string& accuracy, const std
   Table table(std::move(way));
   for (const CostRow& row : rows) {
     std::vector<std::string> cells = row.way;
-    cells.insert(cells.end(), {row.accuracy, fmt::format("{:.3g}", 1e3 * row.seconds), fmt::format("{:.1f}", static_cast<double>(row.bytes) / 1e3), row.outcome});
+    cells.insert(cells.end(), {row.accuracy, fmt::format("{:.3g}", 1e3 * row.seconds),
+                               fmt::format("{:.1f}", static_cast<double>(row.bytes) / 1e3), row.outcome});
     table.add(std::move(cells));
   }
   return table;

@@ -8,7 +8,8 @@
 namespace jointid::cli {
 
 void add_couple(CLI::App& app, std::optional<Arguments>& chosen) {
-  auto [command, arguments] = add_command<CoupleArguments>(app, chosen, "couple", "Predict the FRFs of an assembly from those of its parts");
+  auto [command, arguments] =
+      add_command<CoupleArguments>(app, chosen, "couple", "Predict the FRFs of an assembly from those of its parts");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] parts and [couple]")->required();
   command->add_option("--out", arguments->out, "FRFs of the assembly (HDF5); default: SCENE's name with .coupled.h5, here");
   command->add_flag("--bounds", arguments->bounds,

@@ -15,9 +15,10 @@ Json file_json(const ident::CoupledFile& file) {
 Json dependencies_json(const coupling::Dependencies& dependencies) {
   Json out = {{"reason", dependencies.reason}, {"conditions", Json::array()}};
   for (const coupling::Dependency& condition : dependencies.conditions) {
-    out["conditions"].push_back({{"condition", condition.condition},
-                                 {"alpha", {{"median", value(condition.median)}, {"q05", value(condition.lower)}, {"q95", value(condition.upper)}}},
-                                 {"left_out", condition.dependent}});
+    out["conditions"].push_back(
+        {{"condition", condition.condition},
+         {"alpha", {{"median", value(condition.median)}, {"q05", value(condition.lower)}, {"q95", value(condition.upper)}}},
+         {"left_out", condition.dependent}});
   }
   return out;
 }

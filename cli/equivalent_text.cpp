@@ -21,11 +21,15 @@ bool all_settled(const std::vector<ident::LevelJoint>& levels) {
 
 std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
-  text += fmt::format("equivalent stiffness and damping by ({}), FRFs of the parts {}\n\n", equation(scene), scene.real ? "made real (7.19)" : "as measured");
+  text += fmt::format("equivalent stiffness and damping by ({}), FRFs of the parts {}\n\n", equation(scene),
+                      scene.real ? "made real (7.19)" : "as measured");
   Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"misfit %"}, {"lines"}, {"", Align::left}});
   for (const ident::LevelJoint& level : levels) {
     const ident::EquivalentJoint& joint = level.joint;
-    const char* remark = !joint.settled ? "not found" : joint.stiffness < 0.0 || joint.damping < 0.0 ? "not physical: the errors of the FRFs outweigh the joint" : "";
+    const char* remark = !joint.settled ? "not found"
+                         : joint.stiffness < 0.0 || joint.damping < 0.0
+                             ? "not physical: the errors of the FRFs outweigh the joint"
+                             : "";
     table.add({number(level.displacement), number(joint.stiffness), number(joint.damping), fmt::format("{:.2f}", 100.0 * joint.misfit),
                fmt::format("{}", level.lines), remark});
   }
@@ -33,7 +37,10 @@ std::string equivalent_text(const ident::EquivalentScene& scene, const std::vect
 }
 
 std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels) {
-  Json out = {{"status", all_settled(levels) ? "ok" : "not_usable"}, {"equation", equation(scene)}, {"real", scene.real}, {"levels", Json::array()}};
+  Json out = {{"status", all_settled(levels) ? "ok" : "not_usable"},
+              {"equation", equation(scene)},
+              {"real", scene.real},
+              {"levels", Json::array()}};
   for (const ident::LevelJoint& level : levels) {
     out["levels"].push_back({{"file", level.file},
                              {"displacement", level.displacement},
@@ -50,8 +57,8 @@ std::string equivalent_csv(const std::vector<ident::LevelJoint>& levels) {
   std::string text = csv_line({"displacement [m]", "stiffness [N/m]", "damping [N/m]", "misfit"});
   for (const ident::LevelJoint& level : levels) {
     if (!level.joint.settled) continue;
-    text += csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness), fmt::format("{}", level.joint.damping),
-                      fmt::format("{}", level.joint.misfit)});
+    text += csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness),
+                      fmt::format("{}", level.joint.damping), fmt::format("{}", level.joint.misfit)});
   }
   return text;
 }

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <new>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::cli {
@@ -16,7 +16,7 @@ Failure classify(const std::exception_ptr& exception) {
     std::rethrow_exception(exception);
   } catch (const InputError& error) {
     return {error.kind() == ErrorKind::usage ? ExitCode::usage : ExitCode::data, error.what()};
-  } catch (const ident::Interrupted& interrupted) {
+  } catch (const Interrupted& interrupted) {
     return {ExitCode::interrupted, interrupted.what()};
   } catch (const std::bad_alloc&) {
     return {ExitCode::data,

@@ -13,13 +13,13 @@ namespace {
 constexpr std::size_t width = 72, height = 18;
 constexpr char measured_mark = 'o', predicted_mark = '.', both_mark = '@';
 
-double decibel(const ident::Complex& value) { return 20.0 * std::log10(std::abs(value)); }
+double decibel(const Complex& value) { return 20.0 * std::log10(std::abs(value)); }
 
 /// Smallest and largest finite level of both curves, widened to whole 10 dB.
 std::pair<double, double> limits(const ident::RegeneratedFrf& frf) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const auto* curve : {&frf.measured, &frf.predicted}) {
-    for (const ident::Complex& value : *curve) {
+    for (const Complex& value : *curve) {
       const double level = decibel(value);
       if (!std::isfinite(level)) continue;
       low = std::min(low, level);

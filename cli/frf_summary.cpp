@@ -45,7 +45,7 @@ std::string missing_text(const FrfCensus& census) {
 FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted) {
   const frf::FrfHeader& header = source.header();
   std::vector<char> nonzero(header.entries(), 0);
-  std::vector<frf::Complex> values;
+  std::vector<Complex> values;
   FrfCensus census;
   census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
     if (interrupted()) return false;
@@ -54,7 +54,7 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
     for (std::size_t i = 0; i < values.size(); ++i) {
       const bool missing = std::isnan(values[i].real()) || std::isnan(values[i].imag());
       census.missing += missing ? 1 : 0;
-      if (!missing && values[i] != frf::Complex(0.0)) nonzero[i % header.entries()] = 1;
+      if (!missing && values[i] != Complex(0.0)) nonzero[i % header.entries()] = 1;
     }
     census.values += values.size();
     return true;

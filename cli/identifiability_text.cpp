@@ -28,8 +28,8 @@ std::string interval_words(ident::IntervalKind kind) {
 Table weakest_table(const std::vector<ident::WeakCombination>& weakest) {
   Table table({{"fixed worst", Align::left}, {"to"}, {"of these fixed best", Align::left}, {"to"}, {"correlation"}});
   for (const ident::WeakCombination& weak : weakest) {
-    table.add({ident::text(weak.worst), ident::percent(weak.worst.deviation), weak.best ? ident::text(*weak.best) : "",
-               weak.best ? ident::percent(weak.best->deviation) : "",
+    table.add({ident::text(weak.worst), percent(weak.worst.deviation), weak.best ? ident::text(*weak.best) : "",
+               weak.best ? percent(weak.best->deviation) : "",
                weak.correlation ? fmt::format("{:.4f}", *weak.correlation) : ""});
   }
   return table;
@@ -39,7 +39,7 @@ std::vector<std::pair<std::string, std::string>> visibility_rows(const ident::So
   const ident::Identifiability& found = *solution.identifiability;
   const bool errors = !std::isnan(found.largest_relative_error);
   return {{"standard errors and intervals", interval_words(solution.intervals)},
-          {"largest relative standard error", errors ? ident::percent(found.largest_relative_error) : "–"},
+          {"largest relative standard error", errors ? percent(found.largest_relative_error) : "–"},
           {"median of |H_sub - H_asm| over its error", times(found.joint.effect)},
           {"work of the combination fixed worst, assembled over free parts", times(found.joint.deformation)}};
 }

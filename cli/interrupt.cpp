@@ -13,7 +13,7 @@
 
 #include "cli/exit_code.hpp"
 #include "cli/failure.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/temporary_file.hpp"
 #include "ident/team.hpp"
 
 namespace jointid::cli {
@@ -38,7 +38,7 @@ void say(std::string_view text) { (void)!::write(STDERR_FILENO, text.data(), tex
 extern "C" void on_signal(int) {
   const int error = errno;
   if (asked_to_end.exchange(true)) {
-    frf::remove_unfinished();
+    remove_unfinished();
     _exit(static_cast<int>(ExitCode::interrupted));
   }
   if (speaks) {
@@ -86,7 +86,7 @@ class InterruptWatch {
     } else {
       std::this_thread::sleep_for(250ms);  // the end is being told already
     }
-    frf::remove_unfinished();
+    remove_unfinished();
     _exit(static_cast<int>(ExitCode::interrupted));
   }
 };

@@ -48,8 +48,8 @@ auto with_last_words(std::function<std::string()> save, Work&& work) {
   LastWords words(std::move(save));
   try {
     return std::forward<Work>(work)();
-  } catch (const ident::Interrupted&) {
-    throw ident::Interrupted(words.speak());
+  } catch (const Interrupted&) {
+    throw Interrupted(words.speak());
   }
 }
 

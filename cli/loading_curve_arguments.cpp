@@ -7,7 +7,7 @@
 #include "cli/command_options.hpp"
 #include "cli/output.hpp"
 #include "friction/fit_start.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -40,7 +40,8 @@ void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--ring", arguments.ring, "Rotary joint: inner and outer radius of its ring, m")->delimiter(',')->expected(2);
   command.add_option("--limit", arguments.limit, "Preset friction limit, N (N·m)");
   command.add_option("--normal-load", arguments.normal_loads, "Normal load, N: one for all files or one for each")->delimiter(',');
-  command.add_flag("--friction-coefficient", arguments.friction_coefficient, "One unknown mu: every friction limit is mu times the normal load");
+  command.add_flag("--friction-coefficient", arguments.friction_coefficient,
+                   "One unknown mu: every friction limit is mu times the normal load");
   command.add_option("--shared", arguments.shared, "Parameters that all files have in common, e.g. b")->delimiter(',');
   command.add_option("--specimen-stiffness", arguments.specimen_stiffness, "Subtract the elastic deformation of a specimen, N/m");
   command.add_option("--specimen", arguments.specimen, "The same by the loading curve of a specimen without joint, columns as FILE");
@@ -67,8 +68,10 @@ void check_laws(const LoadingCurveArguments& arguments) {
 void check_columns(const LoadingCurveArguments& arguments) {
   const bool series = !arguments.energy.empty() || !arguments.stiffness.empty() || !arguments.damping.empty();
   if (series && !arguments.force.empty()) fail("--force", "an amplitude series has no forces", "leave --force or the other columns out");
-  if (!arguments.energy.empty() && !arguments.stiffness.empty()) fail("--energy", "both energies and stiffnesses are named", "fit one of them");
-  if (arguments.stiffness.empty() != arguments.damping.empty()) fail("--stiffness", "equivalents need both", "name --stiffness and --damping");
+  if (!arguments.energy.empty() && !arguments.stiffness.empty())
+    fail("--energy", "both energies and stiffnesses are named", "fit one of them");
+  if (arguments.stiffness.empty() != arguments.damping.empty())
+    fail("--stiffness", "equivalents need both", "name --stiffness and --damping");
   if (series && (arguments.velocity || arguments.specimen_stiffness || !arguments.specimen.empty())) {
     fail("--displacement", "an amplitude series has no record to integrate or correct", "leave --velocity and --specimen out");
   }
@@ -79,7 +82,8 @@ bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 void check_numbers(const LoadingCurveArguments& arguments) {
   if (arguments.limit && !is_positive(*arguments.limit)) fail("--limit", "it is not positive", "give a force, N");
   if (arguments.limit && arguments.friction_coefficient) fail("--limit", "does not go with --friction-coefficient", "leave one out");
-  if (arguments.friction_coefficient && arguments.normal_loads.empty()) fail("--friction-coefficient", "needs normal loads", "give --normal-load");
+  if (arguments.friction_coefficient && arguments.normal_loads.empty())
+    fail("--friction-coefficient", "needs normal loads", "give --normal-load");
   for (const double load : arguments.normal_loads) {
     if (!is_positive(load)) fail("--normal-load", "a load is not positive", "give forces, N");
   }
@@ -90,8 +94,10 @@ void check_numbers(const LoadingCurveArguments& arguments) {
   if (!arguments.ring.empty() && !(arguments.ring[0] >= 0.0 && arguments.ring[1] > arguments.ring[0] && is_positive(arguments.ring[1]))) {
     fail("--ring", "the radii do not increase", "give inner and outer radius, m, e.g. 0.0255,0.038");
   }
-  if (arguments.specimen_stiffness && !is_positive(*arguments.specimen_stiffness)) fail("--specimen-stiffness", "it is not positive", "give it in N/m");
-  if (arguments.specimen_stiffness && !arguments.specimen.empty()) fail("--specimen", "does not go with --specimen-stiffness", "leave one out");
+  if (arguments.specimen_stiffness && !is_positive(*arguments.specimen_stiffness))
+    fail("--specimen-stiffness", "it is not positive", "give it in N/m");
+  if (arguments.specimen_stiffness && !arguments.specimen.empty())
+    fail("--specimen", "does not go with --specimen-stiffness", "leave one out");
 }
 
 void check_outputs(const LoadingCurveArguments& arguments) {

@@ -9,7 +9,7 @@
 #include "cli/progress.hpp"
 #include "cli/report/loading_curve_report.hpp"
 #include "friction/law.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::cli {
@@ -82,7 +82,7 @@ class Fitting {
   }
 
   static void stop_when_asked() {
-    if (interrupted()) throw ident::Interrupted();
+    if (interrupted()) throw Interrupted();
   }
 
   Fit together(const std::vector<friction::Curve>& curves, const std::string& law, bool share) {

@@ -7,7 +7,7 @@
 
 #include "friction/loops.hpp"
 #include "frf/columns.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/uff_units.hpp"
 
 namespace jointid::cli {

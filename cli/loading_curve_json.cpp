@@ -43,7 +43,10 @@ Json curve_fit(const CurveFit& curve) {
 Json equivalent(const CurveFit& curve) {
   Json rows = Json::array();
   for (const friction::Equivalent& row : equivalents(curve, 40)) {
-    rows.push_back({{"amplitude", row.amplitude}, {"stiffness", value(row.stiffness)}, {"damping", value(row.damping)}, {"energy", value(row.energy)}});
+    rows.push_back({{"amplitude", row.amplitude},
+                    {"stiffness", value(row.stiffness)},
+                    {"damping", value(row.damping)},
+                    {"energy", value(row.energy)}});
   }
   return rows;
 }
@@ -126,7 +129,8 @@ std::string loading_curve_json(const LoadingCurveReport& report) {
 }
 
 std::string loading_curve_csv(const LoadingCurveReport& report) {
-  std::string text = csv_line({"law", "curve", "name", "value", "unit", "std_error", "ci95_low", "ci95_high", "knowledge", "aic", "status"});
+  std::string text =
+      csv_line({"law", "curve", "name", "value", "unit", "std_error", "ci95_low", "ci95_high", "knowledge", "aic", "status"});
   for (const Fit& fit : report.fits) {
     for (const CurveFit* curve : different(report, fit)) {
       CurveFit named = *curve;

@@ -17,7 +17,8 @@ struct LoadingCurveReport {
   std::vector<std::vector<friction::Fit>> of_loops;   ///< with several loops: by fit, the same law fitted to each loop alone
 };
 
-/// Equivalent stiffness and damping of an element on `count` amplitudes in even ratios from 1/20 of the curve's largest displacement to twice that.
+/// Equivalent stiffness and damping of an element on `count` amplitudes in even ratios from 1/20 of the curve's largest
+/// displacement to twice that.
 std::vector<friction::Equivalent> equivalents(const friction::CurveFit& fit, std::size_t count);
 
 /// Elements of a fit that differ: one when loops share theirs, else one per curve.

@@ -23,7 +23,8 @@ std::string remark(const FittedValue& value) {
 }
 
 void add_value(const FittedValue& value, const std::string& of, Table& table) {
-  table.add({value.name + of, number(value.value), value.unit, value.std_error ? number(*value.std_error) : "–", interval(value), remark(value)});
+  table.add({value.name + of, number(value.value), value.unit, value.std_error ? number(*value.std_error) : "–", interval(value),
+             remark(value)});
 }
 
 std::string percent(double share) { return fmt::format("{:.2f}", 100.0 * share); }
@@ -111,7 +112,8 @@ Table loops_table(const LoadingCurveReport& report) {
     }
     if (stiffness.empty()) continue;
     std::vector<std::string> cells = {report.fits[i].law};
-    for (const auto& part : {three(stiffness, 1.0), three(limit, 1.0), three(energy, 100.0)}) cells.insert(cells.end(), part.begin(), part.end());
+    for (const auto& part : {three(stiffness, 1.0), three(limit, 1.0), three(energy, 100.0)})
+      cells.insert(cells.end(), part.begin(), part.end());
     table.add(std::move(cells));
   }
   return table;
@@ -119,7 +121,11 @@ Table loops_table(const LoadingCurveReport& report) {
 
 Table equivalents_table(const CurveFit& fit, std::size_t count) {
   const std::string stiffness = fit.curve.force_unit + "/" + fit.curve.displacement_unit;
-  Table table({{"amplitude " + fit.curve.displacement_unit}, {"k_e " + stiffness}, {"d_e " + stiffness}, {"energy per cycle J"}, {"d_e/k_e %"}});
+  Table table({{"amplitude " + fit.curve.displacement_unit},
+               {"k_e " + stiffness},
+               {"d_e " + stiffness},
+               {"energy per cycle J"},
+               {"d_e/k_e %"}});
   for (const friction::Equivalent& row : equivalents(fit, count)) {
     table.add({number(row.amplitude), number(row.stiffness), number(row.damping), number(row.energy), percent(row.loss_factor)});
   }

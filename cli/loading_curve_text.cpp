@@ -13,7 +13,8 @@ std::string curves_text(const LoadingCurveReport& report) {
   for (const std::string& note : report.data.notes) text += "  " + note + "\n";
   std::size_t numbers = 0;
   for (const friction::Curve& curve : report.data.curves) numbers += curve.rows();
-  return text + fmt::format("  {} curve{}, {} measured numbers\n", report.data.curves.size(), report.data.curves.size() == 1 ? "" : "s", numbers);
+  return text + fmt::format("  {} curve{}, {} measured numbers\n", report.data.curves.size(),
+                            report.data.curves.size() == 1 ? "" : "s", numbers);
 }
 
 std::string best_text(const LoadingCurveReport& report, const friction::Fit& best) {

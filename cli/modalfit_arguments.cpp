@@ -8,7 +8,7 @@
 #include "cli/of_option.hpp"
 #include "cli/open_options.hpp"
 #include "cli/whole_number.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -38,12 +38,14 @@ std::array<double, 2> parse_range(const std::string& text) {
 }
 
 void add_modalfit(CLI::App& app, std::optional<Arguments>& chosen) {
-  const auto added = add_command<ModalfitArguments>(app, chosen, "modalfit", "Find the modes behind measured FRFs and regenerate the FRFs from them");
+  const auto added = add_command<ModalfitArguments>(app, chosen, "modalfit",
+                                                    "Find the modes behind measured FRFs and regenerate the FRFs from them");
   CLI::App* command = added.first;
   ModalfitArguments* arguments = added.second;
   command->add_option("FILES", arguments->files, "FRFs of one structure: UFF, HDF5, MAT or CSV")->required();
   command->add_option_function<std::string>(
-      "--range", [arguments](const std::string& text) { arguments->fit.range_hz = parse_range(text); }, "Lines to fit, LOW:HIGH in Hz; default: all");
+      "--range", [arguments](const std::string& text) { arguments->fit.range_hz = parse_range(text); },
+      "Lines to fit, LOW:HIGH in Hz; default: all");
   add_whole_number(
       command, "--modes", [arguments](std::uint64_t count) { arguments->fit.modes = count; },
       "Keep the most significant so many; default: all that stand out of the noise", {.least = 1, .most = 10000, .remedy = {}});

@@ -45,7 +45,10 @@ Json stabilisation(const ModalRun& run) {
   Json list = Json::array();
   for (const auto& order : run.fit.stabilisation) {
     for (const auto& pole : order.poles) {
-      list.push_back({{"order", order.order}, {"frequency_hz", pole.frequency_hz}, {"zeta", pole.damping}, {"frequency_std", value(pole.deviation_hz)}});
+      list.push_back({{"order", order.order},
+                      {"frequency_hz", pole.frequency_hz},
+                      {"zeta", pole.damping},
+                      {"frequency_std", value(pole.deviation_hz)}});
     }
   }
   return list;

@@ -2,8 +2,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/open_options.hpp"
 #include "cli/progress.hpp"
@@ -14,10 +15,6 @@
 
 namespace jointid::cli {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 frf::FrfSet read(const ModalfitArguments& arguments) {
   return frf::load(*open_as_one(arguments.files, arguments.open));
@@ -73,7 +70,7 @@ frf::Uff55Mode uff_mode(const ModalRun& run, const Shapes& all, std::size_t r) {
   mode.is_complex = !run.fit.kind.real_modes;
   mode.frequency_hz = pole.frequency_hz;
   (hysteretic ? mode.hysteretic_damping : mode.viscous_damping) = pole.damping;
-  const double omega = 2.0 * std::numbers::pi * pole.frequency_hz;
+  const double omega = angular(pole.frequency_hz);
   const std::complex<double> i(0.0, 1.0);
   // A/(ω_r²(1+iη) + s²) = A/(2λ)·(1/(s−λ) − 1/(s+λ)) with λ = iω_r√(1+iη)
   mode.eigenvalue = hysteretic ? i * omega * std::sqrt(1.0 + i * pole.damping)
@@ -87,7 +84,7 @@ frf::Uff55Mode uff_mode(const ModalRun& run, const Shapes& all, std::size_t r) {
 
 /// A fit that was stopped with modes of its own is worth writing.
 void mark_interrupted(modalfit::ModalFit& fit) {
-  if (fit.modes.empty()) throw ident::Interrupted();
+  if (fit.modes.empty()) throw Interrupted();
   fit.status = modalfit::FitStatus::not_converged;
   fit.message = "Interrupted: the modes are those found so far.";
 }

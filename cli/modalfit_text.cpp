@@ -43,7 +43,14 @@ std::string model_text(const modalfit::ModelKind& kind) {
 
 Table modes_table(const ModalRun& run) {
   const bool hysteretic = run.fit.kind.damping == modalfit::Damping::hysteretic;
-  Table table({{"mode"}, {"frequency Hz"}, {"std"}, {hysteretic ? "η %" : "ζ %"}, {"std"}, {"significance"}, {"rank-one misfit"}, {"", Align::left}});
+  Table table({{"mode"},
+               {"frequency Hz"},
+               {"std"},
+               {hysteretic ? "η %" : "ζ %"},
+               {"std"},
+               {"significance"},
+               {"rank-one misfit"},
+               {"", Align::left}});
   const std::vector<double> misfits = off_rank_one(run);
   for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
     const modalfit::Mode& mode = run.fit.modes[r];
@@ -136,8 +143,9 @@ std::vector<std::string> notes(const ModalRun& run) {
   if (const std::string edge = edge_note(run); !edge.empty()) out.push_back(edge);
   const double misfit = run.fit.freedom > 0.0 ? run.fit.cost / run.fit.freedom : 1.0;
   if (misfit > 2.0) {
-    out.push_back(fmt::format("The FRFs deviate from the model by {:.1f} times {}: the structure is not that linear, or the noise is larger.",
-                              std::sqrt(misfit), run.fit.known_noise ? "their noise" : "the scatter of neighbouring lines"));
+    out.push_back(fmt::format(
+        "The FRFs deviate from the model by {:.1f} times {}: the structure is not that linear, or the noise is larger.",
+        std::sqrt(misfit), run.fit.known_noise ? "their noise" : "the scatter of neighbouring lines"));
   }
   if (modalfit::overall(told(run)).rms_db_away > harm_db) {
     out.push_back("The model is more than 1 dB off away from antiresonances: regenerated FRFs would harm rather than help.");
@@ -147,8 +155,8 @@ std::vector<std::string> notes(const ModalRun& run) {
 
 std::string modalfit_text(const ModalRun& run) {
   const auto& axis = run.band.frequency_hz;
-  std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses, run.band.references,
-                                 axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));
+  std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses,
+                                 run.band.references, axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));
   if (run.fit.status != modalfit::FitStatus::ok) text += fmt::format("{}: {}\n\n", modalfit::name(run.fit.status), run.fit.message);
   text += modes_table(run).text() + "\n";
   text += "  fit of each FRF:  " + synthesis_text(run.of_fit) + "\n";

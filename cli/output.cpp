@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "frf/error.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/error.hpp"
+#include "base/temporary_file.hpp"
 
 namespace jointid::cli {
 
@@ -99,7 +99,8 @@ void require_output_apart(const std::vector<ident::NamedFile>& inputs) {
   const FileInode output = inode_of_output();
   for (const ident::NamedFile& input : inputs) {
     if (!output || output != inode_of(input.path)) continue;
-    refuse_use("standard output", "would be written into the input " + input.path.string() + " (" + input.place + ")", "redirect it to another file");
+    refuse_use("standard output", "would be written into the input " + input.path.string() + " (" + input.place + ")",
+               "redirect it to another file");
   }
 }
 
@@ -134,7 +135,7 @@ void write_target(const std::string& target, const std::string& text, std::ostre
   if (target == "-") {
     out << text;
   } else {
-    frf::write_text(target, text);
+    write_text(target, text);
   }
 }
 

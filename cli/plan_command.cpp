@@ -29,7 +29,7 @@ ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   const bool cut = bound && bound->interrupted;
   if (arguments.json) write_target(*arguments.json, plan_json(*plan, bound), out);
   if (arguments.json != "-") out << plan_text(*plan) << (bound ? bound_text(*bound) : "");
-  if (cut) throw ident::Interrupted("interrupted; what was predicted so far is written");
+  if (cut) throw Interrupted("interrupted; what was predicted so far is written");
   return ExitCode::done;
 }
 

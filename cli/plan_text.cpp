@@ -85,8 +85,10 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"lines", lines_text(plan.lines)});
   table.add({"unknowns", unknowns_text(plan)});
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
-  return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() + phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
-         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) + phrases("notes", plan.notes);
+  return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
+         phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
+         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) +
+         phrases("notes", plan.notes);
 }
 
 std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundReport>& bound) {

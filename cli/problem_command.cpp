@@ -4,7 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/table.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "problems/coupling_problem.hpp"
 #include "problems/loading_curves.hpp"
 #include "problems/modal_set.hpp"

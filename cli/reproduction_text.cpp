@@ -74,7 +74,7 @@ std::string reproduction_csv(const ReproductionReport& report) {
   std::string csv = csv_line({"table", "row", "column", "print", "doubtful", "median", "q05", "q95", "inside"});
   for (std::size_t e = 0; e < report.results.size(); ++e) {
     const TableEntry& entry = report.table.entries[e];
-    const ident::Spread& ours = report.results[e].ours;
+    const Spread& ours = report.results[e].ours;
     csv += csv_line({report.table.number, entry.row, entry.column, entry.print.text, entry.print.doubtful ? "true" : "false",
                      fmt::format("{}", ours.median), fmt::format("{}", ours.low), fmt::format("{}", ours.high),
                      report.results[e].inside ? "true" : "false"});

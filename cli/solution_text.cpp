@@ -78,8 +78,10 @@ std::string short_number(const std::optional<double>& value) {
 /// What the error estimates of a linear method are.
 std::string estimate_note(const ident::Solution& solution) {
   const bool bias = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.bias.has_value(); });
-  return bias ? "  error estimate: scatter between groups of lines, and the bias that noise in the coefficients makes, to first order\n"
-              : "  error estimate: scatter between groups of lines; the bias that noise in the coefficients makes is not known and not in it\n";
+  return bias ? "  error estimate: scatter between groups of lines, and the bias that noise in the coefficients makes, to first "
+                "order\n"
+              : "  error estimate: scatter between groups of lines; the bias that noise in the coefficients makes is not known "
+                "and not in it\n";
 }
 
 /// Columns of errors only where a method has them.
@@ -138,7 +140,8 @@ std::string search_text(const ident::Solution& solution) {
   std::string text = "\nminima: " + verdict(search) + "\n" + table.text();
   for (std::size_t i = 1; i < std::min(most, search.equally_good); ++i) {
     text += fmt::format("  {}:", i + 1);
-    for (std::size_t u = 0; u < solution.unknowns.size(); ++u) text += " " + solution.unknowns[u].name + " = " + number(search.minima[i].values[u]);
+    for (std::size_t u = 0; u < solution.unknowns.size(); ++u)
+      text += " " + solution.unknowns[u].name + " = " + number(search.minima[i].values[u]);
     text += "\n";
   }
   return text;
@@ -173,8 +176,9 @@ std::string time_text(const ident::RunTime& time) {
 }  // namespace
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
-  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + constraints_text(solution) + identifiability_text(solution) +
-         fit_text(solution) + search_text(solution) + variances_text(solution.variances) + quality_text(solution.quality) + time_text(solution.runtime_s);
+  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + constraints_text(solution) +
+         identifiability_text(solution) + fit_text(solution) + search_text(solution) + variances_text(solution.variances) +
+         quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 
 std::string unknowns_csv(const ident::Solution& solution) {

@@ -10,7 +10,7 @@
 #include "cli/report/solve_report.hpp"
 #include "cli/solution_json.hpp"
 #include "cli/solution_text.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::cli {
@@ -59,8 +59,8 @@ ident::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) 
   }
   const auto dof = [](const std::string& word) { return of_option("--plot", [&] { return frf::Dof::parse(word); }); };
   const ident::FrfEntry entry{dof(text.substr(0, slash)), dof(text.substr(slash + 1))};
-  if (frf::find_coordinate(plan.assembly->responses(), entry.response) == frf::npos ||
-      frf::find_coordinate(plan.assembly->references(), entry.reference) == frf::npos) {
+  if (!frf::has(plan.assembly->responses(), entry.response) ||
+      !frf::has(plan.assembly->references(), entry.reference)) {
     throw InputError({ErrorKind::usage, "", "--plot", "the assembly has no FRF " + text,
                       "`jointid plan` lists the responses and references"});
   }

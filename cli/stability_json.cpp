@@ -48,12 +48,14 @@ std::string stability_json(const StabilityReport& report) {
 }
 
 std::string stability_csv(const StabilityReport& report) {
-  std::string csv = csv_line({"sweep", "value", "method", "solver", "lines", "unknowns", "digits_kept", "digits_true", "digits_stated", "condition",
-                              "rank", "solve_s", "accumulator_bytes", "status", "warned", "verdict"});
+  std::string csv =
+      csv_line({"sweep", "value", "method", "solver", "lines", "unknowns", "digits_kept", "digits_true", "digits_stated",
+                "condition", "rank", "solve_s", "accumulator_bytes", "status", "warned", "verdict"});
   for (const stability::Measured& each : report.rows) {
-    csv += csv_line({each.sweep, csv_number(each.value), each.method, each.solver, fmt::format("{}", each.lines), fmt::format("{}", each.unknowns),
-                     csv_number(each.digits_kept), csv_number(each.digits_true), csv_number(each.digits_stated), csv_number(each.condition),
-                     fmt::format("{}", each.rank), csv_number(each.seconds), fmt::format("{}", each.bytes), ident::name(each.status),
+    csv += csv_line({each.sweep, csv_number(each.value), each.method, each.solver, fmt::format("{}", each.lines),
+                     fmt::format("{}", each.unknowns), csv_number(each.digits_kept), csv_number(each.digits_true),
+                     csv_number(each.digits_stated), csv_number(each.condition), fmt::format("{}", each.rank),
+                     csv_number(each.seconds), fmt::format("{}", each.bytes), ident::name(each.status),
                      each.warned ? "true" : "false", stability::name(each.verdict)});
   }
   return csv;

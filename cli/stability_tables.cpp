@@ -34,7 +34,8 @@ std::string range(const std::vector<Measured>& rows, const std::function<double(
     high = std::max(high, each);
   }
   if (low > high) return "–";
-  return low == high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} … {:.4g}", std::round(10.0 * low) / 10.0, std::round(10.0 * high) / 10.0);
+  return low == high ? fmt::format("{:.4g}", low)
+                     : fmt::format("{:.4g} … {:.4g}", std::round(10.0 * low) / 10.0, std::round(10.0 * high) / 10.0);
 }
 
 /// "14 right, 2 told".
@@ -51,8 +52,12 @@ std::string outcomes(const std::vector<Measured>& rows) {
 CostRow cost_of(std::vector<Measured> rows) {
   const auto stated = [](const Measured& row) { return row.digits_stated.value_or(std::nan("")); };
   CostRow out;
-  out.way = {rows.front().method, rows.front().solver, range(rows, [](const Measured& row) { return static_cast<double>(row.lines); }),
-             fmt::format("{}", rows.back().unknowns), range(rows, [](const Measured& row) { return row.digits_true; }), range(rows, stated)};
+  out.way = {rows.front().method,
+             rows.front().solver,
+             range(rows, [](const Measured& row) { return static_cast<double>(row.lines); }),
+             fmt::format("{}", rows.back().unknowns),
+             range(rows, [](const Measured& row) { return row.digits_true; }),
+             range(rows, stated)};
   out.accuracy = range(rows, digits_of);
   out.outcome = outcomes(rows);
   for (const Measured& row : rows) out.bytes = std::max(out.bytes, row.bytes);
@@ -117,7 +122,8 @@ Table cost_table(const std::vector<Measured>& rows) {
     std::ranges::copy_if(rows, std::back_inserter(of_way), [&](const Measured& row) { return way_of(row) == way; });
     out.push_back(cost_of(of_way));
   }
-  return cost_table({{"method", Align::left}, {"solver", Align::left}, {"lines"}, {"unknowns"}, {"digits true"}, {"stated"}}, "digits", "outcome", out);
+  return cost_table({{"method", Align::left}, {"solver", Align::left}, {"lines"}, {"unknowns"}, {"digits true"}, {"stated"}},
+                    "digits", "outcome", out);
 }
 
 Table verdict_table(const StabilityReport& report) {
@@ -126,12 +132,13 @@ Table verdict_table(const StabilityReport& report) {
     std::vector<Measured> rows = report.of(sweep.name);
     std::erase_if(rows, [](const Measured& row) { return row.verdict == Verdict::not_judged; });
     if (rows.empty()) continue;
-    table.add(verdict_cells(sweep.name, rows.size(), [&](Verdict verdict) { return std::ranges::count(rows, verdict, &Measured::verdict); }));
+    table.add(verdict_cells(sweep.name, rows.size(),
+                            [&](Verdict verdict) { return std::ranges::count(rows, verdict, &Measured::verdict); }));
   }
   const stability::Count& count = report.count;
   if (count.scenes > 0) {
-    table.add({"random scenes", fmt::format("{}", count.scenes - count.refused), fmt::format("{}", count.right), fmt::format("{}", count.told),
-               fmt::format("{}", count.silent_wrong), fmt::format("{}", count.false_alarm)});
+    table.add({"random scenes", fmt::format("{}", count.scenes - count.refused), fmt::format("{}", count.right),
+               fmt::format("{}", count.told), fmt::format("{}", count.silent_wrong), fmt::format("{}", count.false_alarm)});
   }
   return table;
 }

@@ -12,7 +12,7 @@
 #include "cli/report/study_report.hpp"
 #include "cli/study_text.hpp"
 #include "cli/version.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/record_journal.hpp"
 #include "ident/scene_text.hpp"
 #include "ident/solve.hpp"
@@ -121,7 +121,7 @@ ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
   const ident::StudyRun run = run_watched(start, *team);
   if (team->rank() != 0) return ExitCode::done;
   if (!run.complete) {
-    throw ident::Interrupted(to_go_on(options, run.done));
+    throw Interrupted(to_go_on(options, run.done));
   }
   const StudyReport report{start.data->scene.title, options.out.string(), options.seed, run,
                            ident::study_statistics(options.out), start.data->notes};

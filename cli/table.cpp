@@ -64,7 +64,9 @@ std::string number(double value, const std::optional<double>& error) {
   return fmt::format("{:.{}g}", value, static_cast<int>(std::clamp(digits, 1.0, 6.0)));
 }
 
-std::string csv_number(const std::optional<double>& value) { return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string(); }
+std::string csv_number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
+}
 
 std::string csv_line(const std::vector<std::string>& fields) {
   std::string line;

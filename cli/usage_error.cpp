@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::cli {
 namespace {

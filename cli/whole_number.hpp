@@ -25,9 +25,12 @@ CLI::Option* add_whole_number(CLI::App* command, const std::string& name, std::f
 
 /// The same, kept in `to`, whose value is the default.
 template <class Number>
-CLI::Option* add_whole_number(CLI::App* command, const std::string& name, Number& to, const std::string& what, const WholeNumbers& allowed) {
+CLI::Option* add_whole_number(CLI::App* command, const std::string& name, Number& to, const std::string& what,
+                              const WholeNumbers& allowed) {
   const std::string otherwise = std::to_string(to);
-  return add_whole_number(command, name, [&to](std::uint64_t value) { to = static_cast<Number>(value); }, what, allowed)->default_str(otherwise);
+  return add_whole_number(
+             command, name, [&to](std::uint64_t value) { to = static_cast<Number>(value); }, what, allowed)
+      ->default_str(otherwise);
 }
 
 /// What --trials, --scenes and --threads take.

@@ -41,6 +41,9 @@ function(jointid_library name)
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/jointid>"
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_compile_features(${target} PUBLIC cxx_std_20)
+  if(NOT name STREQUAL "base")
+    list(APPEND arg_PUBLIC jointid::base) # every folder may include it
+  endif()
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:jointid_warnings>)
   install(TARGETS ${target} EXPORT jointid-targets
           FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/jointid")

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "frf/error.hpp"
+#include "base/eigen.hpp"
+#include "base/error.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -82,9 +83,11 @@ void AssemblyReader::require_method(const std::string& where) const {
     for (const auto* side : {&layout_.responses, &layout_.references}) {
       const auto& other = side == &layout_.responses ? layout_.references : layout_.responses;
       for (const ResultDof& dof : *side) {
-        const bool both = dof.connected >= 0 || std::ranges::any_of(other, [&](const ResultDof& o) { return same(o.coordinate, dof.coordinate); });
+        const bool both = dof.connected >= 0 ||
+                          std::ranges::any_of(other, [&](const ResultDof& o) { return same(o.coordinate, dof.coordinate); });
         if (!both) {
-          fail("impedance coupling inverts H, but " + dof.dof.name() + " is only a " + (side == &layout_.responses ? "response" : "reference"),
+          fail("impedance coupling inverts H, but " + dof.dof.name() + " is only a " +
+                   (side == &layout_.responses ? "response" : "reference"),
                "use grc, pcc or mtc, or keep other DOFs");
         }
       }
@@ -186,7 +189,7 @@ void place(const std::vector<Complex>& from, std::size_t line, const std::vector
            const std::vector<std::size_t>& columns, Matrix& to, Take take) {
   const Complex* value = from.data() + line * rows.size() * columns.size();
   for (const std::size_t r : rows) {
-    for (const std::size_t c : columns) to(static_cast<Index>(r), static_cast<Index>(c)) = take(*value++);
+    for (const std::size_t c : columns) to(at(r), at(c)) = take(*value++);
   }
 }
 
@@ -202,7 +205,7 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
   options.uncertainty = !variance.empty();  // nobody asks, nothing is worked out
   Work work = plan_block(block, needs_variance(options));
   const std::size_t entries = block.responses.size() * block.references.size();
-  const auto rows = static_cast<Index>(work.rows.size()), columns = static_cast<Index>(work.columns.size());
+  const auto rows = at(work.rows.size()), columns = at(work.columns.size());
   std::vector<LineInput> input(std::min(lines_at_once, block.lines.size()));
   std::vector<Complex> scratch;
   tbb::task_arena arena(options_.threads == 0 ? tbb::task_arena::automatic : static_cast<int>(options_.threads));
@@ -233,7 +236,7 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
       std::size_t to = (first + i) * entries;
       for (std::size_t r = 0; r < block.responses.size(); ++r) {
         for (std::size_t c = 0; c < block.references.size(); ++c, ++to) {
-          const auto row = static_cast<Index>(r), column = static_cast<Index>(c);
+          const auto row = at(r), column = at(c);
           values[to] = work.row_sign[r] * work.column_sign[c] * line.frf(row, column);
           if (!variance.empty()) variance[to] = {line.variance.real(row, column), line.variance.imaginary(row, column)};
         }

@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "base/complex.hpp"
+
 namespace jointid::coupling {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using ComplexMatrix = Eigen::MatrixXcd;
 using MatrixRef = Eigen::Ref<const ComplexMatrix>;

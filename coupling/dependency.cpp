@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/text.hpp"
+
 namespace jointid::coupling {
 namespace {
 
@@ -42,12 +44,6 @@ std::optional<Gap> uppermost_gap(std::vector<double> medians) {
     if (gap.below < largest_dependent && smallest_gap * gap.below <= gap.above) return gap;
   }
   return std::nullopt;
-}
-
-std::string digits(double value) {
-  std::array<char, 32> out{};
-  std::snprintf(out.data(), out.size(), "%.2g", value);
-  return out.data();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <cassert>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "coupling/methods.hpp"
 #include "dense/lu.hpp"
 
@@ -23,7 +24,7 @@ Eigen::MatrixXd assembly_matrix(Index coordinates, const Conditions& conditions)
     gone.push_back(pivot);
   }
   std::sort(gone.begin(), gone.end());
-  Eigen::MatrixXd out(coordinates, coordinates - static_cast<Index>(gone.size()));
+  Eigen::MatrixXd out(coordinates, coordinates - at(gone.size()));
   Index to = 0;
   for (Index column = 0; column < coordinates; ++column) {
     if (!std::binary_search(gone.begin(), gone.end(), column)) out.col(to++) = t.col(column);

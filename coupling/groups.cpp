@@ -2,10 +2,12 @@
 
 #include <utility>
 
+#include "base/eigen.hpp"
+
 namespace jointid::coupling {
 
-Groups::Groups(std::size_t count) : ground_(static_cast<Index>(count)), parent_(count + 1), sign_(count + 1, 1.0) {
-  for (std::size_t i = 0; i <= count; ++i) parent_[i] = static_cast<Index>(i);
+Groups::Groups(std::size_t count) : ground_(at(count)), parent_(count + 1), sign_(count + 1, 1.0) {
+  for (std::size_t i = 0; i <= count; ++i) parent_[i] = at(i);
 }
 
 Groups::Outcome Groups::join(const Condition& condition) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/eigen.hpp"
 #include "coupling/condition.hpp"
 
 namespace jointid::coupling {
@@ -7,7 +8,7 @@ namespace jointid::coupling {
 /// H Bᵀ at the given rows, [rows, m]: columns h_i − s h_j (h_i alone for ground).
 template <class Matrix>
 Matrix column_jumps(const Matrix& h, const Conditions& conditions, const std::vector<Index>& rows) {
-  Matrix out(static_cast<Index>(rows.size()), static_cast<Index>(conditions.size()));
+  Matrix out(at(rows.size()), at(conditions.size()));
   for (Index p = 0; p < out.cols(); ++p) {
     const Condition& c = conditions[static_cast<std::size_t>(p)];
     out.col(p) = h(rows, c.first);
@@ -24,7 +25,7 @@ Matrix column_jumps(const Matrix& h, const Conditions& conditions, const std::ve
 /// B H at the given columns, [m, columns].
 template <class Matrix>
 Matrix row_jumps(const Matrix& h, const Conditions& conditions, const std::vector<Index>& columns) {
-  Matrix out(static_cast<Index>(conditions.size()), static_cast<Index>(columns.size()));
+  Matrix out(at(conditions.size()), at(columns.size()));
   for (Index p = 0; p < out.rows(); ++p) {
     const Condition& c = conditions[static_cast<std::size_t>(p)];
     out.row(p) = h(c.first, columns);
@@ -41,7 +42,7 @@ Matrix row_jumps(const Matrix& h, const Conditions& conditions, const std::vecto
 /// S = B H Bᵀ, [m, m]: H_bb + H_cc − H_bc − H_cb of docs/formulas.md §8 (5.36).
 template <class Matrix>
 Matrix jump_receptance(const Matrix& h, const Conditions& conditions) {
-  const auto m = static_cast<Index>(conditions.size());
+  const auto m = at(conditions.size());
   Matrix out(m, m);
   for (Index p = 0; p < out.cols(); ++p) {
     const Condition& c = conditions[static_cast<std::size_t>(p)];

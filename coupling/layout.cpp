@@ -5,8 +5,9 @@
 #include <set>
 #include <tuple>
 
+#include "base/eigen.hpp"
 #include "coupling/groups.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -15,8 +16,6 @@ struct Found {
   Coordinate coordinate;
   double sign = 1.0;  ///< of the DOF asked for to the part's
 };
-
-bool has(const std::vector<frf::Dof>& dofs, const frf::Dof& dof) { return frf::find_coordinate(dofs, dof) != frf::npos; }
 
 class Builder {
  public:
@@ -69,7 +68,7 @@ class Builder {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const frf::FrfSystem& system = *parts_[p].system;
       if (!placed.part.empty() && p != part_index(placed.part)) continue;
-      if (has(system.responses(), placed.dof) || has(system.references(), placed.dof)) owners.push_back(p);
+      if (frf::has(system.responses(), placed.dof) || frf::has(system.references(), placed.dof)) owners.push_back(p);
     }
     if (owners.empty()) {
       fail("DOF " + placed.name(), placed.part.empty() ? "no part has it" : "the part has no such DOF", nearest(placed.dof));
@@ -80,7 +79,7 @@ class Builder {
            "say which: \"" + one + "/" + placed.dof.name() + "\"");
     }
     const frf::FrfSystem& system = *parts_[owners[0]].system;
-    const std::vector<frf::Dof>& dofs = has(system.responses(), placed.dof) ? system.responses() : system.references();
+    const std::vector<frf::Dof>& dofs = frf::has(system.responses(), placed.dof) ? system.responses() : system.references();
     const frf::Dof& own = dofs[frf::find_coordinate(dofs, placed.dof)];
     return {{owners[0], own}, static_cast<double>(own.sign * placed.dof.sign)};
   }
@@ -96,7 +95,7 @@ class Builder {
     const Coordinate coordinate = find(placed).coordinate;
     if (find_connected(coordinate) >= 0) return;
     const frf::FrfSystem& system = *parts_[coordinate.part].system;
-    const bool response = has(system.responses(), coordinate.dof), reference = has(system.references(), coordinate.dof);
+    const bool response = frf::has(system.responses(), coordinate.dof), reference = frf::has(system.references(), coordinate.dof);
     if (!response || !reference) {
       fail("DOF " + placed.name(), std::string("it is no ") + (response ? "reference" : "response") + " of " + parts_[coordinate.part].name,
            "coordinates that are coupled need both roles: measure it, or set reciprocity = true");
@@ -145,7 +144,7 @@ class Builder {
         if (std::ranges::find(at, index) == at.end()) at.push_back(index);
       }
     }
-    const auto n = static_cast<Index>(at.size());
+    const auto n = jointid::at(at.size());
     for (Eigen::MatrixXd* matrix : {&layout_.joint.stiffness, &layout_.joint.mass, &layout_.joint.viscous_damping,
                                     &layout_.joint.hysteretic_damping}) {
       *matrix = Eigen::MatrixXd::Zero(n, n);
@@ -199,7 +198,7 @@ class Builder {
       const Index connected = find_connected(found.coordinate);
       if (layout_.part_sign[found.coordinate.part] < 0.0) fail("DOF " + placed.name(), "it is of a part that is removed", "keep others");
       if (connected >= 0 && groups.grounded(connected)) fail("DOF " + placed.name(), "it is grounded", "keep others");
-      if (has(dofs_of(found.coordinate.part), placed.dof)) out.push_back({found.coordinate, connected, found.sign, placed.dof});
+      if (frf::has(dofs_of(found.coordinate.part), placed.dof)) out.push_back({found.coordinate, connected, found.sign, placed.dof});
     }
     for (std::size_t p = 0; p < parts_.size() && assembly_.keep.empty(); ++p) {
       if (layout_.part_sign[p] < 0.0) continue;

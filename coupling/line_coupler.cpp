@@ -1,9 +1,10 @@
 #include "coupling/line_coupler.hpp"
 
 #include <limits>
-#include <numbers>
 #include <numeric>
 
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "coupling/jumps.hpp"
 #include "coupling/truncation.hpp"
 #include "dense/lu.hpp"
@@ -42,7 +43,7 @@ Wanted first(Index count) {
 
 /// E|δS|² of the elements of S; FRFs there and back that are one measurement have one error.
 RealMatrix jump_variance(const MatrixRef& h, const LineVariance& variance, const Conditions& conditions) {
-  const auto m = static_cast<Index>(conditions.size());
+  const auto m = at(conditions.size());
   RealMatrix out = RealMatrix::Zero(m, m);
   const auto of = [&](Index r, Index c) { return variance.real(r, c) + variance.imaginary(r, c); };
   for (Index p = 0; p < m; ++p) {
@@ -68,8 +69,8 @@ class Line {
         frame_(frame),
         layout_(layout),
         options_(options),
-        count_(static_cast<Index>(layout.connected.size())),
-        joint_(insert_joint(h, layout.joint, 2.0 * std::numbers::pi * frequency_hz)),
+        count_(at(layout.connected.size())),
+        joint_(insert_joint(h, layout.joint, angular(frequency_hz))),
         conditions_(met(layout.conditions, options.left_out)),
         s_(jump_receptance(joint_.h, conditions_)) {}
 
@@ -108,7 +109,7 @@ class Line {
 
   CoupledLine unusable(double condition) const {
     CoupledLine out;
-    const auto rows = static_cast<Index>(frame_.wanted.rows.size()), columns = static_cast<Index>(frame_.wanted.columns.size());
+    const auto rows = at(frame_.wanted.rows.size()), columns = at(frame_.wanted.columns.size());
     out.frf = ComplexMatrix::Constant(rows, columns, Complex(nan, nan));
     if (options_.uncertainty) out.variance = {RealMatrix::Constant(rows, columns, nan), RealMatrix::Constant(rows, columns, nan)};
     out.record.condition = condition;

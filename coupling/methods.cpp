@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::coupling {
 namespace {

@@ -1,3 +1,4 @@
+#include "base/eigen.hpp"
 #include "coupling/methods.hpp"
 #include "coupling/mtc_steps.hpp"
 
@@ -9,7 +10,7 @@ double alpha(Complex ii, Complex jj, Complex ij) {
 }
 
 MtcResult mtc(const MatrixRef& h, const Conditions& conditions, const Wanted& wanted, double epsilon) {
-  MtcSteps<Complex> steps(h, static_cast<Index>(conditions.size()));
+  MtcSteps<Complex> steps(h, at(conditions.size()));
   MtcResult out;
   for (const Condition& condition : conditions) {
     const auto now = steps.receptances(condition);

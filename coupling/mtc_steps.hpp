@@ -4,13 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "base/eigen.hpp"
 #include "coupling/condition.hpp"
 
 namespace jointid::coupling {
 
-/// Multi-step two-coordinate coupling (docs/formulas.md §8, thesis §5.6.4): one condition at a time, H ← H − d dᵀ/(h_ii + h_jj − 2h_ij) with
-/// d = h_i − h_j, for a matrix that need not be symmetric H ← H − (H b)(bᵀH)/(bᵀH b). Once coupled, the second coordinate is
-/// deleted, so that m steps of n coordinates cost Σ(n − k)(n − k + 1) multiplications (5.45). The steps are kept as
+/// Multi-step two-coordinate coupling (docs/formulas.md §8, thesis §5.6.4): one condition at a time, H ← H − d dᵀ/(h_ii + h_jj −
+/// 2h_ij) with d = h_i − h_j, for a matrix that need not be symmetric H ← H − (H b)(bᵀH)/(bᵀH b). Once coupled, the second
+/// coordinate is deleted, so that m steps of n coordinates cost Σ(n − k)(n − k + 1) multiplications (5.45). The steps are kept as
 /// H − U Vᵀ, one column of U and V for each, and worked out where the next steps and the result need them: one product of
 /// matrices at the end in place of one pass through H per step. `Scalar` is a type of numbers so that operations can be counted.
 template <class Scalar>
@@ -111,7 +112,7 @@ class MtcSteps {
     }
   }
 
-  bool is_coordinate(Index i) const { return i < static_cast<Index>(same_.size()); }
+  bool is_coordinate(Index i) const { return i < jointid::at(same_.size()); }
 
   Scalar at(const Same& i, const Same& j) const {
     Scalar value = h_(i.coordinate, j.coordinate);
@@ -126,11 +127,12 @@ class MtcSteps {
   }
 
   /// Rows of a factor for wanted coordinates, and the coordinates that stand for them (any for ground).
-  Matrix gathered(const std::vector<Index>& wanted, const Matrix& factor, const std::vector<Index>& place, std::vector<Index>& stands) const {
-    Matrix out(static_cast<Index>(wanted.size()), steps_);
+  Matrix gathered(const std::vector<Index>& wanted, const Matrix& factor, const std::vector<Index>& place,
+                  std::vector<Index>& stands) const {
+    Matrix out(jointid::at(wanted.size()), steps_);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       stands.push_back(std::max(Index{0}, find(wanted[i]).coordinate));
-      out.row(static_cast<Index>(i)) = factor.row(place[index(stands.back())]).head(steps_);
+      out.row(jointid::at(i)) = factor.row(place[index(stands.back())]).head(steps_);
     }
     return out;
   }
@@ -156,7 +158,7 @@ class MtcSteps {
   /// Forgets a coordinate: in `row` and in the factors the last takes its place.
   void remove(Index coordinate, Vector& row) {
     const Index r = row_at_[index(coordinate)], c = column_at_[index(coordinate)];
-    const Index last_row = static_cast<Index>(row_of_.size()) - 1, last_column = static_cast<Index>(column_of_.size()) - 1;
+    const Index last_row = jointid::at(row_of_.size()) - 1, last_column = jointid::at(column_of_.size()) - 1;
     row[c] = row[last_column];
     row.conservativeResize(last_column);
     left_.row(r).head(steps_).swap(left_.row(last_row).head(steps_));

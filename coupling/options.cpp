@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::coupling {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/h1.hpp"
 #include "frf/variance_law.hpp"
 

@@ -1,5 +1,6 @@
 #include "coupling/propagation.hpp"
 
+#include "base/eigen.hpp"
 #include "coupling/jumps.hpp"
 #include "dense/lu.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 template <class Vector, class Values>
 void add_conditions(Vector&& to, const Values& values, const Conditions& conditions) {
   for (std::size_t p = 0; p < conditions.size(); ++p) {
-    const Complex value = values[static_cast<Index>(p)];
+    const Complex value = values[at(p)];
     to[conditions[p].first] += value;
     if (conditions[p].second) to[*conditions[p].second] -= conditions[p].sign * value;
   }
@@ -84,8 +85,8 @@ struct SharedErrors {
 
 Sensitivity sensitivity(const MatrixRef& h, const Conditions& conditions, const MatrixRef& s_inverse, const Wanted& wanted,
                         Index coordinates) {
-  Sensitivity out{ComplexMatrix::Zero(static_cast<Index>(wanted.rows.size()), coordinates),
-                  ComplexMatrix::Zero(coordinates, static_cast<Index>(wanted.columns.size()))};
+  Sensitivity out{ComplexMatrix::Zero(at(wanted.rows.size()), coordinates),
+                  ComplexMatrix::Zero(coordinates, at(wanted.columns.size()))};
   const ComplexMatrix whole = h;
   const ComplexMatrix left = -column_jumps(whole, conditions, wanted.rows) * s_inverse;
   const ComplexMatrix right = -s_inverse * row_jumps(whole, conditions, wanted.columns);
@@ -105,7 +106,7 @@ Sensitivity sensitivity(const MatrixRef& h, const Conditions& conditions, const 
 Sensitivity before(const Sensitivity& conditions, const MatrixRef& h, const std::vector<Index>& at, const MatrixRef& z,
                    const Wanted& wanted) {
   const Index b = conditions.left.cols();
-  const auto n = static_cast<Index>(at.size());
+  const auto n = jointid::at(at.size());
   const ComplexMatrix system = ComplexMatrix::Identity(n, n) + z * ComplexMatrix(h(at, at));
   const ComplexMatrix m = dense::solve(system, z);
   // Rows of L₁ and columns of R₁ that differ from those of the identity.

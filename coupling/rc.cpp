@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/eigen.hpp"
 #include "coupling/methods.hpp"
 #include "dense/lu.hpp"
 
@@ -12,7 +13,7 @@ using Bodies = std::vector<std::size_t>;
 std::vector<Index> members(const Bodies& body, std::size_t wanted) {
   std::vector<Index> out;
   for (std::size_t i = 0; i < body.size(); ++i) {
-    if (body[i] == wanted) out.push_back(static_cast<Index>(i));
+    if (body[i] == wanted) out.push_back(at(i));
   }
   return out;
 }
@@ -41,7 +42,7 @@ Interface interface_of(const Conditions& conditions, const Bodies& body, std::si
 /// Couples structures A and B of `h` in place by their own FRFs (docs/formulas.md §8; 5.20, appendix C).
 void couple_two(ComplexMatrix& h, const Interface& at, const std::vector<Index>& a_rows, const std::vector<Index>& a_columns,
                 const std::vector<Index>& b_rows, const std::vector<Index>& b_columns) {
-  const auto m = static_cast<Index>(at.a.size());
+  const auto m = jointid::at(at.a.size());
   const Eigen::VectorXcd sign = Eigen::Map<const Eigen::VectorXd>(at.sign.data(), m).cast<Complex>();
   const ComplexMatrix a_xm = h(a_rows, at.a), a_mx = h(at.a, a_columns);
   const ComplexMatrix b_xm = h(b_rows, at.b) * sign.asDiagonal(), b_mx = sign.asDiagonal() * ComplexMatrix(h(at.b, b_columns));

@@ -1,11 +1,12 @@
 
+#include "base/eigen.hpp"
 #include "coupling/methods.hpp"
 #include "dense/lu.hpp"
 
 namespace jointid::coupling {
 
 ComplexMatrix with_joint(const MatrixRef& h, const std::vector<Index>& at, const MatrixRef& z) {
-  const auto n = static_cast<Index>(at.size());
+  const auto n = jointid::at(at.size());
   const ComplexMatrix h_jj = h(at, at);
   const ComplexMatrix rows = h(at, Eigen::all);
   const ComplexMatrix columns = h(Eigen::all, at);

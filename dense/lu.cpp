@@ -10,7 +10,8 @@ struct ComplexLu::Factors {
   Eigen::PartialPivLU<MatrixXcd> lu;
 };
 
-ComplexLu::ComplexLu(const Eigen::Ref<const MatrixXcd>& a) : factors_(std::make_shared<const Factors>(Factors{Eigen::PartialPivLU<MatrixXcd>(a)})) {}
+ComplexLu::ComplexLu(const Eigen::Ref<const MatrixXcd>& a)
+    : factors_(std::make_shared<const Factors>(Factors{Eigen::PartialPivLU<MatrixXcd>(a)})) {}
 
 MatrixXcd ComplexLu::solve(const Eigen::Ref<const MatrixXcd>& b) const { return factors_->lu.solve(b); }
 

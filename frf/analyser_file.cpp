@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/located.hpp"
 #include "frf/number_text.hpp"
@@ -117,7 +117,9 @@ class AnalyserText {
     const std::vector<std::string_view> cells = split(line, '\t');
     for (std::size_t i = 1; i < cells.size(); i += 2) {
       const bool pair = i + 1 < cells.size() && lower_case(cells[i]).starts_with("real") && lower_case(cells[i + 1]).starts_with("imag");
-      if (!pair) fail(here(), "column " + std::to_string(i + 1) + " and the next are not Real and Imaginary", "export real and imaginary part");
+      if (!pair)
+        fail(here(), "column " + std::to_string(i + 1) + " and the next are not Real and Imaginary",
+             "export real and imaginary part");
     }
     frfs_ = cells.size() / 2;
     units_.resize(frfs_);
@@ -185,7 +187,8 @@ class AnalyserText {
     for (std::size_t i = 0; i < 2 * frfs_ + 1; ++i) {
       double value = 0.0;
       if (!parse_cell(cells[i], true, value) || (i == 0 && std::isnan(value))) {
-        fail(here() + ", column " + std::to_string(i + 1), "'" + as_utf8(cells[i].substr(0, 30)) + "' is not a number", "export the FRF again");
+        fail(here() + ", column " + std::to_string(i + 1), "'" + as_utf8(cells[i].substr(0, 30)) + "' is not a number",
+             "export the FRF again");
       }
       i == 0 ? set_.header.frequency_hz.push_back(value) : cells_.push_back(value);
     }
@@ -200,7 +203,8 @@ class AnalyserText {
     }
     set_.header.quantity = quantity_of(units_.front());
     std::vector<double> factors;
-    for (const std::string& unit : units_) factors.push_back(located(set_.header.file, "units", [&] { return si_factor(unit, set_.header.quantity); }));
+    for (const std::string& unit : units_)
+      factors.push_back(located(set_.header.file, "units", [&] { return si_factor(unit, set_.header.quantity); }));
     return factors;
   }
 

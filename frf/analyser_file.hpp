@@ -12,8 +12,8 @@ namespace jointid::frf {
 /// begins with Frequency and has Real in it.
 bool looks_like_analyser_text(std::span<const char> head);
 
-/// Opens the text export of an analyser and loads it whole. Latin-1 or UTF-8, lines ended by LF or CR/LF, cells separated by tabs, numbers with
-/// decimal point or comma. Layout, for one or more FRFs side by side:
+/// Opens the text export of an analyser and loads it whole. Latin-1 or UTF-8, lines ended by LF or CR/LF, cells separated by
+/// tabs, numbers with decimal point or comma. Layout, for one or more FRFs side by side:
 ///
 ///     Units: Ratio
 ///     Ref Chan:Resp Chan ⇥ 1+Z:4-Z        reference:response, node and direction; or Resp Chan:Ref Chan
@@ -23,8 +23,8 @@ bool looks_like_analyser_text(std::span<const char> head);
 ///     Hz ⇥ (m/s²)(N) ⇥                    motion over force, (A)(B) meaning A/B; tells the quantity
 ///     0.0 ⇥ -0.16 ⇥ 0
 ///
-/// The DOFs of OpenOptions come first: as many responses × references as FRFs, row by row. Without a unit OpenOptions::quantity in
-/// SI units is taken. Throws InputError naming the line of what does not fit.
+/// The DOFs of OpenOptions come first: as many responses × references as FRFs, row by row. Without a unit OpenOptions::quantity
+/// in SI units is taken. Throws InputError naming the line of what does not fit.
 std::unique_ptr<FrfSource> open_analyser_text(const std::filesystem::path& path, const OpenOptions& options = {});
 
 }  // namespace jointid::frf

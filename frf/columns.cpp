@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "frf/csv_table.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/file_format.hpp"
 #include "frf/mat_variable.hpp"
 #include "frf/number_text.hpp"
@@ -58,7 +58,8 @@ class TextColumns {
     const std::vector<std::string_view> cells = split(line, separator_);
     double value = 0.0;
     const bool numbers = std::ranges::all_of(cells, [&](std::string_view cell) { return parse_cell(cell, separator_ == ';', value); });
-    for (std::size_t i = 0; i < cells.size(); ++i) out_.columns.push_back(numbers ? NumberColumn{std::to_string(i + 1), {}, {}} : named(cells[i]));
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      out_.columns.push_back(numbers ? NumberColumn{std::to_string(i + 1), {}, {}} : named(cells[i]));
     if (numbers) add(line);
   }
 
@@ -130,7 +131,8 @@ const NumberColumn* Columns::find(const std::vector<std::string_view>& words, co
     std::string text = lower(column.name);
     std::ranges::replace_if(text, [](unsigned char c) { return std::isalnum(c) == 0; }, ' ');
     const std::vector<std::string_view> parts = split(text, ' ');
-    if (std::ranges::find_first_of(parts, words) != parts.end() && std::ranges::find_first_of(parts, without) == parts.end()) return &column;
+    if (std::ranges::find_first_of(parts, words) != parts.end() && std::ranges::find_first_of(parts, without) == parts.end())
+      return &column;
   }
   return nullptr;
 }

@@ -4,8 +4,8 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
 #include "frf/dof_lookup.hpp"
 #include "frf/scaled_source.hpp"
 #include "frf/unloaded_source.hpp"
@@ -62,7 +62,7 @@ EntryScale entry_scale(const FrfHeader& header, const Corrections& c) {
   EntryScale scale{.conjugate = c.conjugate, .line = {}, .response = {}, .reference = {}};
   const double gain = line_gain(c, header.quantity);
   for (const double frequency : header.frequency_hz) {
-    const Complex phase = c.delay == 0.0 ? Complex(1.0) : std::polar(1.0, 2.0 * std::numbers::pi * frequency * c.delay);
+    const Complex phase = c.delay == 0.0 ? Complex(1.0) : std::polar(1.0, angular(frequency) * c.delay);
     scale.line.push_back(gain * phase);
   }
   scale.response.assign(header.response.size(), 1.0);

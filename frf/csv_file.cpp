@@ -12,7 +12,7 @@
 
 #include "frf/csv_columns.hpp"
 #include "frf/csv_nodes.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/located.hpp"
 #include "frf/units.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/number_text.hpp"
 
 namespace jointid::frf {
@@ -25,7 +25,8 @@ std::int64_t node_number(const CsvTable& table, const std::string& key) {
   const std::string_view text = trimmed(std::string_view(key).substr(node_key.size()));
   std::int64_t id = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc() || end != text.data() + text.size() || id < 0) fail_node(table, key, "'" + std::string(text) + "' is not a node number");
+  if (error != std::errc() || end != text.data() + text.size() || id < 0)
+    fail_node(table, key, "'" + std::string(text) + "' is not a node number");
   return id;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/number_text.hpp"
 
 namespace jointid::frf {

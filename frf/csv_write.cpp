@@ -8,7 +8,7 @@
 #include "frf/csv_file.hpp"
 #include "frf/csv_nodes.hpp"
 #include "frf/line_scale.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/temporary_file.hpp"
 
 namespace jointid::frf {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <charconv>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "frf/frf_set.hpp"
-#include "frf/random.hpp"
+#include "base/random.hpp"
 
 namespace jointid::frf {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/frf_set.hpp"
 
 namespace jointid::frf {

@@ -10,7 +10,7 @@
 
 #include "frf/analyser_file.hpp"
 #include "frf/csv_file.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_file.hpp"
 #include "frf/uff_file.hpp"
 

@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/complex.hpp"
 #include "frf/dof.hpp"
 #include "frf/quantity.hpp"
 
 namespace jointid::frf {
-
-using Complex = std::complex<double>;
 
 struct Node {
   std::int64_t id = 0;
@@ -48,6 +47,7 @@ void validate(const FrfHeader& header);
 /// Index of `dof`'s coordinate in `dofs`, whatever the signs, or npos.
 inline constexpr std::size_t npos = static_cast<std::size_t>(-1);
 std::size_t find_coordinate(const std::vector<Dof>& dofs, const Dof& dof);
+inline bool has(const std::vector<Dof>& dofs, const Dof& dof) { return find_coordinate(dofs, dof) != npos; }
 
 /// An FRF set in memory. Values are receptance in SI units, NaN where not measured; element (line, r, c) is at
 /// (line·R + r)·C + c. `variance` holds the variances of real and imaginary part as a complex number; it and

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -29,11 +29,9 @@ std::size_t same_line(const std::vector<double>& axis, double frequency, double 
 
 void add_coordinates(std::vector<Dof>& to, const std::vector<Dof>& dofs) {
   for (const Dof& dof : dofs) {
-    if (find_coordinate(to, dof) == npos) to.push_back(dof);
+    if (!has(to, dof)) to.push_back(dof);
   }
 }
-
-bool has(const std::vector<Dof>& dofs, const Dof& dof) { return find_coordinate(dofs, dof) != npos; }
 
 }  // namespace
 

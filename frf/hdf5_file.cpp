@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_line_reader.hpp"
 #include "frf/hdf5_object.hpp"
 #include "frf/line_scale.hpp"
@@ -23,7 +23,8 @@ constexpr const char* layout_name = "jointid-frf";
 void require_layout(const Object& file) {
   const auto format = hdf5::text_attribute(file, "format");
   if (!format) fail(file, "has no root attribute format", "jointid-frf files carry format = \"jointid-frf\"");
-  if (*format != layout_name) fail(file, "root attribute format is '" + *format + "', not 'jointid-frf'", "give a jointid-frf file, or UFF, MATLAB or CSV");
+  if (*format != layout_name)
+    fail(file, "root attribute format is '" + *format + "', not 'jointid-frf'", "give a jointid-frf file, or UFF, MATLAB or CSV");
   const auto version = hdf5::number_attribute(file, "version");
   if (!version) fail(file, "has no root attribute version", "this program reads version 1");
   if (*version != 1.0) {

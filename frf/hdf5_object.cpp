@@ -8,7 +8,7 @@
 #include <limits>
 #include <numeric>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf::hdf5 {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "frf/hdf5_handle.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/temporary_file.hpp"
 
 namespace jointid::frf::hdf5 {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_create.hpp"
 #include "frf/hdf5_object.hpp"
 #include "frf/hdf5_output.hpp"

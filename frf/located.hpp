@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/located.hpp"
 #include "frf/mat_lookup.hpp"

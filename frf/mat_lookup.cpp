@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/located.hpp"
 
 namespace jointid::frf {

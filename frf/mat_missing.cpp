@@ -1,5 +1,5 @@
 // Stands in for mat_v5.cpp and mat_write.cpp in a build without matio.
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/mat_file.hpp"
 #include "frf/mat_variable.hpp"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/mat_v5_check.hpp"
 #include "frf/mat_variable.hpp"
 

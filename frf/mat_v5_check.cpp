@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf::mat {
 namespace {
@@ -43,7 +43,8 @@ void V5Check::list() {
     stored_bytes(file_, at, size_ - at)->read(raw);
     const Tag tag = Tag::parse(raw, big_endian_);
     elements_.push_back({.name = {}, .begin = at + tag_bytes, .bytes = tag.bytes, .packed = tag.type == mi_compressed});
-    if (tag.small || (tag.type != mi_matrix && tag.type != mi_compressed)) throw Damaged("it is no array but of type " + std::to_string(tag.type));
+    if (tag.small || (tag.type != mi_matrix && tag.type != mi_compressed))
+      throw Damaged("it is no array but of type " + std::to_string(tag.type));
     if (tag.bytes > size_ - at - tag_bytes) throw Damaged("a size goes beyond the end of the file");
     elements_.back().name = walk(elements_.back(), Extent::header);
     at += tag_bytes + tag.bytes;

@@ -11,7 +11,16 @@ namespace {
 constexpr int most_depth = 64;
 constexpr std::uint64_t most_rank = 32;
 
-enum ArrayClass : std::uint32_t { cell = 1, structure = 2, object = 3, text = 4, sparse = 5, first_number = 6, last_number = 15, opaque = 17 };
+enum ArrayClass : std::uint32_t {
+  cell = 1,
+  structure = 2,
+  object = 3,
+  text = 4,
+  sparse = 5,
+  first_number = 6,
+  last_number = 15,
+  opaque = 17
+};
 
 std::uint32_t integer(const unsigned char* bytes, bool big_endian) {
   std::uint32_t value = 0;
@@ -111,7 +120,8 @@ class Matrix {
   void read_dims() {
     const Tag found = tag(mi_int32);
     const std::uint64_t rank = found.bytes / 4;
-    if (found.small || found.bytes % 4 != 0 || rank < 2 || rank > most_rank) throw Damaged("its dimensions take " + std::to_string(found.bytes) + " bytes");
+    if (found.small || found.bytes % 4 != 0 || rank < 2 || rank > most_rank)
+      throw Damaged("its dimensions take " + std::to_string(found.bytes) + " bytes");
     const std::vector<unsigned char> dims = payload(found);
     for (std::size_t i = 0; i < rank; ++i) {
       const std::uint32_t extent = integer(dims.data() + 4 * i, big_endian_);

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/line_scale.hpp"
 #include "frf/mat_file.hpp"
 #include "frf/mat_v5_check.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/temporary_file.hpp"
 
 namespace jointid::frf {
 namespace {

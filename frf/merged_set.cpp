@@ -15,7 +15,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void add_dofs(std::vector<Dof>& to, const std::vector<Dof>& from) {
   for (const Dof& dof : from) {
-    if (find_coordinate(to, dof) == npos) to.push_back(dof);
+    if (!has(to, dof)) to.push_back(dof);
   }
 }
 

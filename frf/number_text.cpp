@@ -9,7 +9,7 @@
 #include <iterator>
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 namespace {

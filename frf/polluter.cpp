@@ -4,7 +4,7 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/h1.hpp"
 
 namespace jointid::frf {

@@ -7,7 +7,7 @@
 #include "frf/dof_errors.hpp"
 #include "frf/excerpt.hpp"
 #include "frf/noise.hpp"
-#include "frf/random.hpp"
+#include "base/random.hpp"
 
 namespace jointid::frf {
 

@@ -3,10 +3,10 @@
 #include <array>
 #include <cctype>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/complex.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -107,7 +107,7 @@ Quantity parse_quantity(std::string_view text, std::optional<Quantity> given) {
 }
 
 std::complex<double> from_receptance(Quantity quantity, double frequency_hz) {
-  const double omega = 2.0 * std::numbers::pi * frequency_hz;
+  const double omega = angular(frequency_hz);
   switch (quantity) {
     case Quantity::mobility:
       return {0.0, omega};

@@ -11,7 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/frf_system.hpp"
 
 namespace jointid::frf {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/uff55.hpp"
 #include "frf/uff_scan.hpp"
 #include "frf/uff_text.hpp"
@@ -118,7 +118,8 @@ bool read_mode(uff::ByteFile& file, const Dataset& dataset, Uff55Mode& mode) {
   mode.is_complex = kind.is_complex();
   lines.next("record 7");
   const std::int64_t reals = lines.integer(1, "record 7");
-  if (reals < 0 || reals > 100) dataset.place.fail("record 7", std::to_string(reals) + " real values are announced", "export the file again");
+  if (reals < 0 || reals > 100)
+    dataset.place.fail("record 7", std::to_string(reals) + " real values are announced", "export the file again");
   mode.number = static_cast<int>(lines.integer(3, "record 7"));
   take_constants(lines.reals(static_cast<std::size_t>(reals), "record 8"), mode);
   while (!lines.at_end()) take_node(lines, kind, mode);

@@ -4,8 +4,8 @@
 #include <map>
 #include <sstream>
 
-#include "frf/error.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/error.hpp"
+#include "base/temporary_file.hpp"
 #include "frf/uff55.hpp"
 #include "frf/uff_write_text.hpp"
 

@@ -1,6 +1,6 @@
 #include "frf/uff_bytes.hpp"
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf::uff {
 

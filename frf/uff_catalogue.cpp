@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/uff_coherence.hpp"
 #include "frf/uff_geometry.hpp"
 
@@ -110,7 +110,7 @@ class CatalogueBuilder {
   }
 
   static void add(std::vector<Dof>& dofs, const Dof& dof) {
-    if (find_coordinate(dofs, dof) == npos) dofs.push_back(dof);
+    if (!has(dofs, dof)) dofs.push_back(dof);
   }
 
   Ordinate interpret(std::size_t index, const UnitFactors& factors) const {

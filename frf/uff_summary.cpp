@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/uff58_data.hpp"
 #include "frf/uff_file.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstring>
 #include <fstream>
 
-#include "frf/error.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/error.hpp"
+#include "base/temporary_file.hpp"
 #include "frf/uff58_header.hpp"
 #include "frf/uff_file.hpp"
 #include "frf/uff_write_text.hpp"

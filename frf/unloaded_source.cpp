@@ -4,8 +4,8 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numbers>
 
+#include "base/complex.hpp"
 #include "frf/dof_lookup.hpp"
 #include "frf/scaled_source.hpp"
 
@@ -18,7 +18,7 @@ struct PointMass {
   Dof dof;
   double mass;  ///< kg; below 0 where the two roles of the driving point have opposite signs
   double w(double frequency_hz) const {
-    const double omega = 2.0 * std::numbers::pi * frequency_hz;
+    const double omega = angular(frequency_hz);
     return omega * omega * mass;
   }
 };

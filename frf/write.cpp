@@ -4,7 +4,7 @@
 #include <cctype>
 
 #include "frf/csv_file.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_writer.hpp"
 #include "frf/mat_file.hpp"
 #include "frf/uff_file.hpp"

@@ -5,6 +5,7 @@
 #include <complex>
 #include <stdexcept>
 
+#include "base/complex.hpp"
 #include "friction/quadrature.hpp"
 
 namespace jointid::friction {
@@ -54,7 +55,6 @@ double BendingRoot::root_impulse(double force) const {
 double BendingRoot::force(double u) const {
   double force = 3.0 * bending_stiffness_ * u / (free_length_ * free_length_ * free_length_);
   for (int iteration = 0; iteration < 100; ++iteration) {
-    using Complex = std::complex<double>;
     const Complex at = end_displacement<Complex>({force, complex_step * force}, bending_stiffness_, slip_force_, free_length_);
     const double next = force - (at.real() - u) * complex_step * force / at.imag();
     if (!(next < force)) break;
@@ -69,7 +69,6 @@ Response BendingRoot::response(double u) const {
     return {stiffness * u, stiffness};
   }
   const double force = this->force(u);
-  using Complex = std::complex<double>;
   const Complex at = end_displacement<Complex>({force, complex_step * force}, bending_stiffness_, slip_force_, free_length_);
   return {force, complex_step * force / at.imag()};
 }

@@ -111,7 +111,8 @@ std::vector<double> predicted_derivative(const Element& element, const Curve& cu
     const std::size_t amplitudes = curve.u.size();
     for (std::size_t i = 0; i < amplitudes; ++i) {
       const auto rows = series_derivatives(element, curve, curve.u[i]);
-      for (std::size_t k = 0; k < rows.size(); ++k) std::ranges::copy(rows[k], out.begin() + static_cast<std::ptrdiff_t>((i + k * amplitudes) * parameters));
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        std::ranges::copy(rows[k], out.begin() + static_cast<std::ptrdiff_t>((i + k * amplitudes) * parameters));
     }
     return out;
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "base/eigen.hpp"
 #include "friction/fe_matrices.hpp"
 #include "friction/masing_path.hpp"
 #include "friction/scaled.hpp"
@@ -50,7 +51,7 @@ class FiniteElementJoint::Solver {
       if (!mesh.interface[node]) continue;
       laws_.push_back(std::make_unique<Scaled>(mesh.interface[node], tributary_length(mesh, node)));
       paths_.emplace_back(*laws_.back());
-      contact_.push_back(static_cast<Eigen::Index>(node) * stride_);
+      contact_.push_back(at(node) * stride_);
     }
     loaded_ = members_.rows() - stride_;
     state_ = Vector::Zero(members_.rows());

@@ -19,8 +19,8 @@ enum class MemberKind {
   beam  ///< bending (Euler); the interface acts across it
 };
 
-/// One-dimensional joint component on a rigid base (docs/formulas.md §10e). The interface law per length of every node acts there with half of
-/// the neighbouring members' lengths, as in case One. Loaded at its last node.
+/// One-dimensional joint component on a rigid base (docs/formulas.md §10e). The interface law per length of every node acts there
+/// with half of the neighbouring members' lengths, as in case One. Loaded at its last node.
 struct JointMesh {
   MemberKind kind = MemberKind::bar;
   std::vector<Member> members;

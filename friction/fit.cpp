@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/eigen.hpp"
 #include "friction/fit_problem.hpp"
 #include "friction/fit_statistics.hpp"
 #include "friction/law.hpp"
@@ -152,7 +153,7 @@ class Description {
     out.slipped_share = 1.0 - state.element->response(largest).tangent / first;
     const std::vector<Parameter> parameters = state.element->parameters();
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-      out.parameters.push_back(statistics_.describe(parameters[i], state.by_unknown.row(static_cast<Eigen::Index>(i))));
+      out.parameters.push_back(statistics_.describe(parameters[i], state.by_unknown.row(at(i))));
     }
     out.stiffness = derived("initial stiffness", stiffness_unit(curve), first, stiffness_derivative(*state.element, largest), state);
     out.limit = limit(curve, state, out.slipped_share);
@@ -164,8 +165,9 @@ class Description {
   }
 
  private:
-  FittedValue derived(const char* name, const std::string& unit, double value, const std::vector<double>& by, const CurveState& state) const {
-    const Eigen::Map<const Eigen::RowVectorXd> by_parameter(by.data(), static_cast<Eigen::Index>(by.size()));
+  FittedValue derived(const char* name, const std::string& unit, double value, const std::vector<double>& by,
+                      const CurveState& state) const {
+    const Eigen::Map<const Eigen::RowVectorXd> by_parameter(by.data(), at(by.size()));
     return statistics_.describe({name, unit, value, 0.0, infinity, true}, by_parameter * state.by_unknown);
   }
 
@@ -226,7 +228,8 @@ std::vector<std::string> pairs_that_move_together(const Fit& fit) {
   if (std::ranges::none_of(fit.curves, lacks)) return out;
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (std::abs(fit.correlation[i][j]) > close) out.push_back(fit.names[j] + " and " + fit.names[i] + " move together: only a combination of them is well known");
+      if (std::abs(fit.correlation[i][j]) > close)
+        out.push_back(fit.names[j] + " and " + fit.names[i] + " move together: only a combination of them is well known");
     }
   }
   return out;

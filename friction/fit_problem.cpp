@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "friction/row_major.hpp"
+#include "base/eigen.hpp"
 #include "friction/tied_limit.hpp"
 
 namespace jointid::friction {
@@ -72,7 +72,9 @@ std::vector<std::unique_ptr<Element>> FitProblem::best_starts(std::size_t curve,
     const double sum = squares(curve, *start);
     if (std::isfinite(sum)) found.emplace_back(sum, std::move(start));
   }
-  if (found.empty()) throw std::invalid_argument("there is no " + family.name + " near the curve" + (options_.limit ? " with that friction limit" : ""));
+  if (found.empty())
+    throw std::invalid_argument("there is no " + family.name + " near the curve" +
+                                (options_.limit ? " with that friction limit" : ""));
   std::ranges::stable_sort(found, {}, [](const auto& each) { return each.first; });
   std::vector<std::unique_ptr<Element>> best;
   for (std::size_t i = 0; i < std::min(found.size(), most_starts); ++i) best.push_back(std::move(found[i].second));
@@ -189,9 +191,9 @@ bool FitProblem::evaluate(std::span<const double> q, std::span<double> r, std::s
     }
     if (!jacobian.empty()) {
       const std::vector<double> by = predicted_derivative(*found->element, curves_[c]);
-      const Eigen::Map<const RowMajor> by_parameter(by.data(), at(rows), at(parameters_.size()));
+      const Eigen::Map<const RowMatrixXd> by_parameter(by.data(), at(rows), at(parameters_.size()));
       const Eigen::Map<const Eigen::VectorXd> weight(weights_[c].data(), at(rows));
-      Eigen::Map<RowMajor> out(jacobian.data() + first * unknowns(), at(rows), at(unknowns()));
+      Eigen::Map<RowMatrixXd> out(jacobian.data() + first * unknowns(), at(rows), at(unknowns()));
       out.noalias() = weight.asDiagonal() * (by_parameter * found->by_unknown);
       if (!out.allFinite()) return false;
     }

@@ -61,11 +61,31 @@ struct Recipe {
 };
 
 const std::array recipes = {
-    Recipe{"ren", {0.5, 2.0, 4.0, 7.0}, [](const Features& f, double b) -> Values { return {f.limit * b / (f.stiffness * std::expm1(b)), b, f.stiffness}; }},
-    Recipe{"shoukry", {0.0}, [](const Features& f, double) -> Values { return {f.limit, f.stiffness / f.limit}; }},
-    Recipe{"burdekin", {0.0}, [](const Features& f, double) -> Values { return {f.stiffness, -0.25 * f.stiffness * f.stiffness / f.limit}; }},
-    Recipe{"bilinear", {0.0}, [](const Features& f, double) -> Values { return {f.limit / f.stiffness, f.stiffness}; }},
-    Recipe{"iwan", {-0.7, -0.3, 0.2}, [](const Features& f, double chi) -> Values { return {f.limit, f.stiffness, chi, 0.3}; }},
+    Recipe{"ren",
+           {0.5, 2.0, 4.0, 7.0},
+           [](const Features& f, double b) -> Values {
+             return {f.limit * b / (f.stiffness * std::expm1(b)), b, f.stiffness};
+           }},
+    Recipe{"shoukry",
+           {0.0},
+           [](const Features& f, double) -> Values {
+             return {f.limit, f.stiffness / f.limit};
+           }},
+    Recipe{"burdekin",
+           {0.0},
+           [](const Features& f, double) -> Values {
+             return {f.stiffness, -0.25 * f.stiffness * f.stiffness / f.limit};
+           }},
+    Recipe{"bilinear",
+           {0.0},
+           [](const Features& f, double) -> Values {
+             return {f.limit / f.stiffness, f.stiffness};
+           }},
+    Recipe{"iwan",
+           {-0.7, -0.3, 0.2},
+           [](const Features& f, double chi) -> Values {
+             return {f.limit, f.stiffness, chi, 0.3};
+           }},
     Recipe{"spring", {0.0}, [](const Features& f, double) -> Values { return {f.stiffness}; }},
 };
 

@@ -7,7 +7,7 @@
 #include "dense/qr.hpp"
 #include "dense/svd.hpp"
 #include "friction/parameter_scale.hpp"
-#include "friction/row_major.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::friction {
 
@@ -19,7 +19,7 @@ FitStatistics::FitStatistics(const minimise::LeastSquares& problem, std::span<co
   const double freedom = static_cast<double>(rows - unknowns);
   std_ = std::sqrt(sum_ / freedom);
   quantile_ = boost::math::quantile(boost::math::students_t(freedom), 0.975);
-  Eigen::MatrixXd jacobian = Eigen::Map<const RowMajor>(numbers.data(), at(rows), at(unknowns));
+  Eigen::MatrixXd jacobian = Eigen::Map<const RowMatrixXd>(numbers.data(), at(rows), at(unknowns));
   scale_ = jacobian.colwise().norm().transpose();
   scale_ = (scale_.array() > 0.0).select(scale_, 1.0);
   jacobian *= scale_.cwiseInverse().asDiagonal();
@@ -49,7 +49,8 @@ double FitStatistics::correlation(std::size_t i, std::size_t j) const {
 FittedValue FitStatistics::describe(const Parameter& parameter, const Eigen::RowVectorXd& gradient) const {
   FittedValue out{parameter.name, parameter.unit, parameter.value, std_error(gradient), std::nullopt, Knowledge::undetermined};
   constexpr double rounding = 1e-12;
-  if (gradient.norm() <= rounding * std::abs(parameter.value)) return {parameter.name, parameter.unit, parameter.value, {}, {}, Knowledge::preset};
+  if (gradient.norm() <= rounding * std::abs(parameter.value))
+    return {parameter.name, parameter.unit, parameter.value, {}, {}, Knowledge::preset};
   if (!out.std_error) return out;
   const ParameterScale scale(parameter);
   const double q = scale.free(parameter.value), half = quantile_ * *out.std_error / scale.slope(q);

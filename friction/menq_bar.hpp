@@ -6,11 +6,11 @@
 
 namespace jointid::friction {
 
-/// Menq's elastic bar on a rigid base with a bilinear interface, pulled at its end (docs/formulas.md §10e): slip starts at the pulled end and
-/// grows over a length s. With K(ℓ) the stiffness of a bar of length ℓ that sticks,
-/// F = K(L−s)τ/k + τs, U = τ/k + (F − τs)s/EA + τs²/(2EA), K(ℓ) = κ(β + κt)/(κ + βt), κ = √(kEA), t = tanh(ℓ√(k/EA)).
-/// β = 0 gives (2.39), (2.43) with η = 0; the printed (2.43) has a product where the quotient of (2.39) is meant. After
-/// macroslip the spring β alone resists, through the bar.
+/// Menq's elastic bar on a rigid base with a bilinear interface, pulled at its end (docs/formulas.md §10e): slip starts at the
+/// pulled end and grows over a length s. With K(ℓ) the stiffness of a bar of length ℓ that sticks, F = K(L−s)τ/k + τs, U = τ/k +
+/// (F − τs)s/EA + τs²/(2EA), K(ℓ) = κ(β + κt)/(κ + βt), κ = √(kEA), t = tanh(ℓ√(k/EA)). β = 0 gives (2.39), (2.43) with η = 0;
+/// the printed (2.43) has a product where the quotient of (2.39) is meant. After macroslip the spring β alone resists, through
+/// the bar.
 class MenqBar final : public Element {
  public:
   struct Values {

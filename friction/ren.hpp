@@ -7,8 +7,8 @@
 
 namespace jointid::friction {
 
-/// Microslip element with u(h) = a e^{bh}: displacement at which the share h of the stiffness has slipped (docs/formulas.md §10a; 2.59, 2.60).
-/// T = k∫₀¹ min(u, u(h)) dh; b = 0 is the bilinear element.
+/// Microslip element with u(h) = a e^{bh}: displacement at which the share h of the stiffness has slipped (docs/formulas.md
+/// §10a; 2.59, 2.60). T = k∫₀¹ min(u, u(h)) dh; b = 0 is the bilinear element.
 class Ren final : public Element {
  public:
   static const Law law;

@@ -7,7 +7,8 @@
 
 namespace jointid::friction {
 
-/// T = a(1 − e^{−bu}) (docs/formulas.md §10a, 2.45); with a = T_s, ab = K the law of Rogers (2.46). It reaches its limit only asymptotically.
+/// T = a(1 − e^{−bu}) (docs/formulas.md §10a, 2.45); with a = T_s, ab = K the law of Rogers (2.46). It reaches its limit only
+/// asymptotically.
 class Shoukry final : public Element {
  public:
   static const Law law;

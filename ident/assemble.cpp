@@ -1,14 +1,11 @@
 #include <chrono>
 
+#include "base/stopwatch.hpp"
 #include "ident/chunk_pipeline.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::ident {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Assembles chunks of lines, each into a system of its own, and merges them in order.
 class Assembler final : public ChunkWorker {

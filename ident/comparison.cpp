@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/spread.hpp"
+#include "base/statistics.hpp"
 #include "ident/trial_loop.hpp"
 
 namespace jointid::ident {
@@ -32,7 +32,8 @@ struct Alternatives {
   std::vector<Regeneration> regenerations{};
 };
 
-/// Every combination, Δ fastest, then weighting, solver, equations, method, regeneration; one weighting and Δ for methods that have neither.
+/// Every combination, Δ fastest, then weighting, solver, equations, method, regeneration; one weighting and Δ for methods that
+/// have neither.
 std::vector<Way> combinations(const IdentifySection& identify, const Alternatives& alternatives, const Regeneration& regenerate = {});
 
 /// How well one joint matrix was found, over the trials with status ok; NaN when there is none.
@@ -68,9 +69,9 @@ using TrialSource = std::function<std::shared_ptr<const TrialData>(const Scene&)
 /// `data` for another weighting, Δ and solver.
 std::shared_ptr<const TrialData> with_way(const TrialData& data, const Way& way);
 
-/// Runs the same trials (same seed, hence the same errors on every FRF) for every way. The base data are loaded once per regeneration, method
-/// and equation set. `so_far` is given what there is after every way, its fronts not marked. Throws InputError for a scene without
-/// [truth], and when no way is possible.
+/// Runs the same trials (same seed, hence the same errors on every FRF) for every way. The base data are loaded once per
+/// regeneration, method and equation set. `so_far` is given what there is after every way, its fronts not marked. Throws
+/// InputError for a scene without [truth], and when no way is possible.
 Comparison compare(const Scene& scene, const std::vector<Way>& ways, const TrialSource& source, const TrialOptions& options,
                    const std::function<void(const Comparison&)>& so_far = {});
 

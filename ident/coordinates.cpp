@@ -8,8 +8,6 @@
 namespace jointid::ident {
 namespace {
 
-bool has(const Dofs& dofs, const frf::Dof& dof) { return frf::find_coordinate(dofs, dof) != frf::npos; }
-
 /// The nearest DOF among those of a system, by spelling.
 std::string nearest_dof(const frf::Dof& dof, const frf::FrfSystem& system) {
   return nearest_word(dof.name(), frf::names(system.responses()));
@@ -18,7 +16,7 @@ std::string nearest_dof(const frf::Dof& dof, const frf::FrfSystem& system) {
 /// First joint DOF that is missing from `dofs`, as "4:+RZ", or empty.
 std::string first_missing(const Dofs& joint, const Dofs& dofs) {
   for (const frf::Dof& dof : joint) {
-    if (!has(dofs, dof)) return dof.name();
+    if (!frf::has(dofs, dof)) return dof.name();
   }
   return {};
 }
@@ -104,7 +102,7 @@ Coordinates find_coordinates(const Scene& scene, const restrictions::Restriction
   Coordinates at;
   at.joint = restriction.dofs;
   for (const frf::Dof& dof : at.joint) {
-    if (has(substructures.responses(), dof) || has(substructures.references(), dof)) continue;
+    if (frf::has(substructures.responses(), dof) || frf::has(substructures.references(), dof)) continue;
     const std::string near = nearest_dof(dof, substructures);
     fail(scene, "[joint] dofs", "no substructure file has the DOF " + dof.name(),
          near.empty() ? "see `jointid info` for the DOFs of a file" : "did you mean " + near + "?");
@@ -112,13 +110,13 @@ Coordinates find_coordinates(const Scene& scene, const restrictions::Restriction
   const bool two = scene.identify.method == Method::two;
   for (const frf::Dof& dof : assembly.responses()) {
     // Method Two inverts the substructures' matrix, so its coordinates need both roles there.
-    const bool usable = has(substructures.responses(), dof) && (!two || has(substructures.references(), dof));
-    if (usable && !has(at.joint, dof)) at.responses.push_back(dof);
+    const bool usable = frf::has(substructures.responses(), dof) && (!two || frf::has(substructures.references(), dof));
+    if (usable && !frf::has(at.joint, dof)) at.responses.push_back(dof);
   }
   for (const frf::Dof& dof : assembly.references()) {
     // A force outside the inverted coordinates would not vanish in Z_sub H_asm = I − Z_j H_j.
-    const bool usable = two ? has(at.responses, dof) : has(substructures.references(), dof);
-    if (usable && !has(at.joint, dof)) at.references.push_back(dof);
+    const bool usable = two ? frf::has(at.responses, dof) : frf::has(substructures.references(), dof);
+    if (usable && !frf::has(at.joint, dof)) at.references.push_back(dof);
   }
   return at;
 }

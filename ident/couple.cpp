@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "coupling/assembly_reader.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_writer.hpp"
 #include "ident/data_source.hpp"
 #include "weighting/line_selection.hpp"
@@ -140,8 +140,11 @@ std::vector<std::string> met(const std::vector<std::string>& conditions, const s
 void judge(CoupleResult& out) {
   out.unusable_lines = static_cast<std::size_t>(std::ranges::count(out.records, false, &coupling::LineRecord::usable));
   if (out.unusable_lines == 0) return;
-  out.message = out.unusable_lines == out.lines ? "No line is usable" : std::to_string(out.unusable_lines) + " of " + std::to_string(out.lines) + " lines are not usable";
-  out.message += ": an FRF of a coupled coordinate is missing, or the conditions depend on each other. A threshold drops what is dependent.";
+  out.message = out.unusable_lines == out.lines
+                    ? "No line is usable"
+                    : std::to_string(out.unusable_lines) + " of " + std::to_string(out.lines) + " lines are not usable";
+  out.message +=
+      ": an FRF of a coupled coordinate is missing, or the conditions depend on each other. A threshold drops what is dependent.";
   if (out.unusable_lines == out.lines) out.status = Status::rank_deficient;
 }
 

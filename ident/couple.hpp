@@ -29,8 +29,8 @@ struct CoupleResult {
 };
 
 /// Couples the parts of a scene line by line into `out` (jointid-frf HDF5). `bounds`: finds conditions that the others nearly
-/// imply, and writes FRFs with and without them; the natural frequencies of the real assembly lie between (docs/coupling.md, thesis §5.9.4). The
-/// first is `out`, the second has the name of `out` with .all before its extension. Throws InputError as
+/// imply, and writes FRFs with and without them; the natural frequencies of the real assembly lie between (docs/coupling.md,
+/// thesis §5.9.4). The first is `out`, the second has the name of `out` with .all before its extension. Throws InputError as
 /// coupling::AssemblyReader, and Interrupted, with no file.
 CoupleResult couple(const CoupleScene& scene, const Path& out, bool bounds, const Control& control = {});
 

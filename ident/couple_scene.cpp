@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "ident/scene_sections.hpp"
 #include "ident/scene_text.hpp"
 
@@ -67,7 +68,8 @@ void read_options(const SceneTable& table, CoupleScene& scene) {
   const auto number_of = [&](const char* key, coupling::Threshold threshold, double& to) {
     const auto item = table.find(key);
     if (!item) return;
-    if (options.threshold != threshold) item->fail("it is given, but the threshold is not \"" + coupling::name(threshold) + "\"", "remove it, or set threshold");
+    if (options.threshold != threshold)
+      item->fail("it is given, but the threshold is not \"" + coupling::name(threshold) + "\"", "remove it, or set threshold");
     to = item->number();
     item->here([&] { coupling::validate(options, {}); });
   };
@@ -77,7 +79,8 @@ void read_options(const SceneTable& table, CoupleScene& scene) {
 }
 
 void read_couple(const SceneItem& item, CoupleScene& scene) {
-  const SceneTable table = item.table({"join", "ground", "remove", "keep", "joint", "method", "threshold", "epsilon", "alpha", "uncertainty"});
+  const SceneTable table =
+      item.table({"join", "ground", "remove", "keep", "joint", "method", "threshold", "epsilon", "alpha", "uncertainty"});
   coupling::Assembly& assembly = scene.assembly;
   if (const auto join = table.find("join")) assembly.join = read_join(*join);
   if (const auto ground = table.find("ground")) assembly.ground = read_dofs(*ground);

@@ -10,10 +10,8 @@
 namespace jointid::ident {
 namespace {
 
-bool is_among(const Dofs& dofs, const frf::Dof& dof) { return frf::find_coordinate(dofs, dof) != frf::npos; }
-
 bool has_any(const frf::FrfHeader& header, const Dofs& dofs) {
-  return std::ranges::any_of(dofs, [&](const frf::Dof& dof) { return is_among(header.response, dof) || is_among(header.reference, dof); });
+  return std::ranges::any_of(dofs, [&](const frf::Dof& dof) { return frf::has(header.response, dof) || frf::has(header.reference, dof); });
 }
 
 /// "1:+Y, 2:+Y and 3 more"
@@ -29,7 +27,7 @@ std::string listed(const Dofs& dofs) {
 Dofs all_coordinates(const frf::FrfSystem& system) {
   Dofs dofs = system.responses();
   for (const frf::Dof& dof : system.references()) {
-    if (!is_among(dofs, dof)) dofs.push_back(dof);
+    if (!frf::has(dofs, dof)) dofs.push_back(dof);
   }
   return dofs;
 }
@@ -38,10 +36,10 @@ Dofs all_coordinates(const frf::FrfSystem& system) {
 Dofs without_counterpart(const Dofs& dofs, const Dofs& others, const CoupleFirst& coupled) {
   Dofs alone;
   for (const frf::Dof& dof : dofs) {
-    const bool is_coupled = is_among(coupled.hidden, dof) || std::ranges::any_of(coupled.pairs, [&](const auto& pair) {
+    const bool is_coupled = frf::has(coupled.hidden, dof) || std::ranges::any_of(coupled.pairs, [&](const auto& pair) {
                               return pair[0].same_coordinate(dof) || pair[1].same_coordinate(dof);
                             });
-    if (!is_coupled && !is_among(others, dof)) alone.push_back(dof);
+    if (!is_coupled && !frf::has(others, dof)) alone.push_back(dof);
   }
   return alone;
 }
@@ -57,10 +55,10 @@ void warn_of_counterparts(Plan& plan) {
   if (!further.empty()) plan.notes.push_back("The assembly does not have " + listed(further) + " of the substructures: not used.");
   Dofs other_role;
   for (const frf::Dof& dof : plan.assembly->responses()) {
-    if (is_among(parts, dof) && !is_among(plan.substructures->responses(), dof)) other_role.push_back(dof);
+    if (frf::has(parts, dof) && !frf::has(plan.substructures->responses(), dof)) other_role.push_back(dof);
   }
   for (const frf::Dof& dof : plan.assembly->references()) {
-    if (is_among(parts, dof) && !is_among(plan.substructures->references(), dof) && !is_among(other_role, dof)) other_role.push_back(dof);
+    if (frf::has(parts, dof) && !frf::has(plan.substructures->references(), dof) && !frf::has(other_role, dof)) other_role.push_back(dof);
   }
   if (!other_role.empty()) {
     plan.notes.push_back(listed(other_role) + " of the assembly are in the substructures in the other role only, response or reference; " +
@@ -102,15 +100,17 @@ void warn_of_axes(Plan& plan) {
     worst.add(plan.assembly->frequency_hz()[line.assembly], plan.substructures->frequency_hz()[line.substructures], whole, part);
   }
   if (worst.share <= rounded_axis) return;
-  plan.warnings.push_back(fmt::format("{:.9g} Hz of {} and {:.9g} Hz of {} are taken for the same line, {:.2g} % apart: measure on one axis, or give "
-                                      "frequency_scale under [data.files.\"NAME\"] where a clock is wrong.",
-                                      worst.one, worst.file, worst.other, worst.other_file, 100.0 * worst.share));
+  plan.warnings.push_back(
+      fmt::format("{:.9g} Hz of {} and {:.9g} Hz of {} are taken for the same line, {:.2g} % apart: measure on one axis, or give "
+                  "frequency_scale under [data.files.\"NAME\"] where a clock is wrong.",
+                  worst.one, worst.file, worst.other, worst.other_file, 100.0 * worst.share));
 }
 
 void warn_of_lines(Plan& plan) {
   if (plan.lines.size() > 1 || plan.columns->size() < 2) return;
-  plan.warnings.push_back(fmt::format("All {} unknowns come from one frequency line, {:.9g} Hz: nothing tells whether they hold on another.",
-                                      plan.columns->size(), plan.lines.front().frequency_hz));
+  plan.warnings.push_back(
+      fmt::format("All {} unknowns come from one frequency line, {:.9g} Hz: nothing tells whether they hold on another.",
+                  plan.columns->size(), plan.lines.front().frequency_hz));
 }
 
 void warn_of_doubts(const frf::FrfSystem& system, std::vector<std::string>& warnings) {

@@ -1,4 +1,5 @@
 
+#include "base/eigen.hpp"
 #include "dense/minimum_norm.hpp"
 #include "ident/eigen_view.hpp"
 #include "ident/equation_builder.hpp"
@@ -29,12 +30,13 @@ class Direct final : public EquationBuilder {
     const View h_nn = assembly_->line(i);
     if (!map(sub).allFinite() || !map(h_nn).allFinite()) return false;
     const dense::ComplexMinimumNorm decomposition(map(h_ba));
-    if (decomposition.rank() < static_cast<Eigen::Index>(joint_)) return false;
+    if (decomposition.rank() < at(joint_)) return false;
     // Solved, not multiplied by an inverse: its error would be amplified by C₁ − C₂ once more.
     const Eigen::MatrixXcd carried = decomposition.solve(map(h_bb));
     h_nj_ = map(h_ab) - (map(h_aa) - map(h_nn)) * carried;
     product_.wants_error_scale = out.wants_error_scale;
-    if (out.wants_error_scale) measure_errors(map(h_aa), map(h_ab), map(h_ba), map(h_bb), map(h_nn), decomposition.pseudo_inverse(), carried);
+    if (out.wants_error_scale)
+      measure_errors(map(h_aa), map(h_ab), map(h_ba), map(h_bb), map(h_nn), decomposition.pseudo_inverse(), carried);
     product_.frequency_hz = out.frequency_hz;
     product_.a = {h_nj_.data(), rows_, joint_, joint_};
     product_.b = h_ba;
@@ -54,7 +56,8 @@ class Direct final : public EquationBuilder {
                       const Eigen::MatrixXcd& inverse, const Eigen::MatrixXcd& x) {
     const Eigen::MatrixXd carried = x.cwiseAbs(), moved = ((h_aa - h_nn) * inverse).cwiseAbs();
     const Eigen::MatrixXd inverted = Eigen::MatrixXd::Constant(h_ba.rows(), h_ba.cols(), h_ba.cwiseAbs().maxCoeff());
-    const RowMatrixXd error = h_ab.cwiseAbs() + (h_aa.cwiseAbs() + h_nn.cwiseAbs()) * carried + moved * (inverted * carried + h_bb.cwiseAbs());
+    const RowMatrixXd error =
+        h_ab.cwiseAbs() + (h_aa.cwiseAbs() + h_nn.cwiseAbs()) * carried + moved * (inverted * carried + h_bb.cwiseAbs());
     a_error_.assign(error.data(), error.data() + error.size());
     product_.a_error = a_error_;
   }

@@ -23,7 +23,7 @@ class Ties {
   explicit Ties(const std::vector<std::array<frf::Dof, 2>>& pairs) : groups_(2 * pairs.size()) {
     for (const auto& pair : pairs) {
       for (const frf::Dof& dof : pair) {
-        if (frf::find_coordinate(dofs_, dof) == frf::npos) dofs_.push_back({dof.node, dof.direction, +1});
+        if (!frf::has(dofs_, dof)) dofs_.push_back({dof.node, dof.direction, +1});
       }
       const coupling::Condition condition{index(pair[0]), index(pair[1]), static_cast<double>(pair[0].sign * pair[1].sign)};
       if (groups_.join(condition) != coupling::Groups::Outcome::contradiction) continue;

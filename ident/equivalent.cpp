@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/complex.hpp"
+#include "base/error.hpp"
 #include "frf/frf_system.hpp"
 #include "ident/data_source.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::ident {
 namespace {
-
-using Complex = std::complex<double>;
 
 /// FRFs of a system at chosen DOFs over its lines, [line, row, column].
 struct Measured {
@@ -65,7 +64,8 @@ class Levels {
     throw InputError({.kind = ErrorKind::data,
                       .file = level.assembly.path.string(),
                       .place = "FRFs of " + ends_[0].name() + " and " + ends_[1].name(),
-                      .problem = "no line of the range has them together with those of the parts" + std::string(rigid_ ? " and of the rigid joint" : ""),
+                      .problem = "no line of the range has them together with those of the parts" +
+                                 std::string(rigid_ ? " and of the rigid joint" : ""),
                       .remedy = "both responses to " + ends_[0].name() + " are needed; `jointid info` says what the file holds"});
   }
 
@@ -78,7 +78,8 @@ class Levels {
     const std::vector<std::size_t> at_rigid = rigid_ ? frf::match_lines(parts_.frequency_hz, rigid_->frequency_hz) : at;
     for (std::size_t line = 0; line < at.size(); ++line) {
       if (at[line] == frf::npos || at_rigid[line] == frf::npos) continue;
-      std::array<Complex, 5> all = {parts_.at(line, 0), parts_.at(line, 3), parts_.at(line, 1), level.at(at[line], 0), level.at(at[line], 1)};
+      std::array<Complex, 5> all = {parts_.at(line, 0), parts_.at(line, 3), parts_.at(line, 1), level.at(at[line], 0),
+                                    level.at(at[line], 1)};
       if (!std::ranges::all_of(all, finite)) continue;
       if (rigid_) {
         const Complex h1 = rigid_->at(at_rigid[line], 0), h3 = rigid_->at(at_rigid[line], 1);

@@ -13,9 +13,9 @@ struct LevelJoint {
   EquivalentJoint joint{};
 };
 
-/// Equivalent stiffness and damping of a friction joint against relative displacement (docs/formulas.md §12), one level after the other. Only
-/// the FRFs of the joint's two ends are read. Throws InputError as frf::open() and FrfSystem, and for levels that share no line with
-/// the parts on which all FRFs needed were measured.
+/// Equivalent stiffness and damping of a friction joint against relative displacement (docs/formulas.md §12), one level after the
+/// other. Only the FRFs of the joint's two ends are read. Throws InputError as frf::open() and FrfSystem, and for levels that
+/// share no line with the parts on which all FRFs needed were measured.
 std::vector<LevelJoint> find_equivalent(const EquivalentScene& scene);
 
 }  // namespace jointid::ident

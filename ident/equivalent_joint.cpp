@@ -4,10 +4,10 @@
 #include <limits>
 #include <utility>
 
+#include "base/complex.hpp"
+
 namespace jointid::ident {
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr int most_steps = 100, most_halvings = 30;
 constexpr double small_step = 1e-12;  ///< of |h|

@@ -59,7 +59,8 @@ EquivalentScene parse_equivalent_scene(const std::string& text, const Path& file
   scene.reciprocity = data.reciprocity;
   if (const auto frequency = table.find("frequency")) {
     scene.frequency = read_frequency(*frequency);
-    if (scene.frequency.exclude_resonances) frequency->fail("the lines of an equivalent joint lie at a resonance", "remove exclude_resonances");
+    if (scene.frequency.exclude_resonances)
+      frequency->fail("the lines of an equivalent joint lie at a resonance", "remove exclude_resonances");
   }
   return scene;
 }

@@ -1,7 +1,7 @@
 #include "ident/joint_effect.hpp"
 
-#include <numbers>
-
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "dense/lu.hpp"
 #include "ident/row_expander.hpp"
 
@@ -20,23 +20,23 @@ const Matrices* matrices_at(const std::vector<BandMatrices>& bands, double frequ
 }
 
 MatrixXcd joint_impedance(const Matrices& matrices, std::size_t n, double frequency_hz) {
-  const double omega = 2.0 * std::numbers::pi * frequency_hz;
-  MatrixXcd z = MatrixXcd::Zero(static_cast<Index>(n), static_cast<Index>(n));
+  const double omega = angular(frequency_hz);
+  MatrixXcd z = MatrixXcd::Zero(at(n), at(n));
   for (const auto& [kind, matrix] : matrices) {
     const Complex factor = impedance_factor(kind, omega);
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) z(static_cast<Index>(i), static_cast<Index>(j)) += factor * matrix[i][j];
+      for (std::size_t j = 0; j < n; ++j) z(at(i), at(j)) += factor * matrix[i][j];
     }
   }
   return z;
 }
 
 Dofs with_joint(const Dofs& dofs, const Dofs& joint) {
-  return frf::find_coordinate(dofs, joint.front()) == frf::npos ? joined(dofs, joint) : dofs;
+  return frf::has(dofs, joint.front()) ? dofs : joined(dofs, joint);
 }
 
 Dofs joint_last(Dofs dofs, const Dofs& joint) {
-  std::erase_if(dofs, [&](const frf::Dof& dof) { return frf::find_coordinate(joint, dof) != frf::npos; });
+  std::erase_if(dofs, [&](const frf::Dof& dof) { return frf::has(joint, dof); });
   return joined(std::move(dofs), joint);
 }
 
@@ -45,7 +45,7 @@ Rectangle whole_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& 
 }
 
 Complex JointEffect::assembly(Complex h, std::size_t row, std::size_t column) const {
-  for (std::size_t j = 0; j < right.rows; ++j) h -= left(static_cast<Index>(row), static_cast<Index>(j)) * right(j, column);
+  for (std::size_t j = 0; j < right.rows; ++j) h -= left(at(row), at(j)) * right(j, column);
   return h;
 }
 

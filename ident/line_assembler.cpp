@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "base/complex.hpp"
 #include "weighting/delta_filter.hpp"
 
 namespace jointid::ident {
@@ -56,7 +57,7 @@ void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
   weigh(line, regular);
   group(line, regular);
   factored_ = nullptr;
-  for (RowExpander& expander : expanders_) expander.set_line(2.0 * M_PI * line.frequency_hz);
+  for (RowExpander& expander : expanders_) expander.set_line(angular(line.frequency_hz));
   if (spec_.weighting == weighting::Weighting::wa) {
     push_weighted_after(line, accumulator);
   } else {

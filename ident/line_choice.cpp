@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::ident {
@@ -17,7 +17,7 @@ std::vector<double> response_level(frf::FrfSystem& system) {
     frf::BlockReader reader(system, {response}, {reference});
     bool measured = false;
     for (std::size_t line = 0; line < lines; ++line) {
-      frf::Complex value;
+      Complex value;
       reader.read({&line, 1}, {&value, 1});
       own[line] = std::norm(value);
       measured = measured || std::isfinite(own[line]);
@@ -26,7 +26,7 @@ std::vector<double> response_level(frf::FrfSystem& system) {
   };
   bool points = false;
   for (const frf::Dof& dof : system.responses()) {
-    if (frf::find_coordinate(system.references(), dof) == frf::npos) continue;
+    if (!frf::has(system.references(), dof)) continue;
     points = true;
     add(dof, dof);
   }

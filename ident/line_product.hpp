@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-namespace jointid::ident {
+#include "base/complex.hpp"
 
-using Complex = std::complex<double>;
+namespace jointid::ident {
 
 /// A rectangle inside a row-major matrix that somebody else owns.
 struct View {

@@ -10,7 +10,7 @@
 #include "dense/pivoted_qr.hpp"
 #include "dense/svd.hpp"
 #include "ident/column_scaling.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/null_space.hpp"
 #include "ident/reduced_system.hpp"
 #include "ident/rounding.hpp"

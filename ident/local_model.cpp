@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "dense/pivoted_qr.hpp"
 
 namespace jointid::ident {
@@ -18,23 +19,23 @@ Eigen::MatrixXd chebyshev(const Eigen::VectorXd& x, Eigen::Index order) {
 
 }  // namespace
 
-SquaredError local_residual(std::span<const double> frequency_hz, std::span<const frf::Complex> frf, std::size_t order) {
-  const auto lines = static_cast<Eigen::Index>(frf.size()), size = static_cast<Eigen::Index>(order + 1);
+SquaredError local_residual(std::span<const double> frequency_hz, std::span<const Complex> frf, std::size_t order) {
+  const auto lines = at(frf.size()), size = static_cast<Eigen::Index>(order + 1);
   const double centre = 0.5 * (frequency_hz.front() + frequency_hz.back());
   const double half_width = 0.5 * (frequency_hz.back() - frequency_hz.front());
   Eigen::VectorXd x(lines);
   for (Eigen::Index i = 0; i < lines; ++i) x[i] = (frequency_hz[static_cast<std::size_t>(i)] - centre) / half_width;
   const Eigen::Map<const Eigen::VectorXcd> values(frf.data(), lines);
   const Eigen::MatrixXd basis = chebyshev(x, size - 1);
-  const Eigen::MatrixXcd products = values.asDiagonal() * basis.cast<frf::Complex>();
+  const Eigen::MatrixXcd products = values.asDiagonal() * basis.cast<Complex>();
   // Unknowns: B and the lower coefficients of A; A's highest is 1, so that its roots may lie anywhere near.
   Eigen::MatrixXcd columns(lines, 2 * size - 1);
-  columns << basis.cast<frf::Complex>(), products.leftCols(size - 1);
+  columns << basis.cast<Complex>(), products.leftCols(size - 1);
   const dense::ComplexPivotedQr qr(columns);
   const Eigen::VectorXcd solution = qr.solve(products.col(size - 1));
   const Eigen::VectorXcd residual = products.col(size - 1) - columns * solution;
   const Eigen::VectorXcd denominator =
-      basis.col(size - 1) - basis.leftCols(size - 1).cast<frf::Complex>() * solution.tail(size - 1);
+      basis.col(size - 1) - basis.leftCols(size - 1).cast<Complex>() * solution.tail(size - 1);
   const Eigen::MatrixXcd q = qr.orthonormal_columns(qr.rank());
   SquaredError out{.square = residual.squaredNorm(), .proportional = 0.0, .constant = 0.0, .freedom = 0.0};
   for (Eigen::Index i = 0; i < lines; ++i) {

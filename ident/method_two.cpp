@@ -1,6 +1,6 @@
 
 #include "dense/lu.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/eigen_view.hpp"
 #include "ident/equation_builder.hpp"
 

@@ -21,7 +21,8 @@ void MinimumList::add(FoundMinimum minimum, const Same& same) {
 MinimumSearch MinimumList::result(double limit) const {
   MinimumSearch out{minima_, 0};
   std::ranges::stable_sort(out.minima, {}, &FoundMinimum::cost);
-  out.equally_good = static_cast<std::size_t>(std::ranges::count_if(out.minima, [&](const FoundMinimum& each) { return each.cost <= limit; }));
+  out.equally_good =
+      static_cast<std::size_t>(std::ranges::count_if(out.minima, [&](const FoundMinimum& each) { return each.cost <= limit; }));
   return out;
 }
 

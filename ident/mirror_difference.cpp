@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "ident/noise_fit.hpp"
 
 namespace jointid::ident {
 namespace {
 
-using frf::Complex;
 using frf::npos;
 
 constexpr std::size_t most_lines = 512, least_lines = 4;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/text.hpp"
 #include "frf/merged_set.hpp"
 #include "modalfit/regenerated_set.hpp"
 
@@ -50,9 +51,7 @@ void regenerate_polluted(frf::FrfSet& set, const modalfit::FitOptions& options) 
 
 std::string note(const ModalRegeneration& of) {
   if (!of.harm.empty()) return of.file + ": regenerating these FRFs harms: " + of.harm;
-  char text[32] = {};
-  std::snprintf(text, sizeof text, "%.2g", of.rms_db_away);
-  return of.file + ": FRFs regenerated from " + std::to_string(of.modes) + " modes, " + text + " dB rms from the measured ones";
+  return of.file + ": FRFs regenerated from " + std::to_string(of.modes) + " modes, " + digits(of.rms_db_away) + " dB rms from the measured ones";
 }
 
 std::vector<std::unique_ptr<frf::FrfSource>> regenerate_sources(std::vector<std::unique_ptr<frf::FrfSource>> sources, bool one_structure,

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ident/median.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
+#include "base/text.hpp"
 #include "ident/admissible/admissible_set.hpp"
 #include "ident/coordinates.hpp"
 #include "ident/couple_first.hpp"
@@ -33,10 +34,10 @@ void refuse_priors(const Scene& scene) {
   }
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text = "auto";
-  for (std::size_t i = 0; i < words.size(); ++i) text += (i + 1 < words.size() ? ", " : " or ") + words[i];
-  return text;
+/// "auto, qr or normal".
+std::string listed(std::vector<std::string> words) {
+  words.insert(words.begin(), "auto");
+  return one_of(words);
 }
 
 void require_solver(const Scene& scene, const std::vector<std::string>& own) {
@@ -66,7 +67,8 @@ void require_method(const Scene& scene) {
   if (identify.method == Method::likelihood) return;
   refuse_priors(scene);
   if (identify.method == Method::newton) return;
-  for (const auto& [key, given] : {std::pair("[identify] start", !identify.start.empty()), std::pair("[identify] starts", identify.starts > 0)}) {
+  for (const auto& [key, given] :
+       {std::pair("[identify] start", !identify.start.empty()), std::pair("[identify] starts", identify.starts > 0)}) {
     if (given) fail(scene, key, "method \"" + name(identify.method) + "\" needs no start", "remove the key");
   }
 }
@@ -264,11 +266,12 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   if (method != Method::likelihood) plan->equations = choose_equations(scene, plan->coordinates, *plan->substructures, *plan->assembly);
   plan->lines = choose_lines(scene, *plan->substructures, *plan->assembly, plan->notes);
   plan->columns = std::make_unique<UnknownColumns>(plan->restriction, scene.joints);
-  const double highest = 2.0 * std::numbers::pi * plan->lines.back().frequency_hz;
+  const double highest = angular(plan->lines.back().frequency_hz);
   plan->assembly_spec.omega0 = highest == 0.0 ? 1.0 : highest;
   plan->admissible = plan_admissible(*plan);
   if (plan->admissible && method == Method::newton) {
-    fail(scene, "[identify] method", "method \"newton\" has no constraints", "use method \"likelihood\", or leave definite, bounds and ties out");
+    fail(scene, "[identify] method", "method \"newton\" has no constraints",
+         "use method \"likelihood\", or leave definite, bounds and ties out");
   }
   if (method == Method::likelihood) {
     plan_likelihood(*plan);

@@ -2,7 +2,7 @@
 
 #include "dense/eigen.hpp"
 #include "ident/column_scaling.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -14,13 +14,13 @@ namespace {
 Dofs shared(const Dofs& dofs, const Dofs& system_dofs) {
   Dofs both;
   for (const frf::Dof& dof : dofs) {
-    if (frf::find_coordinate(system_dofs, dof) != frf::npos) both.push_back(dof);
+    if (frf::has(system_dofs, dof)) both.push_back(dof);
   }
   return both;
 }
 
 void add_once(Dofs& dofs, const frf::Dof& dof) {
-  if (frf::find_coordinate(dofs, dof) == frf::npos) dofs.push_back(dof);
+  if (!frf::has(dofs, dof)) dofs.push_back(dof);
 }
 
 /// The rows (or columns) of the entries. The joint's stand last in a rectangle of the substructures.
@@ -47,7 +47,8 @@ class Regenerator final : public ChunkWorker {
       : bands_(bands),
         n_(plan.coordinates.joint.size()),
         lines_(lines),
-        pairs_(lines, whole_rectangle(*plan.substructures, rows.all(), columns.all()), whole_rectangle(*plan.assembly, rows.wanted, columns.wanted)),
+        pairs_(lines, whole_rectangle(*plan.substructures, rows.all(), columns.all()),
+               whole_rectangle(*plan.assembly, rows.wanted, columns.wanted)),
         out_(out) {
     for (const RegeneratedFrf& frf : out.frfs) {
       const frf::Dof &response = frf.entry.response, &reference = frf.entry.reference;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/complex.hpp"
+#include "base/error.hpp"
 #include "ident/local_model.hpp"
 #include "ident/mirror_difference.hpp"
 
 namespace jointid::ident {
 namespace {
-
-using frf::Complex;
 
 constexpr std::size_t most_order = 6, most_windows = 24, least_windows = 8;
 

@@ -1,6 +1,6 @@
 #include "ident/scene.hpp"
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/couple_first.hpp"
 #include "ident/scene_sections.hpp"
 #include "ident/scene_text.hpp"

@@ -13,7 +13,8 @@ frf::Dof dof_of_key(const std::string& key, const SceneItem& value) {
 }
 
 void require_new(const std::vector<frf::Dof>& dofs, const frf::Dof& dof, const SceneItem& item) {
-  if (frf::find_coordinate(dofs, dof) != frf::npos) item.fail("the coordinate of " + dof.name() + " is here twice", "name each coordinate once");
+  if (frf::has(dofs, dof))
+    item.fail("the coordinate of " + dof.name() + " is here twice", "name each coordinate once");
 }
 
 /// A table of numbers > 0 by DOF.
@@ -50,7 +51,8 @@ std::vector<frf::DofRename> read_renames(const SceneItem& item) {
 double read_delay(const SceneItem& item) {
   const double delay = item.number();
   if (delay < -longest_delay || delay > longest_delay) {
-    item.fail("a delay of " + number_text(delay) + " s is longer than " + number_text(longest_delay) + " s", "give it in seconds: 20e-6 is 20 microseconds");
+    item.fail("a delay of " + number_text(delay) + " s is longer than " + number_text(longest_delay) + " s",
+              "give it in seconds: 20e-6 is 20 microseconds");
   }
   return delay;
 }
@@ -58,7 +60,8 @@ double read_delay(const SceneItem& item) {
 double read_frequency_scale(const SceneItem& item) {
   const double scale = item.number();
   if (!(scale >= 0.5 && scale <= 2.0)) {
-    item.fail("frequency_scale = " + number_text(scale) + " is not between 0.5 and 2", "give true frequency / frequency of the file, e.g. 0.99");
+    item.fail("frequency_scale = " + number_text(scale) + " is not between 0.5 and 2",
+              "give true frequency / frequency of the file, e.g. 0.99");
   }
   return scale;
 }

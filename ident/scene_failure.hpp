@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene.hpp"
 
 namespace jointid::ident {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene_sections.hpp"
 
 namespace jointid::ident {

@@ -1,5 +1,6 @@
 #include <charconv>
 
+#include "base/text.hpp"
 #include "ident/scene_matrix.hpp"
 #include "ident/scene_sections.hpp"
 #include "restrictions/restriction.hpp"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -43,15 +45,6 @@ std::string number_text(double number) {
   char buffer[32];
   const int length = std::snprintf(buffer, sizeof buffer, "%.10g", number);
   return std::string(buffer, static_cast<std::size_t>(length));
-}
-
-std::string one_of(std::span<const std::string> words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) text += i + 1 == words.size() ? " or " : ", ";
-    text += words[i];
-  }
-  return text;
 }
 
 std::string SceneItem::place() const {
@@ -184,7 +177,8 @@ std::vector<frf::Dof> SceneItem::dofs() const {
   std::vector<frf::Dof> result;
   for (const SceneItem& item : list_not_empty()) {
     const frf::Dof dof = item.dof();
-    if (frf::find_coordinate(result, dof) != frf::npos) item.fail("the coordinate of " + dof.name() + " is here twice", "name each coordinate once, with one sign");
+    if (frf::has(result, dof))
+      item.fail("the coordinate of " + dof.name() + " is here twice", "name each coordinate once, with one sign");
     result.push_back(dof);
   }
   return result;

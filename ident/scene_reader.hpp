@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene_value.hpp"
 
 namespace jointid::ident {
@@ -86,8 +86,5 @@ class SceneTable {
   SceneItem itself_;
   std::vector<std::pair<std::string, SceneItem>> members_;
 };
-
-/// "a, b or c" for messages.
-std::string one_of(std::span<const std::string> words);
 
 }  // namespace jointid::ident

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::ident {
 namespace {

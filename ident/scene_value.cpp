@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene_text.hpp"
 
 namespace jointid::ident {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "base/stopwatch.hpp"
 #include "ident/admissible/admissible_linear.hpp"
 #include "ident/admissible/outcome.hpp"
 #include "ident/check/check.hpp"
@@ -16,21 +17,6 @@
 
 namespace jointid::ident {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Adds the time of its life to `total`.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& total) : total_(total), start_(Clock::now()) {}
-  ~Stopwatch() { total_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& total_;
-  Clock::time_point start_;
-};
 
 std::string joined_names(const Plan& plan, const std::vector<std::size_t>& columns) {
   std::string text;
@@ -153,7 +139,8 @@ void warn_of_shared_errors(const Plan& plan, Solution& out) {
   if (!plan.scene.couple_first.pairs.empty()) which = "the FRFs of the coupled parts";
   if (!plan.regenerated.empty()) which += (which.empty() ? "" : " and ") + std::string("regenerated FRFs");
   if (which.empty()) return;
-  out.warnings.push_back("The likelihood takes the errors of FRFs for independent; those of " + which + " are not, so that standard errors and intervals are too small.");
+  out.warnings.push_back("The likelihood takes the errors of FRFs for independent; those of " + which +
+                         " are not, so that standard errors and intervals are too small.");
 }
 
 void identify(Plan& plan, Assembled& system, const Control& control, Solution& out) {

@@ -3,23 +3,13 @@
 #include <functional>
 #include <stdexcept>
 
+#include "base/control.hpp"
 #include "ident/linear_solution.hpp"
 #include "ident/plan.hpp"
 #include "ident/rounding_scale.hpp"
 #include "ident/solution.hpp"
 
 namespace jointid::ident {
-
-/// Thrown when Control::interrupted said so.
-class Interrupted : public std::runtime_error {
- public:
-  explicit Interrupted(const std::string& what = "interrupted") : std::runtime_error(what) {}
-};
-
-/// Throws Interrupted when the caller asks to end; an empty function never does.
-inline void stop_if(const std::function<bool()>& interrupted) {
-  if (interrupted && interrupted()) throw Interrupted();
-}
 
 /// What solve() works out beside the estimates.
 enum class Detail {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "base/eigen.hpp"
 #include "ident/column_scaling.hpp"
 #include "ident/linear_solution.hpp"
 #include "ident/null_space.hpp"
@@ -102,7 +103,7 @@ class Staircase {
 
   /// Basis of the null space: a column without a pivot, and what undoes it, at a time.
   Eigen::MatrixXd null_space() const {
-    const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+    const auto index = [](std::size_t i) { return at(i); };
     Eigen::MatrixXd basis(index(column_.size()), index(dependent_.size()));
     for (std::size_t d = 0; d < dependent_.size(); ++d) {
       std::vector<double> c(owner_.size(), 0.0);
@@ -136,7 +137,7 @@ Eigen::VectorXd inverse_rows(const Staircase& staircase, std::size_t n) {
   constexpr int samples = 16;
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
-  Eigen::VectorXd squares = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n));
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(at(n));
   for (int i = 0; i < samples; ++i) {
     std::vector<double> right(n);
     for (double& each : right) each = normal(random);
@@ -176,7 +177,7 @@ LinearSolution solve_sparse(Accumulator& accumulator, Condition asked) {
   if (out.rank < n) {
     const Eigen::MatrixXd basis = staircase.null_space();
     tell_null_space(basis, out);
-    Eigen::Map<Eigen::VectorXd> y(out.y.data(), static_cast<Eigen::Index>(n));
+    Eigen::Map<Eigen::VectorXd> y(out.y.data(), at(n));
     y = minimum_norm(basis, y);
   }
 
@@ -192,7 +193,9 @@ LinearSolution solve_sparse(Accumulator& accumulator, Condition asked) {
   out.residual_norm = cholmod_l_norm_dense(right, 2, cc);
   for (std::size_t j = 0; j < n; ++j) out.y[j] *= stacked.scale[j];
   if (asked == Condition::compute && out.rank == n) {
-    const auto map = [n](const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(n)); };
+    const auto map = [n](const std::vector<double>& v) {
+      return Eigen::Map<const Eigen::VectorXd>(v.data(), at(n));
+    };
     bound_rounding({inverse_rows(staircase, n).cwiseProduct(map(stacked.scale)), map(stacked.column_norm), right_norm},
                    Reduction::orthogonal, accumulator.rows_pushed(), out);
   }

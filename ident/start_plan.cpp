@@ -1,6 +1,6 @@
 #include "ident/start_plan.hpp"
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene_failure.hpp"
 
 namespace jointid::ident {

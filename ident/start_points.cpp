@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frf/random.hpp"
+#include "base/random.hpp"
 
 namespace jointid::ident {
 
@@ -21,7 +21,7 @@ StartPoints::StartPoints(std::vector<double> guess, const Misfit& misfit) {
 std::vector<double> StartPoints::operator()(std::size_t k) const {
   if (k < sizes) return sized_[k];
   std::vector<double> theta = sized_.front();
-  for (std::size_t i = 0; i < theta.size(); ++i) theta[i] *= 0.2 + 1.6 * frf::uniform_numbers({.seed = 1, .trial = k}, i)[0];
+  for (std::size_t i = 0; i < theta.size(); ++i) theta[i] *= 0.2 + 1.6 * uniform_numbers({.seed = 1, .trial = k}, i)[0];
   return theta;
 }
 

@@ -6,17 +6,14 @@
 #include <thread>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "ident/outbox.hpp"
 #include "ident/study_records.hpp"
 #include "ident/study_workers.hpp"
 
 namespace jointid::ident {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 std::string hash_of(const TrialData& data) {
   std::uint64_t sum = frf::checksum({});

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::ident {
 namespace {

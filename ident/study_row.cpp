@@ -4,7 +4,7 @@
 #include <limits>
 #include <sstream>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::ident {
 namespace {

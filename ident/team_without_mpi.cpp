@@ -1,4 +1,4 @@
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/team.hpp"
 
 namespace jointid::ident {

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <set>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/polluter.hpp"
 #include "ident/data_source.hpp"
 #include "ident/modal_regeneration.hpp"

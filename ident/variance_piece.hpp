@@ -3,14 +3,13 @@
 #include <span>
 #include <vector>
 
+#include "base/complex.hpp"
 #include "frf/block_pieces.hpp"
 #include "frf/frf_source.hpp"
 #include "frf/variance_law.hpp"
 #include "ident/variance_origin.hpp"
 
 namespace jointid::ident {
-
-using frf::Complex;
 
 /// Variances of the FRFs that one file contributes to a rectangle, in the order [line, response, reference] of the file.
 class VariancePiece {

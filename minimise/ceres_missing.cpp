@@ -7,6 +7,8 @@ namespace jointid::minimise {
 
 bool has_ceres() { return false; }
 
-Minimum ceres_minimum(const LeastSquares&, std::span<const double>, const CeresOptions&) { throw std::logic_error("this build lacks Ceres"); }
+Minimum ceres_minimum(const LeastSquares&, std::span<const double>, const CeresOptions&) {
+  throw std::logic_error("this build lacks Ceres");
+}
 
 }  // namespace jointid::minimise

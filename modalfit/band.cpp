@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "frf/header_failure.hpp"
 #include "frf/recorded_variance.hpp"
 
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr std::size_t least_lines = 8;
 constexpr double exact = 1e-6;
 

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "base/complex.hpp"
 
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr Complex imaginary{0.0, 1.0};
 
 /// Values and derivatives by ln f_r and by the damping of a mode's columns at one line.
@@ -77,7 +77,7 @@ Basis make_basis(const ModelKind& kind, const std::vector<Pole>& poles, const st
 }
 
 double residue_scale(const ModelKind& kind, double scale_hz) {
-  const double omega = 2.0 * std::numbers::pi * scale_hz;
+  const double omega = angular(scale_hz);
   return kind.damping == Damping::viscous && !kind.real_modes ? omega : omega * omega;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/complex.hpp"
 #include "modalfit/normal_block.hpp"
 #include "modalfit/residues.hpp"
 #include "modalfit/selection.hpp"
@@ -13,7 +14,6 @@
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double least_unexplained = 0.5;

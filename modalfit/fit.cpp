@@ -256,7 +256,8 @@ class Fitter {
     std::vector<Pole> poles = refined.poles;
     poles.push_back(pole);
     if (select(poles, true).size() < poles.size()) return false;  // even a misplaced flank is better than none where there is one
-    const RefinedPoles first = refine(band_, entries_, options_.kind, std::move(poles), {.most_iterations = most_trial_iterations}, options_.interrupted);
+    const RefinedPoles first = refine(band_, entries_, options_.kind, std::move(poles),
+                                      {.most_iterations = most_trial_iterations}, options_.interrupted);
     out.iterations += first.iterations;
     if (!first.converged || inside(first) != inside(refined)) return false;
     RefinedPoles more = settled(first.poles, true, out);

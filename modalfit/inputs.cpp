@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/eigen.hpp"
+
 namespace jointid::modalfit {
 namespace {
 
@@ -17,14 +19,14 @@ std::complex<double> weighted(const Band& band, std::size_t entry, std::size_t l
 }
 
 Eigen::MatrixXd inner_products(const Band& band, const InputChoice& all) {
-  const auto count = static_cast<Eigen::Index>(all.inputs.size());
+  const auto count = at(all.inputs.size());
   const std::size_t step = std::max<std::size_t>(1, all.outputs * band.lines() / most_terms);
   std::vector<std::size_t> at;
   for (std::size_t k = 0; k < all.outputs * band.lines(); k += step) at.push_back(k);
-  Eigen::MatrixXcd samples(static_cast<Eigen::Index>(at.size()), count);
+  Eigen::MatrixXcd samples(jointid::at(at.size()), count);
   for (Eigen::Index c = 0; c < count; ++c) {
     for (std::size_t k = 0; k < at.size(); ++k) {
-      samples(static_cast<Eigen::Index>(k), c) =
+      samples(jointid::at(k), c) =
           weighted(band, all.entry(band, at[k] / band.lines(), static_cast<std::size_t>(c)), at[k] % band.lines());
     }
   }

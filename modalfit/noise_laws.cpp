@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "modalfit/normal_block.hpp"
 
 namespace jointid::modalfit {
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr double lines_per_place = 400.0;
 /// An exponential square is larger once in 22,000.

@@ -1,5 +1,6 @@
 #include "modalfit/normal_block.hpp"
 
+#include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 
 namespace jointid::modalfit {
@@ -21,8 +22,8 @@ MatrixXd real_rows(const std::vector<std::complex<double>>& columns, std::size_t
 RealBasis::RealBasis(const Basis& basis)
     : columns(real_rows(basis.columns, basis.lines)),
       derivatives(real_rows(basis.derivatives, basis.lines)),
-      modes(static_cast<Index>(basis.modes)),
-      per_mode(static_cast<Index>(basis.per_mode)) {}
+      modes(at(basis.modes)),
+      per_mode(at(basis.per_mode)) {}
 
 NormalBlock::NormalBlock(const RealBasis& basis, const Band& band, std::size_t entry) {
   const Index rows = basis.columns.rows(), size = basis.columns.cols();

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "dense/eigen.hpp"
 #include "dense/svd.hpp"
@@ -14,7 +16,6 @@
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
@@ -45,7 +46,7 @@ struct CircleMap {
 struct Lags {
   MatrixXd cosine, sine;
 
-  Lags(const Band& band, Index order) : cosine(order + 1, static_cast<Index>(band.lines())), sine(cosine) {
+  Lags(const Band& band, Index order) : cosine(order + 1, at(band.lines())), sine(cosine) {
     const CircleMap map(band);
     for (Index line = 0; line < cosine.cols(); ++line) {
       const double angle = map.angle(band.frequency_hz[static_cast<std::size_t>(line)]);
@@ -64,7 +65,7 @@ struct WeightedRows {
 };
 
 WeightedRows weighted_rows(const Band& band, const InputChoice& choice, std::size_t output) {
-  const auto lines = static_cast<Index>(band.lines()), inputs = static_cast<Index>(choice.inputs.size());
+  const auto lines = at(band.lines()), inputs = at(choice.inputs.size());
   WeightedRows rows{VectorXd(lines), MatrixXcd(lines, inputs)};
   for (Index line = 0; line < lines; ++line) {
     double variance = 0.0;
@@ -122,7 +123,7 @@ MatrixXd normal_matrix(const Band& band, const InputChoice& choice, Index order)
       parts[i].size() == 0 ? parts[i].swap(block) : void(parts[i] += block);
     }
   });
-  const Index size = (order + 1) * static_cast<Index>(choice.inputs.size());
+  const Index size = (order + 1) * at(choice.inputs.size());
   MatrixXd sum = MatrixXd::Zero(size, size);
   for (const MatrixXd& part : parts) {
     if (part.size() > 0) sum += part;
@@ -198,7 +199,7 @@ class OrderSolver {
 /// Polynomial orders from 2 to `highest`, at most `count` of them.
 std::vector<Index> orders(Index highest, std::size_t count) {
   std::vector<Index> list;
-  const Index step = std::max<Index>(1, (highest + static_cast<Index>(count) - 1) / static_cast<Index>(count));
+  const Index step = std::max<Index>(1, (highest + at(count) - 1) / at(count));
   for (Index order = highest; order >= 2; order -= step) list.insert(list.begin(), order);
   return list;
 }
@@ -207,9 +208,9 @@ std::vector<Index> orders(Index highest, std::size_t count) {
 
 std::vector<OrderPoles> polyreference_poles(const Band& band, const PolyreferenceOptions& options) {
   const InputChoice choice = choose_inputs(band, options.inputs);
-  const auto inputs = static_cast<Index>(choice.inputs.size());
-  const Index wanted = (2 * static_cast<Index>(options.most_poles) + inputs - 1) / inputs;
-  const Index highest = std::clamp<Index>(static_cast<Index>(band.lines()) / 2 - 1, 2, wanted);
+  const auto inputs = at(choice.inputs.size());
+  const Index wanted = (2 * at(options.most_poles) + inputs - 1) / inputs;
+  const Index highest = std::clamp<Index>(at(band.lines()) / 2 - 1, 2, wanted);
   const double equations = 2.0 * static_cast<double>(band.lines() * choice.outputs) -
                            static_cast<double>(highest + 1) * static_cast<double>(choice.outputs);
   const OrderSolver solver(band, normal_matrix(band, choice, highest), inputs, equations);

@@ -3,20 +3,19 @@
 #include <cmath>
 #include <limits>
 
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "dense/svd.hpp"
 
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
 constexpr int most_iterations = 100;
-
-Index at(std::size_t i) { return static_cast<Index>(i); }
 
 double cost_of(const std::vector<RankOneDatum>& data, const VectorXcd& phi) {
   double cost = 0.0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "modalfit/normal_block.hpp"
 
@@ -42,7 +43,7 @@ class Problem {
 
   Sums linearise(const std::vector<Pole>& poles) const {
     const RealBasis basis(make_basis(kind_, poles, band_.frequency_hz, band_.scale_hz(), true));
-    const Index parameters = 2 * static_cast<Index>(poles.size());
+    const Index parameters = 2 * at(poles.size());
     std::vector<Sums> parts((entries_.size() + entries_at_once - 1) / entries_at_once, zero(parameters));
     tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
       const std::size_t last = std::min(entries_.size(), (i + 1) * entries_at_once);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "modalfit/doubled.hpp"
 #include "modalfit/normal_block.hpp"
 #include "modalfit/selection.hpp"
@@ -12,7 +13,6 @@
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::VectorXd;
 

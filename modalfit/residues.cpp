@@ -37,7 +37,8 @@ Residues fit_residues(const Band& band, const std::vector<std::size_t>& entries,
   const bool with_poles = !pole_covariance.empty();
   const RealBasis basis(make_basis(kind, poles, band.frequency_hz, band.scale_hz(), with_poles));
   const Index columns = basis.columns.cols(), parameters = 2 * basis.modes;
-  const MatrixXd covariance = with_poles ? MatrixXd(Eigen::Map<const MatrixXd>(pole_covariance.data(), parameters, parameters)) : MatrixXd();
+  const MatrixXd covariance =
+      with_poles ? MatrixXd(Eigen::Map<const MatrixXd>(pole_covariance.data(), parameters, parameters)) : MatrixXd();
   const std::size_t size = static_cast<std::size_t>(columns), count = entries.size();
   Residues out{size, std::vector<double>(count * size), std::vector<double>(count * size), std::vector<double>(count),
                std::vector<double>(count), std::vector<double>(count), std::vector<double>(poles.size())};

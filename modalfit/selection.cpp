@@ -32,11 +32,6 @@ std::vector<std::size_t> to_drop(const Residues& residues, double least, std::op
 
 }  // namespace
 
-double chi_square_quantile(double freedom, double deviations) {
-  const double part = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - part + deviations * std::sqrt(part), 3.0);
-}
-
 std::vector<Pole> significant_poles(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind,
                                     std::vector<Pole> poles, std::optional<std::size_t> modes) {
   const double freedom = static_cast<double>(entries.size() * (kind.real_modes ? 1 : 2) + 2);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/statistics.hpp"
 #include "modalfit/band.hpp"
 #include "modalfit/model_kind.hpp"
 #include "modalfit/pole.hpp"
@@ -12,9 +13,6 @@ namespace jointid::modalfit {
 
 /// How sure a mode must be: its share of the fit beyond the quantile of χ² that noise exceeds once in a thousand million.
 inline constexpr double significance_deviations = 6.0;
-
-/// The quantile of χ² with `freedom` degrees that lies `deviations` normal standard deviations up (Wilson & Hilferty 1931).
-double chi_square_quantile(double freedom, double deviations);
 
 /// Backward elimination: as long as a mode's share of the fit (Residues::growth, over the mean square of the residuals where that
 /// is above 1) is below the quantile for its coefficients and pole, the least significant goes, up to a quarter of them at once.

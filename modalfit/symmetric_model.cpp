@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "dense/lu.hpp"
 #include "dense/minimum_norm.hpp"
 #include "modalfit/basis.hpp"
@@ -14,7 +15,6 @@
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Matrix4 = Eigen::Matrix<double, 4, 4>;
@@ -25,7 +25,7 @@ std::vector<frf::Dof> coordinates(const ModalFit& fit) {
   for (const auto* list : {&fit.response, &fit.reference}) {
     for (frf::Dof dof : *list) {
       dof.sign = 1;
-      if (frf::find_coordinate(dofs, dof) == frf::npos) dofs.push_back(dof);
+      if (!frf::has(dofs, dof)) dofs.push_back(dof);
     }
   }
   std::ranges::sort(dofs, {}, frf::coordinate_key);
@@ -70,7 +70,7 @@ class ResidualFitter {
  public:
   ResidualFitter(const Basis& basis, const Band& band, const ModelKind& kind, double scale_hz)
       : basis_(basis), band_(band), mode_scale_(residue_scale(kind, scale_hz)),
-        lower_scale_(std::pow(2.0 * std::numbers::pi * scale_hz, 2.0)) {}
+        lower_scale_(std::pow(angular(scale_hz), 2.0)) {}
 
   ResidualTerms fit(std::size_t entry, const std::vector<Complex>& residues, double sign) const {
     Matrix4 normal = Matrix4::Zero();
@@ -82,7 +82,7 @@ class ResidualFitter {
         Vector4 row;
         for (std::size_t j = 0; j < 4; ++j) {
           const Complex value = basis_.column(basis_.size() - 4 + j)[line];
-          row(static_cast<Index>(j)) = weight[part] * (part == 0 ? value.real() : value.imag());
+          row(at(j)) = weight[part] * (part == 0 ? value.real() : value.imag());
         }
         normal += row * row.transpose();
         right += row * (weight[part] * (part == 0 ? rest.real() : rest.imag()));
@@ -168,11 +168,11 @@ std::vector<std::size_t> complete_columns(const SymmetricModel& model) {
 /// X_nr (X_rr)⁺ X_rn of the lower or the upper residuals.
 MatrixXcd completed(const SymmetricModel& model, const std::vector<std::size_t>& columns, Complex ResidualTerms::*term) {
   const std::size_t n = model.dofs.size();
-  MatrixXcd tall(static_cast<Index>(n), static_cast<Index>(columns.size())), core(tall.cols(), tall.cols());
+  MatrixXcd tall(at(n), at(columns.size())), core(tall.cols(), tall.cols());
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    for (std::size_t r = 0; r < n; ++r) tall(static_cast<Index>(r), static_cast<Index>(c)) = model.residuals[r * n + columns[c]].*term;
+    for (std::size_t r = 0; r < n; ++r) tall(at(r), at(c)) = model.residuals[r * n + columns[c]].*term;
     for (std::size_t r = 0; r < columns.size(); ++r) {
-      core(static_cast<Index>(r), static_cast<Index>(c)) = model.residuals[columns[r] * n + columns[c]].*term;
+      core(at(r), at(c)) = model.residuals[columns[r] * n + columns[c]].*term;
     }
   }
   const dense::ComplexMinimumNorm decomposition(core, 1e-2);  // without directions that noise would blow up
@@ -188,8 +188,8 @@ void complete_residuals(SymmetricModel& model) {
     for (std::size_t c = 0; c < n; ++c) {
       ResidualTerms& terms = model.residuals[r * n + c];
       if (terms.measured) continue;
-      terms.lower = lower(static_cast<Index>(r), static_cast<Index>(c));
-      terms.upper = upper(static_cast<Index>(r), static_cast<Index>(c));
+      terms.lower = lower(at(r), at(c));
+      terms.upper = upper(at(r), at(c));
       const auto &of_row = model.residuals[r * n + columns.front()], &of_column = model.residuals[columns.front() * n + c];
       for (std::size_t i = 0; i < 16; ++i) terms.covariance[i] = std::max(of_row.covariance[i], of_column.covariance[i]);
     }
@@ -206,7 +206,7 @@ std::array<double, 4> pole_block(const ModalFit& fit, std::size_t r) {
 
 std::string obstacle(const ModalFit& fit) {
   for (const frf::Dof& dof : fit.reference) {
-    if (frf::find_coordinate(fit.response, dof) != frf::npos) return {};
+    if (frf::has(fit.response, dof)) return {};
   }
   return "no coordinate is both response and reference: without a driving point the mode shapes have no scale";
 }

@@ -18,8 +18,8 @@ struct ResidualTerms {
   bool measured = false;  ///< false: completed from the measured ones
 };
 
-/// A mode of all coordinates at once: residue A_ab = φ_a φ_b of a ModelKind (docs/formulas.md §9). With real modes φ is real and normalised to
-/// unit modal mass, 1/√kg; with complex viscous modes φφᵀ is R, modal A being 1.
+/// A mode of all coordinates at once: residue A_ab = φ_a φ_b of a ModelKind (docs/formulas.md §9). With real modes φ is real and
+/// normalised to unit modal mass, 1/√kg; with complex viscous modes φφᵀ is R, modal A being 1.
 struct SymmetricMode {
   Pole pole;
   std::vector<std::complex<double>> shape;       ///< [n]

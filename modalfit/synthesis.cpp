@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/complex.hpp"
 #include "modalfit/basis.hpp"
 
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double cancelled = 0.1;
 constexpr double most_noise = 0.1;  ///< of the model: beyond it the difference is noise, 0.6 dB rms and more
@@ -48,7 +47,8 @@ Complex squares(Complex value, double variance) {
 /// One FRF of a symmetric model.
 class EntryModel {
  public:
-  EntryModel(const SymmetricModel& model, const Basis& basis, std::size_t a, std::size_t b) : basis_(basis), terms_(model.residuals[a * model.dofs.size() + b]) {
+  EntryModel(const SymmetricModel& model, const Basis& basis, std::size_t a, std::size_t b)
+      : basis_(basis), terms_(model.residuals[a * model.dofs.size() + b]) {
     const double scale = residue_scale(model.kind, model.scale_hz);
     for (const SymmetricMode& mode : model.modes) {
       const std::size_t n = model.dofs.size();
@@ -62,7 +62,7 @@ class EntryModel {
   }
 
   void evaluate(std::size_t line, double frequency_hz, double sign, Complex& value, Complex& variance) const {
-    const double omega = 2.0 * std::numbers::pi * frequency_hz;
+    const double omega = angular(frequency_hz);
     value = terms_.upper - terms_.lower / (omega * omega);
     variance = residual_variance(omega);
     for (std::size_t r = 0; r < residues_.size(); ++r) {
@@ -158,7 +158,8 @@ std::vector<SynthesisError> synthesis_errors(const ModalFit& fit, const Band& ba
       const Complex measured = band.value(e)[i], model = regenerated.values[i * band.entries() + e];
       if (measured == 0.0 || std::isnan(model.real())) continue;
       double moduli = 0.0;
-      for (std::size_t j = 0; j < basis.size(); ++j) moduli += std::abs(fit.residues.coefficients[e * basis.size() + j] * basis.column(j)[i]);
+      for (std::size_t j = 0; j < basis.size(); ++j)
+        moduli += std::abs(fit.residues.coefficients[e * basis.size() + j] * basis.column(j)[i]);
       const double db = 20.0 * std::log10(std::abs(model) / std::abs(measured));
       all += db * db;
       ++error.lines;

@@ -27,8 +27,8 @@ struct SynthesisError {
 };
 
 /// Of every entry of the band. A line is near an antiresonance where the terms of the fit cancel to less than a tenth of the sum
-/// of their moduli. Lines that are mostly noise are known by the weights; where the noise was estimated, from 400 lines on. `regenerated`: the
-/// band's lines and entries.
+/// of their moduli. Lines that are mostly noise are known by the weights; where the noise was estimated, from 400 lines on.
+/// `regenerated`: the band's lines and entries.
 std::vector<SynthesisError> synthesis_errors(const ModalFit& fit, const Band& band, const frf::FrfSet& regenerated);
 
 /// Over all entries.

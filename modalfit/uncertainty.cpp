@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "modalfit/normal_block.hpp"
 
 namespace jointid::modalfit {
@@ -107,7 +108,7 @@ std::vector<std::array<double, 2>> own_frequencies(const std::vector<Share>& sha
 }  // namespace
 
 PoleScatter pole_scatter(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const RefinedPoles& refined) {
-  const Index parameters = 2 * static_cast<Index>(refined.poles.size());
+  const Index parameters = 2 * at(refined.poles.size());
   if (parameters == 0) return {};
   const RealBasis basis(make_basis(kind, refined.poles, band.frequency_hz, band.scale_hz(), true));
   std::vector<Share> shares(entries.size());

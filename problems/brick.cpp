@@ -18,7 +18,8 @@ Matrix empty_matrix() { return Matrix(brick_dofs, std::vector<double>(brick_dofs
 /// Calls add(point) at the Gauss points of the cube, whose weights are 1.
 template <class Add>
 void for_each_gauss_point(Add add) {
-  for (const Triple& corner : cube) add({corner[0] / std::numbers::sqrt3, corner[1] / std::numbers::sqrt3, corner[2] / std::numbers::sqrt3});
+  for (const Triple& corner : cube)
+    add({corner[0] / std::numbers::sqrt3, corner[1] / std::numbers::sqrt3, corner[2] / std::numbers::sqrt3});
 }
 
 /// N of corner i and its derivative by x, y or z.

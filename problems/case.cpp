@@ -11,7 +11,7 @@ std::vector<frf::Dof> measured(const Structure& structure, const std::vector<frf
   if (chosen.empty()) return structure.dofs();
   std::vector<frf::Dof> result;
   for (const frf::Dof& dof : structure.dofs()) {
-    if (frf::find_coordinate(chosen, dof) != frf::npos) result.push_back(dof);
+    if (frf::has(chosen, dof)) result.push_back(dof);
   }
   return result;
 }
@@ -56,7 +56,7 @@ std::vector<ComplexSpring> complex_springs(const Case& definition) {
   std::vector<ComplexSpring> result;
   for (const JointMatrix& matrix : definition.joint) {
     const auto& springs = std::get<std::vector<restrictions::Spring>>(matrix.spec);
-    const frf::Complex unit = matrix.kind == Kind::stiffness ? frf::Complex(1.0) : frf::Complex(0.0, 1.0);
+    const Complex unit = matrix.kind == Kind::stiffness ? Complex(1.0) : Complex(0.0, 1.0);
     result.resize(springs.size());
     for (std::size_t i = 0; i < springs.size(); ++i) {
       result[i].ends = springs[i];

@@ -20,7 +20,8 @@ Structure damped_block(const Block& block) {
 std::vector<frf::Dof> solid_directions(const std::vector<std::int64_t>& nodes) {
   std::vector<frf::Dof> dofs;
   for (const std::int64_t node : nodes) {
-    for (const auto direction : {frf::Direction::x, frf::Direction::y, frf::Direction::z}) dofs.push_back({.node = node, .direction = direction});
+    for (const auto direction : {frf::Direction::x, frf::Direction::y, frf::Direction::z})
+      dofs.push_back({.node = node, .direction = direction});
   }
   return dofs;
 }

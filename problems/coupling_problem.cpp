@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "frf/error.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/error.hpp"
+#include "base/temporary_file.hpp"
 #include "problems/coupling_cases.hpp"
 #include "problems/set_format.hpp"
 
@@ -156,9 +156,9 @@ std::filesystem::path write(const CouplingProblem& problem, const std::filesyste
   };
   for (std::size_t i = 0; i < parts.size(); ++i) write_set(parts[i]);
   write_set(problem.assembly);
-  frf::write_text(directory / "truth.json", truth_text(problem));
+  write_text(directory / "truth.json", truth_text(problem));
   const std::filesystem::path scene = directory / (problem.name + ".toml");
-  frf::write_text(scene, scene_text);
+  write_text(scene, scene_text);
   return scene;
 }
 

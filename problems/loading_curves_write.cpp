@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "friction/law.hpp"
-#include "frf/random.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/random.hpp"
+#include "base/temporary_file.hpp"
 #include "problems/loading_curves.hpp"
 
 namespace jointid::problems {
@@ -52,7 +52,7 @@ friction::Curve make_curve(const LoadingCurve& problem, std::size_t points, doub
   for (std::size_t i = 1; i <= points; ++i) {
     const double u = most * static_cast<double>(i) / static_cast<double>(points);
     record.displacement.push_back(u);
-    record.force.push_back(element->response(u).force + scale * frf::normal_numbers({.seed = seed}, i)[0]);
+    record.force.push_back(element->response(u).force + scale * normal_numbers({.seed = seed}, i)[0]);
   }
   friction::Curve curve = friction::loading_curve(problem.name, std::move(record));
   if (problem.ring) {
@@ -68,8 +68,8 @@ std::filesystem::path write(const LoadingCurve& problem, const std::filesystem::
   std::error_code ignored;  // a folder that cannot be made shows when the first file is written
   std::filesystem::create_directories(directory, ignored);
   const std::filesystem::path path = directory / (problem.name + ".csv");
-  frf::write_text(path, csv(problem, make_curve(problem, written_points, options.clean ? 0.0 : written_noise, options.seed)));
-  frf::write_text(directory / "truth.json", truth(problem));
+  write_text(path, csv(problem, make_curve(problem, written_points, options.clean ? 0.0 : written_noise, options.seed)));
+  write_text(directory / "truth.json", truth(problem));
   return path;
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "frf/error.hpp"
-#include "frf/random.hpp"
+#include "base/error.hpp"
+#include "base/random.hpp"
 #include "problems/case.hpp"
 
 namespace jointid::problems {
@@ -51,7 +51,7 @@ ModalSet thirty(const ProblemInfo& info) {
   ModalSet set{info.name, info.description, on_a_line(12), {}, {}};
   constexpr std::size_t count = 30;
   for (std::size_t r = 0; r < count; ++r) {
-    const auto u = frf::uniform_numbers({.seed = 30}, r);
+    const auto u = uniform_numbers({.seed = 30}, r);
     set.modes.frequency_hz.push_back(100.0 + 30.0 * (static_cast<double>(r) + 0.7 * (u[0] - 0.5)));
     set.modes.loss_factor.push_back(0.008 + 0.012 * u[1]);
   }

@@ -3,35 +3,35 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/eigen.hpp"
 #include "dense/eigen.hpp"
 
 namespace jointid::problems {
 namespace {
 
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 double factor(double level, double uniform) { return 1.0 + level * (2.0 * uniform - 1.0); }
 
 /// Rows of Φ at the given DOFs, with the sign of the DOF.
 Eigen::MatrixXd shapes_at(const Modes& modes, const std::vector<frf::Dof>& dofs) {
-  const auto m = static_cast<Eigen::Index>(modes.count());
-  const Eigen::Map<const RowMajor> all(modes.shapes.data(), static_cast<Eigen::Index>(modes.dofs.size()), m);
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(dofs.size()), m);
+  const auto m = at(modes.count());
+  const Eigen::Map<const RowMatrixXd> all(modes.shapes.data(), at(modes.dofs.size()), m);
+  Eigen::MatrixXd result(at(dofs.size()), m);
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(frf::find_coordinate(modes.dofs, dofs[i]));
-    result.row(static_cast<Eigen::Index>(i)) = dofs[i].sign * all.row(row);
+    result.row(at(i)) = dofs[i].sign * all.row(row);
   }
   return result;
 }
 
 Eigen::VectorXcd amplification(const Modes& modes, double frequency_hz) {
   const double omega = two_pi * frequency_hz;
-  Eigen::VectorXcd result(static_cast<Eigen::Index>(modes.count()));
+  Eigen::VectorXcd result(at(modes.count()));
   for (std::size_t r = 0; r < modes.count(); ++r) {
     const double square = std::pow(two_pi * modes.frequency_hz[r], 2);
-    result(static_cast<Eigen::Index>(r)) =
-        1.0 / frf::Complex(square - omega * omega, modes.loss_factor[r] * square);
+    result(at(r)) =
+        1.0 / Complex(square - omega * omega, modes.loss_factor[r] * square);
   }
   return result;
 }
@@ -39,9 +39,9 @@ Eigen::VectorXcd amplification(const Modes& modes, double frequency_hz) {
 }  // namespace
 
 Modes modes(const Structure& structure) {
-  const auto n = static_cast<Eigen::Index>(structure.size());
+  const auto n = at(structure.size());
   const auto real = [&](Kind kind) {
-    return Eigen::Map<const RowMajor>(structure.matrix(kind).data(), n, n);
+    return Eigen::Map<const RowMatrixXd>(structure.matrix(kind).data(), n, n);
   };
   const dense::SymmetricEigen eigen = dense::symmetric_eigen(real(Kind::stiffness), real(Kind::mass));
   const Eigen::MatrixXd& phi = eigen.vectors;
@@ -59,7 +59,7 @@ Modes modes(const Structure& structure) {
     result.loss_factor.push_back(rigid ? 0.0 : damping(r) / square);
   }
   result.shapes.resize(structure.size() * structure.size());
-  Eigen::Map<RowMajor>(result.shapes.data(), n, n) = phi;
+  Eigen::Map<RowMatrixXd>(result.shapes.data(), n, n) = phi;
   return result;
 }
 
@@ -69,8 +69,8 @@ frf::FrfSet modal_response(const Modes& modes, const ResponseRequest& request) {
   const Eigen::MatrixXd rows = shapes_at(modes, request.response);
   const Eigen::MatrixXd columns = shapes_at(modes, request.reference);
   for (const double frequency : request.frequency_hz) {
-    const Eigen::MatrixXcd h = rows.cast<frf::Complex>() * amplification(modes, frequency).asDiagonal() *
-                               columns.transpose().cast<frf::Complex>();
+    const Eigen::MatrixXcd h = rows.cast<Complex>() * amplification(modes, frequency).asDiagonal() *
+                               columns.transpose().cast<Complex>();
     for (Eigen::Index r = 0; r < h.rows(); ++r) {
       for (Eigen::Index c = 0; c < h.cols(); ++c) set.values.push_back(h(r, c));
     }
@@ -78,20 +78,20 @@ frf::FrfSet modal_response(const Modes& modes, const ResponseRequest& request) {
   return set;
 }
 
-Modes with_consistent_errors(Modes modes, const ConsistentErrors& errors, const frf::RandomStream& stream) {
+Modes with_consistent_errors(Modes modes, const ConsistentErrors& errors, const RandomStream& stream) {
   for (std::size_t r = 0; r < modes.count(); ++r) {
-    const auto u = frf::uniform_numbers(stream, r, 0);
+    const auto u = uniform_numbers(stream, r, 0);
     modes.frequency_hz[r] *= factor(errors.frequency, u[0]);
     modes.loss_factor[r] *= factor(errors.damping, u[1]);
   }
   for (std::size_t i = 0; i < modes.shapes.size(); ++i) {
-    modes.shapes[i] *= factor(errors.shape, frf::uniform_numbers(stream, i, 1)[0]);
+    modes.shapes[i] *= factor(errors.shape, uniform_numbers(stream, i, 1)[0]);
   }
   return modes;
 }
 
 frf::FrfSet with_modal_errors(const frf::FrfSet& clean, const Modes& exact, const ConsistentErrors& errors,
-                              const frf::RandomStream& stream) {
+                              const RandomStream& stream) {
   frf::FrfSet result = modal_response(with_consistent_errors(exact, errors, stream),
                                       {.response = clean.header.response,
                                        .reference = clean.header.reference,

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "frf/frf_set.hpp"
-#include "frf/random.hpp"
+#include "base/random.hpp"
 #include "problems/response.hpp"
 #include "problems/structure.hpp"
 
@@ -36,10 +36,10 @@ struct ConsistentErrors {
   double frequency = 0.01;
   double damping = 0.01;
 };
-Modes with_consistent_errors(Modes modes, const ConsistentErrors& errors, const frf::RandomStream& stream);
+Modes with_consistent_errors(Modes modes, const ConsistentErrors& errors, const RandomStream& stream);
 
 /// A set with the header of `clean` and the FRFs of modes with errors.
 frf::FrfSet with_modal_errors(const frf::FrfSet& clean, const Modes& exact, const ConsistentErrors& errors,
-                              const frf::RandomStream& stream);
+                              const RandomStream& stream);
 
 }  // namespace jointid::problems

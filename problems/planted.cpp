@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
 #include "frf/noise.hpp"
 #include "problems/catalogue.hpp"
 #include "problems/spring_coupling.hpp"
@@ -12,10 +12,10 @@ namespace jointid::problems {
 namespace {
 
 using ident::SuspectKind;
-using Complex = frf::Complex;
+using Complex = Complex;
 
 double radians(const frf::FrfSet& set, std::size_t value) {
-  return 2.0 * std::numbers::pi * set.header.frequency_hz[value / set.header.entries()];
+  return angular(set.header.frequency_hz[value / set.header.entries()]);
 }
 
 template <class Change>
@@ -65,7 +65,7 @@ frf::FrfSet with_roving_mass(const frf::FrfSet& set, double mass) {
     const std::size_t point = frf::find_coordinate(set.header.reference, set.header.response[r]);
     if (point == frf::npos || set.header.response[r].is_rotation()) continue;
     change_row(result, r, [&](std::size_t l, Complex& value, std::size_t) {
-      const double omega = 2.0 * std::numbers::pi * set.header.frequency_hz[l];
+      const double omega = angular(set.header.frequency_hz[l]);
       value /= 1.0 - omega * omega * mass * set.values[set.index(l, r, point)];
     });
   }
@@ -244,7 +244,7 @@ bool is_found(const Planted& planted, const std::vector<ident::Suspect>& suspect
   if (suspects.empty()) return false;
   const ident::Suspect& first = suspects.front();
   const bool dofs =
-      std::ranges::all_of(planted.dofs, [&](const frf::Dof& dof) { return frf::find_coordinate(first.dofs, dof) != frf::npos; });
+      std::ranges::all_of(planted.dofs, [&](const frf::Dof& dof) { return frf::has(first.dofs, dof); });
   return first.kind == planted.kind && dofs && std::ranges::find(planted.files, first.file) != planted.files.end();
 }
 

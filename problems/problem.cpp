@@ -1,6 +1,6 @@
 #include "problems/problem.hpp"
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "problems/catalogue.hpp"
 #include "problems/coupling_problem.hpp"
 #include "problems/modal_set.hpp"
@@ -16,7 +16,7 @@ void append(std::vector<Case>& all, std::vector<Case> more) {
 }  // namespace
 
 frf::FrfSet with_noise(const frf::FrfSet& clean, const Modes& exact, const ProblemNoise& noise,
-                       const frf::RandomStream& stream) {
+                       const RandomStream& stream) {
   if (const auto* errors = std::get_if<ConsistentErrors>(&noise))
     return with_modal_errors(clean, exact, *errors, stream);
   return frf::polluted(clean, std::get<frf::NoiseModel>(noise), stream.seed, stream.trial, stream.set);

@@ -52,7 +52,7 @@ std::vector<ProblemInfo> list();
 Problem make(const std::string& name);
 
 /// A set with the errors of a case; `exact` are the modes of its structure.
-frf::FrfSet with_noise(const frf::FrfSet& clean, const Modes& exact, const ProblemNoise& noise, const frf::RandomStream& stream);
+frf::FrfSet with_noise(const frf::FrfSet& clean, const Modes& exact, const ProblemNoise& noise, const RandomStream& stream);
 
 /// FRFs as a test would have given them.
 struct Measurement {

@@ -51,7 +51,7 @@ std::vector<double> elements(const Outcome& outcome, const TableEntry& entry, co
 }
 
 Reproduced judged(const Print& print, std::vector<double> values) {
-  const ident::Spread ours = ident::spread(std::move(values));
+  const Spread ours = spread(std::move(values));
   return {ours, ours.low <= print.value + print.half_unit && print.value - print.half_unit <= ours.high};
 }
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ident/spread.hpp"
+#include "base/statistics.hpp"
 #include "ident/trial_loop.hpp"
 #include "problems/thesis_tables.hpp"
 
@@ -10,7 +10,7 @@ namespace jointid::problems {
 
 /// What the trials give for one entry of a table.
 struct Reproduced {
-  ident::Spread ours;
+  Spread ours;
   bool inside = false;  ///< some number that rounds to the print lies between the 5 % and the 95 % quantile
 };
 

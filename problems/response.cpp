@@ -4,13 +4,12 @@
 #include <complex>
 #include <numbers>
 
+#include "base/eigen.hpp"
 #include "dense/lu.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::problems {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 struct Place {
   Eigen::Index index;
@@ -22,7 +21,7 @@ std::vector<Place> places(const Structure& structure, const std::vector<frf::Dof
   for (const frf::Dof& dof : dofs) {
     const std::size_t index = structure.index(dof);
     result.push_back(
-        {static_cast<Eigen::Index>(index), static_cast<double>(dof.sign * structure.dofs()[index].sign)});
+        {at(index), static_cast<double>(dof.sign * structure.dofs()[index].sign)});
   }
   return result;
 }
@@ -35,9 +34,9 @@ Extended laplace(double window_rate, double frequency_hz) {
 }
 
 ExtendedMatrix dynamic_stiffness(const Structure& structure, Extended s) {
-  const auto n = static_cast<Eigen::Index>(structure.size());
+  const auto n = at(structure.size());
   const auto real = [&](Kind kind) {
-    return Eigen::Map<const RowMajor>(structure.matrix(kind).data(), n, n).cast<Extended>();
+    return Eigen::Map<const RowMatrixXd>(structure.matrix(kind).data(), n, n).cast<Extended>();
   };
   return real(Kind::stiffness) + s * s * real(Kind::mass) + s * real(Kind::viscous_damping) +
          Extended(0.0L, 1.0L) * real(Kind::hysteretic_damping);
@@ -46,11 +45,11 @@ ExtendedMatrix dynamic_stiffness(const Structure& structure, Extended s) {
 /// Solves Z x = f to the last bit of double precision: LU in double, and one step of refinement with the residual in long
 /// double. Noise-free FRFs are the reference that methods are held against, the ill-conditioned direct solution too.
 Eigen::MatrixXcd solve_refined(const ExtendedMatrix& z, const Eigen::MatrixXcd& forces) {
-  const dense::ComplexLu lu(z.cast<frf::Complex>());
+  const dense::ComplexLu lu(z.cast<Complex>());
   const Eigen::MatrixXcd first = lu.solve(forces);
   const ExtendedMatrix residual = forces.cast<Extended>() - z.lazyProduct(first.cast<Extended>());
-  const Eigen::MatrixXcd correction = lu.solve(residual.cast<frf::Complex>());
-  return (first.cast<Extended>() + correction.cast<Extended>()).cast<frf::Complex>();
+  const Eigen::MatrixXcd correction = lu.solve(residual.cast<Complex>());
+  return (first.cast<Extended>() + correction.cast<Extended>()).cast<Complex>();
 }
 
 }  // namespace
@@ -77,10 +76,10 @@ frf::FrfSet frequency_response(const Structure& structure, const ResponseRequest
   set.values.reserve(set.header.lines() * set.header.entries());
   const std::vector<Place> rows = places(structure, request.response);
   const std::vector<Place> columns = places(structure, request.reference);
-  const auto n = static_cast<Eigen::Index>(structure.size());
-  Eigen::MatrixXcd forces = Eigen::MatrixXcd::Zero(n, static_cast<Eigen::Index>(columns.size()));
+  const auto n = at(structure.size());
+  Eigen::MatrixXcd forces = Eigen::MatrixXcd::Zero(n, at(columns.size()));
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    forces(columns[c].index, static_cast<Eigen::Index>(c)) = columns[c].sign;
+    forces(columns[c].index, at(c)) = columns[c].sign;
   }
   for (const double frequency : request.frequency_hz) {
     const ExtendedMatrix z = dynamic_stiffness(structure, laplace(request.window_rate, frequency));
@@ -106,8 +105,8 @@ frf::FrfSet with_accelerometer(const frf::FrfSet& set, double mass, double windo
     }
     const double sign = dof.sign * set.header.reference[point].sign;
     for (std::size_t line = 0; line < set.header.lines(); ++line) {
-      const frf::Complex s(laplace(window_rate, set.header.frequency_hz[line]));
-      const frf::Complex loaded = 1.0 + s * s * mass * sign * set.values[set.index(line, r, point)];
+      const Complex s(laplace(window_rate, set.header.frequency_hz[line]));
+      const Complex loaded = 1.0 + s * s * mass * sign * set.values[set.index(line, r, point)];
       for (std::size_t c = 0; c < set.header.reference.size(); ++c)
         result.values[set.index(line, r, c)] /= loaded;
     }

@@ -5,11 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/complex.hpp"
 #include "friction/equivalent.hpp"
 #include "friction/law.hpp"
-#include "frf/error.hpp"
-#include "frf/random.hpp"
-#include "frf/temporary_file.hpp"
+#include "base/error.hpp"
+#include "base/random.hpp"
+#include "base/temporary_file.hpp"
 #include "problems/beam.hpp"
 #include "problems/case.hpp"
 #include "problems/response.hpp"
@@ -17,8 +18,6 @@
 
 namespace jointid::problems {
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr BeamSection wide = {.width = 0.0508, .thickness = 0.0095, .youngs_modulus = 2.1e11, .density = 7850.0};
 constexpr BeamSection narrow = {.width = 0.0254, .thickness = 0.0127, .youngs_modulus = 2.1e11, .density = 7850.0};
@@ -39,7 +38,10 @@ struct Clamping {
 
 const std::vector<Clamping>& clampings() {
   static const std::vector<Clamping> all = {
-      {"rig2", "replica of rig two: two steel beams, friction joint under 200 N, sine tests at eight displacements (§7.3)", 200.0, {1.07e-7, 4.27, 8.20e6}},
+      {"rig2",
+       "replica of rig two: two steel beams, friction joint under 200 N, sine tests at eight displacements (§7.3)",
+       200.0,
+       {1.07e-7, 4.27, 8.20e6}},
       {"rig2-264", "rig2 under 264 N (§7.3)", 264.0, {1.98e-7, 4.21, 6.46e6}}};
   return all;
 }
@@ -58,7 +60,8 @@ void add_rod(Structure& structure, std::int64_t one, std::int64_t other) {
   structure.add(Kind::stiffness, {{.node = one, .direction = frf::Direction::y}, {{.node = other, .direction = frf::Direction::y}}},
                 wide.youngs_modulus * area / rod_length);
   const double bending = wide.youngs_modulus * inertia / rod_length;
-  structure.add(Kind::stiffness, {beam_dofs(one)[1], beam_dofs(other)[1]}, {{4.0 * bending, 2.0 * bending}, {2.0 * bending, 4.0 * bending}});
+  structure.add(Kind::stiffness, {beam_dofs(one)[1], beam_dofs(other)[1]},
+                {{4.0 * bending, 2.0 * bending}, {2.0 * bending, 4.0 * bending}});
 }
 
 Structure parts() {
@@ -74,7 +77,8 @@ Structure parts() {
 frf::FrfSet with_joint(Structure structure, double stiffness, double damping, const std::string& file) {
   structure.add(Kind::stiffness, {middle_1, middle_2}, stiffness);
   structure.add(Kind::hysteretic_damping, {middle_1, middle_2}, damping);
-  frf::FrfSet set = frequency_response(structure, {.response = {middle_1, middle_2}, .reference = {middle_1}, .frequency_hz = frequencies({48.0, 0.25, 41})});
+  frf::FrfSet set = frequency_response(
+      structure, {.response = {middle_1, middle_2}, .reference = {middle_1}, .frequency_hz = frequencies({48.0, 0.25, 41})});
   set.header.file = file;
   return set;
 }
@@ -88,9 +92,11 @@ std::string scene_of(const RigTwo& rig) {
     levels += "  { assembly = \"" + rig.levels[i].header.file + "\", displacement = " + displacement + " },\n";
   }
   return "title = \"" + rig.name + ": " + rig.description + "\"\n\n[data]\nparts = [\"" + rig.parts.header.file +
-         "\"]\n\n[frequency]\nrange = [48.0, 57.0]  # Hz; the first resonance of the assembly is at 57.05 Hz and below\n\n[equivalent]\ndofs = [\"" +
-         middle_1.name() + "\", \"" + middle_2.name() + "\"]  # excited at the first\nlevels = [  # amplitude of the relative displacement in m\n" + levels +
-         "]\nrigid = \"" + rig.rigid.header.file + "\"  # (7.18); without it (7.11)\nreal = true  # (7.19)\nweighting = \"relative\"\n";
+         "\"]\n\n[frequency]\nrange = [48.0, 57.0]  # Hz; the first resonance of the assembly is at 57.05 Hz and "
+         "below\n\n[equivalent]\ndofs = [\"" +
+         middle_1.name() + "\", \"" + middle_2.name() +
+         "\"]  # excited at the first\nlevels = [  # amplitude of the relative displacement in m\n" + levels + "]\nrigid = \"" +
+         rig.rigid.header.file + "\"  # (7.18); without it (7.11)\nreal = true  # (7.19)\nweighting = \"relative\"\n";
 }
 
 const Clamping& find(const std::string& name) {
@@ -108,9 +114,9 @@ const Clamping& find(const std::string& name) {
 }
 
 /// gain·e^{iφ} per FRF and an error of every value; `set` numbers the measurement.
-void pollute(frf::FrfSet& set, const std::vector<Complex>& factors, const frf::RandomStream& stream) {
+void pollute(frf::FrfSet& set, const std::vector<Complex>& factors, const RandomStream& stream) {
   for (std::size_t i = 0; i < set.values.size(); ++i) {
-    const auto e = frf::normal_numbers(stream, i);
+    const auto e = normal_numbers(stream, i);
     set.values[i] *= factors[i % factors.size()] * Complex(1.0 + random_error * e[0], random_error * e[1]);
   }
 }
@@ -138,7 +144,9 @@ RigTwo make_rig_two(const std::string& name) {
   const auto element = friction::make_element("ren", rig.element);
   rig.limit = element->limit();
   const Structure structure = parts();
-  rig.parts = frequency_response(structure, {.response = {middle_1, middle_2}, .reference = {middle_1, middle_2}, .frequency_hz = frequencies({48.0, 0.25, 41})});
+  rig.parts = frequency_response(
+      structure,
+      {.response = {middle_1, middle_2}, .reference = {middle_1, middle_2}, .frequency_hz = frequencies({48.0, 0.25, 41})});
   rig.parts.header.file = name + "_parts.h5";
   for (double displacement = 0.4e-6; displacement < 60e-6; displacement *= 2.0) {
     const friction::Equivalent joint = friction::equivalent(*element, displacement);
@@ -152,9 +160,10 @@ RigTwo make_rig_two(const std::string& name) {
 
 RigTwo polluted(const RigTwo& rig, std::uint64_t seed) {
   RigTwo out = rig;
-  const auto uniform = [seed](std::uint64_t entry) { return frf::uniform_numbers({.seed = seed}, entry); };
+  const auto uniform = [seed](std::uint64_t entry) { return uniform_numbers({.seed = seed}, entry); };
   const Complex cross = factor(uniform(2), phase_error);  // measured once, in either role
-  pollute(out.parts, {factor(uniform(0), phase_error), cross, cross, factor(uniform(1), phase_error)}, {.seed = seed, .trial = 0, .set = 1});
+  pollute(out.parts, {factor(uniform(0), phase_error), cross, cross, factor(uniform(1), phase_error)},
+          {.seed = seed, .trial = 0, .set = 1});
   const std::vector<Complex> assembly = {factor(uniform(3), 0.0), factor(uniform(4), 0.0)};
   pollute(out.rigid, assembly, {.seed = seed, .trial = 0, .set = 2});
   for (std::size_t i = 0; i < out.levels.size(); ++i) pollute(out.levels[i], assembly, {.seed = seed, .trial = 0, .set = 3 + i});
@@ -181,9 +190,9 @@ std::filesystem::path write(const RigTwo& rig, const std::filesystem::path& dire
                                         {"law", "ren"},
                                         {"parameters", rig.element},
                                         {"limit", rig.limit}};
-  frf::write_text(directory / "truth.json", truth.dump(1) + "\n");
+  write_text(directory / "truth.json", truth.dump(1) + "\n");
   const std::filesystem::path path = directory / (rig.name + ".toml");
-  frf::write_text(path, scene);
+  write_text(path, scene);
   return path;
 }
 

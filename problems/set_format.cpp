@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_writer.hpp"
 #include "frf/uff_file.hpp"
 

@@ -1,9 +1,9 @@
 #include "problems/spring_coupling.hpp"
 
+#include "base/complex.hpp"
+
 namespace jointid::problems {
 namespace {
-
-using frf::Complex;
 
 /// A spring by the places of its ends in a set; `second` is npos where it goes to ground.
 struct PlacedSpring {

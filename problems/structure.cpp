@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::problems {
 namespace {

@@ -1,6 +1,6 @@
 #include "problems/thesis_tables.hpp"
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "problems/table_layout.hpp"
 
 namespace jointid::problems {

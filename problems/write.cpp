@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "frf/temporary_file.hpp"
+#include "base/temporary_file.hpp"
 #include "problems/modal_set.hpp"
 #include "problems/problem.hpp"
 #include "problems/set_format.hpp"
@@ -75,9 +75,9 @@ std::filesystem::path write(const Problem& problem, const std::filesystem::path&
   std::filesystem::create_directories(directory, ignored);
   for (const frf::FrfSet& set : data.substructures) format.write(set, directory / file_name(set, format));
   format.write(data.assembly, directory / file_name(data.assembly, format));
-  frf::write_text(directory / "truth.json", truth_text(problem));
+  write_text(directory / "truth.json", truth_text(problem));
   const std::filesystem::path scene = directory / (problem.name + ".toml");
-  frf::write_text(scene, scene_in_format(problem, format));
+  write_text(scene, scene_in_format(problem, format));
   return scene;
 }
 
@@ -88,7 +88,7 @@ std::filesystem::path write(const ModalSet& set, const std::filesystem::path& di
   const frf::FrfSet data = options.clean ? set.clean : polluted(set, options.seed, 0);
   const std::filesystem::path file = directory / file_name(set.clean, format);
   format.write(data, file);
-  frf::write_text(directory / "truth.json", truth_text(set));
+  write_text(directory / "truth.json", truth_text(set));
   return file;
 }
 

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::restrictions {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "restrictions/linear_expression.hpp"
 #include "restrictions/unit.hpp"
 

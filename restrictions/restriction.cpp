@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "restrictions/local_matrix.hpp"
 
 namespace jointid::restrictions {

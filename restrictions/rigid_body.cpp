@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "dense/svd.hpp"
 
 namespace jointid::restrictions {
@@ -37,7 +38,7 @@ Arms arms_from_centroid(const std::vector<frf::Dof>& dofs,
 }
 
 double characteristic_length(const Arms& arms) {
-  Eigen::VectorXd distances(static_cast<Index>(arms.of_node.size()));
+  Eigen::VectorXd distances(at(arms.of_node.size()));
   Index i = 0;
   for (const auto& [node, arm] : arms.of_node) distances(i++) = arm.stableNorm();
   const double length = distances.stableNorm() / std::sqrt(static_cast<double>(distances.size()));
@@ -51,10 +52,10 @@ Vector3d axis(frf::Direction direction) {
 
 /// V R, [DOFs, 6]: translations t, then ℓθ.
 MatrixXd scaled_rigid_motions(const std::vector<frf::Dof>& dofs, const Arms& arms, double length) {
-  MatrixXd motions = MatrixXd::Zero(static_cast<Index>(dofs.size()), 6);
+  MatrixXd motions = MatrixXd::Zero(at(dofs.size()), 6);
   for (std::size_t i = 0; i < dofs.size(); ++i) {
     const Vector3d along = dofs[i].sign * axis(dofs[i].direction);
-    const Index row = static_cast<Index>(i);
+    const Index row = at(i);
     if (dofs[i].is_rotation()) {
       motions.row(row).tail<3>() = along.transpose();
     } else {
@@ -83,9 +84,9 @@ Deformation deformation(const std::vector<frf::Dof>& dofs,
   const Arms arms = arms_from_centroid(dofs, positions);
   const double length = characteristic_length(arms);
   Deformation result;
-  result.scale = Eigen::VectorXd::Ones(static_cast<Index>(dofs.size()));
+  result.scale = Eigen::VectorXd::Ones(at(dofs.size()));
   for (std::size_t i = 0; i < dofs.size(); ++i) {
-    if (dofs[i].is_rotation()) result.scale(static_cast<Index>(i)) = length;
+    if (dofs[i].is_rotation()) result.scale(at(i)) = length;
   }
   result.basis = complement(scaled_rigid_motions(dofs, arms, length), arms.rounding / length);
   return result;

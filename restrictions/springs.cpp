@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/frf_set.hpp"
 #include "restrictions/local_matrix.hpp"
 #include "restrictions/unit.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "dense/svd.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "stability/exact_line.hpp"
@@ -14,7 +14,6 @@
 namespace jointid::stability {
 namespace {
 
-using ident::at;
 using restrictions::Kind;
 using Vector = Eigen::Matrix<Exact, Eigen::Dynamic, 1>;
 
@@ -28,7 +27,8 @@ Pair<Exact> impedance(const restrictions::Restriction& restriction, const Exact&
     if (matrix.kind == Kind::mass) factor = -omega * omega;
     if (matrix.kind == Kind::viscous_damping) factor = omega;
     Real<Exact>& part = imaginary ? z.im : z.re;
-    for (const restrictions::Term& term : matrix.terms) part(at(term.row), at(term.column)) += factor * Exact(term.coefficient) * theta[at(term.unknown)];
+    for (const restrictions::Term& term : matrix.terms)
+      part(at(term.row), at(term.column)) += factor * Exact(term.coefficient) * theta[at(term.unknown)];
     for (const restrictions::Known& known : matrix.known) part(at(known.row), at(known.column)) += factor * Exact(known.value);
   }
   return z;
@@ -61,7 +61,7 @@ class LikelihoodLine final : public ExactLine {
     Vector out(at(2 * layout_.variables()));
     Eigen::Index next = 0;
     for (const ident::Channel* channel : {&data_.x, &data_.y}) {
-      for (const ident::Complex value : channel->value) {
+      for (const Complex value : channel->value) {
         out[next++] = value.real();
         out[next++] = value.imag();
       }
@@ -94,10 +94,11 @@ class LikelihoodLine final : public ExactLine {
   }
 
  private:
-  static void add(const std::vector<ident::Element>& elements, const ident::Channel& channel, const Pair<Exact>& block, std::vector<Exact>& out) {
+  static void add(const std::vector<ident::Element>& elements, const ident::Channel& channel, const Pair<Exact>& block,
+                  std::vector<Exact>& out) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const Eigen::Index row = at(elements[i].row), column = at(elements[i].column);
-      const ident::Complex value = channel.value[i], weight = channel.weight[i];
+      const Complex value = channel.value[i], weight = channel.weight[i];
       if (weight.real() != 0.0) out.push_back(Exact(weight.real()) * (Exact(value.real()) - block.re(row, column)));
       if (weight.imag() != 0.0) out.push_back(Exact(weight.imag()) * (Exact(value.imag()) - block.im(row, column)));
     }
@@ -114,7 +115,9 @@ class ResponseLine final : public ExactLine {
   ResponseLine(const ident::Plan& plan, const Sets& sets, const ident::Line& line)
       : restriction_(plan.restriction), omega_(2 * boost::math::constants::pi<Exact>() * Exact(line.frequency_hz)) {
     const ident::Coordinates& c = plan.coordinates;
-    const auto sub = [&](const ident::Dofs& rows, const ident::Dofs& columns) { return frfs<Exact>(sets.substructures, line.substructures, rows, columns); };
+    const auto sub = [&](const ident::Dofs& rows, const ident::Dofs& columns) {
+      return frfs<Exact>(sets.substructures, line.substructures, rows, columns);
+    };
     ab_ = sub(c.responses, c.joint);
     ba_ = sub(c.joint, c.references);
     bb_ = sub(c.joint, c.joint);

@@ -4,6 +4,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "dense/svd.hpp"
 #include "ident/row_expander.hpp"
 #include "stability/exact_line.hpp"
@@ -33,7 +34,7 @@ class Stack {
   }
 
   ExactEstimate solve() const {
-    const auto n = static_cast<Eigen::Index>(unknowns_);
+    const auto n = at(unknowns_);
     const Real<Scalar> r = rows_.topLeftCorner(n, n);
     const Real<Scalar> y = r.template triangularView<Eigen::Upper>().solve(Real<Scalar>(rows_.col(n).head(n)));
     ExactEstimate out;
@@ -75,7 +76,7 @@ class Stack {
     const ident::EquationSet use(plan_.equations);
     const Dofs all = ident::joined(at.responses, at.joint), n_columns = use.jn ? at.references : Dofs();
     const Dofs columns = ident::joined(n_columns, use.jj ? at.joint : Dofs());
-    const auto joint = static_cast<Eigen::Index>(at.joint.size());
+    const auto joint = jointid::at(at.joint.size());
     // Z H_asm − I over all coordinates; its rows b are −(C₁ − C₂) up to sign.
     const Pair<Scalar> z_h = solve_exactly(sub(line, all, all), assembly(line, all, columns));
     Pair<Scalar> c{Real<Scalar>(-z_h.re.bottomRows(joint)), Real<Scalar>(-z_h.im.bottomRows(joint))};
@@ -149,7 +150,7 @@ class Stack {
 
   void add(const ident::Line& line) {
     const Equations<Scalar> e = equations(line);
-    const Eigen::Index rows = e.c.re.rows(), columns = e.c.re.cols(), n = static_cast<Eigen::Index>(unknowns_);
+    const Eigen::Index rows = e.c.re.rows(), columns = e.c.re.cols(), n = at(unknowns_);
     const weighting::Weighting weighting = plan_.scene.identify.weighting;
     const weighting::LineWeights weight = weights(weighting, e, rows);
     const Scalar ratio = 2 * boost::math::constants::pi<Scalar>() * Scalar(line.frequency_hz) / Scalar(plan_.assembly_spec.omega0);
@@ -157,9 +158,10 @@ class Stack {
     Eigen::Index used = 0;
     for (Eigen::Index m = 0; m < rows; ++m) {
       for (Eigen::Index l = 0; l < columns; ++l) {
-        const bool j_column = l >= static_cast<Eigen::Index>(e.n_columns);
-        if (!e.wanted[e.a_is_unit || m >= static_cast<Eigen::Index>(e.n_rows)][j_column]) continue;
-        const Scalar w = Scalar(weight.row[static_cast<std::size_t>((j_column ? rows : 0) + m)]) * Scalar(weight.column[static_cast<std::size_t>(l)]);
+        const bool j_column = l >= at(e.n_columns);
+        if (!e.wanted[e.a_is_unit || m >= at(e.n_rows)][j_column]) continue;
+        const Scalar w = Scalar(weight.row[static_cast<std::size_t>((j_column ? rows : 0) + m)]) *
+                         Scalar(weight.column[static_cast<std::size_t>(l)]);
         write(e, m, l, w, ratio, block.middleRows(used, 2));
         used += 2;
       }
@@ -173,13 +175,13 @@ class Stack {
 
   void write(const Equations<Scalar>& e, Eigen::Index m, Eigen::Index l, const Scalar& w, const Scalar& ratio,
              Eigen::Ref<Real<Scalar>> to) const {
-    const Eigen::Index n = static_cast<Eigen::Index>(unknowns_);
+    const Eigen::Index n = at(unknowns_);
     to(0, n) = w * e.c.re(m, l);
     to(1, n) = w * e.c.im(m, l);
     for (const restrictions::MatrixTerms& matrix : plan_.restriction.matrices) {
       const Factor f = factor(matrix.kind, ratio);
       const auto put = [&](std::size_t p, std::size_t q, const Scalar& value, Eigen::Index column) {
-        const auto b_row = static_cast<Eigen::Index>(q), a_column = static_cast<Eigen::Index>(p);
+        const auto b_row = at(q), a_column = at(p);
         Scalar re = e.b.re(b_row, l), im = e.b.im(b_row, l);
         if (e.a_is_unit) {
           if (a_column != m) return;
@@ -193,7 +195,7 @@ class Stack {
         to(1, column) += f.imaginary ? Scalar(size * re) : Scalar(size * im);
       };
       for (const restrictions::Term& term : matrix.terms) {
-        put(term.row, term.column, Scalar(term.coefficient), static_cast<Eigen::Index>(term.unknown));
+        put(term.row, term.column, Scalar(term.coefficient), at(term.unknown));
       }
       const Scalar scale = Scalar(ident::unscale(matrix.kind, plan_.assembly_spec.omega0));
       for (const restrictions::Known& known : matrix.known) put(known.row, known.column, Scalar(-known.value) / scale, n);
@@ -201,7 +203,8 @@ class Stack {
   }
 
   void append(const Real<Scalar>& block) {
-    if (filled_ + block.rows() > rows_.rows()) rows_.conservativeResize(std::max<Eigen::Index>(1024, filled_ + 4 * block.rows()), block.cols());
+    if (filled_ + block.rows() > rows_.rows())
+      rows_.conservativeResize(std::max<Eigen::Index>(1024, filled_ + 4 * block.rows()), block.cols());
     rows_.middleRows(filled_, block.rows()) = block;
     filled_ += block.rows();
     if (filled_ > 1000) reduce();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/eigen.hpp"
 #include "stability/exact_identification.hpp"
 #include "stability/exact_number.hpp"
 
@@ -8,7 +9,7 @@ namespace jointid::stability {
 /// FRFs of one line between DOFs; 0 where no set has both.
 template <class Scalar>
 Pair<Scalar> frfs(const std::vector<frf::FrfSet>& sets, std::size_t line, const ident::Dofs& rows, const ident::Dofs& columns) {
-  Pair<Scalar> out(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns.size()));
+  Pair<Scalar> out(at(rows.size()), at(columns.size()));
   for (const frf::FrfSet& set : sets) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const std::size_t r = frf::find_coordinate(set.header.response, rows[i]);
@@ -16,9 +17,9 @@ Pair<Scalar> frfs(const std::vector<frf::FrfSet>& sets, std::size_t line, const 
         const std::size_t c = frf::find_coordinate(set.header.reference, columns[k]);
         if (c == frf::npos) continue;
         const int sign = rows[i].sign * set.header.response[r].sign * columns[k].sign * set.header.reference[c].sign;
-        const frf::Complex value = set.values[set.index(line, r, c)];
-        out.re(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = Scalar(sign * value.real());
-        out.im(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = Scalar(sign * value.imag());
+        const Complex value = set.values[set.index(line, r, c)];
+        out.re(at(i), at(k)) = Scalar(sign * value.real());
+        out.im(at(i), at(k)) = Scalar(sign * value.imag());
       }
     }
   }

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <boost/math/constants/constants.hpp>
 
+#include "base/eigen.hpp"
 #include "dense/eigen.hpp"
 #include "stability/exact_number.hpp"
 
@@ -22,9 +23,8 @@ Pair<Scalar> solve(const Pair<Scalar>& z, const Pair<Scalar>& f) {
 }
 
 Real<Exact> matrix(const problems::Structure& structure, Kind kind) {
-  const auto n = static_cast<Eigen::Index>(structure.size());
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  return Eigen::Map<const RowMajor>(structure.matrix(kind).data(), n, n).cast<Exact>();
+  const auto n = at(structure.size());
+  return Eigen::Map<const RowMatrixXd>(structure.matrix(kind).data(), n, n).cast<Exact>();
 }
 
 Exact radian_frequency(double frequency_hz) { return 2 * boost::math::constants::pi<Exact>() * Exact(frequency_hz); }
@@ -47,7 +47,8 @@ frf::FrfSet exact_responses(const problems::Structure& structure, const std::vec
     Real<Exact> out = matrix(structure, kind);
     for (const ExactSpring& spring : springs) {
       if (spring.kind != kind) continue;
-      const auto i = static_cast<Eigen::Index>(structure.index(spring.first)), j = static_cast<Eigen::Index>(structure.index(spring.second));
+      const auto i = static_cast<Eigen::Index>(structure.index(spring.first)),
+                 j = static_cast<Eigen::Index>(structure.index(spring.second));
       out(i, i) += Exact(spring.value);
       out(j, j) += Exact(spring.value);
       out(i, j) -= Exact(spring.value);
@@ -57,9 +58,9 @@ frf::FrfSet exact_responses(const problems::Structure& structure, const std::vec
   };
   const Real<Exact> k = with_springs(Kind::stiffness), m = with_springs(Kind::mass), c = with_springs(Kind::viscous_damping),
                     d = with_springs(Kind::hysteretic_damping);
-  Pair<Exact> forces(k.rows(), static_cast<Eigen::Index>(request.reference.size()));
+  Pair<Exact> forces(k.rows(), at(request.reference.size()));
   for (std::size_t i = 0; i < request.reference.size(); ++i) {
-    forces.re(static_cast<Eigen::Index>(structure.index(request.reference[i])), static_cast<Eigen::Index>(i)) = request.reference[i].sign;
+    forces.re(static_cast<Eigen::Index>(structure.index(request.reference[i])), at(i)) = request.reference[i].sign;
   }
   for (const double frequency : request.frequency_hz) {
     const Exact omega = radian_frequency(frequency);
@@ -77,7 +78,7 @@ frf::FrfSet exact_responses(const problems::Structure& structure, const std::vec
 double exact_natural_frequency(const problems::Structure& structure, std::size_t mode) {
   const Real<Exact> k = matrix(structure, Kind::stiffness), m = matrix(structure, Kind::mass);
   const dense::SymmetricEigen modes = dense::symmetric_eigen(k.cast<double>(), m.cast<double>());
-  const auto column = static_cast<Eigen::Index>(mode);
+  const auto column = at(mode);
   Real<Exact> x = modes.vectors.col(column).cast<Exact>();
   Exact square = modes.values[column];
   for (int i = 0; i < 3; ++i) {  // Rayleigh quotients converge cubically

@@ -15,7 +15,9 @@ constexpr std::size_t masses = 4;
 
 frf::Dof coordinate(std::int64_t node) { return {node, frf::Direction::y, +1}; }
 
-std::vector<frf::Dof> nodes_from(std::int64_t first) { return {coordinate(first), coordinate(first + 1), coordinate(first + 2), coordinate(first + 3)}; }
+std::vector<frf::Dof> nodes_from(std::int64_t first) {
+  return {coordinate(first), coordinate(first + 1), coordinate(first + 2), coordinate(first + 3)};
+}
 
 /// A chain of nodes first … first+3, its ground spring at node `grounded`, and the soft or stiff link between two neighbours.
 Structure chain(std::int64_t first, std::int64_t grounded, std::int64_t link, const ExtremeScene& scene) {
@@ -29,7 +31,8 @@ Structure chain(std::int64_t first, std::int64_t grounded, std::int64_t link, co
     const double step = 1.0 + 0.07 * static_cast<double>(node);
     out.add(Kind::mass, {coordinate(node), {}}, scene.seed == 0 ? step : uniform(random));
     const double stiffness = spring * (scene.seed == 0 ? 1.0 / step : uniform(random));
-    if (node < first + 3) out.add(Kind::stiffness, {coordinate(node), coordinate(node + 1)}, node == link ? stiffness / scene.gap : stiffness);
+    if (node < first + 3)
+      out.add(Kind::stiffness, {coordinate(node), coordinate(node + 1)}, node == link ? stiffness / scene.gap : stiffness);
     if (node < first + 2) out.add(Kind::stiffness, {coordinate(node), coordinate(node + 2)}, 0.4 * stiffness);
   }
   if (!scene.free_free) out.add(Kind::stiffness, {coordinate(grounded), {}}, spring);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "base/eigen.hpp"
 #include "dense/svd.hpp"
 #include "ident/linear_solution.hpp"
 #include "stability/exact_number.hpp"
@@ -34,7 +35,7 @@ struct ExactSolution {
 };
 
 ExactSolution solve_exactly(const Rows& rows) {
-  const auto m = static_cast<Eigen::Index>(rows.count()), n = static_cast<Eigen::Index>(rows.unknowns);
+  const auto m = at(rows.count()), n = at(rows.unknowns);
   Real<Exact> e(m, n + 1);
   for (Eigen::Index i = 0; i < m; ++i) {
     for (Eigen::Index j = 0; j <= n; ++j) e(i, j) = Exact(rows.high[static_cast<std::size_t>(i * (n + 1) + j)]);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "ident/column_scaling.hpp"
 #include "ident/linear_solution.hpp"
 #include "stability/exact_number.hpp"
@@ -19,7 +20,7 @@ struct Problem {
   Eigen::VectorXd scale;
 
   explicit Problem(const Rows& rows) {
-    const auto m = static_cast<Eigen::Index>(rows.count()), n = static_cast<Eigen::Index>(rows.unknowns);
+    const auto m = at(rows.count()), n = at(rows.unknowns);
     e.resize(m, n);
     p.resize(m, 1);
     for (Eigen::Index i = 0; i < m; ++i) {
@@ -51,8 +52,8 @@ struct Factored {
     r = Eigen::MatrixXd::Zero(e.cols(), e.cols());
     qf.resize(e.cols());
     for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = i; j < n; ++j) r(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = triangle(i, j);
-      qf[static_cast<Eigen::Index>(i)] = triangle(i, n);
+      for (std::size_t j = i; j < n; ++j) r(at(i), at(j)) = triangle(i, j);
+      qf[at(i)] = triangle(i, n);
     }
   }
 };

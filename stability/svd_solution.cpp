@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "dense/svd.hpp"
 #include "ident/column_scaling.hpp"
 
@@ -12,12 +13,12 @@ ident::LinearSolution solve_svd(ident::Accumulator& accumulator) {
   const std::size_t n = accumulator.columns();
   std::size_t rows = 0;
   for (const auto& [columns, triangle] : accumulator.triangles()) rows += columns.size() + 1;
-  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(n));
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(at(rows), at(n));
   Eigen::VectorXd right = Eigen::VectorXd::Zero(system.rows());
   Eigen::Index row = 0;
   for (const auto& [columns, triangle] : accumulator.triangles()) {
     for (std::size_t i = 0; i <= columns.size(); ++i, ++row) {
-      for (std::size_t j = i; j < columns.size(); ++j) system(row, static_cast<Eigen::Index>(columns[j])) = triangle(i, j);
+      for (std::size_t j = i; j < columns.size(); ++j) system(row, at(columns[j])) = triangle(i, j);
       right[row] = triangle(i, columns.size());
     }
   }

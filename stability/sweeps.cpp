@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/solve.hpp"
 #include "stability/draw.hpp"
 #include "stability/matrix_sweeps.hpp"
@@ -78,7 +78,7 @@ bool follows_all_methods(const std::string& sweep) { return sweep == "stiffness"
 /// Up to which number of lines the likelihood and the SVD are measured.
 constexpr std::size_t few_lines = 1000;
 
-void stop_if_asked(const Watch& watch) { ident::stop_if(watch.interrupted); }
+void stop_if_asked(const Watch& watch) { stop_if(watch.interrupted); }
 
 void measure_scene(const std::string& sweep, const Step& step, const Watch& watch, std::vector<Measured>& out) {
   const auto add = [&](ExtremeScene scene, Method method, const std::vector<std::string>& solvers) {
@@ -161,7 +161,8 @@ std::vector<Measured> run_sweeps(const std::vector<std::string>& names, const Wa
       list += (list.empty() ? "use " : ", ") + each.name;
     }
     const std::string near = nearest_word(name, words);
-    throw InputError({ErrorKind::usage, "", "--sweeps", "'" + name + "' is no sweep", (near.empty() ? "" : "did you mean '" + near + "'? ") + list});
+    throw InputError({ErrorKind::usage, "", "--sweeps", "'" + name + "' is no sweep",
+                      (near.empty() ? "" : "did you mean '" + near + "'? ") + list});
   }
   std::vector<Measured> out;
   for (const Sweep& sweep : sweeps()) {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cctype>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::weighting {
 namespace {

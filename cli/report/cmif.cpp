@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "cli/report/decimate.hpp"
 #include "dense/svd.hpp"
 
@@ -30,10 +31,10 @@ std::vector<std::size_t> selected_references(std::size_t references) {
 }
 
 Eigen::VectorXd singular_values_at(const modalfit::Band& band, const std::vector<std::size_t>& references, std::size_t line) {
-  Eigen::MatrixXcd h(static_cast<Eigen::Index>(band.responses), static_cast<Eigen::Index>(references.size()));
+  Eigen::MatrixXcd h(at(band.responses), at(references.size()));
   for (std::size_t r = 0; r < band.responses; ++r) {
     for (std::size_t c = 0; c < references.size(); ++c) {
-      h(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = band.value(r * band.references + references[c])[line];
+      h(at(r), at(c)) = band.value(r * band.references + references[c])[line];
     }
   }
   return dense::svd(h, dense::Vectors::none, dense::Vectors::none).sigma;
@@ -52,7 +53,7 @@ Backdrop mode_indicators(const modalfit::Band& band, std::size_t count, std::siz
   for (const std::size_t line : kept) {
     const Eigen::VectorXd sigma = singular_values_at(band, references, line);
     for (std::size_t i = 0; i < shown; ++i) {
-      const double value = sigma(static_cast<Eigen::Index>(i));
+      const double value = sigma(at(i));
       out.series[i].y.push_back(value > 0.0 ? value : std::numeric_limits<double>::quiet_NaN());
     }
   }

@@ -52,7 +52,9 @@ std::string comparison_report(const ComparisonReport& report, const ident::Scene
                 true});
   page.section("Cost");
   page.add(cost_table(all));
-  page.add(Text{"Median time of one solution on one thread, and memory of the reduced system, or of data and states of the likelihood.", true});
+  page.add(Text{
+      "Median time of one solution on one thread, and memory of the reduced system, or of data and states of the likelihood.",
+      true});
   add_left_out(report.comparison.left_out, page);
   return page.html();
 }

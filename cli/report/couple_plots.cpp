@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/statistics.hpp"
 #include "cli/report/decimate.hpp"
 #include "cli/report/frf_curves.hpp"
 #include "cli/report/phase_branch.hpp"
@@ -17,7 +18,6 @@ using Values = std::vector<double>;
 using coupling::LineRecord;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double two_sided_95 = 1.959963984540054;
 constexpr std::size_t most_together = 12;
 
 CurvePlot over_frequency(const std::string& title, Axis y, const Values& frequency_hz, std::vector<Series> series, std::size_t most) {
@@ -51,7 +51,7 @@ std::vector<Series> magnitude_series(const PredictedFrf& frf) {
   if (frf.variance.empty()) return series;
   Series upper{"95 %, upper", series.back().y, Style::dashed}, lower{"95 %, lower", series.back().y, Style::dashed};
   for (std::size_t i = 0; i < frf.value.size(); ++i) {
-    const double factor = std::exp(two_sided_95 * relative_deviation(frf.value[i], frf.variance[i]));
+    const double factor = std::exp(normal_95 * relative_deviation(frf.value[i], frf.variance[i]));
     upper.y[i] *= factor;
     lower.y[i] /= factor;
   }
@@ -74,7 +74,8 @@ Choice choice(const Values& frequency_hz, const PredictedFrf& frf, std::size_t m
   CurvePlot phase = over_frequency("Phase", {"phase (°)", false}, frequency_hz, std::move(phases), most);
   choose_branch(phase);
   return {name,
-          {over_frequency("Magnitude of " + name, {receptance_label(frf.response, frf.reference), true}, frequency_hz, magnitude_series(frf), most),
+          {over_frequency("Magnitude of " + name, {receptance_label(frf.response, frf.reference), true}, frequency_hz,
+                          magnitude_series(frf), most),
            phase}};
 }
 
@@ -85,7 +86,9 @@ std::vector<Series> singular_value_series(const std::vector<LineRecord>& lines) 
   for (std::size_t i = 0; i < std::min(count, most_together); ++i) {
     series.push_back({fmt::format("{}", i + 1), per_line(lines, [i](const LineRecord& line) { return line.sigma[i]; }), Style::line});
   }
-  series.push_back({"threshold", per_line(lines, [count](const LineRecord& line) { return line.limit[std::min(line.kept, count - 1)]; }), Style::dashed});
+  series.push_back({"threshold",
+                    per_line(lines, [count](const LineRecord& line) { return line.limit[std::min(line.kept, count - 1)]; }),
+                    Style::dashed});
   return series;
 }
 
@@ -103,9 +106,11 @@ PlotGroup condition_plots(const ident::CoupleResult& result, std::size_t most) {
   const auto add = [&](const std::string& title, Axis y, std::vector<Series> series) {
     choice.plots.emplace_back(over_frequency(title, std::move(y), result.frequency_hz, std::move(series), most));
   };
-  add("Condition of S", {"condition number", true}, {{"condition", per_line(lines, [](const LineRecord& line) { return line.condition; }), Style::line}});
+  add("Condition of S", {"condition number", true},
+      {{"condition", per_line(lines, [](const LineRecord& line) { return line.condition; }), Style::line}});
   if (!lines.front().sigma.empty()) add("Singular values of S", {"singular value", true}, singular_value_series(lines));
-  const bool drops = std::ranges::any_of(lines, [&](const LineRecord& line) { return line.usable && line.kept != result.result.conditions; });
+  const bool drops =
+      std::ranges::any_of(lines, [&](const LineRecord& line) { return line.usable && line.kept != result.result.conditions; });
   if (drops) {
     Values kept;
     for (const LineRecord& line : lines) kept.push_back(line.usable ? static_cast<double>(line.kept) : nan);
@@ -114,8 +119,8 @@ PlotGroup condition_plots(const ident::CoupleResult& result, std::size_t most) {
   return {"", {choice}};
 }
 
-PlotGroup alpha_plots(const std::vector<double>& frequency_hz, const std::vector<LineRecord>& lines, const std::vector<std::string>& conditions,
-                      std::optional<double> level, std::size_t most) {
+PlotGroup alpha_plots(const std::vector<double>& frequency_hz, const std::vector<LineRecord>& lines,
+                      const std::vector<std::string>& conditions, std::optional<double> level, std::size_t most) {
   PlotGroup group{"conditions", {}};
   if (lines.empty() || lines.front().alpha.empty()) return group;
   for (std::size_t first = 0; first < conditions.size(); first += most_together) {

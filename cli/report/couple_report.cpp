@@ -29,8 +29,9 @@ std::string condition_text(const ident::CoupleResult& result) {
 void add_summary(const ident::CoupleScene& scene, const ident::CoupleResult& result, ReportPage& page) {
   page.section("Summary");
   Facts facts{{{"method", coupling_method_text(scene)},
-               {"conditions", result.dependencies ? fmt::format("{} of {}", result.result.conditions, result.dependencies->conditions.size())
-                                                  : fmt::format("{}", result.result.conditions)},
+               {"conditions", result.dependencies
+                                  ? fmt::format("{} of {}", result.result.conditions, result.dependencies->conditions.size())
+                                  : fmt::format("{}", result.result.conditions)},
                {"FRFs", fmt::format("{} × {}, {} lines", result.responses, result.references, result.lines)},
                {"lines not usable", fmt::format("{}", result.unusable_lines)},
                {"lines not in all parts", fmt::format("{}", result.lines_without_partner)},
@@ -64,14 +65,18 @@ void add_conditions(const ident::CoupleScene& scene, const ident::CoupleResult& 
     page.add(Text{result.dependencies->reason});
     const auto level = result.dependencies->threshold > 0.0 ? std::optional(result.dependencies->threshold) : std::nullopt;
     page.add(alpha_plots(result.frequency_hz, result.survey, names(*result.dependencies), level, most_points));
-    page.add(Text{"Alpha is about 1 for coordinates that move on their own and 0 for those that the conditions before nearly hold; the line is "
-                  "where the medians are parted.", true});
+    page.add(
+        Text{"Alpha is about 1 for coordinates that move on their own and 0 for those that the conditions before nearly hold; "
+             "the line is "
+             "where the medians are parted.",
+             true});
   } else {
     Table table({{"condition", Align::left}});
     for (const std::string& condition : result.conditions) table.add({condition});
     page.add(table);
     const bool by_alpha = scene.options.threshold == coupling::Threshold::alpha;
-    page.add(alpha_plots(result.frequency_hz, result.records, result.conditions, by_alpha ? std::optional(scene.options.alpha) : std::nullopt, most_points));
+    page.add(alpha_plots(result.frequency_hz, result.records, result.conditions,
+                         by_alpha ? std::optional(scene.options.alpha) : std::nullopt, most_points));
   }
 }
 
@@ -80,7 +85,8 @@ void add_lines(const ident::CoupleScene& scene, const ident::CoupleResult& resul
   if (const std::string rule = kept_rule(scene); !rule.empty()) {
     page.add(Text{"Kept on each line: " + rule + "."});
     Table table({{"kept"}, {"lines"}});
-    for (const auto& [kept, lines] : kept_counts(result)) table.add({fmt::format("{} of {}", kept, result.result.conditions), fmt::format("{}", lines)});
+    for (const auto& [kept, lines] : kept_counts(result))
+      table.add({fmt::format("{} of {}", kept, result.result.conditions), fmt::format("{}", lines)});
     page.add(table);
   }
   page.add(condition_plots(result, most_points));
@@ -90,7 +96,8 @@ void add_frfs(const ident::CoupleResult& result, ReportPage& page) {
   page.section("Predicted FRFs");
   page.add(predicted_plots(result.frequency_hz, read_predicted(result, most_frfs), most_points));
   const std::size_t frfs = result.responses * result.references;
-  if (frfs > most_frfs) page.add(Text{fmt::format("First {} of {} FRFs; {} has all of them.", most_frfs, frfs, result.result.path.string()), true});
+  if (frfs > most_frfs)
+    page.add(Text{fmt::format("First {} of {} FRFs; {} has all of them.", most_frfs, frfs, result.result.path.string()), true});
   Table table({{"resonance (Hz)"}});
   if (result.with_all) table = Table({{"resonance (Hz)"}, {"with all conditions (Hz)"}});
   const std::vector<double> all = result.with_all ? result.with_all->resonances_hz : std::vector<double>();

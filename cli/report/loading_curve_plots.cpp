@@ -93,8 +93,10 @@ std::vector<Plot> plots_of(const LoadingCurveReport& report, std::size_t number)
   const Curve& curve = report.data.curves[number];
   const std::size_t size = curve.u.size();
   const std::string force = "force (" + curve.force_unit + ")", stiffness = curve.force_unit + "/" + curve.displacement_unit;
-  if (curve.kind == CurveKind::loading) return overlay(report, number, {"Loading curve", "displacement", force, ascending(curve, 0, size), 0});
-  if (curve.kind == CurveKind::energy) return overlay(report, number, {"Energy per cycle", "amplitude", "energy (J)", ascending(curve, 0, size), 0});
+  if (curve.kind == CurveKind::loading)
+    return overlay(report, number, {"Loading curve", "displacement", force, ascending(curve, 0, size), 0});
+  if (curve.kind == CurveKind::energy)
+    return overlay(report, number, {"Energy per cycle", "amplitude", "energy (J)", ascending(curve, 0, size), 0});
   std::vector<Plot> out;
   if (curve.kind == CurveKind::loop) {
     append(out, overlay(report, number, {"Rising branch", "displacement, rising", force, ascending(curve, 0, curve.turn + 1), 0}));
@@ -130,7 +132,8 @@ double slip_displacement(const friction::Element& element, double h, double most
 /// What is drawn over amplitude.
 using Quantity = double (*)(const friction::Equivalent&);
 
-CurvePlot over_amplitude(const LoadingCurveReport& report, std::size_t number, const std::string& title, const std::string& unit, Quantity quantity) {
+CurvePlot over_amplitude(const LoadingCurveReport& report, std::size_t number, const std::string& title, const std::string& unit,
+                         Quantity quantity) {
   CurvePlot plot;
   plot.title = title;
   plot.y = {unit, false};
@@ -173,7 +176,8 @@ PlotGroup slip_distribution(const LoadingCurveReport& report) {
       plot.y = {"displacement u(h) (" + curve.curve.displacement_unit + ")", true};
       Values u;
       for (const double h : plot.x_values) u.push_back(slip_displacement(*curve.element, h, 5.0 * curve.curve.largest_displacement()));
-      if (std::ranges::any_of(u, [](double each) { return std::isfinite(each); })) plot.series.push_back({fit->law, std::move(u), Style::line});
+      if (std::ranges::any_of(u, [](double each) { return std::isfinite(each); }))
+        plot.series.push_back({fit->law, std::move(u), Style::line});
     }
     plot.level = report.data.curves[number].largest_displacement();
     group.choices.push_back({report.data.loops ? "all loops" : report.data.curves[number].name, {plot}});
@@ -189,9 +193,12 @@ PlotGroup equivalents_plots(const LoadingCurveReport& report) {
     const Curve& curve = report.data.curves[number];
     const std::string unit = " (" + curve.force_unit + "/" + curve.displacement_unit + ")";
     group.choices.push_back({report.data.loops ? "all loops" : curve.name,
-                             {over_amplitude(report, number, "Equivalent stiffness", "k_e" + unit, [](const friction::Equivalent& row) { return row.stiffness; }),
-                              over_amplitude(report, number, "Equivalent damping", "d_e" + unit, [](const friction::Equivalent& row) { return row.damping; }),
-                              over_amplitude(report, number, "Energy per cycle", "energy (J)", [](const friction::Equivalent& row) { return row.energy; })}});
+                             {over_amplitude(report, number, "Equivalent stiffness", "k_e" + unit,
+                                             [](const friction::Equivalent& row) { return row.stiffness; }),
+                              over_amplitude(report, number, "Equivalent damping", "d_e" + unit,
+                                             [](const friction::Equivalent& row) { return row.damping; }),
+                              over_amplitude(report, number, "Energy per cycle", "energy (J)",
+                                             [](const friction::Equivalent& row) { return row.energy; })}});
   }
   return group;
 }
@@ -208,7 +215,8 @@ PlotGroup loops_in_turn(const LoadingCurveReport& report) {
     for (std::size_t law = 0; law < report.of_loops.size(); ++law) {
       Values y;
       for (const Fit& fit : report.of_loops[law]) y.push_back(fit.curves.empty() ? no_value : figure(fit.curves[0]));
-      if (std::ranges::any_of(y, [](double each) { return std::isfinite(each); })) plot.series.push_back({report.fits[law].law, std::move(y), Style::line});
+      if (std::ranges::any_of(y, [](double each) { return std::isfinite(each); }))
+        plot.series.push_back({report.fits[law].law, std::move(y), Style::line});
     }
     return plot;
   };
@@ -216,9 +224,11 @@ PlotGroup loops_in_turn(const LoadingCurveReport& report) {
   const auto limit = [](const CurveFit& fit) { return fit.limit.value; };
   const auto stiffness = [](const CurveFit& fit) { return fit.stiffness.value; };
   const auto energy = [](const CurveFit& fit) { return 100.0 * energy_error(fit); };
-  group.choices.push_back({"", {in_turn("Friction limit", "limit (" + curve.force_unit + ")", limit),
-                                in_turn("Initial stiffness", "stiffness (" + curve.force_unit + "/" + curve.displacement_unit + ")", stiffness),
-                                in_turn("Energy of the fitted loop against the measured one", "error (%)", energy)}});
+  group.choices.push_back(
+      {"",
+       {in_turn("Friction limit", "limit (" + curve.force_unit + ")", limit),
+        in_turn("Initial stiffness", "stiffness (" + curve.force_unit + "/" + curve.displacement_unit + ")", stiffness),
+        in_turn("Energy of the fitted loop against the measured one", "error (%)", energy)}});
   return group;
 }
 

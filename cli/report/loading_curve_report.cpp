@@ -38,9 +38,11 @@ StatusBanner loading_banner(const LoadingCurveReport& report) {
 void add_laws(const LoadingCurveReport& report, ReportPage& page) {
   page.section("Laws compared");
   page.add(laws_table(report));
-  page.add(Text{"AIC weighs the residuals against the number of unknowns, as if residuals were independent: of two laws the lower one "
-                "describes these data better. Differences of samples that lie close together are not independent and make it look surer than it is.",
-                true});
+  page.add(
+      Text{"AIC weighs the residuals against the number of unknowns, as if residuals were independent: of two laws the lower one "
+           "describes these data better. Differences of samples that lie close together are not independent and make it look "
+           "surer than it is.",
+           true});
   for (const friction::Fit& fit : report.fits) {
     if (!fit.curves.empty()) page.add(parameters_table(report, fit), fit.law);
   }
@@ -74,7 +76,8 @@ std::string loading_curve_report(const LoadingCurveReport& report) {
   page.section("Curves and residuals");
   page.add(curves_and_residuals(report, most_curves));
   if (report.data.curves.size() > most_curves) {
-    page.add(Text{fmt::format("{} of {} curves, evenly chosen; --json and --csv have the figures of all of them.", most_curves, report.data.curves.size()),
+    page.add(Text{fmt::format("{} of {} curves, evenly chosen; --json and --csv have the figures of all of them.", most_curves,
+                              report.data.curves.size()),
                   true});
   }
   page.section("Slip over the stiffness area");

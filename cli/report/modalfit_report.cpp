@@ -59,7 +59,8 @@ PlotGroup stabilisation_diagram(const ModalRun& run) {
 HeatMap error_overview(const ModalRun& run) {
   std::vector<double> rms_db;
   for (const modalfit::SynthesisError& error : run.symmetric ? run.of_model : run.of_fit) rms_db.push_back(error.rms_db_away);
-  return error_map("rms error in dB away from antiresonances, responses down, references across", run.fit.response, run.fit.reference, rms_db);
+  return error_map("rms error in dB away from antiresonances, responses down, references across", run.fit.response,
+                   run.fit.reference, rms_db);
 }
 
 /// The FRFs that are drawn: the first, then those that are met worst.
@@ -82,7 +83,7 @@ ident::Regenerated overlay_data(const ModalRun& run, const std::vector<std::size
     ident::RegeneratedFrf frf{{run.fit.response[e / columns], run.fit.reference[e % columns]}, {}, {}};
     for (std::size_t i = 0; i < run.band.lines(); ++i) {
       const auto measured = run.band.value(e)[i];
-      frf.measured.push_back(measured == 0.0 ? ident::Complex(nan, nan) : measured);
+      frf.measured.push_back(measured == 0.0 ? Complex(nan, nan) : measured);
       frf.predicted.push_back(run.regenerated.values[i * entries + e]);
     }
     out.frfs.push_back(std::move(frf));
@@ -113,9 +114,11 @@ std::string modalfit_report(const ModalRun& run) {
   page.add(facts);
   page.section("Modes");
   page.add(modes_table(run));
-  page.add(Text{"Significance: how much worse the fit would be without the mode, over what noise reaches once in a thousand million. Rank-one "
-                "misfit: mean square of what keeps the residues from one reciprocal shape, over their variances.",
-                true});
+  page.add(
+      Text{"Significance: how much worse the fit would be without the mode, over what noise reaches once in a thousand million. "
+           "Rank-one "
+           "misfit: mean square of what keeps the residues from one reciprocal shape, over their variances.",
+           true});
   page.section("Stabilisation diagram");
   page.add(stabilisation_diagram(run));
   page.section("FRFs");

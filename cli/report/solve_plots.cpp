@@ -25,7 +25,7 @@ bool has_any(const Values& values) {
 
 double largest(const ident::RegeneratedFrf& frf) {
   double out = 0.0;
-  for (const ident::Complex& value : frf.measured) out = std::fmax(out, std::abs(value));
+  for (const Complex& value : frf.measured) out = std::fmax(out, std::abs(value));
   return out;
 }
 

@@ -164,8 +164,8 @@ void add_frf_errors(const ident::EntryErrors& errors, ReportPage& page) {
   page.section("Errors of all assembly FRFs");
   page.add(map);
   if (errors.responses.size() < errors.all_responses || errors.references.size() < errors.all_references) {
-    page.add(Text{fmt::format("An even selection of {} of {} responses and {} of {} references.", errors.responses.size(), errors.all_responses,
-                              errors.references.size(), errors.all_references)});
+    page.add(Text{fmt::format("An even selection of {} of {} responses and {} of {} references.", errors.responses.size(),
+                              errors.all_responses, errors.references.size(), errors.all_references)});
   }
   page.add(worst_frfs(map), "Worst first", {most_worst, "the map has all of them"});
   page.add(Text{fmt::format("rms over all {} lines that both systems have. A row or column that stands out points to its sensor or its "

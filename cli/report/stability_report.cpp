@@ -32,8 +32,9 @@ CurvePlot digits_plot(const stability::Sweep& sweep, const std::vector<stability
 
 /// Red when a solution was wrong and did not say so.
 StatusBanner stability_banner(const StabilityReport& report) {
-  const auto silent = static_cast<std::size_t>(std::ranges::count(report.rows, stability::Verdict::silent_wrong, &stability::Measured::verdict)) +
-                      report.count.silent_wrong;
+  const auto silent =
+      static_cast<std::size_t>(std::ranges::count(report.rows, stability::Verdict::silent_wrong, &stability::Measured::verdict)) +
+      report.count.silent_wrong;
   if (silent == 0) return {Trust::good, "ok", "No solution was silently wrong."};
   return {Trust::bad, "silently wrong", fmt::format("{} solutions were wrong and did not say so.", silent)};
 }
@@ -56,9 +57,11 @@ std::string stability_report(const StabilityReport& report) {
     page.add(digits_table(sweep, rows));
     page.add(cost_table(rows));
   }
-  page.add(Text{"Digits: of the unknowns, each times the norm of its column, against the same identification in 50 digits; of the likelihood, "
-                "against the truth. Grey: what the condition allows.",
-                true});
+  page.add(
+      Text{"Digits: of the unknowns, each times the norm of its column, against the same identification in 50 digits; of the "
+           "likelihood, "
+           "against the truth. Grey: what the condition allows.",
+           true});
   return page.html();
 }
 

@@ -19,8 +19,8 @@ constexpr std::size_t longest_unbroken = 48;
 /// Wide tables scroll by themselves, not the page; their title stays.
 std::string scrolling(const std::string& table, const std::string& title, bool beside) {
   const std::string named = title.empty() ? "" : fmt::format("<div class=\"caption\">{}</div>", html(title));
-  return fmt::format("<div class=\"{}\">{}<div class=\"wide\" tabindex=\"0\" aria-label=\"{}\">{}</div></div>\n", beside ? "titled beside" : "titled", named, html(title),
-                     table);
+  return fmt::format("<div class=\"{}\">{}<div class=\"wide\" tabindex=\"0\" aria-label=\"{}\">{}</div></div>\n",
+                     beside ? "titled beside" : "titled", named, html(title), table);
 }
 
 std::string classes(const Column& column, const std::string& cell) {

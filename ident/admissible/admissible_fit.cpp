@@ -20,7 +20,8 @@ bool inside(const std::vector<SymmetricBlock>& blocks, const VectorXd& theta) {
 /// Away from the limits by what rounding may have crossed them: a matrix that vanishes has no largest eigenvalue to compare with.
 VectorXd pushed_inside(const AdmissibleSet& set, const VectorXd& theta, const VectorXd& estimate) {
   constexpr double length = 1e-13;
-  const bool cone = set.ties.empty() && std::ranges::all_of(set.inequalities, [](const auto& each) { return each.block.constant.isZero(0.0); });
+  const bool cone =
+      set.ties.empty() && std::ranges::all_of(set.inequalities, [](const auto& each) { return each.block.constant.isZero(0.0); });
   const double size = cone ? estimate.cwiseAbs().maxCoeff() / set.inside.cwiseAbs().maxCoeff() : 1.0;
   return theta + length * (size * set.inside - theta);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "dense/pivoted_qr.hpp"
 
 namespace jointid::ident {
@@ -17,10 +18,10 @@ bool is_symmetric(const MatrixXd& m) { return (m - m.transpose()).cwiseAbs().max
 
 /// Orthonormal basis of what the matrices reach together, each counted by its largest element.
 MatrixXd range_of(const std::vector<MatrixXd>& matrices, Index size) {
-  MatrixXd side_by_side = MatrixXd::Zero(size, size * static_cast<Index>(matrices.size()));
+  MatrixXd side_by_side = MatrixXd::Zero(size, size * at(matrices.size()));
   for (std::size_t i = 0; i < matrices.size(); ++i) {
     const double largest = matrices[i].cwiseAbs().maxCoeff();
-    if (largest > 0.0) side_by_side.middleCols(size * static_cast<Index>(i), size) = matrices[i] / largest;
+    if (largest > 0.0) side_by_side.middleCols(size * at(i), size) = matrices[i] / largest;
   }
   const dense::RealPivotedQr qr(side_by_side, unreached);
   if (qr.rank() == size) return MatrixXd::Identity(size, size);
@@ -41,7 +42,7 @@ std::vector<BlockEntry> entries_of(const MatrixXd& matrix) {
 
 std::optional<SymmetricBlock> definite_block(const restrictions::MatrixTerms& matrix, std::size_t first, std::size_t count,
                                              const std::map<std::size_t, std::size_t>& column_of, double unit) {
-  const auto size = static_cast<Index>(count);
+  const auto size = at(count);
   const auto at = [&](std::size_t i) { return static_cast<Index>(i - first); };
   std::map<std::size_t, MatrixXd> coefficients;  // by column
   for (const restrictions::Term& term : matrix.terms) {
@@ -69,7 +70,7 @@ std::optional<SymmetricBlock> definite_block(const restrictions::MatrixTerms& ma
   };
   SymmetricBlock block{.constant = reduced(known), .unknowns = {}, .coefficients = {}};
   for (const auto& [column, own] : coefficients) {
-    block.unknowns.push_back(static_cast<Index>(column));
+    block.unknowns.push_back(at(column));
     block.coefficients.push_back(entries_of(reduced(own)));
   }
   return block;

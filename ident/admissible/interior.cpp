@@ -72,7 +72,8 @@ std::optional<VectorXd> interior_point(const std::vector<SymmetricBlock>& blocks
   }
   const SemidefiniteFit fit = solve_semidefinite(raised, origin, basis);
   const VectorXd found = origin + basis * fit.x;
-  const bool inside = std::ranges::all_of(raised, [&](const SymmetricBlock& block) { return least_eigenvalue(block.at(found)) > -0.5 * room; });
+  const bool inside =
+      std::ranges::all_of(raised, [&](const SymmetricBlock& block) { return least_eigenvalue(block.at(found)) > -0.5 * room; });
   if (!inside || !(found[unknowns] > room)) return std::nullopt;
   return unit.asDiagonal() * found.head(unknowns);
 }

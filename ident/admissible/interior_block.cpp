@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "dense/eigen.hpp"
 
@@ -36,7 +37,7 @@ double room_of(const MatrixXd& root, const MatrixXd& step) {
 
 InteriorBlock::InteriorBlock(const SymmetricBlock& block, const VectorXd& origin, const MatrixXd& basis)
     : scale_(balance(block, origin)), of_(scaled(block, scale_)), at_origin_(of_.at(origin)) {
-  basis_.resize(static_cast<Index>(of_.unknowns.size()), basis.cols());
+  basis_.resize(at(of_.unknowns.size()), basis.cols());
   for (Index u = 0; u < basis_.rows(); ++u) basis_.row(u) = basis.row(of_.unknowns[static_cast<std::size_t>(u)]);
   std::iota(of_.unknowns.begin(), of_.unknowns.end(), Index{0});
   violation_ = std::max(0.0, -least_eigenvalue(at_origin_));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "modalfit/selection.hpp"
 
 namespace jointid::ident {
@@ -13,12 +14,6 @@ using Eigen::Index;
 std::size_t count(Index n) { return static_cast<std::size_t>(n); }
 
 std::size_t free_unknowns(const AdmissibleSet& set) { return count(set.directions.cols()); }
-
-std::string rounded(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 std::string joined(const std::vector<std::string>& texts) {
   std::string all;
@@ -37,8 +32,8 @@ void cut_intervals(const std::vector<Bound>& bounds, Solution& out) {
 void warn(const Admissibility& found, Solution& out) {
   constexpr double deviations = 3.09;  // one in a thousand
   if (!found.from_variances || found.equations == 0) return;
-  if (!(found.chi_square > modalfit::chi_square_quantile(static_cast<double>(found.equations), deviations))) return;
-  out.warnings.push_back("The constraints raise χ² by " + rounded(found.chi_square) + " (" + std::to_string(found.equations) +
+  if (!(found.chi_square > chi_square_quantile(static_cast<double>(found.equations), deviations))) return;
+  out.warnings.push_back("The constraints raise χ² by " + digits(found.chi_square, "%.4g") + " (" + std::to_string(found.equations) +
                          " equations hold): the data contradict them, or the variances are too small.");
 }
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "frf/error.hpp"
+#include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "ident/admissible/admissible_set.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/admissible/definite_block.hpp"
@@ -77,7 +78,8 @@ void add_bounds(const Plan& plan, const std::vector<std::string>& names, Admissi
     const std::string unit = plan.restriction.unknowns[plan.columns->unknown_of(column)].unit;
     const auto add = [&](double limit, double sign, const char* relation, const char* which) {
       if (!std::isfinite(limit)) return;
-      SymmetricBlock block{Eigen::MatrixXd::Constant(1, 1, -sign * limit / plan.unscale(column)), {static_cast<Index>(column)}, {{{0, 0, sign}}}};
+      SymmetricBlock block{
+          Eigen::MatrixXd::Constant(1, 1, -sign * limit / plan.unscale(column)), {at(column)}, {{{0, 0, sign}}}};
       set.inequalities.push_back({bound.unknown + relation + text_of(limit) + (limit == 0.0 ? "" : " " + unit), "[identify] bounds",
                                 std::string("at its ") + which + " bound", std::move(block)});
     };
@@ -101,7 +103,7 @@ void add_ties(const Plan& plan, const std::vector<std::string>& names, Admissibl
       }
       ties.push_back(std::move(tie));
     }
-    auto [offset, directions] = eliminate(std::move(ties), static_cast<Index>(names.size()));
+    auto [offset, directions] = eliminate(std::move(ties), at(names.size()));
     set.offset = std::move(offset);
     set.directions = std::move(directions);
   } catch (const InputError& error) {
@@ -141,7 +143,8 @@ void require_support(const Scene& scene) {
   const IdentifySection& identify = scene.identify;
   if (identify.method != Method::newton && identify.solver != "iqml") return;
   const std::string what = identify.solver == "iqml" ? "solver \"iqml\"" : "method \"newton\"";
-  fail(scene, "[identify]", what + " knows no constraints (definite, bounds, ties)", "use method \"likelihood\" with solver \"auto\", or a linear method");
+  fail(scene, "[identify]", what + " knows no constraints (definite, bounds, ties)",
+       "use method \"likelihood\" with solver \"auto\", or a linear method");
 }
 
 }  // namespace
@@ -161,7 +164,7 @@ std::shared_ptr<const AdmissibleSet> plan_admissible(const Plan& plan) {
   const std::vector<std::string> names = names_of(plan);
   add_bounds(plan, names, *set);
   add_ties(plan, names, *set);
-  require_room(plan.scene, static_cast<Index>(names.size()), *set);
+  require_room(plan.scene, at(names.size()), *set);
   std::erase_if(set->inequalities, [](const Inequality& inequality) { return inequality.block.unknowns.empty(); });  // known to hold
   return set;
 }

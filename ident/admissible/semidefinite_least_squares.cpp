@@ -37,7 +37,8 @@ class InteriorPoint {
       ++iterations_;
       if (!step()) break;
     }
-    SemidefiniteFit out{.x = x_, .value = {}, .multiplier = {}, .at_limit = {}, .gap = gap(), .iterations = iterations_, .converged = false};
+    SemidefiniteFit out{
+        .x = x_, .value = {}, .multiplier = {}, .at_limit = {}, .gap = gap(), .iterations = iterations_, .converged = false};
     for (const InteriorBlock& block : blocks_) {
       out.value.push_back(block.value(x_));
       out.multiplier.push_back(block.multiplier());

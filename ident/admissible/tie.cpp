@@ -4,7 +4,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "restrictions/linear_expression.hpp"
 
 namespace jointid::ident {
@@ -87,7 +88,7 @@ Tie parse_tie(const std::string& text, const std::vector<std::string>& names) {
     const std::string near = nearest_word(word, names);
     fail(quoted + ": the joint has no unknown " + word, near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
   }
-  Tie tie{Eigen::VectorXd::Zero(static_cast<Index>(names.size())), 0.0};
+  Tie tie{Eigen::VectorXd::Zero(at(names.size())), 0.0};
   try {
     add_side(with_identifiers(text.substr(0, equals), names), 1.0, tie);
     add_side(with_identifiers(text.substr(equals + 1), names), -1.0, tie);
@@ -128,8 +129,8 @@ TiedUnknowns eliminate(std::vector<Tie> ties, Index unknowns) {
     }
     pivots.push_back(pivot);
   }
-  if (static_cast<Index>(pivots.size()) == unknowns) fail("the ties leave no unknown free", "remove one of them");
-  TiedUnknowns out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, unknowns - static_cast<Index>(pivots.size()))};
+  if (at(pivots.size()) == unknowns) fail("the ties leave no unknown free", "remove one of them");
+  TiedUnknowns out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, unknowns - at(pivots.size()))};
   Index free = 0;
   for (Index u = 0; u < unknowns; ++u) {
     if (std::ranges::find(pivots, u) != pivots.end()) continue;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "dense/eigen.hpp"
 
 namespace jointid::ident {
@@ -55,7 +56,7 @@ Eigen::VectorXcd value_at_zero(const Eigen::MatrixXcd& values, const Eigen::Vect
   Eigen::Matrix3cd gram;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      gram(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = left[i].conjugate().cwiseProduct(left[j]).sum();
+      gram(at(i), at(j)) = left[i].conjugate().cwiseProduct(left[j]).sum();
     }
   }
   const Eigen::Vector3cd denominator = weakest_direction(gram);
@@ -69,8 +70,8 @@ Eigen::VectorXcd value_at_zero(const Eigen::MatrixXcd& values, const Eigen::Vect
 }  // namespace
 
 std::vector<Eigen::MatrixXcd> shifted_frfs(const CheckedFile& file, const std::vector<std::size_t>& lines, double epsilon) {
-  const auto count = static_cast<Eigen::Index>(file.frequency_hz.size());
-  const auto rows = static_cast<Eigen::Index>(file.responses.size()), columns = static_cast<Eigen::Index>(file.references.size());
+  const auto count = at(file.frequency_hz.size());
+  const auto rows = at(file.responses.size()), columns = at(file.references.size());
   std::vector<Eigen::MatrixXcd> result;
   for (const std::size_t l : lines) {
     Eigen::MatrixXcd shifted = Eigen::MatrixXcd::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN());

@@ -21,8 +21,6 @@ constexpr std::size_t most_lines = 16, least_lines = 8;
 constexpr double most_work = 3e5;                     ///< products of complex numbers per test, about
 constexpr std::size_t most_rows = 10, most_columns = 5;  ///< beside the joint's, per part
 
-bool has(const Dofs& dofs, const frf::Dof& dof) { return place_of(dofs, dof) != frf::npos; }
-
 const Dofs& side(const CheckedFile& file, bool references) { return references ? file.references : file.responses; }
 
 /// The joint's coordinates and, of each part, up to `most` others that the assembly has too.
@@ -32,8 +30,9 @@ Dofs some_of(const Files& files, const Dofs& joint, bool references, std::size_t
     if (part.assembly) continue;
     Dofs others;
     for (const frf::Dof& dof : side(part, references)) {
-      const bool common = std::ranges::any_of(files, [&](const CheckedFile& file) { return file.assembly && has(side(file, references), dof); });
-      if (common && !has(joint, dof)) others.push_back(dof);
+      const bool common =
+          std::ranges::any_of(files, [&](const CheckedFile& file) { return file.assembly && frf::has(side(file, references), dof); });
+      if (common && !frf::has(joint, dof)) others.push_back(dof);
     }
     for (const std::size_t i : spread_lines(others.size(), most)) chosen.push_back(others[i]);
   }
@@ -132,16 +131,18 @@ std::vector<MistakeTrial> axis_trials(const std::vector<CheckedFile>& all, const
     const double deviations = deviations_of_stretch(sample, f);
     const double best = deviations < least_deviations ? 0.0 : best_stretch(sample, f);
     if (best == 0.0) continue;
-    out.push_back({.kind = SuspectKind::axis,
-                   .files = {f},
-                   .dofs = {},
-                   .what = fmt::format("resonances agree with the other files when the frequencies of the file are divided by {:.5g}", 1.0 + best),
-                   .remedy = remedy_in(all[f].name, fmt::format("frequency_scale = {:.6g}", 1.0 / (1.0 + best))),
-                   .undo = [f, best](Files& files) { shift_all(files[f], best); },
-                   .bonus = 0.01 * std::min(deviations, 25.0),
-                   .least_score = least_score_of_axis,
-                   .only_span = true,
-                   .leave = [f](Files& files) { shift_all(files[f], 0.0); }});
+    out.push_back(
+        {.kind = SuspectKind::axis,
+         .files = {f},
+         .dofs = {},
+         .what = fmt::format("resonances agree with the other files when the frequencies of the file are divided by {:.5g}",
+                             1.0 + best),
+         .remedy = remedy_in(all[f].name, fmt::format("frequency_scale = {:.6g}", 1.0 / (1.0 + best))),
+         .undo = [f, best](Files& files) { shift_all(files[f], best); },
+         .bonus = 0.01 * std::min(deviations, 25.0),
+         .least_score = least_score_of_axis,
+         .only_span = true,
+         .leave = [f](Files& files) { shift_all(files[f], 0.0); }});
   }
   return out;
 }

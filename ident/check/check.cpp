@@ -23,7 +23,7 @@ Dofs joint_of(const Scene& scene) {
   Dofs all;
   for (const restrictions::JointSpec& joint : scene.joints) {
     for (const frf::Dof& dof : joint.dofs) {
-      if (frf::find_coordinate(all, dof) == frf::npos) all.push_back(dof);
+      if (!frf::has(all, dof)) all.push_back(dof);
     }
   }
   return all;
@@ -49,10 +49,12 @@ CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> su
 }
 
 CheckResult check_scene(const Scene& scene, const Control& control) {
-  return check_systems(
-      scene,
-      std::make_shared<frf::FrfSystem>("substructures", open_all(scene.data.substructures), frf::Composition::uncoupled, scene.data.reciprocity),
-      std::make_shared<frf::FrfSystem>("assembly", open_all(scene.data.assembly), frf::Composition::merged, scene.data.reciprocity), control);
+  return check_systems(scene,
+                       std::make_shared<frf::FrfSystem>("substructures", open_all(scene.data.substructures),
+                                                        frf::Composition::uncoupled, scene.data.reciprocity),
+                       std::make_shared<frf::FrfSystem>("assembly", open_all(scene.data.assembly), frf::Composition::merged,
+                                                        scene.data.reciprocity),
+                       control);
 }
 
 }  // namespace jointid::ident

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ident/median.hpp"
+#include "base/eigen.hpp"
+#include "base/statistics.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::ident {
@@ -46,10 +47,10 @@ void keep(CheckedFile& file, const std::vector<Eigen::Index>& rows, const std::v
 void leave_out_unmeasured(CheckedFile& file) {
   std::vector<Eigen::Index> rows, columns;
   const auto any = [&](auto is_there) { return std::ranges::any_of(file.frfs, is_there); };
-  for (Eigen::Index r = 0; r < static_cast<Eigen::Index>(file.responses.size()); ++r) {
+  for (Eigen::Index r = 0; r < at(file.responses.size()); ++r) {
     if (any([&](const Eigen::MatrixXcd& line) { return line.row(r).unaryExpr(&is_measured).any(); })) rows.push_back(r);
   }
-  for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(file.references.size()); ++c) {
+  for (Eigen::Index c = 0; c < at(file.references.size()); ++c) {
     if (any([&](const Eigen::MatrixXcd& line) { return line.col(c).unaryExpr(&is_measured).any(); })) columns.push_back(c);
   }
   if (rows.size() < file.responses.size() || columns.size() < file.references.size()) keep(file, rows, columns);
@@ -75,7 +76,7 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
                    .frfs = {}};
   const auto rows = all_indices(header.response.size()), columns = all_indices(header.reference.size());
   const std::size_t entries = rows.size() * columns.size();
-  std::vector<frf::Complex> values(source_lines.size() * entries);
+  std::vector<Complex> values(source_lines.size() * entries);
   source.read({source_lines, rows, columns}, values);
   for (std::size_t l = 0; l < source_lines.size(); ++l) {
     file.frequency_hz.push_back(header.frequency_hz[source_lines[l]]);
@@ -83,7 +84,7 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
     for (std::size_t r = 0; r < rows.size(); ++r) {
       for (std::size_t c = 0; c < columns.size(); ++c) {
         const double sign = header.response[r].sign * header.reference[c].sign;
-        line(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = sign * values[l * entries + r * columns.size() + c];
+        line(at(r), at(c)) = sign * values[l * entries + r * columns.size() + c];
       }
     }
     file.frfs.push_back(std::move(line));
@@ -99,7 +100,7 @@ std::vector<double> row_energies(const CheckedFile& file) {
   for (std::size_t l = 0; l < file.frfs.size(); ++l) {
     const double weight = std::pow(std::max(file.frequency_hz[l], 1e-3), 4);
     for (std::size_t r = 0; r < energy.size(); ++r) {
-      for (const std::complex<double>& value : file.frfs[l].row(static_cast<Eigen::Index>(r))) {
+      for (const std::complex<double>& value : file.frfs[l].row(at(r))) {
         if (is_measured(value)) energy[r] += weight * std::norm(value);
       }
     }
@@ -180,7 +181,7 @@ CheckedFile part_of(const CheckedFile& file, const Dofs& responses, const Dofs& 
   const auto places = [](const Dofs& all, const Dofs& wanted) {
     std::vector<Eigen::Index> out;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (place_of(wanted, all[i]) != frf::npos) out.push_back(static_cast<Eigen::Index>(i));
+      if (place_of(wanted, all[i]) != frf::npos) out.push_back(at(i));
     }
     return out;
   };
@@ -194,7 +195,7 @@ std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file) {
   std::vector<Eigen::Index> rows, columns;
   const std::vector<double> energy = row_energies(file);
   const double medians[] = {median_of_kind(file, energy, false), median_of_kind(file, energy, true)};
-  for (Eigen::Index r = 0; r < static_cast<Eigen::Index>(energy.size()); ++r) {
+  for (Eigen::Index r = 0; r < at(energy.size()); ++r) {
     const frf::Dof& dof = file.responses[static_cast<std::size_t>(r)];
     const double typical = medians[dof.is_rotation() ? 1 : 0], own = energy[static_cast<std::size_t>(r)];
     if (own <= 1e-8 * typical) {
@@ -221,7 +222,7 @@ std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file) {
     }
     rows.push_back(r);
   }
-  for (Eigen::Index c = 0; c < static_cast<Eigen::Index>(file.references.size()); ++c) columns.push_back(c);
+  for (Eigen::Index c = 0; c < at(file.references.size()); ++c) columns.push_back(c);
   if (!found.empty()) keep(file, rows, columns);
   return found;
 }

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "ident/check/delay_fit.hpp"
-#include "ident/median.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -24,8 +26,8 @@ BothRoles both_roles(const CheckedFile& file) {
     const std::size_t c = place_of(file.references, file.responses[r]);
     if (c == frf::npos) continue;
     both.dofs.push_back(file.responses[r]);
-    both.row.push_back(static_cast<Eigen::Index>(r));
-    both.column.push_back(static_cast<Eigen::Index>(c));
+    both.row.push_back(at(r));
+    both.column.push_back(at(c));
   }
   return both;
 }
@@ -120,11 +122,11 @@ ReciprocityTest reciprocity_test(const CheckedFile& file, bool with_rows) {
     const Eigen::MatrixXcd h = file.frfs[l](both.row, both.column);
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = i + 1; j < n; ++j) {
-        const auto r = static_cast<Eigen::Index>(i), c = static_cast<Eigen::Index>(j);
+        const auto r = at(i), c = at(j);
         pairs[i][j].add(h(r, c), h(c, r), std::abs(h(r, r) * h(c, c)), with_rows);
       }
     }
-    if (with_rows) mass.add_line(h, both.dofs, 2.0 * std::numbers::pi * file.frequency_hz[l]);
+    if (with_rows) mass.add_line(h, both.dofs, angular(file.frequency_hz[l]));
   }
   double logs = 0.0;
   std::size_t count = 0;

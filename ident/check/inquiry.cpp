@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "base/text.hpp"
 #include "ident/check/axis_trials.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/sameness.hpp"
@@ -21,12 +22,6 @@ constexpr double tie = 0.93;     ///< of the best score: cannot be told from it
 constexpr double certain = 0.7;  ///< score whose confidence is 1 − 1/e
 
 using Files = std::vector<CheckedFile>;
-
-std::string share_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, value < 0.1 ? "%.2g %%" : "%.0f %%", 100.0 * value);
-  return text;
-}
 
 Files lines_of(const Files& all, std::size_t count) {
   Files some;
@@ -49,7 +44,7 @@ std::string change_text(const Misfit& before, const Misfit& after) {
       }
     }
     if (at == was.size()) return;
-    text += (text.empty() ? "" : ", ") + std::string(what) + " from " + share_text(was[at]) + " to " + share_text(is[at]);
+    text += (text.empty() ? "" : ", ") + std::string(what) + " from " + percent(was[at]) + " to " + percent(is[at]);
   };
   add(before.span, after.span, "what the parts and forces at the joint leave of the assembly's FRFs");
   add(before.reciprocity, after.reciprocity, "the difference of H_ij and H_ji");
@@ -84,7 +79,8 @@ class Inquiry {
     for (Suspect& same : find_sameness(lines_of(all_, screening_), setups_, noise_)) found.push_back(std::move(same));
     if (!found.empty()) return found;
     const std::size_t rounds = all_.size() + 2;
-    for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round) screening = screen(lines_of(all_, screening_), setups_);
+    for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)
+      screening = screen(lines_of(all_, screening_), setups_);
     if (found.empty()) look_for_rest(found);
     return found;
   }
@@ -185,8 +181,8 @@ class Inquiry {
         found.push_back({.kind = SuspectKind::not_reciprocal,
                          .file = all_[f].name,
                          .dofs = {},
-                         .evidence = "H_ij and H_ji differ by " + share_text(rest.reciprocity[f]) +
-                                     " of their size, where the noise is about " + share_text(noise_[f]),
+                         .evidence = "H_ij and H_ji differ by " + percent(rest.reciprocity[f]) +
+                                     " of their size, where the noise is about " + percent(noise_[f]),
                          .confidence = 0.6,
                          .remedy = ""});
       }
@@ -198,8 +194,8 @@ class Inquiry {
            .file = "",
            .dofs = {},
            .evidence =
-               "forces at the joint's coordinates leave " + share_text(worst) +
-               " of the assembly's FRFs, where H_ij and H_ji agree to " + share_text(mirror) +
+               "forces at the joint's coordinates leave " + percent(worst) +
+               " of the assembly's FRFs, where H_ij and H_ji agree to " + percent(mirror) +
                ": parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
            .confidence = 0.5,
            .remedy = ""});

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "dense/eigen.hpp"
 #include "ident/check/trials.hpp"
 #include "ident/check/unit_factor.hpp"
@@ -33,8 +34,8 @@ Places most_translations(const CheckedFile& file) {
     for (std::size_t r = 0; r < file.responses.size(); ++r) {
       const std::size_t c = place_of(file.references, file.responses[r]);
       if (file.responses[r].direction != direction || c == frf::npos) continue;
-      places.rows.push_back(static_cast<Index>(r));
-      places.columns.push_back(static_cast<Index>(c));
+      places.rows.push_back(at(r));
+      places.columns.push_back(at(c));
     }
     if (places.rows.size() > best.rows.size()) best = std::move(places);
   }
@@ -43,7 +44,7 @@ Places most_translations(const CheckedFile& file) {
 
 /// 1ᵀA⁺1 of one line, or nothing where that is no mass.
 std::optional<double> mass_at(const Eigen::MatrixXcd& receptance, double frequency_hz) {
-  const double omega = 2.0 * std::numbers::pi * frequency_hz;
+  const double omega = angular(frequency_hz);
   const Eigen::MatrixXcd accelerance = -omega * omega * 0.5 * (receptance + receptance.transpose());
   if (!accelerance.allFinite() || accelerance.imag().norm() > most_imaginary * accelerance.real().norm()) return std::nullopt;
   const dense::SymmetricEigen eigen = dense::symmetric_eigen(accelerance.real());
@@ -111,8 +112,8 @@ std::vector<Suspect> find_wrong_masses(std::vector<CheckedFile>& files) {
     found.push_back({.kind = words.empty() ? SuspectKind::gain : SuspectKind::unit,
                      .file = file.name,
                      .dofs = {},
-                     .evidence = fmt::format("the rigid-body lines are those of {:.3g} kg, where {:.4g} kg were weighed{}", *told, *file.mass,
-                                             words.empty() ? "" : ": " + words),
+                     .evidence = fmt::format("the rigid-body lines are those of {:.3g} kg, where {:.4g} kg were weighed{}", *told,
+                                             *file.mass, words.empty() ? "" : ": " + words),
                      .confidence = words.empty() ? not_sure : sure,
                      .remedy = remedy_in(file.name, fmt::format("gain = {:.6g}", factor))});
     for (Eigen::MatrixXcd& line : file.frfs) line *= factor;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text.hpp"
 #include "ident/check/trials.hpp"
 
 namespace jointid::ident {
@@ -11,12 +12,6 @@ namespace {
 
 constexpr double identical_numbers = 1e-9;
 constexpr double no_motion = 0.02;  ///< FRFs across parts below 2 % of the others: nothing is transmitted
-
-std::string in_percent(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g %%", 100.0 * value);
-  return text;
-}
 
 std::string quoted_label(const frf::Dof& dof) { return "\"" + dof.name() + "\""; }
 
@@ -109,7 +104,7 @@ std::vector<Suspect> find_sameness(const std::vector<CheckedFile>& files, const 
                        .file = files[setup.part].name,
                        .dofs = {},
                        .evidence = "the FRFs of the part are the same numbers as those of " + files[setup.assembly].name +
-                                   ": one measurement under two names, as the joint passes on " + in_percent(same.across) +
+                                   ": one measurement under two names, as the joint passes on " + percent(same.across) +
                                    " to the other side",
                        .confidence = 0.97,
                        .remedy = "give the file of the part measured alone in place of " + files[setup.part].name});
@@ -119,8 +114,8 @@ std::vector<Suspect> find_sameness(const std::vector<CheckedFile>& files, const 
     found.push_back({.kind = SuspectKind::loose,
                      .file = files[assembly].name,
                      .dofs = {},
-                     .evidence = "the assembly moves as its parts do alone, to " + in_percent(largest) +
-                                 ", which is their noise; FRFs from one side to the other are " + in_percent(across) +
+                     .evidence = "the assembly moves as its parts do alone, to " + percent(largest) +
+                                 ", which is their noise; FRFs from one side to the other are " + percent(across) +
                                  " of the rest: nothing holds the parts together",
                      .confidence = 0.95,
                      .remedy = ""});
@@ -151,7 +146,7 @@ std::vector<Suspect> find_labels(const std::vector<CheckedFile>& files, const Do
          .file = files[file].name,
          .dofs = {wrong, right},
          .evidence = "no other file has a response " + wrong.name() + ", and " + right.name() +
-                     " lacks its counterpart; taken for it, the FRFs fit to " + in_percent(best_fit.level),
+                     " lacks its counterpart; taken for it, the FRFs fit to " + percent(best_fit.level),
          .confidence = 0.9,
          .remedy = remedy_in(files[file].name, "rename = { " + quoted_label(wrong) + " = " + quoted_label(right) + " }")});
   }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/eigen.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -45,7 +47,7 @@ struct SpanLine {
     columns.insert(columns.end(), setup.outer_columns.begin(), setup.outer_columns.end());
     assembly = block(of_assembly, line, setup.assembly_rows, columns, setup.transposed);
     part = Eigen::MatrixXcd::Zero(assembly.rows(), assembly.cols());
-    part.leftCols(static_cast<Eigen::Index>(setup.part_columns.size())) =
+    part.leftCols(at(setup.part_columns.size())) =
         block(of_part, line, setup.part_rows, setup.part_columns, setup.transposed);
     joint = block(of_part, line, setup.part_rows, setup.joint, setup.transposed);
   }
@@ -82,7 +84,7 @@ class RowSums {
     const Eigen::MatrixXcd assembly = line.scale(line.assembly);
     total_ += weight * line.residual.squaredNorm();
     for (std::size_t k = 0; k < freed_.size(); ++k) {
-      const auto r = static_cast<Eigen::Index>(k);
+      const auto r = at(k);
       const double left = std::max(1.0 - line.basis.row(r).squaredNorm(), 1e-9);
       freed_[k] += weight * line.residual.row(r).squaredNorm() / left;
       const double slope = -weight * line.residual.row(r).conjugate().cwiseProduct(assembly.row(r)).real().sum();
@@ -111,7 +113,7 @@ class RowSums {
 };
 
 void add_ratio(const SpanLine& line, const SpanSetup& setup, double frequency_hz, SpanTest& out) {
-  const auto inner = static_cast<Eigen::Index>(setup.part_columns.size());
+  const auto inner = at(setup.part_columns.size());
   if (inner == 0) return;
   const Eigen::MatrixXcd a = line.projected(line.scale(line.assembly).leftCols(inner));
   const Eigen::MatrixXcd p = line.projected(line.scale(line.part).leftCols(inner));
@@ -155,7 +157,7 @@ std::optional<SpanSetup> span_setup(const std::vector<CheckedFile>& files, std::
   for (const frf::Dof& dof : joint) {
     const std::size_t at = place_of(p.columns, dof);
     if (at != frf::npos) {
-      setup.joint.push_back(static_cast<Eigen::Index>(at));
+      setup.joint.push_back(jointid::at(at));
     } else if (place_of(p.rows, dof) != frf::npos) {
       return std::nullopt;  // forces at the joint whose FRFs were not measured
     }
@@ -164,16 +166,16 @@ std::optional<SpanSetup> span_setup(const std::vector<CheckedFile>& files, std::
     const std::size_t at = place_of(p.rows, a.rows[i]);
     if (at == frf::npos) continue;
     setup.rows.push_back(a.rows[i]);
-    setup.part_rows.push_back(static_cast<Eigen::Index>(at));
-    setup.assembly_rows.push_back(static_cast<Eigen::Index>(i));
+    setup.part_rows.push_back(jointid::at(at));
+    setup.assembly_rows.push_back(jointid::at(i));
   }
   for (std::size_t i = 0; i < a.columns.size(); ++i) {
     const std::size_t at = place_of(p.columns, a.columns[i]);
     if (at != frf::npos) {
-      setup.part_columns.push_back(static_cast<Eigen::Index>(at));
-      setup.assembly_columns.push_back(static_cast<Eigen::Index>(i));
+      setup.part_columns.push_back(jointid::at(at));
+      setup.assembly_columns.push_back(jointid::at(i));
     } else if (place_of(p.rows, a.columns[i]) == frf::npos && other_part_has(files, a.columns[i], transposed)) {
-      setup.outer_columns.push_back(static_cast<Eigen::Index>(i));
+      setup.outer_columns.push_back(jointid::at(i));
     }
   }
   const bool is_test = !setup.joint.empty() && setup.rows.size() > setup.joint.size() &&

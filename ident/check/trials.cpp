@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
+#include "base/text.hpp"
 #include "ident/check/delay_fit.hpp"
 #include "ident/check/unit_factor.hpp"
-#include "ident/median.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -20,12 +22,6 @@ constexpr double unknown_noise = 1e9, usual_noise = 0.05;
 constexpr double significant = 6.0, significant_mirror = 4.5;  ///< standard deviations, of span tests and of H_ij against H_ji
 constexpr double least_gain_error = 0.006;
 constexpr std::size_t candidates_per_test = 3, all_partners = 14;
-
-std::string digits(double value, const char* format = "%.3g") {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 std::string quoted_dof(const frf::Dof& dof) { return "\"" + dof.name() + "\""; }
 
@@ -65,7 +61,7 @@ void swap_channels(CheckedFile& file, Role role, const frf::Dof& a, const frf::D
 
 template <class Factor>
 void scale_lines(CheckedFile& file, Factor factor) {
-  for (std::size_t l = 0; l < file.frfs.size(); ++l) file.frfs[l] *= factor(2.0 * std::numbers::pi * file.frequency_hz[l]);
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) file.frfs[l] *= factor(angular(file.frequency_hz[l]));
 }
 
 void conjugate_file(CheckedFile& file) {
@@ -74,12 +70,12 @@ void conjugate_file(CheckedFile& file) {
 
 void take_out_mass(CheckedFile& file, double mass) {
   for (std::size_t l = 0; l < file.frfs.size(); ++l) {
-    const double square = -std::pow(2.0 * std::numbers::pi * file.frequency_hz[l], 2);
+    const double square = -std::pow(angular(file.frequency_hz[l]), 2);
     for (std::size_t r = 0; r < file.responses.size(); ++r) {
       const std::size_t c = place_of(file.references, file.responses[r]);
       if (c == frf::npos || file.responses[r].is_rotation()) continue;
-      const auto row = static_cast<Eigen::Index>(r);
-      const std::complex<double> point = file.frfs[l](row, static_cast<Eigen::Index>(c));
+      const auto row = at(r);
+      const std::complex<double> point = file.frfs[l](row, at(c));
       file.frfs[l].row(row) /= 1.0 - square * mass * point;
     }
   }
@@ -304,9 +300,9 @@ MistakeTrial delay_trial(const Files& files, std::size_t f, double delay) {
   return {.kind = SuspectKind::delay,
           .files = {f},
           .dofs = {},
-          .what = "the phases of all FRFs of the file fall with frequency as if the responses came " + digits(delay * 1e6) +
+          .what = "the phases of all FRFs of the file fall with frequency as if the responses came " + digits(delay * 1e6, "%.3g") +
                   " µs late",
-          .remedy = remedy_in(files[f].name, "delay = " + digits(delay)),
+          .remedy = remedy_in(files[f].name, "delay = " + digits(delay, "%.3g")),
           .undo = [f, delay](Files& all) { scale_lines(all[f], [&](double omega) { return std::polar(1.0, omega * delay); }); }};
 }
 
@@ -381,7 +377,7 @@ RatioFinding ratio_of(const SpanTest& test) {
   for (std::size_t l = 0; l < test.ratio.size(); ++l) {
     if (test.coherence[l] < 0.5) continue;
     sizes.push_back(std::log(std::abs(test.ratio[l])));
-    samples.push_back({2.0 * std::numbers::pi * test.ratio_hz[l], test.ratio[l] / std::abs(test.ratio[l]) * test.coherence[l]});
+    samples.push_back({angular(test.ratio_hz[l]), test.ratio[l] / std::abs(test.ratio[l]) * test.coherence[l]});
   }
   if (sizes.size() < 4) return out;
   out.size = std::exp(median(sizes));
@@ -435,12 +431,12 @@ void add_file_trials(const Files& files, const std::vector<SpanSetup>& setups, c
     if (mirror.mass > 0.0 && mirror.mass > 4.0 * mirror.mass_deviation && mirror.level > 0.01) {
       std::string masses;
       for (const frf::Dof& dof : mirror.dofs) {
-        if (!dof.is_rotation()) masses += (masses.empty() ? "" : ", ") + quoted_dof(dof) + " = " + digits(mirror.mass);
+        if (!dof.is_rotation()) masses += (masses.empty() ? "" : ", ") + quoted_dof(dof) + " = " + digits(mirror.mass, "%.3g");
       }
       out.push_back({.kind = SuspectKind::mass,
                      .files = {f},
                      .dofs = {},
-                     .what = "H_ij and H_ji differ as if a sensor of " + digits(mirror.mass * 1e3) + " g moved with the response",
+                     .what = "H_ij and H_ji differ as if a sensor of " + digits(mirror.mass * 1e3, "%.3g") + " g moved with the response",
                      .remedy = remedy_in(files[f].name, "sensor_mass = { " + masses + " }"),
                      .undo = [f, m = mirror.mass](Files& all) { take_out_mass(all[f], m); },
                      .bonus = 0.01 * std::min(mirror.mass / mirror.mass_deviation, 25.0)});

@@ -7,7 +7,8 @@
 #include <limits>
 #include <numeric>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
+#include "base/text.hpp"
 #include "ident/judgement/line_jackknife.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/whitened_fit.hpp"
@@ -24,13 +25,8 @@ constexpr double no_joint_misfit = 1.3;
 constexpr double no_joint_effect = 0.8;  // JointVisibility::effect; 0.7 is expected of no joint
 constexpr std::size_t jackknife_lines = 256;
 
-std::string digits(double value, const char* format = "%.2g") {
-  std::array<char, 32> out{};
-  std::snprintf(out.data(), out.size(), format, value);
-  return out.data();
-}
-
-constexpr const char* remedy = " `jointid check SCENE` looks for the cause: a sign, a label, a unit, another quantity, a file of another state.";
+constexpr const char* remedy =
+    " `jointid check SCENE` looks for the cause: a sign, a label, a unit, another quantity, a file of another state.";
 
 int degree(Status status) {
   if (status == Status::ok) return 0;
@@ -70,7 +66,8 @@ void tell_misfit(const NoisyLines& data, const WhitenedFit& fit, Solution& out) 
 
 void tell_no_joint(Solution& out) {
   tell(out, Status::doubtful,
-       "The assembly's FRFs are those of the parts without a joint, within their noise: is it the file of the assembly, and was the joint closed?");
+       "The assembly's FRFs are those of the parts without a joint, within their noise: is it the file of the assembly, and was "
+       "the joint closed?");
 }
 
 void tell_active(const std::vector<ActiveMotion>& found, Solution& out) {
@@ -201,12 +198,14 @@ void tell_chi_square(const Plan& plan, bool hopeless, Solution& out) {
   const double freedom = std::max(1.0, chi_square.degrees_of_freedom), ratio = ratio_of(chi_square);
   const bool estimated = estimated_variances(out) || shares_errors(plan);
   const bool poor = hopeless || ratio > (estimated ? 4.0 : 2.0);
-  const double likely = modalfit::chi_square_quantile(freedom, 5.0) / freedom;
+  const double likely = chi_square_quantile(freedom, 5.0) / freedom;
   if (!poor && !(ratio > std::max(likely, estimated ? 2.0 : 1.4))) return;
   tell(out, poor ? Status::poor_fit : Status::doubtful,
-       std::string(hopeless ? "Stopped early: n" : "N") + "o joint of this scene explains the FRFs: they are off by " + digits(std::sqrt(ratio)) +
-           " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")." +
-           (poor ? " No standard errors or intervals are given, they would not hold." : " Standard errors and intervals are too small.") + remedy);
+       std::string(hopeless ? "Stopped early: n" : "N") + "o joint of this scene explains the FRFs: they are off by " +
+           digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")." +
+           (poor ? " No standard errors or intervals are given, they would not hold."
+                 : " Standard errors and intervals are too small.") +
+           remedy);
 }
 
 }  // namespace

@@ -13,11 +13,13 @@ namespace jointid::ident {
 /// Makes the status at least as bad as `status` (ok < doubtful < poor_fit; others stay) and adds a sentence to the message.
 void tell(Solution& out, Status status, const std::string& sentence);
 
-/// Holds a linear estimate against its data: fills Estimate::error_estimate and bias, BandMatrices::errors and Fit::misfit, and sets the
-/// status:
-///   poor_fit  WhitenedFit::misfit > 4, or that of a row or column > 16, or a joint matrix gives energy away (active_motions()) beyond
+/// Holds a linear estimate against its data: fills Estimate::error_estimate and bias, BandMatrices::errors and Fit::misfit, and
+/// sets the status:
+///   poor_fit  WhitenedFit::misfit > 4, or that of a row or column > 16, or a joint matrix gives energy away (active_motions())
+///   beyond
 ///             six deviations of the estimate without bias and five of the estimate itself;
-///   doubtful  misfit > 1.5 (3 where the noise is read off the scatter, or the bias could not be taken off), or that of a row or column > 4; or no joint at all explains the FRFs (WhitenedFit::free_misfit < 1.3).
+///   doubtful  misfit > 1.5 (3 where the noise is read off the scatter, or the bias could not be taken off), or that of a row or
+///   column > 4; or no joint at all explains the FRFs (WhitenedFit::free_misfit < 1.3).
 /// Nothing is said of the misfit where nothing is known of the noise (read_noisy_lines()).
 void judge_linear(Plan& plan, const LinearSolution& linear, const Control& control, Solution& out);
 
@@ -34,9 +36,10 @@ struct LikelihoodJudgement {
   bool hopeless = false;  ///< it was stopped because no joint would mend the misfit
 };
 
-/// Holds an estimate of method likelihood, whose χ² is in `out`, against its law. With ρ the mean χ² over f of the lines, without those that
-/// are outlying (at most one in five; else of all):
-///   poor_fit  ρ > 2 where all variances are known, 4 where some come from averages, repeats or the scatter of the data; or K, C or D
+/// Holds an estimate of method likelihood, whose χ² is in `out`, against its law. With ρ the mean χ² over f of the lines, without
+/// those that are outlying (at most one in five; else of all):
+///   poor_fit  ρ > 2 where all variances are known, 4 where some come from averages, repeats or the scatter of the data; or K, C
+///   or D
 ///             gives energy away beyond five standard deviations. No errors and intervals then: they would not hold;
 ///   doubtful  ρ above the quantile of χ²/f five standard deviations up, and above 1.4 (2); or
 ///             JointVisibility::effect < 0.8: no joint is seen.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/coordinates.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/variances.hpp"
 
@@ -113,7 +113,8 @@ std::vector<Eigen::Index> joint_numbers(std::size_t others, std::size_t all) {
 }
 
 /// One line: the rows of the substructures' rectangle are those of A's rows that are no joint coordinates, then all joint ones.
-NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const MeasuredRectangle& whole, std::size_t line, std::size_t joint) {
+NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const MeasuredRectangle& whole, std::size_t line,
+                  std::size_t joint) {
   const std::size_t m = form.rows.size(), l = form.columns.size(), others = whole.columns - joint, n_rows = sub.rows - joint;
   NoisyLine out;
   out.a = Eigen::MatrixXcd(at(m), at(joint));

@@ -1,12 +1,11 @@
 #include "ident/judgement/passivity.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "base/text.hpp"
 #include "dense/eigen.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -27,16 +26,16 @@ struct OneMatrix {
   MatrixXd at(const std::vector<double>& theta, Index size) const {
     MatrixXd x = MatrixXd::Zero(size, size);
     for (const auto& [row, column, unknown, coefficient] : terms.terms) {
-      x(ident::at(row), ident::at(column)) += coefficient * theta[columns[unknown]] * unscale;
+      x(jointid::at(row), jointid::at(column)) += coefficient * theta[columns[unknown]] * unscale;
     }
-    for (const auto& [row, column, value] : terms.known) x(ident::at(row), ident::at(column)) += value;
+    for (const auto& [row, column, value] : terms.known) x(jointid::at(row), jointid::at(column)) += value;
     return 0.5 * (x + x.transpose());
   }
 
   VectorXd gradient(const VectorXd& v, std::size_t all) const {
-    VectorXd g = VectorXd::Zero(ident::at(all));
+    VectorXd g = VectorXd::Zero(jointid::at(all));
     for (const auto& [row, column, unknown, coefficient] : terms.terms) {
-      g[ident::at(columns[unknown])] += coefficient * unscale * v[ident::at(row)] * v[ident::at(column)];
+      g[jointid::at(columns[unknown])] += coefficient * unscale * v[jointid::at(row)] * v[jointid::at(column)];
     }
     return g;
   }
@@ -88,9 +87,7 @@ std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<dou
 std::string text(const ActiveMotion& motion) {
   std::string matrix = restrictions::key(motion.kind);
   std::ranges::replace(matrix, '_', ' ');
-  std::array<char, 64> numbers{};
-  std::snprintf(numbers.data(), numbers.size(), "%.2g ± %.1g", motion.eigenvalue, motion.deviation);
-  return matrix + " " + restrictions::symbol(motion.kind) + " has a negative eigenvalue, " + numbers.data() +
+  return matrix + " " + restrictions::symbol(motion.kind) + " has a negative eigenvalue, " + digits(motion.eigenvalue) + " ± " + digits(motion.deviation, "%.1g") +
          " of its largest, with most motion at " + motion.most_moved.name();
 }
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ident/eigen_index.hpp"
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/row_expander.hpp"
 
@@ -43,7 +44,7 @@ struct LineJoint {
 
 LineJoint joint_at(const Plan& plan, double frequency_hz) {
   const restrictions::Restriction& restriction = plan.restriction;
-  const double omega = 2.0 * M_PI * frequency_hz;
+  const double omega = angular(frequency_hz);
   const auto n = at(restriction.dofs.size());
   LineJoint out{plan.columns->at(frequency_hz), std::vector<std::vector<Place>>(restriction.unknowns.size()), MatrixXcd::Zero(n, n)};
   for (const restrictions::MatrixTerms& matrix : restriction.matrices) {
@@ -286,7 +287,8 @@ std::size_t affordable_lines(const Plan& plan) {
   constexpr double flops = 6e8;
   constexpr std::size_t most = 32, least = 6;
   const auto n = static_cast<double>(plan.coordinates.joint.size());
-  const double rows = static_cast<double>(plan.coordinates.responses.size()) + n, columns = static_cast<double>(plan.coordinates.references.size()) + n;
+  const double rows = static_cast<double>(plan.coordinates.responses.size()) + n,
+               columns = static_cast<double>(plan.coordinates.references.size()) + n;
   const auto unknowns = static_cast<double>(plan.restriction.unknowns.size()), all = static_cast<double>(plan.columns->size());
   const double per_line = 4.0 * rows * columns * (2.0 * unknowns * unknowns + 40.0 * unknowns) + 20.0 * all * all;
   const double lines = flops / per_line;

@@ -12,9 +12,9 @@ namespace jointid::ident {
 /// they agree with it. With r = A Z B − C, P = Z B and Q = A Z,
 ///   var r = Σ_j var(A_rj)|P_jm + [m is j]|² + Σ_j var(B_jm)|Q_rj − [r is j]|² + var(C_rm) + Σ_jk var(A_rj)|Z_jk|²var(B_km),
 /// where C has A_rj and B_jm in its joint columns and rows. The weighted normal equations are corrected by what the same errors
-/// add to them on average (E[Σ w Re conj(∂r/∂y_k) r] at the truth, errors in variables), which makes the estimate free of bias to first order; where the
-/// residuals are smaller than the assumed noise would make them, by that much less of it.
-/// Correlations between equations are left out: it is no estimate of least variance.
+/// add to them on average (E[Σ w Re conj(∂r/∂y_k) r] at the truth, errors in variables), which makes the estimate free of bias to
+/// first order; where the residuals are smaller than the assumed noise would make them, by that much less of it. Correlations
+/// between equations are left out: it is no estimate of least variance.
 struct WhitenedFit {
   std::vector<double> theta;   ///< scaled unknowns, as LinearSolution::y
   Eigen::MatrixXd covariance;  ///< of theta, from the scatter of the lines' gradients (sandwich)
@@ -29,12 +29,12 @@ struct WhitenedFit {
 /// Starts from the scaled unknowns of an estimate. Empty where no line has an equation with noise.
 std::optional<WhitenedFit> whitened_fit(const Plan& plan, const NoisyLines& data, std::vector<double> start);
 
-/// Whether the data contradict every joint of a scene: WhitenedFit::misfit above 9, from the scaled unknowns of any estimate. False where that
-/// cannot be told.
+/// Whether the data contradict every joint of a scene: WhitenedFit::misfit above 9, from the scaled unknowns of any estimate.
+/// False where that cannot be told.
 bool beyond_any_joint(Plan& plan, const std::vector<double>& theta);
 
-/// Lines for whitened_fit(), as many as it takes in about a second. Empty where those are not even a few, where errors have much in common (modal
-/// models, couple_first), and as read_noisy_lines().
+/// Lines for whitened_fit(), as many as it takes in about a second. Empty where those are not even a few, where errors have much
+/// in common (modal models, couple_first), and as read_noisy_lines().
 std::optional<NoisyLines> lines_to_judge(Plan& plan);
 
 }  // namespace jointid::ident

@@ -8,10 +8,11 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "ident/likelihood/simulated_data.hpp"
-#include "ident/spread.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -20,7 +21,7 @@ Replicate replicate_of(const LikelihoodFit& fit) {
   Replicate out{.theta = fit.theta, .error = {}, .usable = fit.converged};
   const Eigen::MatrixXd covariance = covariance_of(fit.information);
   for (std::size_t column = 0; column < fit.theta.size(); ++column) {
-    const auto c = static_cast<Eigen::Index>(column);
+    const auto c = at(column);
     out.error.push_back(std::sqrt(covariance(c, c)));
     out.usable = out.usable && std::isfinite(fit.theta[column]) && out.error[column] > 0.0;
   }
@@ -28,9 +29,9 @@ Replicate replicate_of(const LikelihoodFit& fit) {
 }
 
 /// Priors as the bootstrap draws them: what was believed of the joint has errors, too.
-std::vector<ScaledPrior> drawn(std::vector<ScaledPrior> priors, const std::vector<double>& theta, const frf::RandomStream& stream) {
+std::vector<ScaledPrior> drawn(std::vector<ScaledPrior> priors, const std::vector<double>& theta, const RandomStream& stream) {
   for (std::size_t i = 0; i < priors.size(); ++i) {
-    priors[i].value = theta[priors[i].column] + frf::normal_numbers(stream, 0, i)[0] / priors[i].weight;
+    priors[i].value = theta[priors[i].column] + normal_numbers(stream, 0, i)[0] / priors[i].weight;
   }
   return priors;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
@@ -14,7 +15,7 @@ std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& informatio
   const Eigen::MatrixXd covariance = covariance_of(information), free = null_space_of(information);
   std::vector<double> bound;
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
-    const auto c = static_cast<Eigen::Index>(column);
+    const auto c = at(column);
     bound.push_back(std::sqrt(covariance(c, c)) * plan.unscale(column));
   }
   LinearSolution fixed;

@@ -161,8 +161,8 @@ class Predictor {
     const Dofs coordinates = layout.coordinates;
     const std::size_t others = layout.others;
     for (std::size_t c = 0; c < coordinates.size(); ++c) {
-      const bool on_assembly = frf::find_coordinate(plan_->assembly->responses(), coordinates[c]) != frf::npos ||
-                               frf::find_coordinate(plan_->assembly->references(), coordinates[c]) != frf::npos;
+      const bool on_assembly = frf::has(plan_->assembly->responses(), coordinates[c]) ||
+                               frf::has(plan_->assembly->references(), coordinates[c]);
       if (std::ranges::find(absent_, c) != absent_.end() || !on_assembly) continue;
       out.without_coordinate.push_back(now.change(coordinates[c].name() + (c < others ? "" : " on the assembly"),
                                                   bound_without(with(absent_, c))));

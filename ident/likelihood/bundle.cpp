@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "dense/pivoted_qr.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/bundle_functions.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/line_start.hpp"
@@ -188,7 +188,7 @@ void Bundle::reduce() {
   fit_.information = Eigen::MatrixXd::Zero(p, p);
   step_ = Eigen::VectorXd::Zero(p);
   for (const Line& line : lines_) {
-    RowMajor by_theta, by_own;
+    RowMatrixXd by_theta, by_own;
     Eigen::VectorXd residuals(at(line.explicit_line.residuals()));
     line.explicit_line.evaluate(theta(), line.u.data(), residuals.data(), &by_theta, &by_own);
     const dense::RealPivotedQr factors(by_own);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/eigen.hpp"
+
 namespace jointid::ident {
 
 std::vector<double> JointScale::theta(const double* t) const {
@@ -19,12 +21,12 @@ LineCost::LineCost(const ExplicitLine& line, const JointScale& joint) : line_(li
 
 bool LineCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const std::vector<double> theta = joint_.theta(parameters[0]);
-  RowMajor by_theta, by_own;
+  RowMatrixXd by_theta, by_own;
   double* to_theta = jacobians ? jacobians[0] : nullptr;
   double* to_own = jacobians ? jacobians[1] : nullptr;
   line_.evaluate(theta, parameters[1], residuals, to_theta ? &by_theta : nullptr, to_own ? &by_own : nullptr);
   if (to_theta) {
-    const Eigen::Map<const Eigen::VectorXd> scale(joint_.scale.data(), static_cast<Eigen::Index>(joint_.scale.size()));
+    const Eigen::Map<const Eigen::VectorXd> scale(joint_.scale.data(), at(joint_.scale.size()));
     by_theta *= scale.asDiagonal();
     std::copy_n(by_theta.data(), by_theta.size(), to_theta);
   }

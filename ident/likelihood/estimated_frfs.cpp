@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/godambe_information.hpp"
 
@@ -191,7 +191,8 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     losses.push_back(loss);
     const bool beyond = beyond_any_joint(fit.theta);
     const std::size_t steps = beyond ? patience_beyond : patience;
-    if (far_from_fitting() && losses.size() > steps && loss > (1.0 - (beyond ? mended_beyond : mended)) * losses[losses.size() - 1 - steps]) {
+    if (far_from_fitting() && losses.size() > steps &&
+        loss > (1.0 - (beyond ? mended_beyond : mended)) * losses[losses.size() - 1 - steps]) {
       fit.hopeless = true;
       return false;
     }
@@ -264,7 +265,9 @@ LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWa
 }
 
 ConstrainedFit LikelihoodEstimator::constrain(LikelihoodFit fit, const AdmissibleSet& set, const FitWatcher& watch) {
-  const auto vector = [](const std::vector<double>& theta) { return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()))); };
+  const auto vector = [](const std::vector<double>& theta) {
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size())));
+  };
   AdmissibleFit unmoved = nearest_admissible(set, vector(fit.theta), root_of(fit.information), std::sqrt(lines_.tolerance()));
   if (unmoved.theta == vector(fit.theta)) return {std::move(fit), std::move(unmoved)};
   const std::size_t before = std::exchange(fit.iterations, 0);

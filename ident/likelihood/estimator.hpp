@@ -70,8 +70,8 @@ class LikelihoodEstimator {
   LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction, const UnknownColumns& columns,
                       double omega0, std::size_t threads);
 
-  /// Asked at most once per run, and only where most lines are far from fitting: whether the data contradict every joint, as something else than
-  /// this fit tells. Then one start is followed, and no longer than steps mend the misfit by a third.
+  /// Asked at most once per run, and only where most lines are far from fitting: whether the data contradict every joint, as
+  /// something else than this fit tells. Then one start is followed, and no longer than steps mend the misfit by a third.
   void set_second_opinion(std::function<bool(const std::vector<double>& theta)> opinion) { second_opinion_ = std::move(opinion); }
 
   /// Normal priors count like measurements: information += 1/σ², gradient += (value − θ)/σ², cost += ((value − θ)/σ)².

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "dense/lu.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -107,8 +107,8 @@ std::vector<Complex> ExplicitLine::stacked(const ComplexMatrix& x, const Complex
   return all;
 }
 
-void ExplicitLine::evaluate(std::span<const double> theta, const double* u, double* residuals, RowMajor* by_theta,
-                            RowMajor* by_own) const {
+void ExplicitLine::evaluate(std::span<const double> theta, const double* u, double* residuals, RowMatrixXd* by_theta,
+                            RowMatrixXd* by_own) const {
   const ComplexMatrix z = impedance(theta);
   const LineState now = state(theta, u);
   const Explicit f(z, now.x, now.y);
@@ -117,7 +117,7 @@ void ExplicitLine::evaluate(std::span<const double> theta, const double* u, doub
     const Complex& value = values[rows_[r].at];
     residuals[r] = rows_[r].weight * ((rows_[r].imaginary ? value.imag() : value.real()) - rows_[r].measured);
   }
-  const auto set = [&](RowMajor& jacobian, std::size_t column, const std::vector<Complex>& change, const Complex& factor) {
+  const auto set = [&](RowMatrixXd& jacobian, std::size_t column, const std::vector<Complex>& change, const Complex& factor) {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const Complex derivative = factor * change[rows_[r].at];
       jacobian(at(r), at(column)) = rows_[r].weight * (rows_[r].imaginary ? derivative.imag() : derivative.real());

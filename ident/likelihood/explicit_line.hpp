@@ -2,13 +2,12 @@
 
 #include <span>
 
+#include "base/eigen.hpp"
 #include "ident/likelihood/joint_impedance.hpp"
 #include "ident/likelihood/line_data.hpp"
 #include "ident/likelihood/line_state.hpp"
 
 namespace jointid::ident {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// One line of the explicit likelihood (output error with free substructure FRFs, docs/formulas.md §11f). What X, Y and Z predict is
 ///   A = P X,  B = P Y,  D = Xᵀ Z A,  P = (I + Y Z)⁻¹,
@@ -31,7 +30,7 @@ class ExplicitLine {
   ComplexMatrix impedance(std::span<const double> theta) const;
 
   /// Residuals, and where asked for their derivatives by theta (all columns of the problem) and by u.
-  void evaluate(std::span<const double> theta, const double* u, double* residuals, RowMajor* by_theta, RowMajor* by_own) const;
+  void evaluate(std::span<const double> theta, const double* u, double* residuals, RowMatrixXd* by_theta, RowMatrixXd* by_own) const;
 
  private:
   /// A measured real number, `at` in the order x, y, a, b, d of stacked().

@@ -6,18 +6,14 @@
 #include <cstdio>
 #include <numeric>
 
+#include "base/text.hpp"
+
 namespace jointid::ident {
 namespace {
 
 constexpr double bad = 0.1;  ///< relative error
 constexpr double hardly_seen = 5.0, loose = 0.5, held = 0.01;  ///< effect, deformation: see JointVisibility
 constexpr std::size_t most_lines = 3;
-
-std::string digits(double value, const char* format) {
-  std::array<char, 32> out{};
-  std::snprintf(out.data(), out.size(), format, value);
-  return out.data();
-}
 
 std::string listed(const std::vector<std::string>& names) {
   std::string out = names.front();
@@ -96,8 +92,6 @@ void add_misfit(const Fit& fit, const std::vector<double>& frequency_hz, std::ve
 }
 
 }  // namespace
-
-std::string percent(double share) { return digits(100.0 * share, share < 0.1 ? "%.2g" : "%.0f") + " %"; }
 
 std::string text(const LinearCombination& combination) {
   double largest = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/text.hpp"
 #include "ident/solution.hpp"
 
 namespace jointid::ident {
@@ -9,9 +10,6 @@ constexpr double nonlinear_error = 0.3;
 
 /// A combination as text, its largest factor 1: "K(2,4) - 0.9*K(4,4)".
 std::string text(const LinearCombination& combination);
-
-/// A share in percent, two digits: "0.3 %", "120 %".
-std::string percent(double share);
 
 /// One sentence on a combination that the data fix badly.
 std::string text(const WeakCombination& weak);

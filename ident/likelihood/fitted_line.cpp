@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/guess_y.hpp"
 
 namespace jointid::ident {

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/robust_loss.hpp"
 
 namespace jointid::ident {
@@ -186,8 +186,10 @@ std::size_t FittedLines::bytes() const {
   for (const FittedLine& line : lines_) {
     const LineState& state = line.state;
     const ReducedLine& reduced = line.reduced;
-    sum += sizeof(FittedLine) + sizeof(Complex) * static_cast<std::size_t>(state.x.size() + state.y.size() + state.a.size() + state.b.size()) +
-           sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.back.size() + reduced.own.size());
+    sum += sizeof(FittedLine) +
+           sizeof(Complex) * static_cast<std::size_t>(state.x.size() + state.y.size() + state.a.size() + state.b.size()) +
+           sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.back.size() +
+                                                     reduced.own.size());
   }
   return sum;
 }

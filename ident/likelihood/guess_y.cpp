@@ -1,7 +1,7 @@
 #include "ident/likelihood/guess_y.hpp"
 
 #include "dense/minimum_norm.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "ident/likelihood/findings.hpp"
 #include "ident/likelihood/joint_visibility.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
@@ -13,13 +14,13 @@ namespace jointid::ident {
 Eigen::MatrixXd relative_covariance(const Plan& plan, const Eigen::MatrixXd& covariance, const std::vector<double>& values,
                                     const std::vector<std::size_t>& which) {
   const std::vector<double> scales = relative_scales(plan, values);
-  const auto n = static_cast<Eigen::Index>(which.size());
+  const auto n = at(which.size());
   Eigen::MatrixXd out(n, n);
   const auto factor = [&](std::size_t column) { return plan.unscale(column) / (scales[column] > 0.0 ? scales[column] : 1.0); };
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {
       const std::size_t a = which[static_cast<std::size_t>(i)], b = which[static_cast<std::size_t>(j)];
-      out(i, j) = covariance(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) * factor(a) * factor(b);
+      out(i, j) = covariance(at(a), at(b)) * factor(a) * factor(b);
     }
   }
   return out;
@@ -35,7 +36,8 @@ std::vector<double> weakest_direction(const Plan& plan, const Solution& solution
   for (std::size_t column = 0; column < direction.size(); ++column) {
     const auto found = std::ranges::find(weak.worst.names, solution.unknowns[column].name);
     if (found == weak.worst.names.end()) continue;
-    direction[column] = weak.worst.factors[static_cast<std::size_t>(found - weak.worst.names.begin())] * scales[column] / plan.unscale(column);
+    direction[column] =
+        weak.worst.factors[static_cast<std::size_t>(found - weak.worst.names.begin())] * scales[column] / plan.unscale(column);
   }
   return direction;
 }

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "base/eigen.hpp"
 #include "ident/row_expander.hpp"
 
 namespace jointid::ident {
@@ -9,11 +10,11 @@ namespace jointid::ident {
 JointImpedance::JointImpedance(const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
                                double omega)
     : columns_(columns.at(omega / (2.0 * std::numbers::pi))) {
-  const auto n = static_cast<Eigen::Index>(restriction.dofs.size());
+  const auto n = jointid::at(restriction.dofs.size());
   known_ = ComplexMatrix::Zero(n, n);
   for (const restrictions::MatrixTerms& matrix : restriction.matrices) {
     for (const restrictions::Known& known : matrix.known) {
-      known_(static_cast<Eigen::Index>(known.row), static_cast<Eigen::Index>(known.column)) +=
+      known_(jointid::at(known.row), jointid::at(known.column)) +=
           impedance_factor(matrix.kind, omega) * known.value;
     }
   }
@@ -37,7 +38,7 @@ ComplexMatrix JointImpedance::at(std::span<const double> theta) const {
   for (std::size_t t = 0; t < parts_.size(); ++t) {
     const Complex factor = parts_[t].factor * theta[columns_[t]];
     for (std::size_t i = parts_[t].first_term; i < parts_[t].last_term; ++i) {
-      z(static_cast<Eigen::Index>(terms_[i].row), static_cast<Eigen::Index>(terms_[i].column)) +=
+      z(jointid::at(terms_[i].row), jointid::at(terms_[i].column)) +=
           factor * terms_[i].coefficient;
     }
   }

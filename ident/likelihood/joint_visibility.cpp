@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/eigen.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -98,7 +100,8 @@ std::vector<Pair> held_pairs(const LikelihoodData& data, const LikelihoodEstimat
   for (std::size_t i = 0; i < joint.size(); ++i) {
     for (std::size_t j = i + 1; j < joint.size(); ++j) {
       if (joint[i].direction != joint[j].direction) continue;
-      const auto motion = relative_motion(data, estimator, static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j), joint[i].sign * joint[j].sign);
+      const auto motion = relative_motion(data, estimator, at(i), at(j),
+                                          joint[i].sign * joint[j].sign);
       if (motion && *motion < held_together) pairs.push_back({i, j, *motion});
     }
   }

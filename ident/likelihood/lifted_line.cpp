@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/line_start.hpp"
 
 namespace jointid::ident {
 namespace {
 
-using RowMajorMap = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+using RowMajorMap = Eigen::Map<RowMatrixXd>;
 
 double largest(const Channel& channel) {
   double size = 0.0;

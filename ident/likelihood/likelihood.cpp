@@ -10,6 +10,9 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <tuple>
 
+#include "base/eigen.hpp"
+#include "base/statistics.hpp"
+#include "base/stopwatch.hpp"
 #include "ident/admissible/outcome.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/judgement/whitened_fit.hpp"
@@ -30,10 +33,6 @@
 
 namespace jointid::ident {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 using enum weighting::Weighting;
 
@@ -182,8 +181,8 @@ ChiSquare chi_square_of(const Observations& observations, const std::vector<Scal
 /// when no test at 95 % could tell them apart by χ².
 MinimumSearch search_of(const Plan& plan, const LikelihoodFit& fit) {
   const auto same = [&](const FoundMinimum& a, const FoundMinimum& b) {
-    Eigen::VectorXd apart(static_cast<Eigen::Index>(fit.theta.size()));
-    for (std::size_t c = 0; c < fit.theta.size(); ++c) apart[static_cast<Eigen::Index>(c)] = a.values[c] - b.values[c];
+    Eigen::VectorXd apart(at(fit.theta.size()));
+    for (std::size_t c = 0; c < fit.theta.size(); ++c) apart[at(c)] = a.values[c] - b.values[c];
     return apart.dot(fit.information * apart) < 1.0;
   };
   MinimumList minima;
@@ -224,15 +223,14 @@ LinearSolution with_rank(const Plan& plan, const LikelihoodFit& fit) {
 
 /// Cramér–Rao standard errors and intervals of the determined unknowns.
 void state_errors(const Plan& plan, const Eigen::MatrixXd& covariance, Solution& out) {
-  constexpr double normal = 1.959963984540054;
   out.intervals = IntervalKind::cramer_rao;
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     Estimate& estimate = out.unknowns[column];
     if (!estimate.determined) continue;
-    const auto c = static_cast<Eigen::Index>(column);
+    const auto c = at(column);
     const double error = std::sqrt(covariance(c, c)) * plan.unscale(column);
     estimate.std_error = error;
-    estimate.ci95 = {estimate.value - normal * error, estimate.value + normal * error};
+    estimate.ci95 = {estimate.value - normal_95 * error, estimate.value + normal_95 * error};
   }
 }
 
@@ -275,7 +273,8 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   estimator.set_listener(nullptr);
   if (plan.admissible) {
     *stage = "constraining";
-    auto [constrained, admissible] = estimator.constrain(std::move(fit), *plan.admissible, [&](std::size_t) { stop_if(control.interrupted); });
+    auto [constrained, admissible] =
+        estimator.constrain(std::move(fit), *plan.admissible, [&](std::size_t) { stop_if(control.interrupted); });
     fit = std::move(constrained);
     out.admissibility = outcome_of(*plan.admissible, admissible, 1.0);
     out.admissibility->from_variances = true;
@@ -303,7 +302,9 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   out.fit.iterations = fit.iterations;
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;
   out.fit.chi_square = chi_square_of(observations, plan.likelihood->priors, fit);
-  if (tied(plan)) out.fit.chi_square->degrees_of_freedom += static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());
+  if (tied(plan))
+    out.fit.chi_square->degrees_of_freedom +=
+        static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());
   if (plan.admissible) tell_outcome(plan, out);
   if (control.so_far) control.so_far(out);
   if (control.detail == Detail::full) {
@@ -311,7 +312,8 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
     if (control.progress) control.progress("identifiability", 0, 0);
     out.identifiability = identifiability_of(plan, estimator, covariance, out);
   }
-  if (control.judgement != Judgement::none) judge_likelihood(plan, {.theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless}, control, out);
+  if (control.judgement != Judgement::none)
+    judge_likelihood(plan, {.theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless}, control, out);
 }
 
 }  // namespace jointid::ident

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/start_plan.hpp"
 
@@ -10,15 +10,15 @@ namespace jointid::ident {
 namespace {
 
 bool has(const frf::FrfSystem& system, const frf::Dof& dof) {
-  return frf::find_coordinate(system.responses(), dof) != frf::npos || frf::find_coordinate(system.references(), dof) != frf::npos;
+  return frf::has(system.responses(), dof) || frf::has(system.references(), dof);
 }
 
 Dofs find_others(const Plan& plan) {
   Dofs others;
   for (const Dofs* dofs : {&plan.assembly->responses(), &plan.assembly->references()}) {
     for (const frf::Dof& dof : *dofs) {
-      const bool known = frf::find_coordinate(others, dof) != frf::npos;
-      const bool of_joint = frf::find_coordinate(plan.coordinates.joint, dof) != frf::npos;
+      const bool known = frf::has(others, dof);
+      const bool of_joint = frf::has(plan.coordinates.joint, dof);
       if (!known && !of_joint && has(*plan.substructures, dof)) others.push_back(dof);
     }
   }

@@ -5,7 +5,7 @@
 
 #include "dense/cholesky.hpp"
 #include "dense/lu.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {

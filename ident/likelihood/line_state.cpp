@@ -1,7 +1,7 @@
 #include "ident/likelihood/line_state.hpp"
 
 #include "dense/lu.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {

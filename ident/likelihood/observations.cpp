@@ -1,8 +1,8 @@
 #include "ident/likelihood/observations.hpp"
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/complex.hpp"
 #include "ident/chunk_pipeline.hpp"
 #include "ident/likelihood/choose_layout.hpp"
 #include "ident/likelihood/frf_weight.hpp"
@@ -110,7 +110,7 @@ LineData Observations::data_of(const Raw& raw, double omega) const {
 void Observations::weigh_as_measured() {
   data_.clear();
   for (std::size_t i = 0; i < raw_.size(); ++i) {
-    data_.push_back(data_of(raw_[i], 2.0 * std::numbers::pi * plan_lines_[i].frequency_hz));
+    data_.push_back(data_of(raw_[i], angular(plan_lines_[i].frequency_hz)));
   }
 }
 

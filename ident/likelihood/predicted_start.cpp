@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "ident/newton/iteration.hpp"
 
 namespace jointid::ident {
@@ -16,10 +17,12 @@ Complex measured(const Channel& channel, std::size_t i) {
 
 /// X, Y and D in the form of docs/formulas.md §7 (6.12); D alone stands for both systems.
 ReachableFrfs frfs_of(const LineLayout& layout, const LineData& data) {
-  const auto n = static_cast<Eigen::Index>(layout.others), joint = static_cast<Eigen::Index>(layout.joint);
+  const auto n = at(layout.others), joint = at(layout.joint);
   ReachableFrfs out = {Eigen::MatrixXcd::Zero(n, n), {}, Eigen::MatrixXcd::Zero(joint, n), Eigen::MatrixXcd::Zero(joint, joint),
                        Eigen::MatrixXcd::Constant(n, n, Complex(missing, missing))};
-  const auto place = [](const Element& element) { return std::pair(static_cast<Eigen::Index>(element.row), static_cast<Eigen::Index>(element.column)); };
+  const auto place = [](const Element& element) {
+    return std::pair(at(element.row), at(element.column));
+  };
   for (std::size_t i = 0; i < layout.x.size(); ++i) {
     const auto [p, k] = place(layout.x[i]);
     out.ba(p, k) = measured(data.x, i);
@@ -41,7 +44,8 @@ ReachableFrfs frfs_of(const LineLayout& layout, const LineData& data) {
 std::vector<double> predicted_start(const Plan& plan, const LikelihoodData& data, std::vector<double> theta) {
   std::vector<ResponseLine> lines;
   for (const LineData& line : data.lines()) {
-    lines.emplace_back(frfs_of(data.layout(), line), JointImpedance(plan.restriction, *plan.columns, plan.assembly_spec.omega0, line.omega));
+    lines.emplace_back(frfs_of(data.layout(), line),
+                       JointImpedance(plan.restriction, *plan.columns, plan.assembly_spec.omega0, line.omega));
   }
   ResponseProblem problem(std::move(lines), theta.size());
   const NewtonFit fit = damped_newton(problem, problem.scaled(theta));

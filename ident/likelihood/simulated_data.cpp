@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -23,9 +23,9 @@ ExactLine exact_line(const LineLayout& layout, const LineState& state, const Com
 
 double error(double normal, double weight) { return weight > 0.0 ? normal / weight : 0.0; }
 
-void draw_channel(const std::vector<Complex>& exact, const frf::RandomStream& stream, std::uint64_t entry, Channel& channel) {
+void draw_channel(const std::vector<Complex>& exact, const RandomStream& stream, std::uint64_t entry, Channel& channel) {
   for (std::size_t i = 0; i < exact.size(); ++i) {
-    const auto normal = frf::normal_numbers(stream, entry, i);
+    const auto normal = normal_numbers(stream, entry, i);
     const Complex weight = channel.weight[i];
     channel.value[i] = exact[i] + Complex(error(normal[0], weight.real()), error(normal[1], weight.imag()));
   }
@@ -57,7 +57,7 @@ SimulatedData::SimulatedData(const LikelihoodData& data, const std::vector<doubl
   }
 }
 
-void SimulatedData::draw(const std::vector<ExactLine>& exact, const frf::RandomStream& stream) {
+void SimulatedData::draw(const std::vector<ExactLine>& exact, const RandomStream& stream) {
   for (std::size_t i = 0; i < data_.size(); ++i) {
     LineData& line = data_[i];
     const std::array<std::pair<const std::vector<Complex>*, Channel*>, 5> channels = {

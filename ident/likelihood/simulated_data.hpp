@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "frf/random.hpp"
+#include "base/random.hpp"
 #include "ident/likelihood/estimator.hpp"
 
 namespace jointid::ident {
@@ -22,7 +22,7 @@ class SimulatedData final : public LikelihoodData {
   SimulatedData(const LikelihoodData& data, const std::vector<double>& line_weight);
 
   /// Draws one replicate; the errors of channel c of line i come from entry 5i + c of the stream.
-  void draw(const std::vector<ExactLine>& exact, const frf::RandomStream& stream);
+  void draw(const std::vector<ExactLine>& exact, const RandomStream& stream);
 
   /// The weights stay as they are: they belong to the exact values already.
   bool variances_by_law() const override { return false; }

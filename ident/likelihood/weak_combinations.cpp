@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/eigen.hpp"
 #include "dense/eigen.hpp"
 
 namespace jointid::ident {
@@ -33,7 +34,7 @@ LinearCombination combination(const dense::SymmetricEigen& eigen, Index which, c
   const double sign = eigen.vectors(0, which) < 0.0 ? -1.0 : 1.0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     out.names.push_back(names[static_cast<std::size_t>(members[i])]);
-    out.factors.push_back(sign * eigen.vectors(static_cast<Index>(i), which));
+    out.factors.push_back(sign * eigen.vectors(at(i), which));
   }
   out.deviation = std::sqrt(std::max(0.0, eigen.values[which]));
   return out;
@@ -42,7 +43,7 @@ LinearCombination combination(const dense::SymmetricEigen& eigen, Index which, c
 WeakCombination describe(const MatrixXd& covariance, const std::vector<Index>& members, const std::vector<std::string>& names) {
   const dense::SymmetricEigen eigen = dense::symmetric_eigen(MatrixXd(covariance(members, members)));
   WeakCombination out;
-  const auto last = static_cast<Index>(members.size()) - 1;
+  const auto last = at(members.size()) - 1;
   out.worst = combination(eigen, last, members, names);
   if (members.size() == 1) return out;
   out.best = combination(eigen, 0, members, names);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dense/pivoted_qr.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/triangle.hpp"
 
 namespace jointid::ident {
@@ -157,29 +157,31 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
 
 NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options) {
   double lambda = 1e-2;
-  return iterate(problem, std::move(start), options, [&](const std::vector<double>& q, Linearised& lines) -> std::optional<Eigen::VectorXd> {
-    for (; lambda < 1e12; lambda *= 10.0) {
-      lines.damp(lambda);
-      Eigen::VectorXd step = accelerated(problem, q, lines);
-      if (problem.cost(added(q, step)) < lines.cost()) {
-        lambda = std::max(0.1 * lambda, 1e-14);
-        return step;
-      }
-    }
-    lambda = 1e-2;
-    return std::nullopt;
-  });
+  return iterate(problem, std::move(start), options,
+                 [&](const std::vector<double>& q, Linearised& lines) -> std::optional<Eigen::VectorXd> {
+                   for (; lambda < 1e12; lambda *= 10.0) {
+                     lines.damp(lambda);
+                     Eigen::VectorXd step = accelerated(problem, q, lines);
+                     if (problem.cost(added(q, step)) < lines.cost()) {
+                       lambda = std::max(0.1 * lambda, 1e-14);
+                       return step;
+                     }
+                   }
+                   lambda = 1e-2;
+                   return std::nullopt;
+                 });
 }
 
 NewtonFit divided_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options) {
-  return iterate(problem, std::move(start), options, [&](const std::vector<double>& q, Linearised& lines) -> std::optional<Eigen::VectorXd> {
-    lines.damp(0.0);
-    Eigen::VectorXd step = lines.step();
-    for (int division = 0; division < 15; ++division, step /= 5.0) {
-      if (problem.cost(added(q, step)) < lines.cost()) return step;
-    }
-    return std::nullopt;
-  });
+  return iterate(problem, std::move(start), options,
+                 [&](const std::vector<double>& q, Linearised& lines) -> std::optional<Eigen::VectorXd> {
+                   lines.damp(0.0);
+                   Eigen::VectorXd step = lines.step();
+                   for (int division = 0; division < 15; ++division, step /= 5.0) {
+                     if (problem.cost(added(q, step)) < lines.cost()) return step;
+                   }
+                   return std::nullopt;
+                 });
 }
 
 RoundCoordinates::RoundCoordinates(ResponseProblem& problem, std::vector<double> centre) : centre_(std::move(centre)) {

@@ -47,7 +47,7 @@ class RoundCoordinates {
 
 /// A minimiser for fixed weights run again and again: a few of its iterations, then new weights and lines, in at most 40 rounds until
 /// the unknowns stay.
-NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start, const std::function<minimise::Minimum(std::span<const double>)>& minimum,
-                    const NewtonOptions& options = {});
+NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
+                    const std::function<minimise::Minimum(std::span<const double>)>& minimum, const NewtonOptions& options = {});
 
 }  // namespace jointid::ident

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "frf/random.hpp"
+#include "base/random.hpp"
+#include "base/stopwatch.hpp"
 #include "ident/likelihood/bound_of.hpp"
 #include "ident/likelihood/joint_guess.hpp"
 #include "ident/minima.hpp"
@@ -16,15 +17,12 @@
 namespace jointid::ident {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using Point = std::vector<double>;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Seven lines in ten, other ones in every iteration: each choice has local minima of its own (docs/formulas.md §7).
 std::function<bool()> draws_of(std::size_t start) {
   return [start, drawn = std::uint64_t{0}]() mutable {
-    return frf::uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7;
+    return uniform_numbers({.seed = 2, .trial = start}, drawn++)[0] < 0.7;
   };
 }
 
@@ -51,7 +49,8 @@ constexpr int evaluations = 20000;
 NewtonFit by_nlopt(ResponseProblem& problem, const Point& start, minimise::Search search, const NewtonOptions& options) {
   return by_values(problem, start, options, [&](const minimise::Objective& objective, const Point& origin, double size) {
     const auto minimum = [&](minimise::Search way, const Point& from, double tolerance) {
-      return minimise::nlopt_minimum(objective, from, {.search = way, .half_width = size, .evaluations = evaluations, .tolerance = tolerance});
+      return minimise::nlopt_minimum(objective, from,
+                                     {.search = way, .half_width = size, .evaluations = evaluations, .tolerance = tolerance});
     };
     if (search != minimise::Search::mlsl) return minimum(search, origin, 1e-10);
     const minimise::Minimum explored = minimum(search, origin, 0.0);
@@ -71,11 +70,15 @@ NewtonFit by_pattern(ResponseProblem& problem, const Point& start, const NewtonO
 NewtonFit run(const std::string& solver, ResponseProblem& problem, const Point& start, const NewtonOptions& options) {
   if (solver == "newton") return divided_newton(problem, start, options);
   if (solver == "ceres") {
-    const auto few = [&](std::span<const double> q) { return minimise::ceres_minimum(problem, q, {.tolerance = 1e-14, .most_iterations = 4}); };
+    const auto few = [&](std::span<const double> q) {
+      return minimise::ceres_minimum(problem, q, {.tolerance = 1e-14, .most_iterations = 4});
+    };
     return in_rounds(problem, start, few, options);
   }
   if (solver == "ipopt") {
-    const auto few = [&](std::span<const double> q) { return minimise::ipopt_minimum(problem, q, {.tolerance = 1e-12, .most_iterations = 4, .lower = {}, .upper = {}}); };
+    const auto few = [&](std::span<const double> q) {
+      return minimise::ipopt_minimum(problem, q, {.tolerance = 1e-12, .most_iterations = 4, .lower = {}, .upper = {}});
+    };
     return in_rounds(problem, start, few, options);
   }
   if (solver == "nlopt") return by_nlopt(problem, start, minimise::Search::mlsl, options);
@@ -181,7 +184,9 @@ Point linear_start(Plan& plan, const ResponseProblem& problem, const Control& co
 /// From the start that fits best by its size, then from others until one settles; as many as the scene asks for.
 void search(Plan& plan, const ResponseProblem& problem, const Control& control, Search& found) {
   const std::size_t wanted = plan.scene.identify.starts;
-  const Point given = plan.newton->start ? linear_start(plan, problem, control) : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
+  const Point given = plan.newton->start
+                          ? linear_start(plan, problem, control)
+                          : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
   if (plan.solver == "newton" && wanted == 0) {
     found.from(given, 0);  // the thesis's scheme as it is
     return;
@@ -223,7 +228,8 @@ double as_good_as(double misfit, std::size_t unknowns, std::size_t rows) {
 }  // namespace
 
 const std::vector<std::string>& newton_solvers() {
-  static const std::vector<std::string> names = {"levenberg-marquardt", "newton", "ceres", "ipopt", "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern"};
+  static const std::vector<std::string> names = {"levenberg-marquardt", "newton",      "ceres",  "ipopt", "nlopt",
+                                                 "nlopt-crs2",          "nlopt-sbplx", "pattern"};
   return names;
 }
 
@@ -236,7 +242,9 @@ void solve_newton(Plan& plan, const Control& control, Solution& out) {
   out.fit.equations_dropped = plan.lines.size() * plan.cost.equations_per_line - out.fit.equations_used;
   if (problem.residuals() == 0) {
     out.status = Status::no_equations;
-    out.message = "No line has all FRFs between the coordinates used. Choose other lines, or look with `jointid info` at what the files hold.";
+    out.message =
+        "No line has all FRFs between the coordinates used. Choose other lines, or look with `jointid info` at what the files "
+        "hold.";
     return;
   }
   Search found(plan, problem, out, control);

@@ -1,8 +1,7 @@
 #include "ident/newton/newton_plan.hpp"
 
-#include <numbers>
-
-#include "frf/error.hpp"
+#include "base/complex.hpp"
+#include "base/error.hpp"
 #include "ident/eigen_view.hpp"
 #include "ident/scene_failure.hpp"
 #include "ident/start_plan.hpp"
@@ -14,7 +13,8 @@ void plan_newton(Plan& plan) {
   NewtonPlan& own = *plan.newton;
   const Coordinates& at = plan.coordinates;
   const Dofs columns = joined(at.references, at.joint);
-  own.substructures = std::make_unique<Rectangle>(*plan.substructures, std::vector<Band>{{joined(at.responses, at.joint), columns}}, columns);
+  own.substructures =
+      std::make_unique<Rectangle>(*plan.substructures, std::vector<Band>{{joined(at.responses, at.joint), columns}}, columns);
   own.assembly = std::make_unique<Rectangle>(*plan.assembly, std::vector<Band>{{at.responses, at.references}}, at.references);
   plan.entries_per_line = own.substructures->entries_per_line() + own.assembly->entries_per_line();
   plan.solver = plan.scene.identify.solver == "auto" ? "levenberg-marquardt" : plan.scene.identify.solver;
@@ -42,7 +42,7 @@ std::vector<ResponseLine> read_responses(Plan& plan, std::size_t count) {
     ReachableFrfs frfs = {map(h.block(0, 0, rows, columns)), map(h.block(0, columns, rows, joint)), map(h.block(rows, 0, joint, columns)),
                           map(h.block(rows, columns, joint, joint)), map(own.assembly->line(i))};
     lines.emplace_back(std::move(frfs), JointImpedance(plan.restriction, *plan.columns, plan.assembly_spec.omega0,
-                                                       2.0 * std::numbers::pi * plan.lines[i].frequency_hz));
+                                                       angular(plan.lines[i].frequency_hz)));
   }
   return lines;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "ident/median.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {

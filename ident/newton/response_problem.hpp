@@ -38,7 +38,8 @@ class ResponseProblem final : public minimise::LeastSquares {
 
   /// Calls `visit` with the weighted residuals and Jacobian of every line used: rows [count × unknowns + 1], the last column F,
   /// and which columns they are in. False where one is not defined. Memory: one line.
-  using RowVisitor = std::function<void(std::span<const double> f, std::span<const double> jacobian, const std::vector<std::size_t>& columns)>;
+  using RowVisitor =
+      std::function<void(std::span<const double> f, std::span<const double> jacobian, const std::vector<std::size_t>& columns)>;
   bool each_line(std::span<const double> q, bool with_jacobian, const RowVisitor& visit) const;
 
   /// Σ α²‖F‖² of the lines used.

@@ -106,6 +106,8 @@ if(EXISTS "${JOINTID_EXTERNAL_DATA}/friction-loops/test_data_2.txt")
   set(_loops "${JOINTID_EXTERNAL_DATA}/friction-loops/test_data_2.txt")
   command_test(loading_curve_measured CODE 0 OUT "49 loops.*best by AIC: ren.*bilinear +39[0-9.]+ +40[0-9.]+ " MAKES measured_reported
     ARGS loading-curve "${_loops}" --law ren,bilinear --weighting travel --report measured.html)
+else()
+  jointid_missing(command.loading_curve_measured "${JOINTID_EXTERNAL_DATA}/friction-loops is missing: no external data")
 endif()
 
 command_test(couple_written CODE 0 OUT "next: jointid couple" MAKES couple_data ARGS problem write coupling-C c)

@@ -6,7 +6,7 @@
 #include "cli/comparison_text.hpp"
 #include "cli/reproduction_text.hpp"
 #include "comparison_sample.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/solve.hpp"
 
 namespace jointid::cli {
@@ -39,7 +39,7 @@ TEST(Failure, FileSystemErrorsNameTheFile) {
   EXPECT_THAT(of(error).line, HasSubstr("/no/dir: "));
 }
 
-TEST(Failure, AnInterruptionHasItsOwnCode) { EXPECT_EQ(of(ident::Interrupted()).code, ExitCode::interrupted); }
+TEST(Failure, AnInterruptionHasItsOwnCode) { EXPECT_EQ(of(Interrupted()).code, ExitCode::interrupted); }
 
 TEST(Failure, AnythingElseIsABug) {
   EXPECT_EQ(of(std::logic_error("index")).code, ExitCode::bug);

@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-ident::Regenerated one_frf(std::vector<ident::Complex> measured, std::vector<ident::Complex> predicted) {
+ident::Regenerated one_frf(std::vector<Complex> measured, std::vector<Complex> predicted) {
   ident::Regenerated regenerated;
   for (std::size_t i = 0; i < measured.size(); ++i) regenerated.frequency_hz.push_back(10.0 + static_cast<double>(i));
   regenerated.frfs.push_back({{frf::Dof::parse("1:+Y"), frf::Dof::parse("5:-Y")}, std::move(measured), std::move(predicted)});

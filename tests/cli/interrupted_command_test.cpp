@@ -72,7 +72,7 @@ void write_large(const std::filesystem::path& path, std::size_t count, std::size
   header.reference = header.response;
   for (std::size_t i = 1; i <= lines; ++i) header.frequency_hz.push_back(static_cast<double>(i));
   frf::Hdf5Writer writer(path, header);
-  std::vector<frf::Complex> values(header.entries());
+  std::vector<Complex> values(header.entries());
   for (std::size_t line = 0; line < lines; ++line) {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = 1.0 / static_cast<double>(1 + (i * 7919 + line) % 1009);
     for (std::size_t i = 0; i < count; ++i) values[i * count + i] += 4.0;

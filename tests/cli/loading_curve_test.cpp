@@ -11,7 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/loading_curve_data.hpp"
 #include "friction/law.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {

@@ -8,9 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/complex.hpp"
 #include "cli/modalfit_arguments.hpp"
 #include "cli/modalfit_text.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/uff55.hpp"
 #include "problems/modal_set.hpp"
 #include "tests/test_folder.hpp"
@@ -19,8 +20,6 @@ namespace jointid::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using Complex = std::complex<double>;
-
 class Modalfit : public testing::Test {
  protected:
   void SetUp() override {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -30,8 +30,8 @@ TEST_F(OpenAsOne, TheDofsGivenAreThoseOfTheFilesInTurn) {
   const frf::FrfSet set = frf::load(*open_as_one(files, options));
   EXPECT_EQ(set.header.response, options.response);
   EXPECT_EQ(set.header.reference, options.reference);
-  EXPECT_EQ(set.values[set.index(0, 0, 0)], frf::Complex(5.0, 0.0));
-  EXPECT_EQ(set.values[set.index(0, 0, 1)], frf::Complex(7.0, 0.0));
+  EXPECT_EQ(set.values[set.index(0, 0, 0)], Complex(5.0, 0.0));
+  EXPECT_EQ(set.values[set.index(0, 0, 1)], Complex(7.0, 0.0));
   options.reference = parse_dofs({"1:+X"});
   EXPECT_THROW(open_as_one(files, options), InputError);  // one FRF in two files
 }

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {

@@ -11,9 +11,10 @@
 #include <fstream>
 #include <set>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/frf_source.hpp"
 #include "input_folder.hpp"
+#include "tests/require.hpp"
 #include "tests/test_folder.hpp"
 #include "problems/coupling_problem.hpp"
 #include "problems/loading_curves.hpp"
@@ -221,7 +222,7 @@ Writing into_small(Writing writing) {
 }
 
 TEST_P(StoppedCommand, OnASmallDiskThatIsFullNothingChanges) {
-  if (!FullDisk::may_mount()) GTEST_SKIP() << "this user may not mount a tmpfs";
+  if (!FullDisk::may_mount()) JOINTID_SKIP("this user may not mount a tmpfs");
   const Writing writing = into_small(GetParam());
   Writing without_old = writing;
   without_old.outputs.clear();

@@ -61,7 +61,7 @@ TEST_P(UnusableNumbers, AreWrittenAndMarked) {
   EXPECT_THAT(folder.text("new.csv"), StartsWith("name,value,"));
 }
 
-Spoil every_value(const std::string& file, frf::Complex value) {
+Spoil every_value(const std::string& file, Complex value) {
   return with_set(file, [value](frf::FrfSet& set) { std::ranges::fill(set.values, value); });
 }
 
@@ -82,7 +82,7 @@ const Spoil no_joint_at_all = [](const InputFolder& folder) {
   const frf::FrfSet parts[] = {frf::load(*frf::open(folder.path("A1_substructure_1.h5"))),
                                frf::load(*frf::open(folder.path("A1_substructure_2.h5")))};
   with_set("A1_assembly.h5", [&](frf::FrfSet& set) {
-    std::ranges::fill(set.values, frf::Complex(0.0));
+    std::ranges::fill(set.values, Complex(0.0));
     for (const frf::FrfSet& part : parts) {
       for (std::size_t i = 0; i < part.values.size(); ++i) {
         const std::size_t columns = part.header.reference.size(), rows = part.header.response.size();

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "in_memory_parts.hpp"
 #include "problems/response.hpp"
 #include "problems/coupling_problem.hpp"

@@ -6,7 +6,7 @@
 
 #include <Eigen/LU>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "random_assembly.hpp"
 
 namespace jointid::coupling {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "file_fixture.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -94,7 +95,7 @@ TEST_F(AnalyserFile, WhatDoesNotFitIsNamedWithItsLine) {
 
 TEST_F(AnalyserFile, AMeasuredExportIsThatOfTheBeam) {
   const auto folder = std::filesystem::path(JOINTID_EXTERNAL_DATA) / "beam-accelerances";
-  if (!std::filesystem::exists(folder / "analyser_export.txt")) GTEST_SKIP() << folder << " is missing: no external data";
+  if (!std::filesystem::exists(folder / "analyser_export.txt")) JOINTID_SKIP(folder << " is missing: no external data");
   const FrfSet text = load(*open(folder / "analyser_export.txt")), beam = load(*open(folder / "beam.h5"));
   EXPECT_EQ(text.header.quantity, Quantity::accelerance);
   EXPECT_EQ(text.header.reference, dofs({"0:-Z"}));

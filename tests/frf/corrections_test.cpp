@@ -67,8 +67,10 @@ TEST(Corrections, AFlippedSensorIsARowAndAFlippedHammerIsAColumn) {
 }
 
 TEST(Corrections, SwappedLabelsAreSwappedBack) {
-  for_each_set([](const FrfSet& set) {
+  std::size_t swapped = 0;
+  for_each_set([&](const FrfSet& set) {
     if (set.header.response.size() < 2) return;
+    ++swapped;
     FrfSet wrong = set;
     std::swap(wrong.header.response[0], wrong.header.response[1]);
     const Dof first = wrong.header.response[0], second = wrong.header.response[1];
@@ -76,6 +78,7 @@ TEST(Corrections, SwappedLabelsAreSwappedBack) {
     const FrfSet found = mended(wrong, corrections);
     expect_same(found, set, 0.0);
   });
+  EXPECT_GT(swapped, 0u);
 }
 
 TEST(Corrections, TheSignOfANewNameIsThatOfTheTransducer) {

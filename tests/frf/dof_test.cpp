@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 namespace {

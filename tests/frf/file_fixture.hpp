@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/frf_source.hpp"
 #include "tests/test_folder.hpp"
 

@@ -6,6 +6,7 @@
 
 #include "file_fixture.hpp"
 #include "frf/hdf5_writer.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -183,7 +184,7 @@ TEST_F(Hdf5File, AFullDiskIsAnErrorThatLeavesNothing) {
 
 TEST_F(Hdf5File, ReadsTheGoldenFiles) {
   const std::filesystem::path golden = std::filesystem::path(JOINTID_EXTERNAL_DATA) / "../golden";
-  if (!std::filesystem::exists(golden)) GTEST_SKIP() << "no golden files at " << golden;
+  if (!std::filesystem::exists(golden)) JOINTID_SKIP("no golden files at " << golden);
   const FrfSet set = load(*open_hdf5(golden / "caseA1_clean_assembly.h5"));
   EXPECT_EQ(set.header.lines(), 31u);
   EXPECT_EQ(set.header.response.size(), 14u);

@@ -7,6 +7,7 @@
 #include "file_fixture.hpp"
 #include "frf/columns.hpp"
 #include "frf/mat_file.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -293,7 +294,7 @@ class MeasuredMat : public MatV5File {
  protected:
   void SetUp() override {
     MatV5File::SetUp();
-    if (!std::filesystem::exists(data_)) GTEST_SKIP() << "no measured data at " << data_;
+    if (!std::filesystem::exists(data_)) JOINTID_SKIP("no measured data at " << data_);
   }
   const std::filesystem::path data_ = std::filesystem::path(JOINTID_EXTERNAL_DATA);
 };

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/h1.hpp"
 
 namespace jointid::frf {

@@ -8,10 +8,10 @@
 #include <functional>
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/h1.hpp"
 #include "frf/polluter.hpp"
-#include "frf/random.hpp"
+#include "base/random.hpp"
 
 namespace jointid::frf {
 namespace {

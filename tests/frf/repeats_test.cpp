@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::frf {
 namespace {

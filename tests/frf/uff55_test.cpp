@@ -7,7 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
+#include "tests/require.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::frf {
@@ -78,7 +79,7 @@ TEST_F(Uff55, NormalAndComplexModesComeBack) {
 }
 
 TEST_F(Uff55, ModesOfOthers) {
-  if (!fs::is_directory(external(""))) GTEST_SKIP() << external("") << " is missing: no external data";
+  if (!fs::is_directory(external(""))) JOINTID_SKIP(external("") << " is missing: no external data");
   const auto testlab = read_uff55(external("uff55 sample_test record10.uff"));
   ASSERT_EQ(testlab.size(), 1u);
   EXPECT_TRUE(testlab[0].is_complex);

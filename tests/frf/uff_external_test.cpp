@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "frf/uff_file.hpp"
+#include "tests/require.hpp"
 #include "uff_samples.hpp"
 
 namespace jointid::frf {
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 class UffExternal : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::is_directory(folder_)) GTEST_SKIP() << folder_ << " is missing: no external data";
+    if (!std::filesystem::is_directory(folder_)) JOINTID_SKIP(folder_ << " is missing: no external data");
   }
 
   std::filesystem::path file(const std::string& file_name) const { return folder_ / file_name; }

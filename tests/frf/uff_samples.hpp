@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::frf::samples {

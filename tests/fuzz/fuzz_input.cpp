@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::fuzz {
 namespace {

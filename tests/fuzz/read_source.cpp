@@ -20,7 +20,7 @@ void read_lines(frf::FrfSource& source) {
   const frf::FrfHeader& header = source.header();
   const auto responses = first(std::min(header.response.size(), most_dofs));
   const auto references = first(std::min(header.reference.size(), most_dofs));
-  std::vector<frf::Complex> values(responses.size() * references.size());
+  std::vector<Complex> values(responses.size() * references.size());
   std::vector<double> coherences(values.size());
   for (std::size_t line = 0; line < std::min(header.lines(), most_lines); ++line) {
     const frf::Block block{std::span(&line, 1), responses, references};

@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <random>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/admissible/definite_block.hpp"
 #include "ident/admissible/semidefinite_least_squares.hpp"
 #include "ident/admissible/tie.hpp"

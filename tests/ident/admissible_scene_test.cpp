@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/reduced_system.hpp"
 #include "ident/trial_loop.hpp"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/likelihood/bound.hpp"
 #include "ident/likelihood/bound_report.hpp"
 #include "likelihood_case.hpp"

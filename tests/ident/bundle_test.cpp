@@ -100,7 +100,7 @@ struct OneLine {
 
 void expect_columns_as_differences(const SolverCase& example) {
   OneLine at(example);
-  RowMajor by_theta, by_own;
+  RowMatrixXd by_theta, by_own;
   Eigen::VectorXd residuals = at.residuals();
   at.line.evaluate(at.theta, at.u.data(), residuals.data(), &by_theta, &by_own);
   for (std::size_t i = 0; i < at.theta.size(); ++i) {

@@ -13,7 +13,7 @@
 #include "ident/check/file_tests.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/span_test.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "problems/in_memory.hpp"
 #include "problems/planted.hpp"
 
@@ -93,8 +93,10 @@ TEST(check, a_mistaken_label_may_be_one_that_the_scene_needs) {
   const frf::Dof right = problem.joint_dofs.front(), wrong = frf::Dof::parse("99:+Y");
   auto& responses = data.assembly.header.response;
   *std::ranges::find_if(responses, [&](const frf::Dof& dof) { return dof.same_coordinate(right); }) = wrong;
-  EXPECT_THROW(problems::plan(problems::scene(problem), data), jointid::InputError);
-  const ident::CheckResult result = checked(problem, std::move(data));
+  ident::Scene scene = problems::scene(problem);
+  scene.identify.equations = {ident::Equation::jj};
+  EXPECT_THROW(problems::plan(scene, data), jointid::InputError);
+  const ident::CheckResult result = problems::check(scene, std::move(data));
   ASSERT_FALSE(result.suspects.empty());
   EXPECT_EQ(result.suspects.front().kind, SuspectKind::label);
   EXPECT_EQ(frf::names(result.suspects.front().dofs), (std::vector<std::string>{wrong.name(), right.name()}));

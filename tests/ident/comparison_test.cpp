@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "problems/in_memory.hpp"
 
 namespace jointid::ident {

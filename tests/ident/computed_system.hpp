@@ -18,7 +18,7 @@ class Computed final : public frf::FrfSource {
   }
 
  private:
-  void do_read(const frf::Block& block, std::span<frf::Complex> out) override {
+  void do_read(const frf::Block& block, std::span<Complex> out) override {
     std::size_t next = 0;
     for (const std::size_t line : block.lines) {
       for (const std::size_t r : block.responses) {
@@ -29,7 +29,7 @@ class Computed final : public frf::FrfSource {
       }
     }
   }
-  void do_read_variance(const frf::Block&, std::span<frf::Complex>) override {}
+  void do_read_variance(const frf::Block&, std::span<Complex>) override {}
   void do_read_coherence(const frf::Block&, std::span<double>) override {}
 
   double seed_;

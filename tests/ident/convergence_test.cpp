@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "problems/in_memory.hpp"
 
 namespace jointid::ident {
@@ -18,6 +20,7 @@ TEST(Convergence, TheLastPointIsTheSolutionItself) {
   const Solution solution = solve(*plan);
   ASSERT_FALSE(points.empty());
   EXPECT_EQ(points.back().lines, plan->lines.size());
+  ASSERT_FALSE(solution.quality.empty());
   for (const auto& [kind, quality] : solution.quality) {
     EXPECT_NEAR(points.back().quality.at(kind).rjcf, quality.rjcf, 1e-9);
     EXPECT_NEAR(points.back().quality.at(kind).arvf, quality.arvf, 1e-9);
@@ -30,13 +33,11 @@ TEST(Convergence, AnEarlierPointIsTheSolutionOfItsLines) {
   const auto points = quality_by_line(*plan, 1000);
   plan->lines.resize(10);
   const Solution solution = solve(*plan);
-  for (const LineQuality& point : points) {
-    if (point.lines != 10) continue;
-    EXPECT_EQ(point.frequency_hz, plan->lines.back().frequency_hz);
-    for (const auto& [kind, quality] : solution.quality) {
-      EXPECT_NEAR(point.quality.at(kind).arvf, quality.arvf, 1e-9);
-    }
-  }
+  const auto point = std::ranges::find(points, 10u, &LineQuality::lines);
+  ASSERT_NE(point, points.end());
+  EXPECT_EQ(point->frequency_hz, plan->lines.back().frequency_hz);
+  ASSERT_FALSE(solution.quality.empty());
+  for (const auto& [kind, quality] : solution.quality) EXPECT_NEAR(point->quality.at(kind).arvf, quality.arvf, 1e-9);
 }
 
 TEST(Convergence, ManyLinesGiveAsManyPointsAsAskedFor) {

@@ -6,7 +6,8 @@
 #include <functional>
 #include <numbers>
 
-#include "frf/error.hpp"
+#include "base/complex.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_file.hpp"
 #include "frf/hdf5_writer.hpp"
 #include "ident/couple.hpp"
@@ -22,7 +23,6 @@ namespace jointid::ident {
 namespace {
 
 namespace fs = std::filesystem;
-using frf::Complex;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_file.hpp"
 #include "problems/coupling_problem.hpp"
 #include "tests/test_folder.hpp"

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "likelihood_line_sample.hpp"
 
 namespace jointid::ident {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "ident/solve.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -75,7 +76,7 @@ class GoldenEstimates : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(GoldenEstimates, EqualThoseOfAnIndependentProgram) {
   if (!fs::exists(folder() / "expected.json")) {
-    GTEST_SKIP() << "no reference files at " << folder() << "; set JOINTID_EXTERNAL_DATA";
+    JOINTID_SKIP("no reference files at " << folder() << "; set JOINTID_EXTERNAL_DATA");
   }
   const std::string problem = GetParam();
   const json expected = json::parse(std::ifstream(folder() / "expected.json")).at(problem);

@@ -32,7 +32,7 @@ class Recorder final : public frf::FrfSource {
   }
 
  private:
-  void do_read(const frf::Block& block, std::span<frf::Complex> out) override {
+  void do_read(const frf::Block& block, std::span<Complex> out) override {
     for (const std::size_t r : block.responses) {
       for (const std::size_t c : block.references) {
         asked_.frfs.emplace(header_.response[r].name(), header_.reference[c].name());
@@ -41,7 +41,7 @@ class Recorder final : public frf::FrfSource {
     asked_.lines.insert(block.lines.begin(), block.lines.end());
     source_->read(block, out);
   }
-  void do_read_variance(const frf::Block&, std::span<frf::Complex>) override { FAIL() << "variance was read"; }
+  void do_read_variance(const frf::Block&, std::span<Complex>) override { FAIL() << "variance was read"; }
   void do_read_coherence(const frf::Block&, std::span<double>) override { FAIL() << "coherence was read"; }
 
   Asked& asked_;

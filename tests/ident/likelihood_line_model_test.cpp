@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "likelihood_line_sample.hpp"
 
 namespace jointid::ident {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/frf_weight.hpp"
 #include "ident/likelihood/normal_rows.hpp"

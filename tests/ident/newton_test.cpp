@@ -1,9 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/minima.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton.hpp"
@@ -11,6 +12,7 @@
 #include "ident/start_points.hpp"
 #include "minimise/least_squares.hpp"
 #include "problems/in_memory.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -112,32 +114,51 @@ TEST_F(UnreachableJoint, FromTheThesisStartItIsExactInSixteenIterations) {
   }
 }
 
-TEST_F(UnreachableJoint, EverySolverOfTheBuildFindsItFromNearby) {
+/// The library that a solver needs and this build lacks, or none.
+std::string missing_library(const std::string& solver) {
+  if (solver == "ceres" && !minimise::has_ceres()) return "Ceres";
+  if (solver == "ipopt" && !minimise::has_ipopt()) return "Ipopt";
+  if (solver.starts_with("nlopt") && !minimise::has_nlopt()) return "NLopt";
+  return "";
+}
+
+class EverySolver : public UnreachableJoint, public testing::WithParamInterface<std::string> {
+ protected:
+  void SetUp() override {
+    if (!missing_library(GetParam()).empty()) JOINTID_SKIP("this build lacks " << missing_library(GetParam()));
+  }
+
+  bool has_derivatives() const { return GetParam() != "pattern" && !GetParam().starts_with("nlopt"); }
+};
+
+TEST_P(EverySolver, FindsItFromNearby) {
   Scene scene = near(1.05);
   scene.frequency.step_hz = 60.0;
-  for (const std::string& solver : newton_solvers()) {
-    if ((solver == "ceres" && !minimise::has_ceres()) || (solver == "ipopt" && !minimise::has_ipopt()) ||
-        (solver.starts_with("nlopt") && !minimise::has_nlopt())) {
-      continue;
-    }
-    scene.identify.solver = solver;
-    const Solution found = solve(scene);
-    EXPECT_EQ(found.used.solver, solver);
-    EXPECT_EQ(found.fit.rank, truth_.size());
-    const bool derivatives = solver != "pattern" && !solver.starts_with("nlopt");
-    if (derivatives) {
-      EXPECT_EQ(found.status, Status::ok) << solver << ' ' << found.message;
-      EXPECT_LT(largest_error(found), 1e-6) << solver;
-    } else {
-      EXPECT_LT(*found.fit.asm_frf_error, 1.0) << solver;  // dB: a narrow valley, where they crawl
-    }
+  scene.identify.solver = GetParam();
+  const Solution found = solve(scene);
+  EXPECT_EQ(found.used.solver, GetParam());
+  EXPECT_EQ(found.fit.rank, truth_.size());
+  if (has_derivatives()) {
+    EXPECT_EQ(found.status, Status::ok) << found.message;
+    EXPECT_LT(largest_error(found), 1e-6);
+  } else {
+    EXPECT_LT(*found.fit.asm_frf_error, 1.0);  // dB: a narrow valley, where they crawl
   }
 }
 
-TEST_F(UnreachableJoint, NoiseLeavesItNearTheBoundForTheLikelihoodAndFarForNewton) {
+INSTANTIATE_TEST_SUITE_P(Newton, EverySolver, testing::ValuesIn(newton_solvers()), [](const auto& solver) {
+  std::string name = solver.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
+
+/// The thesis: errors of 0.86 for newton, which fits H_nn without weighing its noise.
+TEST_F(UnreachableJoint, NoiseMovesTheLikelihoodByLessThanAThirdAndNewtonByLessThanTwice) {
   const problems::Measurement noisy = problems::polluted(problem_, 1, 0);
   Scene scene = scene_;
-  EXPECT_GT(largest_error(solve(scene, noisy)), 0.5);  // the thesis: 0.86
+  const Solution newton = solve(scene, noisy);
+  EXPECT_LT(largest_error(newton), 2.0);
+  EXPECT_LT(*newton.fit.asm_frf_error, 3.0);  // dB, what the noise of 5 % leaves
   scene.identify.method = Method::likelihood;
   EXPECT_LT(largest_error(solve(scene, noisy)), 0.3);
 }

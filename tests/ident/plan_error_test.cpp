@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/solve.hpp"
 #include "memory_systems.hpp"
 

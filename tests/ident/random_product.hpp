@@ -4,11 +4,10 @@
 #include <random>
 #include <vector>
 
+#include "base/eigen.hpp"
 #include "ident/kronecker.hpp"
 
 namespace jointid::ident {
-
-using RowMajorXc = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 inline Eigen::Index index_of(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
@@ -33,18 +32,18 @@ class RandomProduct {
     return product;
   }
 
-  static View view(const RowMajorXc& matrix) {
+  static View view(const RowMatrixXc& matrix) {
     const auto rows = static_cast<std::size_t>(matrix.rows()), columns = static_cast<std::size_t>(matrix.cols());
     return {matrix.data(), rows, columns, columns};
   }
 
-  RowMajorXc a, b, c1, c2;
+  RowMatrixXc a, b, c1, c2;
   std::vector<std::uint8_t> row_class, column_class;
 
  private:
-  static RowMajorXc fill(std::size_t rows, std::size_t columns, std::mt19937_64& random) {
+  static RowMatrixXc fill(std::size_t rows, std::size_t columns, std::mt19937_64& random) {
     std::normal_distribution<double> normal;
-    RowMajorXc matrix(index_of(rows), index_of(columns));
+    RowMatrixXc matrix(index_of(rows), index_of(columns));
     for (Eigen::Index i = 0; i < matrix.size(); ++i) matrix.data()[i] = {normal(random), normal(random)};
     return matrix;
   }

@@ -144,10 +144,7 @@ TEST(Rank, ALoneLineOfFewCoordinatesCannotFixTwentyUnknowns) {
     const Solution solution = solve(*plan);
     EXPECT_EQ(solution.status, Status::rank_deficient) << weighting::name(weighting);
     EXPECT_LT(solution.fit.rank, 20u);
-    for (std::size_t u = 0; u < 20; ++u) {
-      if (!solution.unknowns[u].determined) continue;
-      EXPECT_NEAR(solution.unknowns[u].value, a8.unknowns[u].value, 1e-6 * 662400.0) << solution.unknowns[u].name;
-    }
+    EXPECT_EQ(undetermined(solution).size(), 20u);  // the free directions turn every element of the matrices
   }
 }
 

@@ -68,7 +68,7 @@ void check(const restrictions::Restriction& restriction, const std::vector<std::
   const std::size_t n = restriction.dofs.size(), p_count = 2, q_count = 3;
   const RandomProduct product(p_count, a_dofs.size(), q_count, random);
   const RandomProduct other(q_count, b_dofs.size(), 1, random);
-  const auto split = [](const RowMajorXc& from, SplitMatrix& to) {
+  const auto split = [](const RowMatrixXc& from, SplitMatrix& to) {
     to.resize(static_cast<std::size_t>(from.rows()), static_cast<std::size_t>(from.cols()));
     for (std::size_t i = 0; i < to.re.size(); ++i) {
       to.re[i] = from.data()[i].real();

@@ -7,7 +7,7 @@
 #include <functional>
 #include <sstream>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/noise.hpp"
 #include "frf/variance_law.hpp"
 #include "memory_systems.hpp"

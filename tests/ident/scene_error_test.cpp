@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene.hpp"
 
 namespace jointid::ident {

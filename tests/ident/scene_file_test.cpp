@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/scene.hpp"
 #include "tests/ident/full_scene.hpp"
 #include "tests/test_folder.hpp"

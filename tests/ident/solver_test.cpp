@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "ident/column_scaling.hpp"
 #include "ident/solve.hpp"
 #include "plain_estimate.hpp"
 #include "problems/in_memory.hpp"
@@ -43,14 +47,58 @@ Solution solved(const MemoryScene& chain, const std::string& solver) {
   return solve(*plan);
 }
 
+std::vector<double> values(const Solution& solution) {
+  std::vector<double> out;
+  for (const Estimate& estimate : solution.unknowns) out.push_back(estimate.value);
+  return out;
+}
+
+/// Orthogonal solvers, QR of all equations at once among them, agree to this times the condition number, the normal equations with them
+/// to this times its square. Up to 6 of these 64 units were seen.
+constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
+
+/// Differences are held against the largest unknown.
+void expect_equal(const std::vector<double>& found, const std::vector<double>& expected, double tolerance) {
+  ASSERT_EQ(found.size(), expected.size());
+  double largest = 0.0;
+  for (const double value : expected) largest = std::max(largest, std::abs(value));
+  for (std::size_t u = 0; u < expected.size(); ++u) EXPECT_NEAR(found[u], expected[u], tolerance * largest) << "unknown " << u;
+}
+
 void expect_equal(const Solution& one, const Solution& two, double tolerance) {
   ASSERT_EQ(one.unknowns.size(), two.unknowns.size());
-  double largest = 0.0;
-  for (const Estimate& estimate : one.unknowns) largest = std::max(largest, std::abs(estimate.value));
-  for (std::size_t u = 0; u < one.unknowns.size(); ++u) {
-    EXPECT_EQ(one.unknowns[u].name, two.unknowns[u].name);
-    EXPECT_LE(std::abs(one.unknowns[u].value - two.unknowns[u].value), tolerance * largest) << one.unknowns[u].name;
+  for (std::size_t u = 0; u < one.unknowns.size(); ++u) EXPECT_EQ(one.unknowns[u].name, two.unknowns[u].name);
+  expect_equal(values(one), values(two), tolerance);
+}
+
+/// The coefficients of a scene's reduced system, all triangles below each other, columns scaled as the solvers do.
+Eigen::MatrixXd stacked_triangles(const MemoryScene& parts) {
+  const auto plan = parts.plan();
+  RunTime ignored;
+  Assembled assembled = assemble(*plan, ignored);
+  assembled.accumulator.flush();
+  const auto index = [](std::size_t i) { return static_cast<Eigen::Index>(i); };
+  Eigen::MatrixXd system(0, index(assembled.accumulator.columns()));
+  for (const auto& [columns, triangle] : assembled.accumulator.triangles()) {
+    const Eigen::Index before = system.rows();
+    system.conservativeResize(before + index(columns.size()), Eigen::NoChange);
+    system.bottomRows(index(columns.size())).setZero();
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      for (std::size_t i = 0; i <= j; ++i) system(before + index(i), index(columns[j])) = triangle(i, j);
+    }
   }
+  return system * power_of_two_scales(system).asDiagonal();
+}
+
+double condition(const Eigen::MatrixXd& system) {
+  const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(system).singularValues();
+  return sigma[0] / sigma[sigma.size() - 1];
+}
+
+/// ‖A‖₁‖A⁻¹‖₁
+double one_norm_condition(const Eigen::MatrixXd& a) {
+  const auto norm = [](const Eigen::MatrixXd& matrix) { return matrix.cwiseAbs().colwise().sum().maxCoeff(); };
+  return norm(a) * norm(a.inverse());
 }
 
 TEST(Solvers, AChainOfTwentyJointsIsTheSameForAllSolvers) {
@@ -59,9 +107,23 @@ TEST(Solvers, AChainOfTwentyJointsIsTheSameForAllSolvers) {
   const Solution qr = solved(parts, "qr"), spqr = solved(parts, "spqr"), normal = solved(parts, "normal");
   EXPECT_EQ(qr.used.solver + spqr.used.solver + normal.used.solver, "qrspqrnormal");
   for (const Solution* each : {&qr, &spqr, &normal}) EXPECT_EQ(each->status, Status::ok) << each->message;
-  expect_equal(qr, spqr, 1e-10);
-  expect_equal(qr, normal, 1e-6);
-  EXPECT_NEAR(spqr.fit.condition / qr.fit.condition, 1.0, 0.95);  // a bound from below by pivots
+  expect_equal(spqr, qr, rounding * qr.fit.condition);
+  expect_equal(normal, qr, rounding * qr.fit.condition * qr.fit.condition);
+}
+
+/// qr tells σ₁/σ_n. The pivots of spqr are a bound from below, near it where columns are nearly orthogonal as here. The normal equations tell
+/// the root of their condition in the 1-norm, of which LAPACK's estimate is hardly ever less than a third.
+TEST(Solvers, TheConditionOfAChainIsWhatEverySolverSaysItIs) {
+  const MemoryScene parts = chain(20, Pattern::full, 1);
+  const Eigen::MatrixXd system = stacked_triangles(parts);
+  const double exact = condition(system), one_norm = one_norm_condition(system.transpose() * system);
+  EXPECT_NEAR(solved(parts, "qr").fit.condition / exact, 1.0, rounding * exact);
+  const double pivots = solved(parts, "spqr").fit.condition;
+  EXPECT_LE(pivots, exact * (1.0 + rounding));
+  EXPECT_GE(pivots, exact / 1.5);
+  const double normal = solved(parts, "normal").fit.condition;
+  EXPECT_LE(normal, std::sqrt(one_norm) * (1.0 + rounding * exact));
+  EXPECT_GE(normal, std::sqrt(one_norm / 3.0));
 }
 
 TEST(Solvers, AChainOfTwentyJointsEqualsThePlainRoute) {
@@ -72,10 +134,7 @@ TEST(Solvers, AChainOfTwentyJointsEqualsThePlainRoute) {
   const auto plan = parts.plan();
   ASSERT_GT(plan->assembly_spec.supports.size(), 1u);  // split by substructure
   const Solution spqr = solve(*plan);
-  const std::vector<double> plain = PlainEstimate(*plan, parts.substructures, parts.assembly).solve();
-  double largest = 0.0;
-  for (const double value : plain) largest = std::max(largest, std::abs(value));
-  for (std::size_t u = 0; u < plain.size(); ++u) EXPECT_NEAR(spqr.unknowns[u].value, plain[u], 1e-10 * largest);
+  expect_equal(values(spqr), PlainEstimate(*plan, parts.substructures, parts.assembly).solve(), rounding * spqr.fit.condition);
 }
 
 TEST(Solvers, ManyJointsAreSolvedBySpqrWithoutBeingAsked) {
@@ -83,7 +142,8 @@ TEST(Solvers, ManyJointsAreSolvedBySpqrWithoutBeingAsked) {
   const Solution chosen = solved(parts, "auto");
   EXPECT_EQ(chosen.used.solver, "spqr");
   EXPECT_EQ(chosen.unknowns.size(), 240u);
-  expect_equal(chosen, solved(parts, "qr"), 1e-10);
+  const Solution qr = solved(parts, "qr");
+  expect_equal(chosen, qr, rounding * qr.fit.condition);
   EXPECT_EQ(solved(chain(3, Pattern::full, 2), "auto").used.solver, "qr");
 }
 
@@ -96,10 +156,9 @@ TEST(Solvers, TheSplitPlanCostsLessAndFindsSpringsOfAChain) {
   }
   const auto plan = parts.plan();
   EXPECT_LT(plan->cost.assemble_flops, plan->cost.stacked_flops);
-  expect_equal(solved(parts, "qr"), solved(parts, "spqr"), 1e-10);
-  const std::vector<double> plain = PlainEstimate(*plan, parts.substructures, parts.assembly).solve();
-  const Solution solution = solve(*plan);
-  for (std::size_t u = 0; u < plain.size(); ++u) EXPECT_NEAR(solution.unknowns[u].value, plain[u], 1e-10);
+  const Solution qr = solved(parts, "qr");
+  expect_equal(solved(parts, "spqr"), qr, rounding * qr.fit.condition);
+  expect_equal(values(solve(*plan)), PlainEstimate(*plan, parts.substructures, parts.assembly).solve(), rounding * qr.fit.condition);
 }
 
 TEST(Solvers, NormalEquationsOfCaseA1AreCloseToTheOthers) {
@@ -111,8 +170,10 @@ TEST(Solvers, NormalEquationsOfCaseA1AreCloseToTheOthers) {
     const auto plan = problems::plan(scene, problems::polluted(a1, 1, 0));
     solutions.push_back(solve(*plan));
   }
-  expect_equal(solutions[0], solutions[1], 1e-10);
-  expect_equal(solutions[0], solutions[2], 1e-6);
+  const double condition = solutions[0].fit.condition;
+  EXPECT_LE(solutions[1].fit.condition, condition * (1.0 + rounding));  // a bound from below by pivots
+  expect_equal(solutions[1], solutions[0], rounding * condition);
+  expect_equal(solutions[2], solutions[0], rounding * condition * condition);
 }
 
 Scene with_bands(Scene scene, const std::vector<std::array<double, 2>>& bands) {
@@ -130,6 +191,7 @@ TEST(Bands, EachIsASolveOfItsOwnLines) {
   const Solution both = solve(*plan);
   EXPECT_EQ(both.fit.lines, 30u);
   ASSERT_EQ(both.bands.size(), 2u);
+  const double tolerance = rounding * both.fit.condition * 1e6;  // N/m, the largest element
   for (std::size_t band = 0; band < 2; ++band) {
     Scene one = scene;
     one.frequency.range_hz = band == 0 ? Range{400.0, 680.0} : Range{700.0, 980.0};
@@ -140,7 +202,7 @@ TEST(Bands, EachIsASolveOfItsOwnLines) {
       const Matrix& expected = alone.bands[0].matrices.at(kind);
       const Matrix& found = both.bands[band].matrices.at(kind);
       for (std::size_t i = 0; i < 4; ++i) {
-        for (std::size_t j = 0; j < 4; ++j) EXPECT_NEAR(found[i][j], expected[i][j], 1e-9 * 1e6) << i << j;
+        for (std::size_t j = 0; j < 4; ++j) EXPECT_NEAR(found[i][j], expected[i][j], tolerance) << i << j;
       }
     }
   }
@@ -188,7 +250,7 @@ TEST(Bands, ABandWithoutLinesIsNotDeterminedAndTheOthersAre) {
     for (std::size_t u = 0; u < 16; ++u) {
       EXPECT_EQ(solution.unknowns[u].determined, u % 2 == 0) << solver << " " << solution.unknowns[u].name;
       const double truth = a9.unknowns[u / 2].value;
-      EXPECT_NEAR(solution.unknowns[u].value, u % 2 == 0 ? truth : 0.0, 1e-9 * 662400.0);
+      EXPECT_NEAR(solution.unknowns[u].value, u % 2 == 0 ? truth : 0.0, 1e-12 * 662400.0);  // FRFs without noise
     }
     EXPECT_NE(solution.message.find("K.a@2000-3000Hz is free"), std::string::npos) << solution.message;
   }

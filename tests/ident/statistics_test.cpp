@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "ident/median.hpp"
+#include "base/statistics.hpp"
 #include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
 

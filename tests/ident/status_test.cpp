@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/judgement/judge.hpp"
 #include "likelihood_case.hpp"
 #include "problems/planted.hpp"

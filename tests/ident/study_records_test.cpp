@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/trial_queue.hpp"
 #include "tests/test_folder.hpp"
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/h1.hpp"
 #include "frf/repeats.hpp"
 #include "ident/trial_runner.hpp"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/require.hpp"
+
 namespace jointid::minimise {
 namespace {
 
@@ -42,7 +44,7 @@ TEST(LeastSquares, ThePatternSearchSaysWhenItRanOutOfEvaluations) {
 }
 
 TEST(LeastSquares, CeresFindsTheSame) {
-  if (!has_ceres()) GTEST_SKIP() << "this build lacks Ceres";
+  if (!has_ceres()) JOINTID_SKIP("this build lacks Ceres");
   const Minimum found = ceres_minimum(Valley(), start);
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.q[0], 1.0, 1e-10);
@@ -50,7 +52,7 @@ TEST(LeastSquares, CeresFindsTheSame) {
 }
 
 TEST(LeastSquares, TheGlobalSearchStaysWhereTheProblemIsDefined) {
-  if (!has_nlopt()) GTEST_SKIP() << "this build lacks NLopt";
+  if (!has_nlopt()) JOINTID_SKIP("this build lacks NLopt");
   const Valley valley;
   const std::vector<double> found =
       nlopt_minimum([&](std::span<const double> q) { return valley.objective(q); }, start, {.half_width = 8.0, .evaluations = 3000}).q;
@@ -58,7 +60,7 @@ TEST(LeastSquares, TheGlobalSearchStaysWhereTheProblemIsDefined) {
 }
 
 TEST(LeastSquares, SimplexesInSubspacesWalkThroughTheValley) {
-  if (!has_nlopt()) GTEST_SKIP() << "this build lacks NLopt";
+  if (!has_nlopt()) JOINTID_SKIP("this build lacks NLopt");
   const Valley valley;
   const Objective objective = [&](std::span<const double> q) { return valley.objective(q); };
   const Minimum found = nlopt_minimum(objective, start, {.search = Search::sbplx, .half_width = 5.0, .tolerance = 1e-9});
@@ -68,7 +70,7 @@ TEST(LeastSquares, SimplexesInSubspacesWalkThroughTheValley) {
 }
 
 TEST(LeastSquares, RandomSearchesAreTheSameForTheSameSeedAndStayInTheBox) {
-  if (!has_nlopt()) GTEST_SKIP() << "this build lacks NLopt";
+  if (!has_nlopt()) JOINTID_SKIP("this build lacks NLopt");
   const Valley valley;
   const Objective objective = [&](std::span<const double> q) { return valley.objective(q); };
   for (const Search search : {Search::crs2, Search::mlsl}) {
@@ -81,7 +83,7 @@ TEST(LeastSquares, RandomSearchesAreTheSameForTheSameSeedAndStayInTheBox) {
 }
 
 TEST(LeastSquares, IpoptFindsTheSame) {
-  if (!has_ipopt()) GTEST_SKIP() << "this build lacks Ipopt";
+  if (!has_ipopt()) JOINTID_SKIP("this build lacks Ipopt");
   const Minimum found = ipopt_minimum(Valley(), start);
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.q[0], 1.0, 1e-8);
@@ -89,7 +91,7 @@ TEST(LeastSquares, IpoptFindsTheSame) {
 }
 
 TEST(LeastSquares, IpoptStopsAtABound) {
-  if (!has_ipopt()) GTEST_SKIP() << "this build lacks Ipopt";
+  if (!has_ipopt()) JOINTID_SKIP("this build lacks Ipopt");
   constexpr double inf = std::numeric_limits<double>::infinity();
   const Minimum found = ipopt_minimum(Valley(), start, {.lower = {-inf, -inf}, .upper = {0.5, inf}});
   EXPECT_TRUE(found.converged);

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/complex.hpp"
 #include "modalfit/mac.hpp"
 
 namespace jointid::modalfit {
 namespace {
-
-using Complex = std::complex<double>;
 
 const std::vector<ModelKind> kinds = {{Damping::viscous, true}, {Damping::viscous, false}, {Damping::hysteretic, true}, {Damping::hysteretic, false}};
 const std::vector<double> lines = {40.0, 49.5, 50.4, 70.0, 81.0};

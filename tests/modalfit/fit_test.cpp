@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "modalfit/clusters.hpp"
 #include "modalfit/selection.hpp"
 #include "problems/modal_set.hpp"

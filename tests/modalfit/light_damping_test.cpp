@@ -5,7 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "frf/random.hpp"
+#include "base/complex.hpp"
+#include "base/random.hpp"
 #include "modalfit/doubled.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/noise_laws.hpp"
@@ -13,8 +14,6 @@
 
 namespace jointid::modalfit {
 namespace {
-
-using Complex = std::complex<double>;
 
 struct TrueMode {
   double frequency_hz, zeta;
@@ -47,7 +46,7 @@ struct Rig {
           const double w = 2.0 * std::numbers::pi * frequency(mode, point);
           h -= mode.shape[2] * mode.shape[point] / Complex(w * w - omega * omega, 2.0 * mode.zeta * w * omega);
         }
-        const auto n = frf::normal_numbers({.seed = seed}, 5 * i + point);
+        const auto n = normal_numbers({.seed = seed}, 5 * i + point);
         const double deviation = noise / std::sqrt(2.0) * (std::abs(h) + 0.1 / (omega * omega));
         set.values.push_back(h + deviation * Complex(n[0], n[1]));
       }

@@ -7,6 +7,7 @@
 #include "frf/frf_source.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/synthesis.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 /// Wide ranges of 17,000 to 48,000 lines of the lightly damped beam: its modes and no other, the same in all of them.
 TEST(MeasuredBeam, WideRangesAgreeWithinTheirDeviations) {
   const auto path = std::filesystem::path(JOINTID_EXTERNAL_DATA) / "beam-accelerances/beam.h5";
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing: no external data";
+  if (!std::filesystem::exists(path)) JOINTID_SKIP(path << " is missing: no external data");
   const frf::FrfSet set = frf::load(*frf::open(path));
   const std::array known = {111.9945, 306.8536, 596.371, 974.140};
   std::vector<Mode> seen;

@@ -7,6 +7,7 @@
 #include "frf/frf_source.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/synthesis.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::modalfit {
 namespace {
@@ -21,7 +22,7 @@ class MeasuredModes : public testing::Test {
 
 TEST_F(MeasuredModes, SixResonancesOfAFreeBeam) {
   const auto path = file("uff/measurement.uff");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing: no external data";
+  if (!std::filesystem::exists(path)) JOINTID_SKIP(path << " is missing: no external data");
   const frf::FrfSet set = frf::load(*frf::open(path));
   Band band = make_band(set, {});
   const ModalFit found = fit(band, set.header, {});
@@ -44,7 +45,7 @@ TEST_F(MeasuredModes, SixResonancesOfAFreeBeam) {
 /// The first lines tell the noise of the others nothing; without them the fit has to find another one, from neighbouring lines.
 TEST_F(MeasuredModes, TheScatterOfNeighbouringLinesExplainsMostOfWhatIsLeft) {
   const auto path = file("uff/measurement.uff");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing: no external data";
+  if (!std::filesystem::exists(path)) JOINTID_SKIP(path << " is missing: no external data");
   const frf::FrfSet set = frf::load(*frf::open(path));
   for (const double low : {5.0, 20.0}) {
     Band band = make_band(set, std::array{low, 1000.0});
@@ -60,7 +61,7 @@ TEST_F(MeasuredModes, TheScatterOfNeighbouringLinesExplainsMostOfWhatIsLeft) {
 /// 596.37 and 974.14 Hz.
 TEST_F(MeasuredModes, OfALightlyDampedBeamAreFoundOnceInEveryRange) {
   const auto path = file("beam-accelerances/beam.h5");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing: no external data";
+  if (!std::filesystem::exists(path)) JOINTID_SKIP(path << " is missing: no external data");
   const frf::FrfSet set = frf::load(*frf::open(path));
   const std::array known = {111.9945, 306.8536, 596.371, 974.140};
   for (const std::array range : {std::array{105.0, 120.0}, std::array{111.0, 113.0}, std::array{300.0, 310.0}, std::array{590.0, 602.0},
@@ -85,7 +86,7 @@ TEST_F(MeasuredModes, OfALightlyDampedBeamAreFoundOnceInEveryRange) {
 TEST_F(MeasuredModes, SisoFrf) {
 #if JOINTID_HAVE_MATIO
   const auto path = file("siso-coherence/case1.mat");
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is missing: no external data";
+  if (!std::filesystem::exists(path)) JOINTID_SKIP(path << " is missing: no external data");
   const frf::Dof dof = frf::Dof::parse("1:+Z");
   const frf::FrfSet set = frf::load(
       *frf::open(path, {.quantity = frf::Quantity::accelerance, .response = {dof}, .reference = {dof}, .variable = "Hf_chan_2"}));
@@ -97,7 +98,7 @@ TEST_F(MeasuredModes, SisoFrf) {
     EXPECT_NEAR(mode->pole.damping, 0.00087, 0.0002);
   }
 #else
-  GTEST_SKIP() << "this build lacks matio";
+  JOINTID_SKIP("this build lacks matio");
 #endif
 }
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/comparison.hpp"
 #include "problems/modal_set.hpp"
 

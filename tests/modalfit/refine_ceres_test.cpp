@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "modalfit/basis.hpp"
 #include "modalfit/fit.hpp"
 #include "problems/modal_set.hpp"
@@ -10,7 +11,6 @@
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr std::size_t modes = 2;
 
 /// One FRF of the model H = Σ A_r/(ω_r² − ω² + iη_rω_r²) − L/ω² + U written out, ω in units of the highest line, differentiated by Ceres.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "modalfit/mac.hpp"
 #include "modalfit/rank_one.hpp"
 #include "modalfit/synthesis.hpp"
@@ -12,7 +13,6 @@
 namespace jointid::modalfit {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr ModelKind hysteretic_real{Damping::hysteretic, true};
 
 TEST(RankOne, RecoversTheVectorFromSomeOfTheElements) {
@@ -41,7 +41,7 @@ TEST(RankOne, CovarianceIsTheScatterOfEstimates) {
     std::vector<RankOneDatum> data;
     for (std::size_t row = 0; row < 3; ++row) {
       for (std::size_t column = 0; column < 2; ++column) {
-        const double error = 0.02 * frf::normal_numbers({4, t, 0}, row * 2 + column)[0];
+        const double error = 0.02 * normal_numbers({4, t, 0}, row * 2 + column)[0];
         data.push_back({row, column, phi[row] * phi[column] + error, 1.0 / 4e-4});
       }
     }

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "friction/curve.hpp"
-#include "frf/random.hpp"
+#include "base/random.hpp"
 
 namespace jointid::problems {
 
@@ -38,7 +38,7 @@ class Asperities {
     friction::Record record;
     for (std::size_t i = 1; i <= points; ++i) {
       record.displacement.push_back(high * static_cast<double>(i) / static_cast<double>(points));
-      record.force.push_back(force(record.displacement.back()) + noise * share * limit() * frf::normal_numbers({}, i)[0]);
+      record.force.push_back(force(record.displacement.back()) + noise * share * limit() * normal_numbers({}, i)[0]);
     }
     return friction::loading_curve("asperities", std::move(record));
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "ident/solve.hpp"
 #include "problems/brick.hpp"
 #include "problems/catalogue.hpp"
@@ -13,7 +14,6 @@
 namespace jointid::problems {
 namespace {
 
-using frf::Complex;
 using frf::Dof;
 
 constexpr Solid steel = {.youngs_modulus = 2.1e11, .poissons_ratio = 0.3, .density = 7800.0};

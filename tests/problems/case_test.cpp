@@ -8,8 +8,9 @@
 #include <numbers>
 #include <set>
 
-#include "frf/error.hpp"
-#include "ident/eigen_index.hpp"
+#include "base/eigen.hpp"
+#include "base/error.hpp"
+#include "base/eigen.hpp"
 #include "problems/catalogue.hpp"
 #include "problems/thesis_beams.hpp"
 #include "restrictions/restriction.hpp"
@@ -17,8 +18,6 @@
 namespace jointid::problems {
 namespace {
 
-using frf::Complex;
-using ident::at;
 
 class EveryCase : public testing::TestWithParam<Case> {};
 

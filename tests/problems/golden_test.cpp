@@ -6,6 +6,7 @@
 
 #include "frf/hdf5_file.hpp"
 #include "problems/problem.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -20,12 +21,12 @@ void expect_equal(const frf::FrfSet& set, const frf::FrfSet& golden, std::size_t
   ASSERT_EQ(set.header.frequency_hz, golden.header.frequency_hz);
   const std::size_t n = set.header.response.size();
   double largest = 0.0;
-  for (const frf::Complex& value : golden.values) largest = std::max(largest, std::abs(value));
+  for (const Complex& value : golden.values) largest = std::max(largest, std::abs(value));
   for (std::size_t line = 0; line < set.header.lines(); ++line) {
     for (std::size_t r = 0; r < n; ++r) {
       for (std::size_t c = 0; c < n; ++c) {
-        const frf::Complex expected = golden.values[golden.index(line, first + r, first + c)];
-        const frf::Complex found = set.values[set.index(line, r, c)];
+        const Complex expected = golden.values[golden.index(line, first + r, first + c)];
+        const Complex found = set.values[set.index(line, r, c)];
         ASSERT_LE(std::abs(found - expected), 1e-10 * std::abs(expected) + 1e-13 * largest)
             << "line " << line << ", " << r << ", " << c;
       }
@@ -36,7 +37,7 @@ void expect_equal(const frf::FrfSet& set, const frf::FrfSet& golden, std::size_t
 TEST(Golden, CaseA1EqualsTheFilesOfAnIndependentProgram) {
   const fs::path folder = golden_folder();
   if (!fs::exists(folder))
-    GTEST_SKIP() << "no reference files at " << folder << "; set JOINTID_EXTERNAL_DATA";
+    JOINTID_SKIP("no reference files at " << folder << "; set JOINTID_EXTERNAL_DATA");
   const frf::FrfSet parts = frf::load(*frf::open_hdf5(folder / "caseA1_clean_substructures.h5"));
   const frf::FrfSet assembly = frf::load(*frf::open_hdf5(folder / "caseA1_clean_assembly.h5"));
   const Problem a1 = make("A1");

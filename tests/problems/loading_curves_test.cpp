@@ -13,6 +13,7 @@
 #include "friction/law.hpp"
 #include "friction/loops.hpp"
 #include "frf/columns.hpp"
+#include "tests/require.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::problems {
@@ -90,7 +91,7 @@ TEST(AsperityCurves, APresetLimitSpoilsShoukryAndNotRen) {
 class MeasuredLoops : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(file_)) GTEST_SKIP() << file_ << " is missing: no external data";
+    if (!std::filesystem::exists(file_)) JOINTID_SKIP(file_ << " is missing: no external data");
     const frf::Columns columns = frf::read_columns(file_);
     friction::Record record{columns.column("Position").values, columns.column("Friction").values};
     for (double& u : record.displacement) u *= 1e-3;

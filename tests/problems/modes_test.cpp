@@ -43,7 +43,7 @@ TEST(Modes, TheSumOfAllModesIsTheInverse) {
   for (std::size_t line = 0; line < 3; ++line) {
     const auto begin = direct.values.begin() + static_cast<std::ptrdiff_t>(line * 196);
     const double largest = std::abs(*std::max_element(
-        begin, begin + 196, [](frf::Complex a, frf::Complex b) { return std::abs(a) < std::abs(b); }));
+        begin, begin + 196, [](Complex a, Complex b) { return std::abs(a) < std::abs(b); }));
     for (std::size_t i = line * 196; i < (line + 1) * 196; ++i) {
       EXPECT_NEAR(std::abs(direct.values[i] - modal.values[i]), 0.0, 1e-9 * largest);
     }

@@ -6,9 +6,10 @@
 #include <Eigen/LU>
 #include <filesystem>
 
+#include "base/complex.hpp"
 #include "friction/equivalent.hpp"
 #include "friction/law.hpp"
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "ident/equivalent.hpp"
 #include "rig_two_table.hpp"
 #include "tests/test_folder.hpp"
@@ -17,7 +18,6 @@ namespace jointid::problems {
 namespace {
 
 namespace fs = std::filesystem;
-using Complex = std::complex<double>;
 using testing::HasSubstr;
 
 TEST(EquivalentJoint, InvertsTheCoupledFrfs) {

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "frf/error.hpp"
+#include "base/complex.hpp"
+#include "base/error.hpp"
 #include "problems/response.hpp"
 #include "problems/thesis_beams.hpp"
 
 namespace jointid::problems {
 namespace {
 
-using frf::Complex;
 using frf::Dof;
 
 /// Half a unit of the ninth digit after the point: all digits of the worked values.

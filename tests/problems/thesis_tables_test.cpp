@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "problems/in_memory.hpp"
 #include "problems/reproduction.hpp"
 

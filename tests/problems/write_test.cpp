@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "frf/hdf5_file.hpp"
 #include "frf/uff_file.hpp"
 #include "problems/problem.hpp"

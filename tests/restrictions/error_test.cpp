@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "tests/restrictions/joints.hpp"
 
 namespace jointid::restrictions {

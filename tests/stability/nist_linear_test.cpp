@@ -5,6 +5,7 @@
 
 #include "nist_file.hpp"
 #include "stability/refined_solution.hpp"
+#include "tests/require.hpp"
 
 namespace jointid::stability {
 namespace {
@@ -55,7 +56,7 @@ class NistLinear : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     const auto path = nist_folder("linear") / (std::string(GetParam()) + ".dat");
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path << "; set JOINTID_EXTERNAL_DATA";
+    if (!std::filesystem::exists(path)) JOINTID_SKIP("no " << path << "; set JOINTID_EXTERNAL_DATA");
   }
   NistFile file() const { return NistFile(nist_folder("linear") / (std::string(GetParam()) + ".dat")); }
 };

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 #include "stability/exact_fit.hpp"
 #include "stability/matrix_sweeps.hpp"
 

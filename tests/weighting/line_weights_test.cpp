@@ -10,12 +10,11 @@
 #include <random>
 #include <tuple>
 
+#include "base/complex.hpp"
 #include "weighting/delta_filter.hpp"
 
 namespace jointid::weighting {
 namespace {
-
-using Complex = std::complex<double>;
 
 /// A random line A [M×N], B [N×L] with a mask; the equations in use have coefficients that are not all zero.
 struct RandomLine {

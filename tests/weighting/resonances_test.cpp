@@ -6,12 +6,12 @@
 #include <limits>
 #include <random>
 
+#include "base/complex.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::weighting {
 namespace {
 
-using Complex = std::complex<double>;
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;

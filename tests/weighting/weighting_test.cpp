@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 namespace jointid::weighting {
 namespace {

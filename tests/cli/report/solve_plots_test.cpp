@@ -15,8 +15,8 @@ using testing::Le;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-ident::RegeneratedFrf frf(const char* response, const char* reference, std::vector<ident::Complex> measured,
-                          std::vector<ident::Complex> predicted) {
+ident::RegeneratedFrf frf(const char* response, const char* reference, std::vector<Complex> measured,
+                          std::vector<Complex> predicted) {
   return {{frf::Dof::parse(response), frf::Dof::parse(reference)}, std::move(measured), std::move(predicted)};
 }
 
@@ -38,7 +38,7 @@ TEST(SolvePlots, MagnitudeAndPhaseOfBoth) {
 
 TEST(SolvePlots, WhatIsNotThereIsLeftOut) {
   const ident::Regenerated data = {
-      {10.0}, {frf("1:+Y", "2:+Y", {nan}, {1.0}), frf("1:+Y", "1:+Y", {1.0}, {ident::Complex(nan, nan)})}};
+      {10.0}, {frf("1:+Y", "2:+Y", {nan}, {1.0}), frf("1:+Y", "1:+Y", {1.0}, {Complex(nan, nan)})}};
   const PlotGroup group = frf_overlay(data, {}, 100);
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].name, "1:+Y / 1:+Y");
@@ -54,7 +54,7 @@ TEST(SolvePlots, AnFrfThatVanishesBySymmetryIsLeftOut) {
 TEST(SolvePlots, AHundredThousandLinesStaySmall) {
   const std::size_t lines = 100000;
   ident::Regenerated data;
-  std::vector<ident::Complex> values;
+  std::vector<Complex> values;
   for (std::size_t i = 0; i < lines; ++i) {
     data.frequency_hz.push_back(0.0123456789 * static_cast<double>(i));
     values.push_back(std::polar(1e-7 / (1.0 + static_cast<double>(i * 7919 % 1000)), static_cast<double>(i)));

@@ -1,4 +1,4 @@
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "frf/temporary_file.hpp"
+#include "base/temporary_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,9 +10,9 @@
 #include <fstream>
 #include <utility>
 
-#include "frf/error.hpp"
+#include "base/error.hpp"
 
-namespace jointid::frf {
+namespace jointid {
 namespace {
 
 /// A name that no other writer, here or in another process, uses at the same time.
@@ -101,4 +101,4 @@ void write_text(const std::filesystem::path& target, std::string_view text) {
   temporary.commit();
 }
 
-}  // namespace jointid::frf
+}  // namespace jointid

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-namespace jointid::frf {
+namespace jointid {
 
 /// A stream of counter-based random numbers (Philox4x64-10, Random123; Salmon et al., SC 2011): a pure
 /// function of (seed, trial) and a counter. What one entry draws depends neither on the other entries nor on
@@ -23,4 +23,4 @@ std::array<double, 4> uniform_numbers(const RandomStream& stream, std::uint64_t 
 std::array<double, 2> normal_numbers(const RandomStream& stream, std::uint64_t entry,
                                      std::uint64_t block = 0);
 
-}  // namespace jointid::frf
+}  // namespace jointid

@@ -1,11 +1,18 @@
-#include "ident/spread.hpp"
+#include "base/statistics.hpp"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
 
-namespace jointid::ident {
+namespace jointid {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 double quantile(const std::vector<double>& ascending, double p) {
   assert(!ascending.empty());
@@ -25,4 +32,9 @@ Spread spread(std::vector<double> values) {
   return {quantile(values, 0.05), quantile(values, 0.5), quantile(values, 0.95)};
 }
 
-}  // namespace jointid::ident
+double chi_square_quantile(double freedom, double deviations) {
+  const double part = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - part + deviations * std::sqrt(part), 3.0);
+}
+
+}  // namespace jointid

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace jointid::frf {
+namespace jointid {
 
 /// A name in the folder of `target` under which a file is written until it is complete. `commit` renames it
 /// to `target`; without it the destructor removes it, so `target` is either whole or untouched.
@@ -37,4 +37,4 @@ void remove_unfinished() noexcept;
 /// Writes `text` to `target` by way of a temporary. Throws InputError when the disk does not take it.
 void write_text(const std::filesystem::path& target, std::string_view text);
 
-}  // namespace jointid::frf
+}  // namespace jointid

@@ -1,11 +1,11 @@
-#include "frf/random.hpp"
+#include "base/random.hpp"
 
 #include <Random123/philox.h>
 
 #include <cmath>
 #include <numbers>
 
-namespace jointid::frf {
+namespace jointid {
 namespace {
 
 /// (k + ½)·2⁻⁵² with k the upper 52 bits: exact in double, and neither 0 nor 1 occurs.
@@ -28,4 +28,4 @@ std::array<double, 2> normal_numbers(const RandomStream& stream, std::uint64_t e
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-}  // namespace jointid::frf
+}  // namespace jointid

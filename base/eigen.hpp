@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "base/complex.hpp"
+
+namespace jointid {
+
+/// A place or a size, as Eigen counts them.
+inline Eigen::Index at(std::size_t i) { return static_cast<Eigen::Index>(i); }
+
+using RowMatrixXd = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using RowMatrixXc = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+}  // namespace jointid
