@@ -16,6 +16,7 @@
 #include "ident/likelihood/covariance.hpp"
 #include "ident/likelihood/likelihood_plan.hpp"
 #include "base/statistics.hpp"
+#include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
 
 namespace {

@@ -7,7 +7,8 @@
 #include <mutex>
 #include <thread>
 
-#include "ident/solve.hpp"
+#include "ident/control.hpp"
+
 
 namespace jointid::ident {
 namespace {

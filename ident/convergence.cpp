@@ -2,6 +2,7 @@
 
 #include "ident/admissible/admissible_linear.hpp"
 #include "ident/chunk_pipeline.hpp"
+#include "ident/solve.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "coupling/dependency.hpp"
+#include "ident/control.hpp"
 #include "ident/couple_scene.hpp"
-#include "ident/solve.hpp"
 
 namespace jointid::ident {
 

@@ -51,7 +51,8 @@ void regenerate_polluted(frf::FrfSet& set, const modalfit::FitOptions& options) 
 
 std::string note(const ModalRegeneration& of) {
   if (!of.harm.empty()) return of.file + ": regenerating these FRFs harms: " + of.harm;
-  return of.file + ": FRFs regenerated from " + std::to_string(of.modes) + " modes, " + digits(of.rms_db_away) + " dB rms from the measured ones";
+  return of.file + ": FRFs regenerated from " + std::to_string(of.modes) + " modes, " +
+         digits(of.rms_db_away) + " dB rms from the measured ones";
 }
 
 std::vector<std::unique_ptr<frf::FrfSource>> regenerate_sources(std::vector<std::unique_ptr<frf::FrfSource>> sources, bool one_structure,

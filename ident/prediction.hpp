@@ -1,7 +1,8 @@
 #pragma once
 
+#include "ident/control.hpp"
 #include "ident/decibel_error.hpp"
-#include "ident/solve.hpp"
+#include "ident/plan.hpp"
 
 namespace jointid::ident {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "ident/solve.hpp"
+
 namespace jointid::ident {
 namespace {
 

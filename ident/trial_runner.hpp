@@ -6,7 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "ident/solve.hpp"
+#include "ident/control.hpp"
+#include "ident/plan.hpp"
 #include "ident/trial_data.hpp"
 
 namespace jointid::ident {

@@ -15,8 +15,8 @@ inline bool all_is_required() {
 
 }  // namespace jointid
 
-/// Ends a test, or its SetUp, that lacks data, a library or a right: skipped, or failed where all is required. `reason` names what is
-/// missing and may be streamed, JOINTID_SKIP(path << " is missing"). A macro because no function can end its caller.
+/// Ends a test, or its SetUp, that lacks data, a library or a right: skipped, or failed where all is required. `reason` names
+/// what is missing and may be streamed, JOINTID_SKIP(path << " is missing"). A macro because no function can end its caller.
 #define JOINTID_SKIP(reason)                          \
   do {                                                \
     if (jointid::all_is_required()) FAIL() << reason; \

@@ -40,7 +40,8 @@ testing::TestPartResult ended_with(const char* value) {
   testing::TestPartResultArray results;
   bool went_on = false;
   {
-    const testing::ScopedFakeTestPartResultReporter reporter(testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
+    const testing::ScopedFakeTestPartResultReporter reporter(
+        testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
     lack(7, went_on);
   }
   EXPECT_FALSE(went_on);

@@ -9,7 +9,8 @@
 
 namespace jointid {
 
-/// A new folder among the temporary ones; it goes with the object and all that lies in it. Tests that run side by side never meet in a file.
+/// A new folder among the temporary ones; it goes with the object and all that lies in it. Tests that run side by side never meet
+/// in a file.
 class TestFolder {
  public:
   TestFolder() {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ident/check/suspect.hpp"
+#include "ident/control.hpp"
 #include "ident/plan.hpp"
-#include "ident/solve.hpp"
 
 namespace jointid::ident {
 

@@ -6,7 +6,7 @@
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
-#include "ident/solve.hpp"
+#include "ident/control.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "ident/control.hpp"
 #include "ident/linear_solution.hpp"
 #include "ident/plan.hpp"
 #include "ident/solution.hpp"
-#include "ident/solve.hpp"
 
 namespace jointid::ident {
 

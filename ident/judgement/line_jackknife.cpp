@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/eigen.hpp"
+#include "ident/solve.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "ident/control.hpp"
 #include "ident/plan.hpp"
-#include "ident/solve.hpp"
 
 namespace jointid::ident {
 

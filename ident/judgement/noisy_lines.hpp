@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "ident/control.hpp"
 #include "ident/plan.hpp"
-#include "ident/solve.hpp"
 
 namespace jointid::ident {
 

@@ -87,7 +87,8 @@ std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<dou
 std::string text(const ActiveMotion& motion) {
   std::string matrix = restrictions::key(motion.kind);
   std::ranges::replace(matrix, '_', ' ');
-  return matrix + " " + restrictions::symbol(motion.kind) + " has a negative eigenvalue, " + digits(motion.eigenvalue) + " ± " + digits(motion.deviation, "%.1g") +
+  return matrix + " " + restrictions::symbol(motion.kind) + " has a negative eigenvalue, " + digits(motion.eigenvalue) +
+         " ± " + digits(motion.deviation, "%.1g") +
          " of its largest, with most motion at " + motion.most_moved.name();
 }
 

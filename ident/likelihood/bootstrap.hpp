@@ -3,8 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "ident/control.hpp"
 #include "ident/likelihood/estimator.hpp"
-#include "ident/solve.hpp"
+#include "ident/plan.hpp"
 
 namespace jointid::ident {
 

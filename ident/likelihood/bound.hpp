@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include "ident/solve.hpp"
+#include "ident/control.hpp"
+#include "ident/plan.hpp"
+
 
 namespace jointid::ident {
 

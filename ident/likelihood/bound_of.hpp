@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "ident/control.hpp"
 #include "ident/likelihood/estimator.hpp"
-#include "ident/solve.hpp"
+#include "ident/plan.hpp"
 
 namespace jointid::ident {
 

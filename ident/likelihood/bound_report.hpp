@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "ident/control.hpp"
 #include "ident/identifiability.hpp"
-#include "ident/solve.hpp"
+#include "ident/plan.hpp"
 
 namespace jointid::ident {
 

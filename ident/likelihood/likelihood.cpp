@@ -29,6 +29,7 @@
 #include "ident/likelihood/predicted_start.hpp"
 #include "ident/minima.hpp"
 #include "ident/null_space.hpp"
+#include "ident/solve.hpp"
 #include "ident/start_points.hpp"
 
 namespace jointid::ident {

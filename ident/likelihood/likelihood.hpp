@@ -1,6 +1,8 @@
 #pragma once
 
-#include "ident/solve.hpp"
+#include "ident/control.hpp"
+#include "ident/plan.hpp"
+
 
 namespace jointid::ident {
 

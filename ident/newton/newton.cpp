@@ -12,6 +12,7 @@
 #include "ident/minima.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton_plan.hpp"
+#include "ident/solve.hpp"
 #include "ident/start_points.hpp"
 
 namespace jointid::ident {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ident/control.hpp"
 #include "ident/plan.hpp"
-#include "ident/solve.hpp"
 
 namespace jointid::ident {
 

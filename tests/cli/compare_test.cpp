@@ -84,7 +84,8 @@ TEST(ComparisonText, WaysLeftOutForOneReasonStandTogether) {
   left_out.push_back(left_out.front());
   left_out.back().way.delta = 0.5;
   left_out.push_back({left_out.front().way, "another reason"});
-  EXPECT_THAT(comparison_text(report), HasSubstr("left out\n  two all, 2 combinations: no such block\n  two all WB 0 qr: another reason\n"));
+  EXPECT_THAT(comparison_text(report),
+              HasSubstr("left out\n  two all, 2 combinations: no such block\n  two all WB 0 qr: another reason\n"));
 }
 
 TEST(ComparisonJson, KeepsItsKeysAndHasNullForNoNumber) {

@@ -1,4 +1,5 @@
-// No command replaces what it reads: every command that writes, every option that names an output, every input, by its name and through links.
+// No command replaces what it reads: every command that writes, every option that names an output, every input, by its name and
+// through links.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -147,22 +148,28 @@ TEST(KeptOutputs, TwoResultsDoNotGoToOneFile) {
   const auto hard = [](const InputFolder& folder) { std::filesystem::create_hard_link(folder.path("old.json"), folder.path("other")); };
   const auto folder_link = [](const InputFolder& folder) { std::filesystem::create_directory_symlink(".", folder.path("here")); };
   expect_refused({"solve", "A1.toml", "--json", "new", "--csv", "link"}, linked, "--json new --csv link: both want the same file");
-  expect_refused({"solve", "A1.toml", "--json", "old.json", "--report", "other"}, hard, "--json old.json --report other: both want the same file");
-  expect_refused({"solve", "A1.toml", "--json", "new", "--csv", "here/new"}, folder_link, "--json new --csv here/new: both want the same file");
+  expect_refused({"solve", "A1.toml", "--json", "old.json", "--report", "other"}, hard,
+                 "--json old.json --report other: both want the same file");
+  expect_refused({"solve", "A1.toml", "--json", "new", "--csv", "here/new"}, folder_link,
+                 "--json new --csv here/new: both want the same file");
   expect_refused({"stability", "--json", "new", "--csv", "./new"}, {}, "--json new --csv ./new: both want the same file");
-  expect_refused({"modalfit", "a.h5", "--regenerate", "new.h5", "--json", "new.h5"}, {}, "--json new.h5 --regenerate new.h5: both want the same file");
+  expect_refused({"modalfit", "a.h5", "--regenerate", "new.h5", "--json", "new.h5"}, {},
+                 "--json new.h5 --regenerate new.h5: both want the same file");
   expect_refused({"compare", "--reproduce", "6.3", "--json", "new", "--csv", "new"}, {}, "both want the same file");
 }
 
 TEST(KeptOutputs, WhatIsWrittenBesideAResultCountsToo) {
-  expect_refused({"study", "A1.toml", "--trials", "5", "--out", "x.h5", "--json", "x.h5.partial"}, {}, "x.h5.partial: both want the same file");
-  expect_refused({"couple", "coupling-A.toml", "--bounds", "--out", "x.h5", "--json", "x.all.h5"}, add_parts, "x.all.h5: both want the same file");
+  expect_refused({"study", "A1.toml", "--trials", "5", "--out", "x.h5", "--json", "x.h5.partial"}, {},
+                 "x.h5.partial: both want the same file");
+  expect_refused({"couple", "coupling-A.toml", "--bounds", "--out", "x.h5", "--json", "x.all.h5"}, add_parts,
+                 "x.all.h5: both want the same file");
   const auto renamed = [](const InputFolder& folder) {
     add_parts(folder);
     std::filesystem::rename(folder.path("coupling-A_part_1.h5"), folder.path("x.all.h5"));
     folder.replace("coupling-A.toml", "coupling-A_part_1.h5", "x.all.h5");
   };
-  expect_refused({"couple", "coupling-A.toml", "--bounds", "--out", "x.h5"}, renamed, "--bounds x.all.h5: would replace the input x.all.h5 ([data] parts)");
+  expect_refused({"couple", "coupling-A.toml", "--bounds", "--out", "x.h5"}, renamed,
+                 "--bounds x.all.h5: would replace the input x.all.h5 ([data] parts)");
 }
 
 TEST(KeptOutputs, StandardOutputIsNotAppendedToAnInput) {

@@ -64,7 +64,9 @@ class LoadingCurveCommand : public testing::Test {
     return "";
   }
 
-  static double parameter(const nlohmann::json& fit, std::size_t i, std::size_t curve = 0) { return fit["curves"][curve]["parameters"][i]["value"]; }
+  static double parameter(const nlohmann::json& fit, std::size_t i, std::size_t curve = 0) {
+    return fit["curves"][curve]["parameters"][i]["value"];
+  }
 
   TestFolder folder_;
 };
@@ -111,7 +113,8 @@ TEST_F(LoadingCurveCommand, ARecordWithCyclesIsCutIntoLoops) {
     const bool rising = i % 100 < 25 || i % 100 >= 75;
     const double end = element->response(amplitude).force;
     const double force = i < 25 ? element->response(u).force
-                                : (rising ? 2.0 * element->response(0.5 * (amplitude + u)).force - end : end - 2.0 * element->response(0.5 * (amplitude - u)).force);
+                                : (rising ? 2.0 * element->response(0.5 * (amplitude + u)).force - end
+                                          : end - 2.0 * element->response(0.5 * (amplitude - u)).force);
     rows.push_back({u + 1e-3, force + 5.0});
   }
   auto given = arguments({table("a.csv", "position,friction", rows)});
@@ -150,7 +153,8 @@ TEST_F(LoadingCurveCommand, SeveralFilesShareAShapeAndAFrictionCoefficient) {
     const double a = load * 5e-11, b = 3.0, limit = 0.2 * load;
     const auto element = friction::make_element("ren", std::vector{a, b, limit * b / (a * std::expm1(b))});
     std::vector<std::vector<double>> rows;
-    for (int i = 1; i <= 40; ++i) rows.push_back({0.8 * a * std::exp(b) * i / 40.0, element->response(0.8 * a * std::exp(b) * i / 40.0).force});
+    for (int i = 1; i <= 40; ++i)
+      rows.push_back({0.8 * a * std::exp(b) * i / 40.0, element->response(0.8 * a * std::exp(b) * i / 40.0).force});
     given.files.push_back(table(fmt::format("{}N.csv", load), "u,F", rows));
   }
   given.laws = {"ren"};
@@ -183,7 +187,8 @@ TEST_F(LoadingCurveCommand, WrongFilesAndOptionsAreToldByName) {
     return error(given);
   };
   using A = LoadingCurveArguments;
-  EXPECT_THAT(with([](A&) {}, odd), AllOf(HasSubstr("b.csv"), HasSubstr("no column is named as a displacement"), HasSubstr("--displacement"), HasSubstr("alpha, beta")));
+  EXPECT_THAT(with([](A&) {}, odd), AllOf(HasSubstr("b.csv"), HasSubstr("no column is named as a displacement"),
+                                          HasSubstr("--displacement"), HasSubstr("alpha, beta")));
   EXPECT_THAT(with([](A& a) { a.velocity = true; }, file), HasSubstr("no column is named as a velocity"));
   EXPECT_THAT(with([](A& a) { a.unit = "N"; }, file), AllOf(HasSubstr("--unit"), HasSubstr("'N' is no unit")));
   EXPECT_THAT(with([](A& a) { a.shared = {"z"}; a.laws = {"ren"}; }, file), AllOf(HasSubstr("no parameter 'z'"), HasSubstr("a, b, k")));

@@ -14,8 +14,9 @@ namespace {
 class OpenAsOne : public testing::Test {
  protected:
   std::filesystem::path exported(const std::string& name, const std::string& value) const {
-    std::ofstream(folder_ / name, std::ios::binary) << "Ref Chan:Resp Chan\t0-Z:0-Z\r\nFrequency\t Real\t Imaginary\r\nHz\t(m)(N)\t \r\n10\t " + value +
-                                                           "\t 0\r\n20\t 1\t 0\r\n";
+    std::ofstream(folder_ / name, std::ios::binary)
+        << "Ref Chan:Resp Chan\t0-Z:0-Z\r\nFrequency\t Real\t Imaginary\r\nHz\t(m)(N)\t \r\n10\t " + value +
+               "\t 0\r\n20\t 1\t 0\r\n";
     return folder_ / name;
   }
   TestFolder folder_;

@@ -50,8 +50,10 @@ inline ident::Solution sample_likelihood() {
 inline ident::Solution sample_constrained() {
   ident::Solution solution = sample_solution();
   solution.unknowns[0].limit = "K is singular";
-  solution.admissibility = ident::Admissibility{
-      .chi_square = 12.5, .equations = 3, .from_variances = true, .constraints = {{"K positive semidefinite", 2, 1, 12.5}, {"k2 >= 0", 1, 0, 0.0}}};
+  solution.admissibility = ident::Admissibility{.chi_square = 12.5,
+                                                .equations = 3,
+                                                .from_variances = true,
+                                                .constraints = {{"K positive semidefinite", 2, 1, 12.5}, {"k2 >= 0", 1, 0, 0.0}}};
   return solution;
 }
 

@@ -126,7 +126,8 @@ class StoppedCommand : public testing::TestWithParam<Writing> {
     for (const auto& [name, bytes] : folder.before()) {
       ASSERT_TRUE(found.contains(name)) << name << " is gone";
       const bool is_output = std::ranges::find(GetParam().outputs, name) != GetParam().outputs.end();
-      EXPECT_TRUE(found[name] == bytes || (is_output && is_whole(name, found[name], complete_.at(name)))) << name << " is neither the old file nor the new one";
+      EXPECT_TRUE(found[name] == bytes || (is_output && is_whole(name, found[name], complete_.at(name))))
+          << name << " is neither the old file nor the new one";
     }
     for (const auto& [name, bytes] : found) {
       if (folder.before().contains(name) || others(name)) continue;
@@ -222,7 +223,7 @@ Writing into_small(Writing writing) {
 }
 
 TEST_P(StoppedCommand, OnASmallDiskThatIsFullNothingChanges) {
-  if (!FullDisk::may_mount()) JOINTID_SKIP("this user may not mount a tmpfs");
+  if (!FullDisk::may_mount()) GTEST_SKIP() << "this user may not mount a tmpfs";  // a right of the user: no package brings it
   const Writing writing = into_small(GetParam());
   Writing without_old = writing;
   without_old.outputs.clear();
@@ -238,7 +239,8 @@ TEST_P(StoppedCommand, OnASmallDiskThatIsFullNothingChanges) {
   EXPECT_EQ(outcome.code, 3) << outcome.err;
   EXPECT_THAT(outcome.err, StartsWith("jointid: error: small/"));
   auto after = folder.content();
-  for (auto* content : {&before, &after}) std::erase_if(*content, [](const auto& file) { return is_journal(file.first) || file.first == "small/new"; });
+  for (auto* content : {&before, &after})
+    std::erase_if(*content, [](const auto& file) { return is_journal(file.first) || file.first == "small/new"; });
   EXPECT_EQ(after, before);
 }
 
@@ -249,15 +251,24 @@ const Writing writings[] = {
     {"Solve", {"solve", "A1.toml", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"}, {"x.json", "x.csv", "x.html"}},
     {"Plan", {"plan", "A1.toml", "--json", "x.json"}, {"x.json"}},
     {"PlanBound", {"plan", "A1.toml", "--bound", "--json", "x.json"}, {"x.json"}},
-    {"Compare", {"compare", "A1.toml", "--trials", "3", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"}, {"x.json", "x.csv", "x.html"}},
+    {"Compare",
+     {"compare", "A1.toml", "--trials", "3", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"},
+     {"x.json", "x.csv", "x.html"}},
     {"Study",
-     {"study", "A1.toml", "--trials", "20", "--threads", "1", "--out", "x.h5", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"},
+     {"study", "A1.toml", "--trials", "20", "--threads", "1", "--out", "x.h5", "--json", "x.json", "--csv", "x.csv", "--report",
+      "x.html"},
      {"x.h5", "x.json", "x.csv", "x.html"}},
-    {"Couple", {"couple", "coupling-A.toml", "--out", "x.h5", "--json", "x.json", "--csv", "x.csv"}, {"x.h5", "x.json", "x.csv"}, add_coupling},
+    {"Couple",
+     {"couple", "coupling-A.toml", "--out", "x.h5", "--json", "x.json", "--csv", "x.csv"},
+     {"x.h5", "x.json", "x.csv"},
+     add_coupling},
     {"Modalfit",
      {"modalfit", "A1_substructure_1.h5", "--regenerate", "x.h5", "--shapes", "x.uff", "--json", "x.json", "--csv", "x.csv"},
      {"x.h5", "x.uff", "x.json", "x.csv"}},
-    {"LoadingCurve", {"loading-curve", "table2.1-1.csv", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"}, {"x.json", "x.csv", "x.html"}, add_curve},
+    {"LoadingCurve",
+     {"loading-curve", "table2.1-1.csv", "--json", "x.json", "--csv", "x.csv", "--report", "x.html"},
+     {"x.json", "x.csv", "x.html"},
+     add_curve},
     {"ConvertToHdf5", {"convert", "a.uff", "x.h5"}, {"x.h5"}},
     {"ConvertToUff", {"convert", "a.h5", "x.uff"}, {"x.uff"}},
     {"ConvertToCsv", {"convert", "a.h5", "x.csv"}, {"x.csv"}},

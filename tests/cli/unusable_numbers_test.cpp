@@ -56,7 +56,8 @@ TEST_P(UnusableNumbers, AreWrittenAndMarked) {
   for (const std::string& name : unusable.undetermined) {
     EXPECT_THAT(undetermined_in(solution), testing::Contains(name));
     EXPECT_THAT(outcome.err, HasSubstr(name));
-    EXPECT_THAT(folder.text("new.csv"), testing::ContainsRegex("\n\"" + std::regex_replace(name, std::regex("[()]"), "\\$&") + "\",.*false"));
+    EXPECT_THAT(folder.text("new.csv"),
+                testing::ContainsRegex("\n\"" + std::regex_replace(name, std::regex("[()]"), "\\$&") + "\",.*false"));
   }
   EXPECT_THAT(folder.text("new.csv"), StartsWith("name,value,"));
 }

@@ -45,7 +45,8 @@ TEST(AssemblyReader, TheCasesOfChapterFiveAreTheirDirectAssembly) {
       if (method == Method::rc && std::string(name) == "coupling-B") continue;  // it has ground, and pairs within a part
       const frf::FrfSet found = couple_all(parts, problem.declared(), {.method = method});
       EXPECT_EQ(found.header.response, problem.assembly.header.response) << name;
-      EXPECT_LT(largest_difference(found, problem.assembly.header.response, problem.assembly), tolerance) << name << " by " << coupling::name(method);
+      EXPECT_LT(largest_difference(found, problem.assembly.header.response, problem.assembly), tolerance)
+          << name << " by " << coupling::name(method);
     }
   }
 }
@@ -140,7 +141,8 @@ TEST(AssemblyReader, WhatIsKeptAndReadIsPartOfTheWhole) {
   EXPECT_THAT(some.header.response, ElementsAre(y(7), y(2, -1)));
   for (const std::size_t line : {std::size_t{0}, std::size_t{100}, some.header.lines() - 1}) {
     // 7 is 4, and a minus flips.
-    const Complex expected = -all.values[all.index(line, frf::find_coordinate(all.header.response, y(4)), frf::find_coordinate(all.header.reference, y(2)))];
+    const Complex expected = -all.values[all.index(line, frf::find_coordinate(all.header.response, y(4)),
+                                                   frf::find_coordinate(all.header.reference, y(2)))];
     EXPECT_LT(std::abs(some.values[some.index(line, 0, 1)] - expected), 1e-13 * std::abs(expected));
   }
 }
@@ -155,7 +157,8 @@ TEST(AssemblyReader, ReciprocityFillsWhatWasNotMeasured) {
   const frf::FrfSet found = couple_all({first, part_of("two", column, true)}, assembly);
   const std::size_t r = frf::find_coordinate(found.header.response, y(1)), c = frf::find_coordinate(found.header.reference, y(5));
   const std::size_t er = frf::find_coordinate(expected.header.response, y(1)), ec = frf::find_coordinate(expected.header.reference, y(5));
-  EXPECT_LT(std::abs(found.values[found.index(2, r, c)] - expected.values[expected.index(2, er, ec)]), 1e-13 * std::abs(expected.values[expected.index(2, er, ec)]));
+  EXPECT_LT(std::abs(found.values[found.index(2, r, c)] - expected.values[expected.index(2, er, ec)]),
+            1e-13 * std::abs(expected.values[expected.index(2, er, ec)]));
   const std::size_t five = frf::find_coordinate(found.header.response, y(5));
   EXPECT_TRUE(std::isnan(found.values[found.index(2, five, c)].real()));  // H_55 of part two was never measured
 }
@@ -190,11 +193,13 @@ TEST(AssemblyReader, SaysWhatIsWrong) {
   EXPECT_THAT(error_of(parts, good), "no error");
   EXPECT_THAT(error_of(parts, good, {.method = Method::gic, .threshold = Threshold::fixed}), HasSubstr("use method \"grc\" or \"pcc\""));
   EXPECT_THAT(error_of(parts, good, {.uncertainty = true}), HasSubstr("neither variances nor coherences"));
-  EXPECT_THAT(error_of(parts, joined({{"a.h5/3:+Y", "b.h5/3:+Y"}, {"1:+Y", "2:+Y"}}), {.method = Method::rc}), HasSubstr("cannot meet 1:+Y = 2:+Y"));
+  EXPECT_THAT(error_of(parts, joined({{"a.h5/3:+Y", "b.h5/3:+Y"}, {"1:+Y", "2:+Y"}}), {.method = Method::rc}),
+              HasSubstr("cannot meet 1:+Y = 2:+Y"));
   Assembly removed = good;
   removed.remove = {"b.h"};
   EXPECT_THAT(error_of(parts, removed), HasSubstr("did you mean b.h5?"));
-  EXPECT_THAT(error_of({parts[0], part_of("c.h5", receptances(chain(3, 3), {500.0}))}, joined({{"a.h5/3:+Y", "c.h5/3:+Y"}})), HasSubstr("no frequency line is common"));
+  EXPECT_THAT(error_of({parts[0], part_of("c.h5", receptances(chain(3, 3), {500.0}))}, joined({{"a.h5/3:+Y", "c.h5/3:+Y"}})),
+              HasSubstr("no frequency line is common"));
 }
 
 }  // namespace

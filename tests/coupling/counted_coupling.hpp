@@ -71,7 +71,8 @@ inline CountedCoupling count_multiplications(const ComplexMatrix& h, Index pairs
   for (const Condition& condition : conditions) steps.couple(condition);
   for (std::size_t r = 0; r < wanted.rows.size(); ++r) {
     for (std::size_t c = 0; c < wanted.columns.size(); ++c) {
-      out.difference = std::max(out.difference, std::abs(steps(wanted.rows[r], wanted.columns[c]).value - one(static_cast<Index>(r), static_cast<Index>(c)).value));
+      out.difference = std::max(out.difference, std::abs(steps(wanted.rows[r], wanted.columns[c]).value -
+                                                         one(static_cast<Index>(r), static_cast<Index>(c)).value));
     }
   }
   out.mtc = Counted::multiplications;

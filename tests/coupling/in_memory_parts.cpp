@@ -14,7 +14,8 @@ Part part_of(const std::string& name, frf::FrfSet set, bool reciprocity) {
 }
 
 frf::FrfSet receptances(const problems::Structure& structure, const std::vector<double>& frequency_hz) {
-  return problems::frequency_response(structure, {.response = structure.dofs(), .reference = structure.dofs(), .frequency_hz = frequency_hz});
+  return problems::frequency_response(
+      structure, {.response = structure.dofs(), .reference = structure.dofs(), .frequency_hz = frequency_hz});
 }
 
 frf::FrfSet read_all(AssemblyReader& reader) {
@@ -43,7 +44,8 @@ double largest_difference(const frf::FrfSet& found, const std::vector<frf::Dof>&
     double largest = 0.0, difference = 0.0;
     for (std::size_t r = 0; r < names.size(); ++r) {
       for (std::size_t c = 0; c < names.size(); ++c) {
-        const std::size_t row = frf::find_coordinate(found.header.response, names[r]), column = frf::find_coordinate(found.header.reference, names[c]);
+        const std::size_t row = frf::find_coordinate(found.header.response, names[r]),
+                          column = frf::find_coordinate(found.header.reference, names[c]);
         if (row == frf::npos || column == frf::npos) return HUGE_VAL;
         const Complex value = expected.values[expected.index(line, r, c)];
         largest = std::max(largest, std::abs(value));

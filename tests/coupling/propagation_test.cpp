@@ -22,7 +22,8 @@ frf::FrfSet some_lines(const frf::FrfSet& set, const std::vector<std::size_t>& l
   return frf::load(*source, {lines, all, all});
 }
 
-Compared monte_carlo(const problems::CouplingProblem& problem, const Assembly& assembly, const frf::NoiseModel& noise, const Options& options) {
+Compared monte_carlo(const problems::CouplingProblem& problem, const Assembly& assembly, const frf::NoiseModel& noise,
+                     const Options& options) {
   const std::vector<std::size_t> lines = {20, 60, 90, 140};
   std::vector<frf::FrfSet> clean;
   for (const frf::FrfSet& part : problem.parts) clean.push_back(some_lines(part, lines));

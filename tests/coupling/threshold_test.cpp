@@ -18,7 +18,8 @@ using ::testing::ElementsAre;
 ComplexMatrix with_singular_values(const Eigen::VectorXd& sigma) {
   const Index n = sigma.size();
   std::srand(1);
-  const ComplexMatrix u = ComplexMatrix::Random(n, n).householderQr().householderQ(), v = ComplexMatrix::Random(n, n).householderQr().householderQ();
+  const ComplexMatrix u = ComplexMatrix::Random(n, n).householderQr().householderQ(),
+                      v = ComplexMatrix::Random(n, n).householderQr().householderQ();
   return u * sigma.cast<Complex>().asDiagonal() * v.adjoint();
 }
 
@@ -55,7 +56,9 @@ TEST(Truncation, PicardDropsWhereForcesGrow) {
 }
 
 /// Alphas that are the same on all lines.
-std::vector<LineRecord> constant_alphas(const std::vector<double>& alphas) { return std::vector<LineRecord>(9, LineRecord{.alpha = alphas}); }
+std::vector<LineRecord> constant_alphas(const std::vector<double>& alphas) {
+  return std::vector<LineRecord>(9, LineRecord{.alpha = alphas});
+}
 
 TEST(Dependency, TheUppermostGapPartsTheConditions) {
   const Dependencies found = find_dependencies({"a", "b", "c", "d"}, constant_alphas({1.2, 0.04, 0.6, 0.1}));

@@ -33,7 +33,9 @@ OpenOptions of_dofs(const std::vector<Dof>& response, const std::vector<Dof>& re
 
 class AnalyserFile : public FileTest {
  protected:
-  FrfSet read(const std::string& content, const OpenOptions& options = {}) const { return load(*open(write_file("a.txt", content), options)); }
+  FrfSet read(const std::string& content, const OpenOptions& options = {}) const {
+    return load(*open(write_file("a.txt", content), options));
+  }
   std::string error(const std::string& content, const OpenOptions& options = {}) const {
     return message_of([&] { read(content, options); });
   }
@@ -90,7 +92,8 @@ TEST_F(AnalyserFile, WhatDoesNotFitIsNamedWithItsLine) {
   EXPECT_THAT(error(exported("1+Z:4Z", unit, "10\t 2\t x\r\n")), HasSubstr("line 10, column 3: 'x' is not a number"));
   EXPECT_THAT(error(exported("1+Z:4Z", unit, "")), HasSubstr("holds no lines of numbers"));
   EXPECT_THAT(error("Frequency\tReal\tPhase\n10\t1\t2\n"), HasSubstr("not Real and Imaginary"));
-  EXPECT_THAT(error("Ref Chan:Resp Chan\t1Z:2Z\nFrequency\tReal\tImaginary\nrad/s\t(m)(N)\n1\t2\t3\n"), HasSubstr("the axis is in 'rad/s'"));
+  EXPECT_THAT(error("Ref Chan:Resp Chan\t1Z:2Z\nFrequency\tReal\tImaginary\nrad/s\t(m)(N)\n1\t2\t3\n"),
+              HasSubstr("the axis is in 'rad/s'"));
 }
 
 TEST_F(AnalyserFile, AMeasuredExportIsThatOfTheBeam) {

@@ -223,7 +223,8 @@ struct Loaded {
     std::mt19937 random(16);
     std::uniform_real_distribution<double> part(0.5, 2.0);
     for (const Complex h : clean.values) {
-      if (noise == NoiseRecord::variance) clean.variance.push_back({1e-4 * part(random) * std::norm(h), 1e-4 * part(random) * std::norm(h)});
+      if (noise == NoiseRecord::variance)
+        clean.variance.push_back({1e-4 * part(random) * std::norm(h), 1e-4 * part(random) * std::norm(h)});
       if (noise == NoiseRecord::coherence) clean.coherence.push_back(1.0 - 0.01 * part(random));
     }
   }

@@ -54,7 +54,8 @@ class MatV5Damage : public FileTest {
 
 // Where things stand: header 128; frequency: tag 128, flags 136, dimensions 152 (extents 160, 164), name 168.
 TEST_F(MatV5Damage, ADeclaredSizeIsCheckedAgainstWhatIsThere) {
-  EXPECT_THAT(with(160, std::string("\x00\x00\x00\x20", 4)), HasSubstr("variable number 1: is damaged or truncated: it declares 536870912 elements and holds 3"));
+  EXPECT_THAT(with(160, std::string("\x00\x00\x00\x20", 4)),
+              HasSubstr("variable number 1: is damaged or truncated: it declares 536870912 elements and holds 3"));
   EXPECT_THAT(with(160, std::string("\xff\xff\xff\xff", 4)), HasSubstr("a dimension is negative"));
   EXPECT_THAT(with(132, std::string("\xff\xff\xff\x7f", 4)), HasSubstr("a size goes beyond the end of the file"));
   EXPECT_THAT(with(156, std::string("\xf8\xff\xff\x0f", 4)), HasSubstr("its dimensions take 268435448 bytes"));
@@ -100,7 +101,9 @@ TEST_F(MatV5Damage, APackedVariableMustAgreeWithItsChecksum) {
   const std::size_t length = static_cast<unsigned char>(text[132]) + 256U * static_cast<unsigned char>(text[133]);
   text[136 + length - 1] = static_cast<char>(text[136 + length - 1] ^ 1);
   write_file("a.mat", text);
-  EXPECT_THAT(message_of([&] { read(); }), HasSubstr("variable frequency: is damaged or truncated: its packed data cannot be unpacked (incorrect data check)"));
+  EXPECT_THAT(
+      message_of([&] { read(); }),
+      HasSubstr("variable frequency: is damaged or truncated: its packed data cannot be unpacked (incorrect data check)"));
 }
 
 /// Every byte of a file set to others: an answer or an InputError, nothing printed.

@@ -15,7 +15,8 @@ std::string refusal(const std::string& word) {
 }
 
 TEST(QuantityWord, WordsOfTheFieldAreRead) {
-  for (const char* word : {"receptance", "Receptance", "dynamic compliance", "Dynamic Flexibility", "dynamic_compliance", "displacement/force"}) {
+  for (const char* word :
+       {"receptance", "Receptance", "dynamic compliance", "Dynamic Flexibility", "dynamic_compliance", "displacement/force"}) {
     EXPECT_EQ(parse_quantity(word), Quantity::receptance) << word;
   }
   for (const char* word : {"mobility", "MOBILITY", "velocity/force"}) EXPECT_EQ(parse_quantity(word), Quantity::mobility) << word;
@@ -26,7 +27,8 @@ TEST(QuantityWord, WordsOfTheFieldAreRead) {
 
 TEST(QuantityWord, AWordThatLeavesItOpenIsAskedAbout) {
   for (const char* word : {"compliance", "Admittance", "flexibility"}) {
-    EXPECT_THAT(refusal(word), AllOf(HasSubstr("'" + std::string(word) + "'"), HasSubstr("write receptance for displacement over force, mobility for"),
+    EXPECT_THAT(refusal(word), AllOf(HasSubstr("'" + std::string(word) + "'"),
+                                     HasSubstr("write receptance for displacement over force, mobility for"),
                                      ::testing::Not(HasSubstr("did you mean"))));
   }
 }

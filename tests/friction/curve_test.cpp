@@ -54,7 +54,8 @@ TEST(Curve, LoopsCloseAndHoldTheEnergyOfTheCycle) {
     EXPECT_NEAR(loop.value.front(), -element->response(6e-7).force, 1e-12 * loop.value[40]);
     EXPECT_NEAR(loop.value.back(), loop.value.front(), 1e-12 * loop.value[40]);
     EXPECT_NEAR(loop.value[40], element->response(6e-7).force, 1e-12 * loop.value[40]);
-    EXPECT_NEAR((Loop{{loop.u, loop.value}, loop.turn}).energy(), element->cycle_energy(6e-7), 2e-3 * element->cycle_energy(6e-7)) << each.law;
+    EXPECT_NEAR((Loop{{loop.u, loop.value}, loop.turn}).energy(), element->cycle_energy(6e-7), 2e-3 * element->cycle_energy(6e-7))
+        << each.law;
   }
 }
 
@@ -73,7 +74,8 @@ TEST(Curve, DerivativesAreThoseOfDifferences) {
         for (std::size_t row = 0; row < curve.rows(); ++row) {
           const double difference = (high[row] - low[row]) / (2.0 * step);
           const double scale = std::abs(curve.measured(curve.value.size() - 1) / each.values[i]);
-          EXPECT_NEAR(exact[row * parameters + i], difference, 2e-6 * scale) << each.law << " kind " << static_cast<int>(curve.kind) << " row " << row << " parameter " << i;
+          EXPECT_NEAR(exact[row * parameters + i], difference, 2e-6 * scale)
+              << each.law << " kind " << static_cast<int>(curve.kind) << " row " << row << " parameter " << i;
         }
       }
     }
@@ -86,7 +88,8 @@ TEST(Curve, FeaturesOfEveryKindAreRoughlyTheElements) {
     for (const Curve& curve : curves_of(*element)) {
       const Features seen = features(curve);
       EXPECT_NEAR(std::log(seen.limit / element->limit()), 0.0, 0.9) << each.law << " kind " << static_cast<int>(curve.kind);
-      EXPECT_NEAR(std::log(seen.stiffness / element->response(0.0).tangent), 0.0, 1.8) << each.law << " kind " << static_cast<int>(curve.kind);
+      EXPECT_NEAR(std::log(seen.stiffness / element->response(0.0).tangent), 0.0, 1.8)
+          << each.law << " kind " << static_cast<int>(curve.kind);
     }
   }
 }

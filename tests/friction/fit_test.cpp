@@ -45,7 +45,8 @@ struct Exact {
   const char* law;
   std::vector<double> values;
 };
-const Exact exact_cases[] = {{"ren", ren}, {"shoukry", {114.0, 5.5e6}}, {"burdekin", {5.5e8, -7.9e14}}, {"bilinear", {2e-7, 5.5e8}}, {"spring", {5e8}}};
+const Exact exact_cases[] = {
+    {"ren", ren}, {"shoukry", {114.0, 5.5e6}}, {"burdekin", {5.5e8, -7.9e14}}, {"bilinear", {2e-7, 5.5e8}}, {"spring", {5e8}}};
 
 TEST(Fit, ExactCurvesGiveTheirParametersBack) {
   for (const Exact& each : exact_cases) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "ident/solve.hpp"
 #include "joint_eigenvalues.hpp"
 #include "likelihood_accuracy.hpp"
 #include "tests/test_folder.hpp"

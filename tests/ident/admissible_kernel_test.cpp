@@ -156,13 +156,16 @@ TEST(Ties, AreReadWithTheNamesOfUnknowns) {
   EXPECT_EQ(tie.coefficients, (VectorXd(5) << 1.0, 0.0, -2.0, 0.25, 0.0).finished());
   EXPECT_EQ(tie.value, 1e3);
   EXPECT_EQ(parse_tie("K[4:+Y,5:+Y] = K(1,2)", names).coefficients, (VectorXd(5) << 0.0, -1.0, 0.0, 0.0, 1.0).finished());
-  for (const char* wrong : {"K(1,1)", "K(1,1) = K(2,2)", "K(1,1) = K(1,1)*K(1,2)", "1 = 2", "K(1,1) = K(1,1)", "K(1,1) = = 3", "left.K.abc = 1"}) {
+  for (const char* wrong :
+       {"K(1,1)", "K(1,1) = K(2,2)", "K(1,1) = K(1,1)*K(1,2)", "1 = 2", "K(1,1) = K(1,1)", "K(1,1) = = 3", "left.K.abc = 1"}) {
     EXPECT_THROW(parse_tie(wrong, names), InputError) << wrong;
   }
 }
 
 TEST(Ties, EqualUnknownsBecomeOne) {
-  const auto row = [](std::initializer_list<double> values) { return VectorXd(Eigen::Map<const VectorXd>(values.begin(), Index(values.size()))); };
+  const auto row = [](std::initializer_list<double> values) {
+    return VectorXd(Eigen::Map<const VectorXd>(values.begin(), Index(values.size())));
+  };
   // a = b, b = c, and the same again in other words.
   const TiedUnknowns free = eliminate({{row({1, -1, 0, 0}), 0.0}, {row({0, 1, -1, 0}), 0.0}, {row({2, 0, -2, 0}), 0.0}}, 4);
   ASSERT_EQ(free.directions.cols(), 2);

@@ -163,7 +163,8 @@ TEST(AdmissibleLikelihood, ABoundAndAKnownElementAgree) {
   for (std::size_t u = 1; u < by_bound.unknowns.size(); ++u) {
     EXPECT_NEAR(by_bound.unknowns[u].value, by_number.unknowns[u - 1].value, 0.02 * *by_number.unknowns[u - 1].std_error);
   }
-  EXPECT_NEAR(by_bound.admissibility->chi_square, by_number.fit.chi_square->value - free.fit.chi_square->value, 1.0);  // variances follow the values there
+  EXPECT_NEAR(by_bound.admissibility->chi_square, by_number.fit.chi_square->value - free.fit.chi_square->value,
+              1.0);                                            // variances follow the values there
   EXPECT_NEAR(by_bound.admissibility->chi_square, 16.0, 2.0);  // four standard deviations
   EXPECT_LE((*by_bound.unknowns[0].ci95)[1], value);
   ASSERT_EQ(by_bound.warnings.size(), 1u);
@@ -211,7 +212,9 @@ TEST(AdmissiblePlan, RefusesWhatCannotBe) {
   // Known and negative.
   EXPECT_THAT(refused(definite(EntryMatrix{{-5.0, 0.0, 0.0, 0.0}, {0.0, "b", 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})),
               HasSubstr("no joint has K positive semidefinite"));
-  EXPECT_EQ(refused(definite(EntryMatrix{{5e5, "b", 0.0, 0.0}, {"b", 4e3, 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})), "no error");
+  EXPECT_EQ(
+      refused(definite(EntryMatrix{{5e5, "b", 0.0, 0.0}, {"b", 4e3, 0.0, 0.0}, {0.0, 0.0, "c", 0.0}, {0.0, 0.0, 0.0, "d"}})),
+      "no error");
   EXPECT_THAT(refused([](Scene& scene) {
                 scene.joints[0].definite = {Kind::stiffness};
                 scene.identify.bounds = {{"K(2,2)", -std::numeric_limits<double>::infinity(), -10.0}};
@@ -219,7 +222,8 @@ TEST(AdmissiblePlan, RefusesWhatCannotBe) {
               HasSubstr("no joint meets these together with room to spare: K positive semidefinite, K(2,2) <= -10 "));
   EXPECT_THAT(refused([](Scene& scene) { scene.identify.bounds = {{"K(1,9)", 0.0, 1.0}}; }),
               HasSubstr("[identify] bounds: the joint has no unknown K(1,9); did you mean K(1,1)?"));
-  EXPECT_THAT(refused([](Scene& scene) { scene.identify.ties = {"K(1,1) = K(1,9)"}; }), HasSubstr("[identify] ties: the tie 'K(1,1) = K(1,9)'"));
+  EXPECT_THAT(refused([](Scene& scene) { scene.identify.ties = {"K(1,1) = K(1,9)"}; }),
+              HasSubstr("[identify] ties: the tie 'K(1,1) = K(1,9)'"));
   EXPECT_THAT(refused([](Scene& scene) { scene.identify.ties = {"K(1,1) = 1", "K(1,1) = 2"}; }), HasSubstr("contradict"));
   EXPECT_THAT(refused([](Scene& scene) {
                 scene.identify.method = Method::likelihood;
@@ -231,10 +235,15 @@ TEST(AdmissiblePlan, RefusesWhatCannotBe) {
 
 TEST(AdmissiblePlan, ReadsTheKeysOfTheScene) {
   const auto parsed = [](const std::string& text) {
-    return parse_scene("data = { substructures = ['a.h5'], assembly = ['b.h5'] }\njoint = { dofs = ['4:+Y', '5:+Y'], "
-                       "stiffness = { pattern = 'symmetric', definite = true }, mass = { pattern = 'diagonal', definite = false } }\n" + text, "s.toml");
+    return parse_scene(
+        "data = { substructures = ['a.h5'], assembly = ['b.h5'] }\njoint = { dofs = ['4:+Y', '5:+Y'], "
+        "stiffness = { pattern = 'symmetric', definite = true }, mass = { pattern = 'diagonal', definite = false } }\n" +
+            text,
+        "s.toml");
   };
-  const Scene scene = parsed("identify = { bounds = { 'K(1,1)' = [1, inf], 'M(1,1)' = 'positive', 'M(2,2)' = 'negative' }, ties = ['K(1,1) = K(2,2)'] }");
+  const Scene scene = parsed(
+      "identify = { bounds = { 'K(1,1)' = [1, inf], 'M(1,1)' = 'positive', 'M(2,2)' = 'negative' }, ties = ['K(1,1) = K(2,2)'] "
+      "}");
   EXPECT_THAT(scene.joints[0].definite, ElementsAre(Kind::stiffness));
   ASSERT_EQ(scene.identify.bounds.size(), 3u);
   EXPECT_EQ(scene.identify.bounds[0].lower, 1.0);

@@ -199,8 +199,9 @@ TEST(rigid_body_mass, is_that_of_a_free_structure_and_of_no_other) {
 }
 
 TEST(find_wrong_masses, tells_units_and_puts_the_file_right) {
-  for (const auto& [unit, weighed, words] : {std::tuple(1.0, 2.5, ""), std::tuple(9.80665, 2.4, "g in place of m/s²"), std::tuple(1000.0, 2.4, "mm in place of m"),
-                                             std::tuple(1.0, 1.6, "1.6 kg were weighed")}) {
+  for (const auto& [unit, weighed, words] :
+       {std::tuple(1.0, 2.5, ""), std::tuple(9.80665, 2.4, "g in place of m/s²"), std::tuple(1000.0, 2.4, "mm in place of m"),
+        std::tuple(1.0, 1.6, "1.6 kg were weighed")}) {
     ident::CheckedFile file = free_beam();
     file.mass = weighed;
     for (auto& line : file.frfs) line *= unit == 9.80665 ? 1.0 / unit : unit;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
 
 namespace jointid::ident {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
 
 namespace jointid::ident {

@@ -49,7 +49,8 @@ const std::string part = "A1_substructure_1.h5", whole = "A1_assembly.h5";
 
 std::vector<Mistake> mistakes() {
   return {
-      {"flip", whole, "flip = [\"2:+Y\"]", times([](double, const std::string& r, const std::string&) { return r == "2:+Y" ? -1.0 : 1.0; })},
+      {"flip", whole, "flip = [\"2:+Y\"]",
+       times([](double, const std::string& r, const std::string&) { return r == "2:+Y" ? -1.0 : 1.0; })},
       {"flip_reference", part, "flip_reference = [\"4:+RZ\"]",
        times([](double, const std::string&, const std::string& c) { return c == "4:+RZ" ? -1.0 : 1.0; })},
       {"gain", whole, "gain = { \"2:+Y\" = 1.25 }",
@@ -74,9 +75,8 @@ std::vector<Mistake> mistakes() {
        [](frf::FrfSet& set) {
          for (double& frequency : set.header.frequency_hz) frequency /= 0.8;
        }},
-      {"quantity", part, "quantity = \"receptance\"", times([](double f, const std::string&, const std::string&) {
-         return frf::to_receptance(frf::Quantity::accelerance, f);
-       })},
+      {"quantity", part, "quantity = \"receptance\"",
+       times([](double f, const std::string&, const std::string&) { return frf::to_receptance(frf::Quantity::accelerance, f); })},
   };
 }
 
@@ -250,7 +250,8 @@ TEST_F(CorrectedScene, JointDofsOnOneSideOnlyAreAnError) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.kind(), ErrorKind::usage);
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("[joint] dofs: none of them is in "), HasSubstr("A1_substructure_2.h5"), HasSubstr("both sides")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("[joint] dofs: none of them is in "), HasSubstr("A1_substructure_2.h5"),
+                                    HasSubstr("both sides")));
   }
 }
 
@@ -259,7 +260,8 @@ TEST_F(CorrectedScene, VariancesThatAStudyDoesNotUseAreSaid) {
   EXPECT_THAT(load_trial_data(read_scene(file))->notes, IsEmpty());
   std::ofstream(file, std::ios::app) << "\n[noise]\nmodel = \"circular\"\nlevel = 0.01\n";
   EXPECT_THAT(load_trial_data(read_scene(file))->notes,
-              ElementsAre(AllOf(HasSubstr("Trials draw their errors from [noise] (circular)"), HasSubstr("rig1_assembly.h5 are not used"))));
+              ElementsAre(AllOf(HasSubstr("Trials draw their errors from [noise] (circular)"),
+                                HasSubstr("rig1_assembly.h5 are not used"))));
 }
 
 }  // namespace

@@ -33,8 +33,10 @@ const std::string four = "dofs = [\"4:+Y\", \"5:+Y\", \"4:+RZ\", \"5:+RZ\"]\n";
 const std::string rotations = "couple_first = [[\"4:+RZ\", \"5:+RZ\"]]\n";
 
 TEST(CoupleFirst, ARigidJointWithoutMassLeavesTheOthers) {
-  const Scene scene = scene_with(four + rotations + "[joint.stiffness]\nmatrix = [[\"a\",\"b\",0,0],[\"b\",\"c\",0,0],[0,0,\"d\",\"e\"],[0,0,\"e\",\"f\"]]\n",
-                                 "[truth]\nstiffness = [[1,-1,0,0],[-1,2,0,0],[0,0,9,-9],[0,0,-9,9]]\n");
+  const Scene scene =
+      scene_with(four + rotations +
+                     "[joint.stiffness]\nmatrix = [[\"a\",\"b\",0,0],[\"b\",\"c\",0,0],[0,0,\"d\",\"e\"],[0,0,\"e\",\"f\"]]\n",
+                 "[truth]\nstiffness = [[1,-1,0,0],[-1,2,0,0],[0,0,9,-9],[0,0,-9,9]]\n");
   ASSERT_EQ(scene.joints.size(), 1u);
   EXPECT_THAT(names(scene.joints[0].dofs), ElementsAre("4:+Y", "5:+Y"));
   EXPECT_THAT(names(scene.couple_first.hidden), ElementsAre("4:+RZ"));
@@ -66,8 +68,10 @@ TEST(CoupleFirst, APatternHoldsForTheCoordinatesThatAreLeft) {
 }
 
 TEST(CoupleFirst, SignsOfThePairTurnWhatIsLeft) {
-  const Scene scene = scene_with("dofs = [\"4:+Y\", \"6:+Y\"]\ncouple_first = [[\"3:+Y\", \"4:-Y\"]]\n[joint.stiffness]\nmatrix = [[\"a\",\"b\"],[\"b\",\"c\"]]\n",
-                                 "[truth]\nstiffness = [[1,2],[2,3]]\n");
+  const Scene scene = scene_with(
+      "dofs = [\"4:+Y\", \"6:+Y\"]\ncouple_first = [[\"3:+Y\", \"4:-Y\"]]\n[joint.stiffness]\nmatrix = "
+      "[[\"a\",\"b\"],[\"b\",\"c\"]]\n",
+      "[truth]\nstiffness = [[1,2],[2,3]]\n");
   EXPECT_THAT(names(scene.joints[0].dofs), ElementsAre("3:-Y", "6:+Y"));  // x_4 = −x_3
   EXPECT_THAT(scene.truth.at(Kind::stiffness), ElementsAre(ElementsAre(1, 2), ElementsAre(2, 3)));
 }
@@ -76,7 +80,8 @@ TEST(CoupleFirst, SaysWhatIsWrong) {
   const std::string spring = "[joint.stiffness]\nsprings = [[\"4:+RZ\",\"5:+RZ\"]]\n";
   EXPECT_THAT(error_of("dofs = [\"4:+RZ\", \"5:+RZ\"]\n" + rotations + spring), HasSubstr("nothing is left to identify"));
   EXPECT_THAT(error_of(four + "couple_first = [[\"4:+RZ\"]]\n" + spring), HasSubstr("a pair has two DOFs"));
-  EXPECT_THAT(error_of(four + "couple_first = [[\"4:+RZ\", \"5:+RZ\"], [\"4:+RZ\", \"5:-RZ\"]]\n" + spring), HasSubstr("contradicts itself"));
+  EXPECT_THAT(error_of(four + "couple_first = [[\"4:+RZ\", \"5:+RZ\"], [\"4:+RZ\", \"5:-RZ\"]]\n" + spring),
+              HasSubstr("contradicts itself"));
 }
 
 /// A case G with noise on A and B before they are coupled.

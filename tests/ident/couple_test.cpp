@@ -64,7 +64,9 @@ TEST_F(Couple, LinesThatCannotBeCoupledAreNaNAndTold) {
   problems::CouplingProblem problem = problems::make_coupling("coupling-A");
   frf::FrfSet& part = problem.parts[1];
   part.values[part.index(3, 0, 0)] = Complex(std::nan(""), std::nan(""));
-  const CoupleResult result = couple(read_couple_scene(problems::write(problem, folder_, {.format = "h5", .seed = 1, .clean = true})), folder_ / "out.h5", false);
+  const CoupleResult result =
+      couple(read_couple_scene(problems::write(problem, folder_, {.format = "h5", .seed = 1, .clean = true})), folder_ / "out.h5",
+             false);
   EXPECT_EQ(result.status, Status::ok);
   EXPECT_EQ(result.unusable_lines, 1u);
   EXPECT_THAT(result.message, HasSubstr("1 of 341 lines"));

@@ -1,3 +1,4 @@
+#include "ident/solve.hpp"
 #include "likelihood_accuracy.hpp"
 
 #include <gtest/gtest.h>

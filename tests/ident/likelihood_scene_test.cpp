@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "ident/solve.hpp"
 #include "likelihood_accuracy.hpp"
 
 namespace jointid::ident {
@@ -127,7 +128,8 @@ TEST(LikelihoodScene, SaysWhatAnEquationLacks) {
 
 TEST(LikelihoodScene, AStartThatDoesNotFollowThePatternIsNamed) {
   LikelihoodCase a1("A1");
-  a1.scene.identify.start[restrictions::Kind::stiffness] = {{1.0, 2.0, 0.0, 0.0}, {3.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.0, 1.0}};
+  a1.scene.identify.start[restrictions::Kind::stiffness] = {
+      {1.0, 2.0, 0.0, 0.0}, {3.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 1.0, 0.0}, {0.0, 0.0, 0.0, 1.0}};
   const auto plan = problems::plan(a1.at(0.01).scene, {a1.problem.substructures, a1.problem.assembly});
   EXPECT_THROW(solve(*plan), InputError);
 }

@@ -110,11 +110,13 @@ frf::NoiseModel changed(frf::NoiseModel model, const std::function<void(frf::Noi
 const Way ways[] = {
     {"FineLines", "rig1", 1, circular(0.05), 0.65, 0.85, 1.2, 1.4, 0.0, 0.2},
     {"FineLinesOfLittleNoise", "rig1", 1, circular(0.001), 0.65, 0.85, 1.2, 1.5, 0.0, 0.2},
-    {"GrossLines", "rig1", 1, changed(circular(0.01), [](auto& model) { model.gross.share = 0.02; }), 0.65, 0.85, 1.2, 1.5, 0.0, 0.2},
+    {"GrossLines", "rig1", 1, changed(circular(0.01), [](auto& model) { model.gross.share = 0.02; }), 0.65, 0.85, 1.2, 1.5, 0.0,
+     0.2},
     {"Floor", "rig1", 1, changed(circular(0.0), [](auto& model) { model.floor = 0.001; }), 0.8, 0.9, 1.4, 1.7, 0.0, 0.2},
     {"FewLines", "A1", 1, circular(0.05), 0.35, 0.8, 1.3, 3.0, 0.0, 0.3},
     {"FewLinesOfLittleNoise", "A1", 1, circular(0.001), 0.35, 0.8, 1.3, 4.0, 0.0, 0.3},
-    {"FewLinesNotReciprocal", "A1", 1, changed(circular(0.01), [](auto& model) { model.reciprocal = false; }), 0.6, 0.9, 1.1, 1.5, 0.0, 0.1},
+    {"FewLinesNotReciprocal", "A1", 1, changed(circular(0.01), [](auto& model) { model.reciprocal = false; }), 0.6, 0.9, 1.1, 1.5,
+     0.0, 0.1},
     {"CoarseLines", "A1", 3, circular(0.001), 1.0, 100.0, 1e4, 1e5, 0.9, 1.0},
     {"CoarseLinesOfARig", "rig1", 20, circular(0.001), 1.0, 100.0, 1e4, 1e5, 0.9, 1.0},
 };

@@ -49,7 +49,9 @@ double error_of(const Solution& solution) {
 }
 
 struct EveryMistake : testing::TestWithParam<std::tuple<const char*, SuspectKind>> {
-  static std::string title(const testing::TestParamInfo<ParamType>& info) { return std::string(std::get<0>(info.param)) + "_" + ident::name(std::get<1>(info.param)); }
+  static std::string title(const testing::TestParamInfo<ParamType>& info) {
+    return std::string(std::get<0>(info.param)) + "_" + ident::name(std::get<1>(info.param));
+  }
 };
 
 TEST_P(EveryMistake, IsNoOkForALinearMethodWhereItDoesHarm) {
@@ -67,7 +69,9 @@ TEST_P(EveryMistake, IsNoOkForALinearMethodWhereItDoesHarm) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Status, EveryMistake, testing::Combine(testing::Values("A1", "rig1"), testing::ValuesIn(problems::plantable())), &EveryMistake::title);
+INSTANTIATE_TEST_SUITE_P(Status, EveryMistake,
+                         testing::Combine(testing::Values("A1", "rig1"), testing::ValuesIn(problems::plantable())),
+                         &EveryMistake::title);
 
 struct EveryMistakeOfALikelihood : testing::TestWithParam<SuspectKind> {};
 
@@ -82,7 +86,8 @@ TEST_P(EveryMistakeOfALikelihood, IsNoOkWhereItDoesHarmAndAPoorFitGivesNoErrors)
   for (const Estimate& unknown : found.unknowns) EXPECT_FALSE(unknown.std_error || unknown.ci95) << unknown.name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Status, EveryMistakeOfALikelihood, testing::ValuesIn(problems::plantable()), [](const auto& info) { return ident::name(info.param); });
+INSTANTIATE_TEST_SUITE_P(Status, EveryMistakeOfALikelihood, testing::ValuesIn(problems::plantable()),
+                         [](const auto& info) { return ident::name(info.param); });
 
 TEST(Status, OfDataWithoutMistakesIsOk) {
   for (const char* name : {"A1", "B", "D1", "E3", "rig1"}) {

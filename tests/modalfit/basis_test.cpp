@@ -11,7 +11,8 @@
 namespace jointid::modalfit {
 namespace {
 
-const std::vector<ModelKind> kinds = {{Damping::viscous, true}, {Damping::viscous, false}, {Damping::hysteretic, true}, {Damping::hysteretic, false}};
+const std::vector<ModelKind> kinds = {
+    {Damping::viscous, true}, {Damping::viscous, false}, {Damping::hysteretic, true}, {Damping::hysteretic, false}};
 const std::vector<double> lines = {40.0, 49.5, 50.4, 70.0, 81.0};
 
 TEST(Basis, DerivativesAreThoseOfCentralDifferences) {

@@ -30,7 +30,9 @@ struct Rig {
   double low_hz = 100.0, high_hz = 170.0, drift = 0.0, noise = 0.01;
   std::uint64_t seed = 1;
 
-  double frequency(const TrueMode& mode, std::size_t point) const { return mode.frequency_hz * (1.0 + drift * (static_cast<double>(point) - 2.0)); }
+  double frequency(const TrueMode& mode, std::size_t point) const {
+    return mode.frequency_hz * (1.0 + drift * (static_cast<double>(point) - 2.0));
+  }
 
   frf::FrfSet measured() const {
     frf::FrfSet set;
@@ -111,7 +113,8 @@ TEST(LightDamping, FrequenciesThatDriftBetweenHammerPointsAreOneMode) {
     EXPECT_NEAR(mode.own_hz[0], 112.0 * (1.0 - 2.0 * rig.drift), 0.7 * rig.drift * 112.0);
     EXPECT_NEAR(mode.own_hz[1], 112.0 * (1.0 + 2.0 * rig.drift), 0.7 * rig.drift * 112.0);
     if (!before.empty()) {
-      EXPECT_NEAR(mode.pole.frequency_hz, before.front().pole.frequency_hz, std::hypot(mode.frequency_deviation_hz, before.front().frequency_deviation_hz));
+      EXPECT_NEAR(mode.pole.frequency_hz, before.front().pole.frequency_hz,
+                  std::hypot(mode.frequency_deviation_hz, before.front().frequency_deviation_hz));
     }
     before = modes;
   }

@@ -23,7 +23,8 @@ TEST(MeasuredBeam, WideRangesAgreeWithinTheirDeviations) {
     Band band = make_band(set, range);
     const ModalFit found = fit(band, set.header, {});
     EXPECT_EQ(found.status, FitStatus::ok) << found.message;
-    EXPECT_EQ(found.modes_inside(), static_cast<std::size_t>(std::ranges::count_if(known, [&](double f) { return f > range[0] && f < range[1]; })));
+    EXPECT_EQ(found.modes_inside(),
+              static_cast<std::size_t>(std::ranges::count_if(known, [&](double f) { return f > range[0] && f < range[1]; })));
     for (const Mode& mode : found.modes) {
       if (!mode.inside) continue;
       for (const Mode& other : seen) {

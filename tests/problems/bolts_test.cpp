@@ -71,7 +71,8 @@ TEST(Brick, ConstantStrainIsExact) {
 
 /// Translations see the mass, rotations the moment of inertia, which the consistent mass matrix gives exactly.
 TEST(Brick, MassAndMomentOfInertiaAreThoseOfTheBlock) {
-  const Structure block = solid_block(steel, {.first_node = 1, .origin = {-0.15, -0.06, -0.1}, .size = {0.3, 0.12, 0.2}, .elements = {3, 2, 1}});
+  const Structure block =
+      solid_block(steel, {.first_node = 1, .origin = {-0.15, -0.06, -0.1}, .size = {0.3, 0.12, 0.2}, .elements = {3, 2, 1}});
   const double mass = 7800.0 * 0.3 * 0.12 * 0.2;
   const std::vector<double> along = linear_field(block, nothing, {1.0, 0.0, 0.0});
   EXPECT_NEAR(dot(along, times(block.matrix(Kind::mass), along)), mass, 1e-12 * mass);
@@ -84,7 +85,8 @@ TEST(Brick, RigidMotionTakesNoForceInAnyDirection) {
   const Structure block = solid_block(steel, uneven);
   double largest = 0.0;
   for (const double each : block.matrix(Kind::stiffness)) largest = std::max(largest, std::abs(each));
-  const Matrix turns[] = {nothing, {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 0}, {-1, 0, 0}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 0}}};
+  const Matrix turns[] = {
+      nothing, {{0, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 0}, {-1, 0, 0}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 0}}};
   for (const Matrix& turn : turns) {
     for (const double force : times(block.matrix(Kind::stiffness), linear_field(block, turn, {1.0, -2.0, 0.5}))) {
       EXPECT_NEAR(force, 0.0, 1e-12 * largest);
@@ -141,7 +143,8 @@ TEST(Bolts, CoupledFrfsAreThoseOfTheAssembledMatrices) {
         frequency_response(structure, {.response = found.header.response, .reference = columns, .frequency_hz = some});
     for (std::size_t i = 0; i < lines.size(); ++i) {
       double largest = 0.0;
-      for (std::size_t k = 0; k < direct.header.entries(); ++k) largest = std::max(largest, std::abs(direct.values[i * direct.header.entries() + k]));
+      for (std::size_t k = 0; k < direct.header.entries(); ++k)
+        largest = std::max(largest, std::abs(direct.values[i * direct.header.entries() + k]));
       for (std::size_t r = 0; r < direct.header.response.size(); ++r) {
         for (std::size_t c = 0; c < 7; ++c) {
           EXPECT_LE(std::abs(found.values[found.index(lines[i], r, c)] - direct.values[direct.index(i, r, c)]), 1e-9 * largest);

@@ -70,8 +70,10 @@ TEST(AsperityCurves, RankTheLawsAsTheThesis) {
     const friction::Curve curve = Asperities(separation).curve(0.97, 40, 0.002);
     std::vector<double> misfit;
     for (const char* law : {"ren", "shoukry", "burdekin", "bilinear"}) misfit.push_back(fit(curve, law).objective);
-    for (std::size_t i = 1; i < misfit.size(); ++i) EXPECT_LT(misfit[i - 1], 0.8 * misfit[i]) << "separation " << separation << " law " << i;
-    std::printf("separation %g: ren %.2e, shoukry %.2e, burdekin %.2e, bilinear %.2e\n", separation, misfit[0], misfit[1], misfit[2], misfit[3]);
+    for (std::size_t i = 1; i < misfit.size(); ++i)
+      EXPECT_LT(misfit[i - 1], 0.8 * misfit[i]) << "separation " << separation << " law " << i;
+    std::printf("separation %g: ren %.2e, shoukry %.2e, burdekin %.2e, bilinear %.2e\n", separation, misfit[0], misfit[1],
+                misfit[2], misfit[3]);
   }
 }
 
@@ -96,7 +98,8 @@ class MeasuredLoops : public testing::Test {
     friction::Record record{columns.column("Position").values, columns.column("Friction").values};
     for (double& u : record.displacement) u *= 1e-3;
     record = friction::with_force_times(std::move(record), -1e-6);
-    for (const friction::Loop& loop : friction::loops(record, 1e-4)) curves_.push_back(friction::loop_curve("loop", friction::centred(loop)));
+    for (const friction::Loop& loop : friction::loops(record, 1e-4))
+      curves_.push_back(friction::loop_curve("loop", friction::centred(loop)));
   }
 
   friction::Fit together(const std::string& law, std::vector<std::string> shared) const {

@@ -30,8 +30,10 @@ std::vector<double> limits(const RigTwo& rig, Form form) {
     const double ratio = limit_ratio(polluted(rig, seed), form);
     out.push_back(std::isfinite(ratio) ? ratio : 0.0);
   }
-  std::printf("%s %s: limit over truth, 5 %% %.3f median %.3f 95 %% %.3f, within 15 %%: %d of %d\n", rig.name.c_str(), name(form), quantile(out, 0.05), quantile(out, 0.5), quantile(out, 0.95),
-              static_cast<int>(std::ranges::count_if(out, [](double x) { return std::abs(x - 1.0) < 0.15; })), static_cast<int>(seeds));
+  std::printf("%s %s: limit over truth, 5 %% %.3f median %.3f 95 %% %.3f, within 15 %%: %d of %d\n", rig.name.c_str(), name(form),
+              quantile(out, 0.05), quantile(out, 0.5), quantile(out, 0.95),
+              static_cast<int>(std::ranges::count_if(out, [](double x) { return std::abs(x - 1.0) < 0.15; })),
+              static_cast<int>(seeds));
   return out;
 }
 
@@ -43,7 +45,8 @@ double small_error(const RigTwo& rig, Form form) {
     const friction::Curve found = equivalents(polluted(rig, seed), form);
     for (std::size_t i = 0; i < 4; ++i) {
       const friction::Equivalent exact = friction::equivalent(*element, found.u[i]);
-      errors.push_back(std::hypot(found.value[i] - exact.stiffness, found.damping[i] - exact.damping) / std::hypot(exact.stiffness, exact.damping));
+      errors.push_back(std::hypot(found.value[i] - exact.stiffness, found.damping[i] - exact.damping) /
+                       std::hypot(exact.stiffness, exact.damping));
     }
   }
   const double median = quantile(std::move(errors), 0.5);

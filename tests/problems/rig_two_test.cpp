@@ -78,7 +78,8 @@ TEST(RigTwo, WithoutErrorsTheDescribingFunctionComesBack) {
 TEST(RigTwo, WithTheErrorsOfItsTestsTheFrictionLimitIsWithinFifteenPercent) {
   for (const ProblemInfo& info : list_rig_two()) {
     const RigTwo rig = make_rig_two(info.name);
-    for (std::uint64_t seed = 1; seed <= 10; ++seed) EXPECT_NEAR(limit_ratio(polluted(rig, seed), {}), 1.0, 0.15) << info.name << " seed " << seed;
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+      EXPECT_NEAR(limit_ratio(polluted(rig, seed), {}), 1.0, 0.15) << info.name << " seed " << seed;
   }
 }
 

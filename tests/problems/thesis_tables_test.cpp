@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "ident/solve.hpp"
 #include "problems/in_memory.hpp"
 #include "problems/reproduction.hpp"
 
@@ -22,9 +23,10 @@ const Print& print(const std::string& table, const std::string& row, const std::
 }
 
 TEST(ThesisTables, HaveTheSizesOfThePrint) {
-  const std::map<std::string, std::size_t> sizes = {
-      {"6.3", 100}, {"6.4", 100}, {"6.5", 40},  {"6.6", 64},  {"6.7", 64},  {"6.8", 64},  {"6.9", 64},  {"6.10", 64},
-      {"6.11", 64}, {"6.12", 72}, {"6.13", 108}, {"6.14", 20}, {"6.16", 30}, {"6.17", 30}, {"6.18", 24}, {"6.19", 20}, {"6.20", 10}, {"6.21", 10}, {"6.22", 10}};
+  const std::map<std::string, std::size_t> sizes = {{"6.3", 100},  {"6.4", 100}, {"6.5", 40},  {"6.6", 64},  {"6.7", 64},
+                                                    {"6.8", 64},   {"6.9", 64},  {"6.10", 64}, {"6.11", 64}, {"6.12", 72},
+                                                    {"6.13", 108}, {"6.14", 20}, {"6.16", 30}, {"6.17", 30}, {"6.18", 24},
+                                                    {"6.19", 20},  {"6.20", 10}, {"6.21", 10}, {"6.22", 10}};
   ASSERT_EQ(thesis_tables().size(), sizes.size());
   for (const ThesisTable& table : thesis_tables()) EXPECT_EQ(table.entries.size(), sizes.at(table.number)) << table.number;
 }
@@ -82,7 +84,8 @@ TEST(ThesisTables, ElementsGiveThePairs) {
     for (const auto& [letter, pairs] : {std::pair("k", "6.9"), std::pair("m", "6.10"), std::pair("h", "6.11")}) {
       if (known_to_disagree.contains(table + " " + column + " " + letter)) continue;
       std::vector<double> u;
-      for (const char* place : {"(1,1)", "(1,2)", "(1,3)", "(1,4)", "(2,2)", "(2,4)"}) u.push_back(print(table, letter + std::string(place), column).value);
+      for (const char* place : {"(1,1)", "(1,2)", "(1,3)", "(1,4)", "(2,2)", "(2,4)"})
+        u.push_back(print(table, letter + std::string(place), column).value);
       const auto [rjcf, arvf] = factors(u);
       EXPECT_NEAR(rjcf, print(pairs, weighting + " RJCF", delta).value, 0.0125) << table << column << letter;
       EXPECT_NEAR(arvf, print(pairs, weighting + " ARVF", delta).value, 0.0285) << table << column << letter;

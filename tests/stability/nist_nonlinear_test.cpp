@@ -114,7 +114,8 @@ constexpr double enough = 6.0;
 class NistNonlinear : public testing::Test {
  protected:
   void SetUp() override {
-    if (!std::filesystem::exists(nist_folder("nonlinear"))) JOINTID_SKIP("no " << nist_folder("nonlinear") << "; set JOINTID_EXTERNAL_DATA");
+    if (!std::filesystem::exists(nist_folder("nonlinear")))
+      JOINTID_SKIP("no " << nist_folder("nonlinear") << "; set JOINTID_EXTERNAL_DATA");
     for (const auto& entry : std::filesystem::directory_iterator(nist_folder("nonlinear"))) {
       if (entry.path().extension() == ".dat") problems_.emplace_back(entry.path());
     }

@@ -2,8 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
+
+#include "knots.hpp"
 
 namespace jointid::structure {
 namespace {
@@ -32,8 +35,8 @@ std::vector<std::string> violations_in(const std::string& folder, const std::str
 
 TEST(IncludeRules, TheTableIsRead) {
   const IncludeTable table = table_of_the_docs();
-  EXPECT_THAT(table.at("frf"), IsEmpty());
-  EXPECT_THAT(table.at("restrictions"), ElementsAre("dense", "frf"));
+  EXPECT_THAT(table.at("base"), IsEmpty());
+  EXPECT_THAT(table.at("restrictions"), ElementsAre("base", "dense", "frf"));
   EXPECT_TRUE(table.at("cli").contains("ident"));
 }
 
@@ -112,6 +115,39 @@ TEST(IncludeRules, DecompositionsStandInDense) {
     }
   }
 }
+
+TEST(Knots, ACircleOfUnitsIsFound) {
+  const UnitGraph graph = {{"a", {"b", "e"}}, {"b", {"c"}}, {"c", {"a", "d"}}, {"d", {}}, {"e", {"f"}}, {"f", {"e"}}};
+  EXPECT_THAT(knots(graph), ElementsAre(std::set<std::string>{"a", "b", "c"}, std::set<std::string>{"e", "f"}));
+}
+
+/// The largest knots that are left, so that none grows; the aim is 3 units.
+TEST(Knots, DoNotGrow) {
+  constexpr std::size_t most_units = 46, most_knots = 19;
+  std::vector<std::string> folders;
+  for (const auto& row : table_of_the_docs()) folders.push_back(row.first);
+  const auto found = knots(units(root, folders));
+  if (!found.empty()) {
+    EXPECT_LE(found.front().size(), most_units) << testing::PrintToString(found.front());
+  }
+  EXPECT_LE(found.size(), most_knots) << testing::PrintToString(found);
+}
+
+TEST(Lines, AreNotAbove140Characters) {
+  std::size_t lines = 0;
+  for (const auto& row : table_of_the_docs()) {
+    for (const auto& path : sources(root / row.first)) {
+      std::ifstream source(path);
+      for (std::string line; std::getline(source, line); ++lines) {
+        const auto characters = std::ranges::count_if(line, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+        EXPECT_LE(characters, 140) << path << ": " << line;
+      }
+    }
+  }
+  EXPECT_GT(lines, 0U);
+}
+
+TEST(Base, HasAtMostTwelveUnits) { EXPECT_LE(units(root, {"base"}).size(), 12U); }
 
 }  // namespace
 }  // namespace jointid::structure

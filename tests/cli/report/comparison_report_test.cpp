@@ -85,7 +85,10 @@ TEST(ReproductionReportPage, MarksInsideOutsideAndDoubtful) {
   report.results[0] = {{0.1, 0.25, 0.5}, true};
   const std::string page = reproduction_report(report);
   EXPECT_THAT(page, HasSubstr("1 of 63 entries of the print lie inside"));
-  EXPECT_THAT(page, HasSubstr("<td class=\"inside\">0.8960 <span title=\"inside\">✓</span><strong>0.25</strong><small>0.1…<br>0.5</small></td>"));
+  EXPECT_THAT(
+      page,
+      HasSubstr(
+          "<td class=\"inside\">0.8960 <span title=\"inside\">✓</span><strong>0.25</strong><small>0.1…<br>0.5</small></td>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"outside\">0.8964 <span title=\"outside\">✗</span>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"unsure\">0.90690 <span title=\"doubtful print\">?</span>"));
   EXPECT_THAT(page, HasSubstr("has a digit too many"));

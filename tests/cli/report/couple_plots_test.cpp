@@ -19,7 +19,9 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const CurvePlot& curves(const PlotGroup& group, std::size_t choice, std::size_t plot) { return std::get<CurvePlot>(group.choices.at(choice).plots.at(plot)); }
+const CurvePlot& curves(const PlotGroup& group, std::size_t choice, std::size_t plot) {
+  return std::get<CurvePlot>(group.choices.at(choice).plots.at(plot));
+}
 
 TEST(CouplePlots, TheIntervalOfAMagnitudeIsThatOfTheErrorAlongIt) {
   const frf::Dof dof = frf::Dof::parse("1:+Y");
@@ -37,7 +39,8 @@ TEST(CouplePlots, TheIntervalOfAMagnitudeIsThatOfTheErrorAlongIt) {
 class CoupleReport : public testing::Test {
  protected:
   void SetUp() override {
-    scene_ = ident::read_couple_scene(problems::write(problems::make_coupling("coupling-C"), folder_, {.format = "h5", .seed = 1, .clean = false}));
+    scene_ = ident::read_couple_scene(
+        problems::write(problems::make_coupling("coupling-C"), folder_, {.format = "h5", .seed = 1, .clean = false}));
   }
 
   ident::CoupleResult couple(bool bounds) const { return ident::couple(scene_, folder_ / "out.h5", bounds); }
@@ -54,7 +57,8 @@ TEST_F(CoupleReport, ReadsBackWhatWasWritten) {
   const frf::FrfSet set = frf::load(*frf::open_hdf5(result.result.path)), all = frf::load(*frf::open_hdf5(result.with_all->path));
   ASSERT_EQ(frfs.size(), 8u);
   for (std::size_t e = 0; e < frfs.size(); ++e) {
-    const std::size_t r = frf::find_coordinate(set.header.response, frfs[e].response), c = frf::find_coordinate(set.header.reference, frfs[e].reference);
+    const std::size_t r = frf::find_coordinate(set.header.response, frfs[e].response),
+                      c = frf::find_coordinate(set.header.reference, frfs[e].reference);
     EXPECT_EQ(r == c, e < set.header.response.size()) << "point FRFs come first";
     for (const std::size_t line : {std::size_t{0}, std::size_t{64}, set.header.lines() - 1}) {
       EXPECT_EQ(frfs[e].value[line], set.values[set.index(line, r, c)]);
@@ -97,7 +101,8 @@ TEST_F(CoupleReport, TheThresholdPartsTheSingularValuesOfEveryLine) {
 
 TEST(CouplePlots, AlphasThatAreNotThereAreLeftOut) {
   EXPECT_THAT(alpha_plots({1.0}, {coupling::LineRecord{}}, {"a"}, {}, 10).choices, IsEmpty());
-  const PlotGroup group = alpha_plots({1.0, 2.0}, {coupling::LineRecord{.alpha = {0.5}}, coupling::LineRecord{.alpha = {std::nan("")}}}, {"a"}, 0.3, 10);
+  const PlotGroup group = alpha_plots(
+      {1.0, 2.0}, {coupling::LineRecord{.alpha = {0.5}}, coupling::LineRecord{.alpha = {std::nan("")}}}, {"a"}, 0.3, 10);
   EXPECT_THAT(curves(group, 0, 0).series[0].y, ElementsAre(0.5, testing::IsNan()));
   EXPECT_EQ(curves(group, 0, 0).level, 0.3);
 }

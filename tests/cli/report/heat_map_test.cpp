@@ -13,7 +13,8 @@ using testing::ElementsAre;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-const std::vector<frf::Dof> rows = {frf::Dof::parse("1:+Y"), frf::Dof::parse("2:-Y")}, columns = {frf::Dof::parse("1:+Y"), frf::Dof::parse("3:+X")};
+const std::vector<frf::Dof> rows = {frf::Dof::parse("1:+Y"), frf::Dof::parse("2:-Y")},
+                            columns = {frf::Dof::parse("1:+Y"), frf::Dof::parse("3:+X")};
 
 TEST(ErrorMap, TotalsAreRootMeanSquaresOfWhatIsThere) {
   const HeatMap map = error_map("title", rows, columns, {3.0, 4.0, missing, 1.0});

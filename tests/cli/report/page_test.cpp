@@ -73,7 +73,8 @@ TEST(ReportPage, StripsAndPhasesTellTheirAxes) {
 TEST(ReportPage, TheStatusStandsAboveAllElseInItsColour) {
   ReportPage page("title", "");
   page.section("Summary");
-  page.status(status_banner("poor_fit", "far off", {"remark"}, {{"sign", "a.h5", "1:+Y", "evidence", "flip = [\"1:+Y\"]"}, {"axis", "", "", "", ""}}));
+  page.status(status_banner("poor_fit", "far off", {"remark"},
+                            {{"sign", "a.h5", "1:+Y", "evidence", "flip = [\"1:+Y\"]"}, {"axis", "", "", "", ""}}));
   const std::string html = page.html();
   EXPECT_LT(html.find("class=\"verdict bad\""), html.find("<h2>Summary"));
   EXPECT_THAT(html, HasSubstr("<strong class=\"word\">poor fit</strong><p>far off</p><p>remark</p>"));

@@ -32,7 +32,8 @@ std::vector<double> driving_point(double sign, double noise, unsigned seed) {
 TEST(PhaseBranch, NoiseAroundHalfATurnDoesNotFlicker) {
   for (const double sign : {1.0, -1.0}) {
     CurvePlot plot;
-    plot.series = {{"measured", driving_point(sign, 0.05, 1), Style::reference}, {"regenerated", driving_point(sign, 0.01, 2), Style::line}};
+    plot.series = {{"measured", driving_point(sign, 0.05, 1), Style::reference},
+                   {"regenerated", driving_point(sign, 0.01, 2), Style::line}};
     ASSERT_GT(crossings(plot.series[0].y, 180.0), 50U);
     choose_branch(plot);
     const double end = (*plot.y_range)[1];

@@ -32,7 +32,11 @@ inline ScatterPlot sample_scatter() {
 
 /// Points before a curve, without a front; one of the groups is empty.
 inline ScatterPlot sample_poles() {
-  ScatterPlot plot{"Poles", {"frequency (Hz)", false}, {"order", false}, {{"poles", {{30.0, 2.0, "30 Hz"}, {50.0, 4.0, nasty}}}, {"none", {}}}, {}};
+  ScatterPlot plot{"Poles",
+                   {"frequency (Hz)", false},
+                   {"order", false},
+                   {{"poles", {{30.0, 2.0, "30 Hz"}, {50.0, 4.0, nasty}}}, {"none", {}}},
+                   {}};
   plot.backdrop = {{nasty, true}, sample_curves().x_values, {{nasty, sample_curves().series[0].y, Style::reference}}};
   return plot;
 }
@@ -51,7 +55,8 @@ inline std::vector<Plot> sample_strips() {
   CurvePlot strip = sample_curves(), phase = sample_curves();
   for (CurvePlot* plot : {&strip, &phase}) {
     plot->y = {"°", false};
-    plot->series = {{"of", std::vector<double>(100, -120.0), Style::reference_points}, {"with", std::vector<double>(100, 80.0), Style::points}};
+    plot->series = {{"of", std::vector<double>(100, -120.0), Style::reference_points},
+                    {"with", std::vector<double>(100, 80.0), Style::points}};
   }
   strip.level = 0.0;
   strip.deviation = 0.1;
