@@ -286,14 +286,15 @@ void add_gain_trials(const Files& files, const std::vector<SpanSetup>& setups, c
 }
 
 MistakeTrial file_gain_trial(const Files& files, std::size_t f, double measured) {
-  const auto [factor, words] = nearest_unit(measured, 0.03);
+  const UnitFactor unit = nearest_unit(measured, 0.03);
+  const std::string& words = unit.words;
   return {.kind = words.empty() ? SuspectKind::gain : SuspectKind::unit,
           .files = {f},
           .dofs = {},
           .what = "all FRFs of the file are off by the factor " + digits(1.0 / measured, "%.4g") +
                   (words.empty() ? "" : ": " + words),
-          .remedy = remedy_in(files[f].name, "gain = " + digits(factor, "%.6g")),
-          .undo = [f, factor](Files& all) { scale_lines(all[f], [&](double) { return factor; }); }};
+          .remedy = remedy_in(files[f].name, "gain = " + digits(unit.factor, "%.6g")),
+          .undo = [f, factor = unit.factor](Files& all) { scale_lines(all[f], [&](double) { return factor; }); }};
 }
 
 MistakeTrial delay_trial(const Files& files, std::size_t f, double delay) {

@@ -149,6 +149,7 @@ TEST(UffRead, CutAtEveryByte) {
       } catch (const InputError&) {
       }
     }
+    EXPECT_GT(read, 0);
     EXPECT_LE(read, 8);
   }
 }
@@ -178,7 +179,8 @@ bool is_read(const std::filesystem::path& file) {
 /// Bits that turn a digit into another, a blank into a digit, and a letter into none of ASCII.
 constexpr std::array<unsigned, 3> damages = {0x05, 0x19, 0x80};
 
-/// Every byte of a text and a binary record, one after the other: names and blanks may be anything, what is counted or computed may not.
+/// Every byte of a text and a binary record, one after the other: names and blanks may be anything, what is counted or computed
+/// may not.
 TEST(UffRead, AnyByteMayBeDamaged) {
   Record binary = binary_record<float>(5, {1.0f, 0.5f, 2.0f, 1.0f, 3.0f, 1.5f});
   binary.response_node = 2;
@@ -191,15 +193,13 @@ TEST(UffRead, AnyByteMayBeDamaged) {
   ASSERT_TRUE(reads(whole));
   std::size_t read = 0;
   for (std::size_t at = 0; at < whole.size(); ++at) {
-    for (const unsigned damage : damages) {
-      SCOPED_TRACE(testing::Message() << "byte " << at << ", damage " << damage);
-      std::string damaged = whole;
-      damaged[at] = static_cast<char>(static_cast<unsigned char>(damaged[at]) ^ damage);
-      read += reads(damaged);
-    }
+    SCOPED_TRACE("byte " + std::to_string(at));
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(static_cast<unsigned char>(whole[at]) ^ damages[at % damages.size()]);
+    read += reads(damaged);
   }
-  EXPECT_GT(read, whole.size() / 2);
-  EXPECT_LT(read, 5 * whole.size() / 2);
+  EXPECT_GT(read, whole.size() / 4);
+  EXPECT_LT(read, 3 * whole.size() / 4);
 }
 
 TEST(UffRead, BinaryTypesAndByteOrders) {
