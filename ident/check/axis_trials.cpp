@@ -15,7 +15,7 @@ using Files = std::vector<CheckedFile>;
 
 constexpr std::array<double, 16> grid = {-0.03, -0.02, -0.015, -0.01,  -0.0075, -0.005, -0.003, -0.002,
                                          0.002, 0.003, 0.005,  0.0075, 0.01,    0.015,  0.02,   0.03};
-constexpr double step = 1e-3, least_stretch = 0.002, least_deviations = 2.5;
+constexpr double step = 1e-3, least_stretch = 0.002, least_deviations = 1.5;
 constexpr double least_score_of_axis = 0.55;  // between lines, FRFs are smoothed, too
 constexpr std::size_t most_lines = 16, least_lines = 8;
 constexpr double most_work = 3e5;                     ///< products of complex numbers per test, about
