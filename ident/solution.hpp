@@ -74,7 +74,7 @@ struct Fit {
   std::size_t equations_dropped = 0;  ///< by Δ, by missing data, or with zero coefficients only
   std::size_t lines = 0;
   std::size_t rank = 0;
-  double condition = 0.0;                ///< of the column-scaled weighted system: 2-norm with qr, a lower bound of it with spqr, 1-norm with normal
+  double condition = 0.0;                ///< of the column-scaled weighted system: 2-norm (qr), a lower bound of it (spqr), 1-norm (normal)
   /// Decimal digits that rounding leaves of the worst unknown, relative to the largest of its joint and unit; not below 0.
   std::optional<double> digits;
   std::size_t iterations = 0;            ///< of iterative methods
