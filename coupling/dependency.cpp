@@ -1,9 +1,7 @@
 #include "coupling/dependency.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "base/text.hpp"

@@ -1,7 +1,6 @@
 #include "ident/modal_regeneration.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "base/text.hpp"
 #include "frf/merged_set.hpp"

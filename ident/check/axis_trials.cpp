@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ident/check/axis_shift.hpp"
+#include "ident/check/slope_fit.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -79,23 +80,17 @@ struct Sample {
 /// How many standard deviations a stretch by one step of least squares, from residuals at ±`step`, is away from none.
 double deviations_of_stretch(const Sample& sample, std::size_t f) {
   const Files low = sample.shifted(f, -step), high = sample.shifted(f, step);
-  double slope = 0.0, square = 0.0;
-  std::vector<std::pair<double, double>> per_line;
+  SlopeFit fit;
   for (const SpanSetup& setup : sample.setups) {
     if (!sample.concerns(setup, f)) continue;
     const SpanTest a = span_test(setup, low, SpanDetail::residuals), b = span_test(setup, high, SpanDetail::residuals);
     for (std::size_t l = 0; l < a.residuals.size(); ++l) {
       if (a.residuals[l].size() == 0 || b.residuals[l].size() == 0) continue;
       const Eigen::MatrixXcd change = b.residuals[l] - a.residuals[l], middle = 0.5 * (a.residuals[l] + b.residuals[l]);
-      per_line.emplace_back(-change.conjugate().cwiseProduct(middle).sum().real(), change.squaredNorm());
-      slope += per_line.back().first;
-      square += per_line.back().second;
+      fit.add(-change.conjugate().cwiseProduct(middle).sum().real(), change.squaredNorm());
     }
   }
-  if (!(square > 0.0)) return 0.0;
-  double scatter = 0.0;
-  for (const auto& [s, q] : per_line) scatter += std::pow(s - slope / square * q, 2);
-  return std::abs(slope) / std::max(std::sqrt(scatter), 1e-300);
+  return fit.is_told() ? std::abs(fit.slope()) / std::max(fit.scatter(), 1e-300) : 0.0;
 }
 
 /// The stretch that fits best; 0: none, or not within the grid.

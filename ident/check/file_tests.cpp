@@ -7,6 +7,7 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "ident/check/delay_fit.hpp"
+#include "ident/check/slope_fit.hpp"
 #include "base/statistics.hpp"
 
 namespace jointid::ident {
@@ -49,8 +50,7 @@ struct Pair {
 
 /// Σ over pairs of one line for the mass that travels with the sensor.
 struct MassSums {
-  double slope = 0.0, square = 0.0;
-  std::vector<std::pair<double, double>> per_line;
+  SlopeFit fit;
 
   void add_line(const Eigen::MatrixXcd& h, const Dofs& dofs, double omega) {
     const auto loaded = [&](Eigen::Index k) { return dofs[static_cast<std::size_t>(k)].is_rotation() ? 0.0 : 1.0; };
@@ -65,17 +65,13 @@ struct MassSums {
         line_square += std::norm(x) / size;
       }
     }
-    slope += line_slope;
-    square += line_square;
-    per_line.emplace_back(line_slope, line_square);
+    fit.add(line_slope, line_square);
   }
 
   void finish(ReciprocityTest& out) const {
-    if (!(square > 0.0)) return;
-    out.mass = slope / square;
-    double scatter = 0.0;
-    for (const auto& [s, q] : per_line) scatter += std::pow(s - out.mass * q, 2);
-    out.mass_deviation = std::sqrt(scatter) / square;
+    if (!fit.is_told()) return;
+    out.mass = fit.value();
+    out.mass_deviation = fit.scatter() / fit.square();
   }
 };
 

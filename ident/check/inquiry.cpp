@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "base/text.hpp"
@@ -74,9 +73,10 @@ class Inquiry {
 
   std::vector<Suspect> suspects() {
     std::vector<Suspect> found;
-    Screening screening = screen(lines_of(all_, screening_), setups_);
+    const Files lines = lines_of(all_, screening_);
+    Screening screening = screen(lines, setups_);
     noise_ = screening.noise;
-    for (Suspect& same : find_sameness(lines_of(all_, screening_), setups_, noise_)) found.push_back(std::move(same));
+    for (Suspect& same : find_sameness(lines, setups_, noise_)) found.push_back(std::move(same));
     if (!found.empty()) return found;
     const std::size_t rounds = all_.size() + 2;
     for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)

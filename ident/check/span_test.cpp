@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "ident/check/slope_fit.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -78,7 +79,7 @@ struct SpanLine {
 /// Collects what SpanTest says of rows.
 class RowSums {
  public:
-  explicit RowSums(std::size_t rows) : freed_(rows), slope_(rows), square_(rows), per_line_(rows) {}
+  explicit RowSums(std::size_t rows) : freed_(rows), excess_(rows) {}
 
   void add(const SpanLine& line, double weight) {
     const Eigen::MatrixXcd assembly = line.scale(line.assembly);
@@ -89,26 +90,22 @@ class RowSums {
       freed_[k] += weight * line.residual.row(r).squaredNorm() / left;
       const double slope = -weight * line.residual.row(r).conjugate().cwiseProduct(assembly.row(r)).real().sum();
       const double square = weight * left * assembly.row(r).squaredNorm();
-      slope_[k] += slope;
-      square_[k] += square;
-      per_line_[k].emplace_back(slope, square);
+      excess_[k].add(slope, square);
     }
   }
 
   void finish(SpanTest& out) const {
     for (std::size_t k = 0; k < freed_.size(); ++k) {
-      const double excess = square_[k] > 0.0 ? slope_[k] / square_[k] : 0.0;
-      double scatter = 0.0;
-      for (const auto& [slope, square] : per_line_[k]) scatter += std::pow(slope - excess * square, 2);
+      const SlopeFit& excess = excess_[k];
       out.share.push_back(total_ > 0.0 ? freed_[k] / total_ : 0.0);
-      out.gain.push_back(1.0 + excess);
-      out.deviation.push_back(square_[k] > 0.0 ? std::sqrt(scatter) / square_[k] : 0.0);
+      out.gain.push_back(excess.is_told() ? 1.0 + excess.value() : 1.0);
+      out.deviation.push_back(excess.is_told() ? excess.scatter() / excess.square() : 0.0);
     }
   }
 
  private:
-  std::vector<double> freed_, slope_, square_;
-  std::vector<std::vector<std::pair<double, double>>> per_line_;
+  std::vector<double> freed_;
+  std::vector<SlopeFit> excess_;
   double total_ = 0.0;
 };
 

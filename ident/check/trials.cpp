@@ -1,9 +1,7 @@
 #include "ident/check/trials.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"

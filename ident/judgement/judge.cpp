@@ -1,9 +1,7 @@
 #include "ident/judgement/judge.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numeric>
 
