@@ -1,7 +1,6 @@
 #include "ident/check/axis_shift.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,7 +10,8 @@
 namespace jointid::ident {
 namespace {
 
-constexpr Eigen::Index window = 6, powers = 3;  ///< lines, and coefficients of numerator and denominator
+constexpr Eigen::Index window = 6, powers = 3;     ///< lines, and coefficients of numerator and denominator
+constexpr std::size_t most_of_denominator = 250;  ///< FRFs that tell it; they share it
 
 /// 1, x, x² in rows.
 Eigen::MatrixXd powers_of(const Eigen::VectorXd& x) {
@@ -45,26 +45,23 @@ Eigen::Vector3cd weakest_direction(const Eigen::Matrix3cd& gram) {
   return v.normalized();
 }
 
-/// `values`: window × FRFs; `x`: of the lines, 0 at the place wanted.
-Eigen::VectorXcd value_at_zero(const Eigen::MatrixXcd& values, const Eigen::VectorXd& x) {
-  const Eigen::MatrixXd v = powers_of(x);
+/// The denominator's coefficients: that of `values` (window × FRFs), scaled by their sizes, which leave least.
+Eigen::Vector3cd common_denominator(const Eigen::MatrixXcd& values, const Eigen::MatrixXd& v) {
   const Eigen::MatrixXd rest = Eigen::MatrixXd::Identity(window, window) - v * inverse_of(v.transpose() * v) * v.transpose();
   const Eigen::RowVectorXd size = (values.cwiseAbs2().colwise().mean().array() + 1e-300).sqrt();
   const Eigen::MatrixXcd scaled = values * size.cwiseInverse().asDiagonal();
-  std::array<Eigen::MatrixXcd, powers> left;
-  for (Eigen::Index k = 0; k < powers; ++k) left[static_cast<std::size_t>(k)] = rest * (v.col(k).asDiagonal() * scaled);
-  Eigen::Matrix3cd gram;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      gram(at(i), at(j)) = left[i].conjugate().cwiseProduct(left[j]).sum();
-    }
-  }
-  const Eigen::Vector3cd denominator = weakest_direction(gram);
+  const Eigen::MatrixXcd left = rest.cwiseProduct(scaled.conjugate() * scaled.transpose());  // of values a and b of the window
+  const Eigen::Matrix3cd gram = v.transpose() * left * v;
+  return weakest_direction(gram);
+}
+
+/// Factors of the values in the window, whose sum of products is the value at x = 0 of the fitted numerator over the denominator.
+Eigen::VectorXcd factors_at_zero(const Eigen::Vector3cd& denominator, const Eigen::MatrixXd& v) {
   const Eigen::VectorXcd d = v * denominator;
   const Eigen::VectorXd weight = d.cwiseAbs2().cwiseMax(1e-300).cwiseInverse();
   const Eigen::MatrixXd normal = v.transpose() * weight.asDiagonal() * v;
   const Eigen::RowVectorXd first = inverse_of(normal).row(0) * v.transpose() * weight.asDiagonal();
-  return (first * (d.asDiagonal() * values)).transpose() / denominator(0);
+  return first.transpose().cast<std::complex<double>>().cwiseProduct(d) / denominator(0);
 }
 
 }  // namespace
@@ -72,6 +69,7 @@ Eigen::VectorXcd value_at_zero(const Eigen::MatrixXcd& values, const Eigen::Vect
 std::vector<Eigen::MatrixXcd> shifted_frfs(const CheckedFile& file, const std::vector<std::size_t>& lines, double epsilon) {
   const auto count = at(file.frequency_hz.size());
   const auto rows = at(file.responses.size()), columns = at(file.references.size());
+  const auto of_denominator = spread_lines(file.responses.size() * file.references.size(), most_of_denominator);
   std::vector<Eigen::MatrixXcd> result;
   for (const std::size_t l : lines) {
     Eigen::MatrixXcd shifted = Eigen::MatrixXcd::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN());
@@ -80,14 +78,22 @@ std::vector<Eigen::MatrixXcd> shifted_frfs(const CheckedFile& file, const std::v
       const auto above = std::ranges::lower_bound(file.frequency_hz, wanted) - file.frequency_hz.begin();
       const Eigen::Index first = std::clamp<Eigen::Index>(above - window / 2, 0, count - window);
       const auto hz = [&](Eigen::Index k) { return file.frequency_hz[static_cast<std::size_t>(first + k)]; };
+      const auto frfs = [&](Eigen::Index k) -> const Eigen::MatrixXcd& { return file.frfs[static_cast<std::size_t>(first + k)]; };
       const double half = 0.5 * (hz(window - 1) * hz(window - 1) - hz(0) * hz(0));
       Eigen::VectorXd x(window);
-      Eigen::MatrixXcd values(window, rows * columns);
+      Eigen::MatrixXcd some(window, at(of_denominator.size()));
       for (Eigen::Index k = 0; k < window; ++k) {
         x(k) = (hz(k) * hz(k) - wanted * wanted) / half;
-        values.row(k) = file.frfs[static_cast<std::size_t>(first + k)].reshaped().transpose();
+        for (Eigen::Index i = 0; i < some.cols(); ++i) {
+          some(k, i) = frfs(k).reshaped()(at(of_denominator[static_cast<std::size_t>(i)]));
+        }
       }
-      if (values.allFinite()) shifted = value_at_zero(values, x).reshaped(rows, columns);
+      if (some.allFinite()) {
+        const Eigen::MatrixXd v = powers_of(x);
+        const Eigen::VectorXcd factors = factors_at_zero(common_denominator(some, v), v);
+        shifted = factors(0) * frfs(0);
+        for (Eigen::Index k = 1; k < window; ++k) shifted += factors(k) * frfs(k);
+      }
     }
     result.push_back(std::move(shifted));
   }

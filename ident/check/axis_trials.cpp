@@ -21,6 +21,7 @@ constexpr double least_score_of_axis = 0.55;  // between lines, FRFs are smoothe
 constexpr std::size_t most_lines = 16, least_lines = 8;
 constexpr double most_work = 3e5;                     ///< products of complex numbers per test, about
 constexpr std::size_t most_rows = 10, most_columns = 5;  ///< beside the joint's, per part
+constexpr std::size_t most_searched = 8;  ///< columns of a part, the joint's included, over the grid
 
 const Dofs& side(const CheckedFile& file, bool references) { return references ? file.references : file.responses; }
 
@@ -40,10 +41,25 @@ Dofs some_of(const Files& files, const Dofs& joint, bool references, std::size_t
   return chosen;
 }
 
+/// The test with at most `most` columns on the part, and as many outside of it.
+SpanSetup with_fewer_columns(const SpanSetup& setup, std::size_t most) {
+  SpanSetup fewer = setup;
+  fewer.part_columns.clear();
+  fewer.assembly_columns.clear();
+  fewer.outer_columns.clear();
+  for (const std::size_t i : spread_lines(setup.part_columns.size(), most)) {
+    fewer.part_columns.push_back(setup.part_columns[i]);
+    fewer.assembly_columns.push_back(setup.assembly_columns[i]);
+  }
+  for (const std::size_t i : spread_lines(setup.outer_columns.size(), most)) fewer.outer_columns.push_back(setup.outer_columns[i]);
+  return fewer;
+}
+
 /// What the search looks at: fewer rows and columns, and the tests of one direction.
 struct Sample {
   Files files;
   std::vector<SpanSetup> setups;
+  std::vector<SpanSetup> searched;  ///< over the grid
   std::vector<std::size_t> lines;
   Files at_lines;
 
@@ -55,6 +71,7 @@ struct Sample {
     for (const CheckedFile& file : all) files.push_back(references ? part_of(file, columns, rows) : part_of(file, rows, columns));
     setups = span_setups(files, joint);
     std::erase_if(setups, [&](const SpanSetup& setup) { return setup.transposed != references; });
+    for (const SpanSetup& setup : setups) searched.push_back(with_fewer_columns(setup, most_searched));
     lines = spread_lines(all.front().frfs.size(), lines_for(setups, most_lines, most_work));
     for (const CheckedFile& file : files) at_lines.push_back(ident::at_lines(file, lines));
   }
@@ -70,7 +87,7 @@ struct Sample {
   double misfit(std::size_t f, double epsilon) const {
     const Files at = shifted(f, epsilon);
     double sum = 0.0;
-    for (const SpanSetup& setup : setups) {
+    for (const SpanSetup& setup : searched) {
       if (concerns(setup, f)) sum += std::log(span_test(setup, at, SpanDetail::level).level + 1e-3);
     }
     return sum;

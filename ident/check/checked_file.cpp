@@ -33,14 +33,28 @@ Dofs positive(const Dofs& dofs) {
 
 bool is_measured(const std::complex<double>& value) { return std::isfinite(value.real()) && std::isfinite(value.imag()); }
 
-/// Keeps rows (columns) of all lines.
-void keep(CheckedFile& file, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns) {
-  Dofs responses, references;
-  for (const Eigen::Index r : rows) responses.push_back(file.responses[static_cast<std::size_t>(r)]);
-  for (const Eigen::Index c : columns) references.push_back(file.references[static_cast<std::size_t>(c)]);
-  file.responses = std::move(responses);
-  file.references = std::move(references);
-  for (Eigen::MatrixXcd& line : file.frfs) line = Eigen::MatrixXcd(line(rows, columns));
+/// All of a file but its lines.
+CheckedFile without_lines(const CheckedFile& file) {
+  return {.name = file.name,
+          .assembly = file.assembly,
+          .quantity = file.quantity,
+          .mass = file.mass,
+          .responses = file.responses,
+          .references = file.references,
+          .frequency_hz = {},
+          .frfs = {}};
+}
+
+/// These rows and columns of all lines.
+CheckedFile kept(const CheckedFile& file, const std::vector<Eigen::Index>& rows, const std::vector<Eigen::Index>& columns) {
+  CheckedFile result = without_lines(file);
+  result.responses.clear();
+  result.references.clear();
+  for (const Eigen::Index r : rows) result.responses.push_back(file.responses[static_cast<std::size_t>(r)]);
+  for (const Eigen::Index c : columns) result.references.push_back(file.references[static_cast<std::size_t>(c)]);
+  result.frequency_hz = file.frequency_hz;
+  for (const Eigen::MatrixXcd& line : file.frfs) result.frfs.emplace_back(line(rows, columns));
+  return result;
 }
 
 /// Rows or columns with any measured number.
@@ -53,7 +67,7 @@ void leave_out_unmeasured(CheckedFile& file) {
   for (Eigen::Index c = 0; c < at(file.references.size()); ++c) {
     if (any([&](const Eigen::MatrixXcd& line) { return line.col(c).unaryExpr(&is_measured).any(); })) columns.push_back(c);
   }
-  if (rows.size() < file.responses.size() || columns.size() < file.references.size()) keep(file, rows, columns);
+  if (rows.size() < file.responses.size() || columns.size() < file.references.size()) file = kept(file, rows, columns);
 }
 
 std::optional<double> mass_of(const Scene& scene, const std::string& file) {
@@ -162,14 +176,7 @@ std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_
 }
 
 CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& lines) {
-  CheckedFile result{.name = file.name,
-                     .assembly = file.assembly,
-                     .quantity = file.quantity,
-                     .mass = file.mass,
-                     .responses = file.responses,
-                     .references = file.references,
-                     .frequency_hz = {},
-                     .frfs = {}};
+  CheckedFile result = without_lines(file);
   for (const std::size_t l : lines) {
     result.frequency_hz.push_back(file.frequency_hz[l]);
     result.frfs.push_back(file.frfs[l]);
@@ -185,9 +192,7 @@ CheckedFile part_of(const CheckedFile& file, const Dofs& responses, const Dofs& 
     }
     return out;
   };
-  CheckedFile result = file;
-  keep(result, places(file.responses, responses), places(file.references, references));
-  return result;
+  return kept(file, places(file.responses, responses), places(file.references, references));
 }
 
 std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file) {
@@ -223,7 +228,7 @@ std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file) {
     rows.push_back(r);
   }
   for (Eigen::Index c = 0; c < at(file.references.size()); ++c) columns.push_back(c);
-  if (!found.empty()) keep(file, rows, columns);
+  if (!found.empty()) file = kept(file, rows, columns);
   return found;
 }
 

@@ -28,8 +28,6 @@ Files lines_of(const Files& all, std::size_t count) {
   return some;
 }
 
-double largest(const std::vector<double>& values) { return values.empty() ? 0.0 : *std::ranges::max_element(values); }
-
 /// What a trial changed most, in words.
 std::string change_text(const Misfit& before, const Misfit& after) {
   std::string text;
@@ -81,7 +79,7 @@ class Inquiry {
     const std::size_t rounds = all_.size() + 2;
     for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)
       screening = screen(lines_of(all_, screening_), setups_);
-    if (found.empty()) look_for_rest(found);
+    if (found.empty()) look_for_rest(lines, screening, found);
     return found;
   }
 
@@ -165,11 +163,13 @@ class Inquiry {
     }
   }
 
-  /// What no trial explains.
-  void look_for_rest(std::vector<Suspect>& found) const {
-    const Misfit rest = misfit_of(lines_of(all_, screening_), setups_, noise_);
+  /// What no trial explains; `screening`: of these lines.
+  void look_for_rest(const Files& lines, const Screening& screening, std::vector<Suspect>& found) const {
+    double worst = 0.0, mirror = 0.02;
+    for (const SpanTest& span : screening.span) worst = std::max(worst, span.level);
+    for (const ReciprocityTest& test : screening.reciprocity) mirror = std::max(mirror, test.level);
     for (std::size_t f = 0; f < all_.size(); ++f) {
-      if (rest.active[f] > 1.5) {
+      if (activity(lines[f], noise_[f]) > 1.5) {
         found.push_back({.kind = SuspectKind::not_passive,
                          .file = all_[f].name,
                          .dofs = {},
@@ -177,17 +177,16 @@ class Inquiry {
                          .confidence = 0.6,
                          .remedy = ""});
       }
-      if (rest.reciprocity[f] > std::max(0.3, 4.0 * noise_[f])) {
+      if (const double level = screening.reciprocity[f].level; level > std::max(0.3, 4.0 * noise_[f])) {
         found.push_back({.kind = SuspectKind::not_reciprocal,
                          .file = all_[f].name,
                          .dofs = {},
-                         .evidence = "H_ij and H_ji differ by " + percent(rest.reciprocity[f]) +
+                         .evidence = "H_ij and H_ji differ by " + percent(level) +
                                      " of their size, where the noise is about " + percent(noise_[f]),
                          .confidence = 0.6,
                          .remedy = ""});
       }
     }
-    const double worst = largest(rest.span), mirror = std::max(largest(rest.reciprocity), 0.02);
     if (worst > 0.35 && worst > 4.0 * mirror) {
       found.push_back(
           {.kind = SuspectKind::nonlinear,

@@ -15,14 +15,14 @@ double log_ratio(const std::vector<double>& before, const std::vector<double>& a
   return sum;
 }
 
+}  // namespace
+
 double activity(const CheckedFile& file, double noise) {
   const PassivityTest test = passivity_test(file, noise);
   double sum = std::clamp((test.total - 5.0) / 5.0, 0.0, 3.0);
   for (const double excess : test.excess) sum += std::clamp((excess - 4.0) / 8.0, 0.0, 0.5);
   return sum;
 }
-
-}  // namespace
 
 Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise) {
   Misfit empty{.span = std::vector<double>(setups.size()),

@@ -12,8 +12,12 @@ struct Misfit {
   std::vector<double> span;         ///< per setup, SpanTest::level
   std::vector<double> reciprocity;  ///< per file, ReciprocityTest::level
   std::vector<double> imaginary;    ///< per file, 1 − PhaseTest::real_share
-  std::vector<double> active;       ///< per file, 0 where driving points take energy, up to 3 + 0.5 each where they give it
+  std::vector<double> active;       ///< per file, `activity`
 };
+
+/// How far the driving points of a file give energy away: 0 where they take it, up to 3 and 0.5 for each of them. `noise`: relative
+/// error of its FRFs.
+double activity(const CheckedFile& file, double noise);
 
 /// Which parts of it to work out anew.
 struct Touched {

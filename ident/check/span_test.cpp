@@ -9,7 +9,6 @@ namespace jointid::ident {
 namespace {
 
 constexpr double least_square = 1e-6;  ///< residuals below 1e-3 of the FRFs count as that
-constexpr int scalings = 2;
 
 using Indices = std::vector<Eigen::Index>;
 
@@ -19,14 +18,17 @@ Eigen::MatrixXcd block(const CheckedFile& file, std::size_t line, const Indices&
   return all(rows, columns);
 }
 
-/// Orthonormal basis of the columns, by Gram and Schmidt twice; columns that depend on those before are left out.
+/// Orthonormal basis of the columns, by Gram and Schmidt, twice where half of a column is lost; columns that depend on those before
+/// are left out.
 Eigen::MatrixXcd basis_of(const Eigen::MatrixXcd& columns) {
   Eigen::MatrixXcd q(columns.rows(), columns.cols());
   Eigen::Index count = 0;
   for (Eigen::Index c = 0; c < columns.cols(); ++c) {
     Eigen::VectorXcd v = columns.col(c);
     const double before = v.norm();
-    for (int twice = 0; twice < 2; ++twice) v -= q.leftCols(count) * (q.leftCols(count).adjoint() * v);
+    const auto take_out = [&] { v.noalias() -= q.leftCols(count) * (q.leftCols(count).adjoint() * v).eval(); };
+    take_out();
+    if (v.norm() < 0.5 * before) take_out();
     if (const double after = v.norm(); after > 1e-10 * before) q.col(count++) = v / after;
   }
   return q.leftCols(count);
@@ -36,8 +38,9 @@ Eigen::MatrixXcd basis_of(const Eigen::MatrixXcd& columns) {
 struct SpanLine {
   Eigen::MatrixXcd assembly, part;   ///< R × C; the part is zero outside
   Eigen::MatrixXcd joint;            ///< R × J
-  Eigen::MatrixXcd basis, residual;  ///< after scaling
+  Eigen::MatrixXcd basis, residual;  ///< after scaling; the residual only where it is asked for
   Eigen::VectorXd row_scale, column_scale;
+  double square = 0.0;  ///< of the residual's norm
 
   bool is_complete() const { return assembly.allFinite() && part.allFinite() && joint.allFinite(); }
 
@@ -54,20 +57,28 @@ struct SpanLine {
   }
 
   /// Scales by the sizes of the terms and takes the span of the joint's columns out; the third term's size needs the forces,
-  /// which the scaling before gave.
-  void project() {
+  /// which the first scaling gives.
+  void project(bool with_residual) {
     const Eigen::MatrixXcd difference = assembly - part;
     Eigen::MatrixXd size = assembly.cwiseAbs2() + part.cwiseAbs2();
-    for (int pass = 0; pass < scalings; ++pass) {
-      column_scale = (size.colwise().mean().array() + 1e-300).sqrt().transpose();
-      row_scale = ((size * column_scale.cwiseAbs2().cwiseInverse().asDiagonal()).rowwise().mean().array() + 1e-300).sqrt();
-      const Eigen::MatrixXcd scaled_joint = row_scale.cwiseInverse().asDiagonal() * joint;
-      basis = basis_of(scaled_joint);
-      const Eigen::MatrixXcd scaled = scale(difference), explained = basis * (basis.adjoint() * scaled);
-      residual = scaled - explained;
-      const Eigen::MatrixXd third = (row_scale.asDiagonal() * explained * column_scale.asDiagonal()).cwiseAbs2();
-      size = assembly.cwiseAbs2() + part.cwiseAbs2() + third;
+    scale_to(size);
+    size += (row_scale.asDiagonal() * (basis * (basis.adjoint() * scale(difference))) * column_scale.asDiagonal()).cwiseAbs2();
+    scale_to(size);
+    residual = scale(difference);
+    const Eigen::MatrixXcd forces = basis.adjoint() * residual;
+    if (with_residual) {
+      residual.noalias() -= basis * forces;
+      square = residual.squaredNorm();
+    } else {
+      square = residual.squaredNorm() - forces.squaredNorm();
     }
+  }
+
+  /// Row and column scales from squared sizes of the elements, and the basis of the joint's columns in them.
+  void scale_to(const Eigen::MatrixXd& size) {
+    column_scale = (size.colwise().mean().array() + 1e-300).sqrt().transpose();
+    row_scale = ((size * column_scale.cwiseAbs2().cwiseInverse()).array() / static_cast<double>(size.cols()) + 1e-300).sqrt();
+    basis = basis_of(row_scale.cwiseInverse().asDiagonal() * joint);
   }
 
   Eigen::MatrixXcd scale(const Eigen::MatrixXcd& terms) const {
@@ -204,9 +215,9 @@ SpanTest span_test(const SpanSetup& setup, const std::vector<CheckedFile>& files
     if (detail == SpanDetail::residuals) out.residuals.emplace_back();
     line.load(setup, files, l);
     if (!line.is_complete()) continue;
-    line.project();
+    line.project(detail != SpanDetail::level);
     const double freedom = static_cast<double>((line.residual.rows() - line.basis.cols()) * line.residual.cols());
-    const double square = line.residual.squaredNorm() / freedom + least_square;
+    const double square = line.square / freedom + least_square;
     logs += std::log(square);
     ++out.lines;
     if (detail == SpanDetail::rows) {
