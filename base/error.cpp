@@ -34,4 +34,14 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
   return row.back();
 }
 
+std::size_t find_word(const std::string& text, const std::vector<std::string>& words, const std::string& what) {
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string remedy;
+  for (const std::string& word : words) remedy += (remedy.empty() ? "use " : ", ") + word;
+  const std::string near = nearest_word(text, words);
+  throw InputError({ErrorKind::usage, "", "", "'" + text + "' is no " + what,
+                    (near.empty() ? "" : "did you mean '" + near + "'? ") + remedy});
+}
+
 }  // namespace jointid

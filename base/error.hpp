@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace jointid {
 
@@ -49,5 +50,8 @@ std::string nearest_word(const std::string& word, const Range& valid) {
   }
   return best;
 }
+
+/// The place of `text` among `words`; throws InputError (usage) "'text' is no `what`" with the nearest word and all of them.
+std::size_t find_word(const std::string& text, const std::vector<std::string>& words, const std::string& what);
 
 }  // namespace jointid

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "dense/eigen.hpp"
-#include "ident/trial_loop.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/study/trial_loop.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

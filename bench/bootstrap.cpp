@@ -11,13 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "ident/likelihood/bootstrap.hpp"
-#include "ident/likelihood/bound_of.hpp"
-#include "ident/likelihood/covariance.hpp"
-#include "ident/likelihood/likelihood_plan.hpp"
 #include "base/statistics.hpp"
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/algebra/covariance.hpp"
+#include "ident/identify.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/likelihood/findings/bootstrap.hpp"
+#include "ident/likelihood/findings/bound_of.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

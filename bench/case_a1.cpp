@@ -6,9 +6,11 @@
 
 #include "bench/measure.hpp"
 #include "bench/plain.hpp"
-#include "ident/row_expander.hpp"
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/equations/assemble.hpp"
+#include "ident/equations/row_expander.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

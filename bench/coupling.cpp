@@ -19,9 +19,9 @@
 #include "bench/measure.hpp"
 #include "bench/output_of.hpp"
 #include "coupling/methods.hpp"
-#include "frf/hdf5_file.hpp"
-#include "frf/hdf5_writer.hpp"
-#include "ident/couple.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
+#include "ident/tasks/couple.hpp"
 #include "tests/coupling/counted_coupling.hpp"
 
 namespace {

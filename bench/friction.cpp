@@ -11,16 +11,16 @@
 #include <string>
 #include <vector>
 
-#include "friction/distributed_slip.hpp"
-#include "friction/equivalent.hpp"
-#include "friction/fe_cases.hpp"
-#include "friction/generalized_slip.hpp"
-#include "friction/law.hpp"
-#include "friction/masing_path.hpp"
-#include "friction/parallel.hpp"
-#include "friction/ring.hpp"
-#include "friction/series.hpp"
-#include "friction/sliders.hpp"
+#include "friction/curve/equivalent.hpp"
+#include "friction/joint/distributed_slip.hpp"
+#include "friction/joint/fe_cases.hpp"
+#include "friction/law/generalized_slip.hpp"
+#include "friction/law/laws.hpp"
+#include "friction/law/sliders.hpp"
+#include "friction/path/masing_path.hpp"
+#include "friction/path/parallel.hpp"
+#include "friction/path/ring.hpp"
+#include "friction/path/series.hpp"
 #include "measure.hpp"
 
 namespace {

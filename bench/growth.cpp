@@ -7,7 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
+
 
 namespace {
 

@@ -19,7 +19,7 @@
 #include <random>
 
 #include "bench/measure.hpp"
-#include "frf/hdf5_writer.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
 
 namespace {
 

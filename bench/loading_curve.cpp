@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "friction/fit.hpp"
+#include "friction/fit/fit.hpp"
 #include "measure.hpp"
-#include "problems/loading_curves.hpp"
+#include "problems/thesis/loading_curves.hpp"
 
 namespace {
 

@@ -14,16 +14,16 @@
 #include <optional>
 #include <sstream>
 
+#include "base/random.hpp"
 #include "base/stopwatch.hpp"
 #include "bench/measure.hpp"
 #include "bench/output_of.hpp"
-#include "frf/noise.hpp"
-#include "base/random.hpp"
+#include "frf/noise/noise.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/inputs.hpp"
 #include "modalfit/symmetric_model.hpp"
 #include "modalfit/synthesis.hpp"
-#include "problems/modal_set.hpp"
+#include "problems/case/modal_set.hpp"
 
 namespace {
 

@@ -9,9 +9,10 @@
 #include <map>
 #include <string>
 
-#include "problems/catalogue.hpp"
-#include "problems/in_memory.hpp"
+#include "problems/case/catalogue.hpp"
+#include "problems/case/in_memory.hpp"
 #include "problems/planted.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

@@ -9,9 +9,10 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
 #include "problems/planted.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

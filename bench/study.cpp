@@ -13,9 +13,10 @@
 
 #include "bench/measure.hpp"
 #include "bench/output_of.hpp"
-#include "ident/study.hpp"
-#include "ident/trial_runner.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/study/study.hpp"
+#include "ident/study/trial_runner.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

@@ -9,11 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "ident/likelihood/bound.hpp"
 #include "base/statistics.hpp"
-#include "ident/prediction.hpp"
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "ident/plan/prediction.hpp"
+#include "ident/tasks/bound.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

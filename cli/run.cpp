@@ -2,10 +2,10 @@
 
 #include <iostream>
 
-#include "cli/commands.hpp"
-#include "cli/failure.hpp"
-#include "cli/interrupt.hpp"
-#include "ident/team.hpp"
+#include "cli/parser.hpp"
+#include "cli/text/failure.hpp"
+#include "cli/text/interrupt.hpp"
+#include "ident/study/team.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -28,9 +28,9 @@ int finish(ExitCode code) {
   return static_cast<int>(code);
 }
 
-int perform(const Arguments& arguments) {
+int perform(const ChosenCommand& command) {
   catch_interrupts();
-  return finish(std::visit([](const auto& command) { return execute(command, std::cout); }, arguments));
+  return finish(command.execute(std::cout));
 }
 
 int print(const Notice& notice) {
@@ -45,7 +45,7 @@ int run(int argc, const char* const* argv) {
   try {
     const auto parsed = parse(argc, argv);
     const auto* notice = std::get_if<Notice>(&parsed);
-    return notice ? print(*notice) : perform(std::get<Arguments>(parsed));
+    return notice ? print(*notice) : perform(std::get<ChosenCommand>(parsed));
   } catch (const ident::ToldElsewhere&) {
     return 0;
   } catch (...) {

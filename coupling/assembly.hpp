@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/frf_system.hpp"
+#include "frf/set/frf_system.hpp"
 
 namespace jointid::coupling {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "coupling/methods.hpp"
-#include "frf/noise.hpp"
+#include "frf/noise/noise.hpp"
 
 namespace jointid::coupling {
 

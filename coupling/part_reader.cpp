@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "frf/h1.hpp"
-#include "frf/variance_law.hpp"
+#include "frf/noise/variance_law.hpp"
+#include "frf/set/h1.hpp"
 
 namespace jointid::coupling {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "coupling/assembly.hpp"
 #include "coupling/condition.hpp"
-#include "frf/noise.hpp"
+#include "frf/noise/noise.hpp"
 
 namespace jointid::coupling {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "frf/merged_set.hpp"
+#include "frf/set/merged_set.hpp"
 #include "modalfit/regenerated_set.hpp"
 
 namespace jointid::ident {
@@ -11,16 +11,6 @@ namespace {
 
 /// Beyond each end of the range, so that modes just outside are fitted, too.
 constexpr double margin = 0.1;
-
-modalfit::FitOptions options_of(const Scene& scene) {
-  modalfit::FitOptions options;
-  options.kind = {modalfit::Damping::hysteretic, true};
-  if (const auto& range = scene.frequency.range_hz) {
-    const double more = margin * ((*range)[1] - (*range)[0]);
-    options.range_hz = {(*range)[0] - more, (*range)[1] + more};
-  }
-  return options;
-}
 
 ModalRegeneration summary(const std::string& file, const modalfit::RegeneratedSet& set) {
   return {file, set.modes, set.error.rms_db_away, set.harm};
@@ -36,17 +26,17 @@ std::vector<frf::FrfSet> load_structures(std::vector<std::unique_ptr<frf::FrfSou
   return one;
 }
 
-/// In place; variances only where the set has room for them.
-void regenerate_polluted(frf::FrfSet& set, const modalfit::FitOptions& options) {
-  frf::FrfSet measured = set;
-  measured.variance.clear();
-  measured.header.noise = measured.coherence.empty() ? frf::NoiseRecord::none : frf::NoiseRecord::coherence;
-  modalfit::RegeneratedSet made = modalfit::regenerate_set(measured, options);
-  set.values = std::move(made.set.values);
-  if (made.set.variance.size() == set.variance.size()) set.variance = std::move(made.set.variance);
-}
-
 }  // namespace
+
+modalfit::FitOptions regeneration_options(const Scene& scene) {
+  modalfit::FitOptions options;
+  options.kind = {modalfit::Damping::hysteretic, true};
+  if (const auto& range = scene.frequency.range_hz) {
+    const double more = margin * ((*range)[1] - (*range)[0]);
+    options.range_hz = {(*range)[0] - more, (*range)[1] + more};
+  }
+  return options;
+}
 
 std::string note(const ModalRegeneration& of) {
   if (!of.harm.empty()) return of.file + ": regenerating these FRFs harms: " + of.harm;
@@ -58,34 +48,11 @@ std::vector<std::unique_ptr<frf::FrfSource>> regenerate_sources(std::vector<std:
                                                                 const Scene& scene, std::vector<ModalRegeneration>& told) {
   std::vector<std::unique_ptr<frf::FrfSource>> out;
   for (const frf::FrfSet& measured : load_structures(sources, one_structure)) {
-    modalfit::RegeneratedSet made = modalfit::regenerate_set(measured, options_of(scene));
+    modalfit::RegeneratedSet made = modalfit::regenerate_set(measured, regeneration_options(scene));
     told.push_back(summary(measured.header.file, made));
     out.push_back(frf::from_memory(std::move(made.set)));
   }
   return out;
-}
-
-Pollution with_regeneration(Pollution pollution, const Scene& scene) {
-  const Regeneration chosen = scene.data.regenerate;
-  if (!chosen.any()) return pollution;
-  return [pollution = std::move(pollution), chosen, options = options_of(scene)](std::uint64_t seed, std::uint64_t trial,
-                                                                                 Measurements& data) mutable {
-    pollution(seed, trial, data);
-    if (chosen.substructures) std::ranges::for_each(data.substructures, [&](frf::FrfSet& set) { regenerate_polluted(set, options); });
-    if (chosen.assembly) std::ranges::for_each(data.assembly, [&](frf::FrfSet& set) { regenerate_polluted(set, options); });
-  };
-}
-
-void declare_regeneration(TrialData& data) {
-  const Regeneration chosen = data.scene.data.regenerate;
-  const auto declare = [](std::vector<frf::FrfSet>& sets) {
-    for (frf::FrfSet& set : sets) {
-      set.header.noise = frf::NoiseRecord::variance;
-      set.variance.assign(set.values.size(), {});
-    }
-  };
-  if (chosen.substructures) declare(data.base.substructures);
-  if (chosen.assembly) declare(data.base.assembly);
 }
 
 }  // namespace jointid::ident

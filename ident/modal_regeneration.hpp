@@ -3,10 +3,10 @@
 #include <memory>
 #include <vector>
 
-#include "frf/frf_source.hpp"
-#include "ident/regeneration_note.hpp"
-#include "ident/scene.hpp"
-#include "ident/trial_data.hpp"
+#include "frf/set/frf_source.hpp"
+#include "ident/plan/regeneration_note.hpp"
+#include "ident/scene/scene.hpp"
+#include "modalfit/fit.hpp"
 
 namespace jointid::ident {
 
@@ -17,10 +17,7 @@ namespace jointid::ident {
 std::vector<std::unique_ptr<frf::FrfSource>> regenerate_sources(std::vector<std::unique_ptr<frf::FrfSource>> sources, bool one_structure,
                                                                 const Scene& scene, std::vector<ModalRegeneration>& told);
 
-/// Regenerates what the scene names after the errors of each trial have been put on it.
-Pollution with_regeneration(Pollution pollution, const Scene& scene);
-
-/// Sets that will be regenerated carry variances.
-void declare_regeneration(TrialData& data);
+/// How the modal models of a scene are fitted.
+modalfit::FitOptions regeneration_options(const Scene& scene);
 
 }  // namespace jointid::ident

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "base/complex.hpp"
-#include "frf/header_failure.hpp"
-#include "frf/recorded_variance.hpp"
+#include "frf/set/frf_set.hpp"
+#include "frf/set/recorded_variance.hpp"
 
 namespace jointid::modalfit {
 namespace {

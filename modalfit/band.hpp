@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "frf/frf_set.hpp"
+#include "frf/set/frf_set.hpp"
 
 namespace jointid::modalfit {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/frf_set.hpp"
+#include "frf/set/frf_set.hpp"
 #include "modalfit/band.hpp"
 #include "modalfit/model_kind.hpp"
 #include "modalfit/pole.hpp"

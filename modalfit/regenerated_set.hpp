@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "frf/frf_set.hpp"
+#include "frf/set/frf_set.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/synthesis.hpp"
 

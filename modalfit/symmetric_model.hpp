@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/dof.hpp"
+#include "frf/set/dof.hpp"
 #include "modalfit/band.hpp"
 #include "modalfit/fit.hpp"
 

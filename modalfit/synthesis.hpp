@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "frf/frf_set.hpp"
+#include "frf/set/frf_set.hpp"
 #include "modalfit/band.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/symmetric_model.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/complex.hpp"
-#include "frf/noise.hpp"
-#include "problems/catalogue.hpp"
-#include "problems/spring_coupling.hpp"
+#include "frf/noise/noise.hpp"
+#include "problems/case/catalogue.hpp"
+#include "problems/structure/spring_coupling.hpp"
 
 namespace jointid::problems {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/check/suspect.hpp"
+#include "ident/result/suspect.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::problems {

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "frf/dof.hpp"
+#include "frf/set/dof.hpp"
 
 namespace jointid::restrictions {
 

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "restrictions/restriction.hpp"
+#include "restrictions/joint_spec.hpp"
+#include "restrictions/matrix_terms.hpp"
 
 namespace jointid::restrictions {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "restrictions/joint_spec.hpp"
+#include "restrictions/matrix_terms.hpp"
 
 namespace jointid::restrictions {
 
@@ -14,28 +15,6 @@ struct Unknown {
   std::string unit;  ///< "N/m", "N*m/rad", "kg", "N*s/m", …; "mixed" when one unknown stands at several units
   Kind kind = Kind::stiffness;
   std::size_t joint = 0;  ///< index into the joints that build() got
-};
-
-/// Coefficient of an unknown in one matrix element: X(row, column) += coefficient · y(unknown).
-struct Term {
-  std::size_t row = 0;
-  std::size_t column = 0;
-  std::size_t unknown = 0;  ///< index into Restriction::unknowns
-  double coefficient = 0.0;
-};
-
-/// Known part of one matrix element: X(row, column) += value.
-struct Known {
-  std::size_t row = 0;
-  std::size_t column = 0;
-  double value = 0.0;
-};
-
-/// One of K, M, C, D: X = Σ_terms coefficient·y(unknown) + known, N×N in the order of Restriction::dofs.
-struct MatrixTerms {
-  Kind kind = Kind::stiffness;
-  std::vector<Term> terms;   ///< sorted by (unknown, row, column), no element twice per unknown
-  std::vector<Known> known;  ///< sorted by (row, column), non-zero only
 };
 
 /// The restriction matrix T of docs/formulas.md §4 (6.38), kept sparse and per matrix: x = T y₁ + T₂y₂, where the unknowns y₁ are

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "frf/frf_set.hpp"
+#include "frf/set/frf_set.hpp"
 #include "restrictions/local_matrix.hpp"
 #include "restrictions/unit.hpp"
 

@@ -5,10 +5,10 @@
 #include <limits>
 #include <memory>
 
-#include "dense/svd.hpp"
 #include "base/eigen.hpp"
-#include "ident/likelihood/bound_of.hpp"
-#include "ident/likelihood/likelihood_plan.hpp"
+#include "dense/svd.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/likelihood/findings/bound_of.hpp"
 #include "stability/exact_line.hpp"
 
 namespace jointid::stability {
@@ -220,7 +220,7 @@ class ExactProblem {
 
 std::vector<std::unique_ptr<ExactLine>> likelihood_lines(ident::Plan& plan) {
   ident::read_observations(plan, ident::Control());
-  ident::Observations& observations = *plan.likelihood->observations;
+  ident::Observations& observations = *ident::likelihood_plan(plan)->observations;
   observations.weigh_as_measured();
   std::vector<std::unique_ptr<ExactLine>> lines;
   for (const ident::LineData& data : observations.lines()) {
@@ -243,7 +243,7 @@ std::vector<std::unique_ptr<ExactLine>> response_lines(const ident::Plan& plan, 
 
 ExactEstimate fit_exactly(ident::Plan& plan, const Sets& sets, const std::vector<double>& start) {
   Vector theta = Eigen::Map<const Eigen::VectorXd>(start.data(), at(start.size())).cast<Exact>();
-  ExactProblem problem(plan.likelihood ? likelihood_lines(plan) : response_lines(plan, sets, theta), start.size());
+  ExactProblem problem(ident::likelihood_plan(plan) != nullptr ? likelihood_lines(plan) : response_lines(plan, sets, theta), start.size());
   for (int iteration = 0; iteration < 12; ++iteration) {
     if (problem.step(theta) < 1e-20) break;
   }

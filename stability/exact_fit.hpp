@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
 #include "stability/exact_identification.hpp"
 
 namespace jointid::stability {

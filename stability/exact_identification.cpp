@@ -6,7 +6,8 @@
 
 #include "base/eigen.hpp"
 #include "dense/svd.hpp"
-#include "ident/row_expander.hpp"
+#include "ident/equations/row_expander.hpp"
+#include "ident/plan/scaling.hpp"
 #include "stability/exact_line.hpp"
 #include "weighting/line_weights.hpp"
 
@@ -43,7 +44,7 @@ class Stack {
       const Scalar norm = r.col(j).norm();
       unit.col(j) = Real<Scalar>(r.col(j) / norm).template cast<double>();
       const auto kind = plan_.restriction.unknowns[static_cast<std::size_t>(j)].kind;
-      const double unscale = ident::unscale(kind, plan_.assembly_spec.omega0);
+      const double unscale = ident::unscale(kind, plan_.omega0);
       out.values.push_back(static_cast<double>(Scalar(y(j, 0) * Scalar(unscale))));
       out.column_norms.push_back(static_cast<double>(norm) / unscale);
     }
@@ -153,7 +154,7 @@ class Stack {
     const Eigen::Index rows = e.c.re.rows(), columns = e.c.re.cols(), n = at(unknowns_);
     const weighting::Weighting weighting = plan_.scene.identify.weighting;
     const weighting::LineWeights weight = weights(weighting, e, rows);
-    const Scalar ratio = 2 * boost::math::constants::pi<Scalar>() * Scalar(line.frequency_hz) / Scalar(plan_.assembly_spec.omega0);
+    const Scalar ratio = 2 * boost::math::constants::pi<Scalar>() * Scalar(line.frequency_hz) / Scalar(plan_.omega0);
     Real<Scalar> block = Real<Scalar>::Zero(2 * rows * columns, n + 1);
     Eigen::Index used = 0;
     for (Eigen::Index m = 0; m < rows; ++m) {
@@ -197,7 +198,7 @@ class Stack {
       for (const restrictions::Term& term : matrix.terms) {
         put(term.row, term.column, Scalar(term.coefficient), at(term.unknown));
       }
-      const Scalar scale = Scalar(ident::unscale(matrix.kind, plan_.assembly_spec.omega0));
+      const Scalar scale = Scalar(ident::unscale(matrix.kind, plan_.omega0));
       for (const restrictions::Known& known : matrix.known) put(known.row, known.column, Scalar(-known.value) / scale, n);
     }
   }

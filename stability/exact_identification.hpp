@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "frf/frf_set.hpp"
-#include "ident/plan.hpp"
+#include "frf/set/frf_set.hpp"
+#include "ident/plan/plan.hpp"
 
 namespace jointid::stability {
 

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 #include "base/eigen.hpp"
-#include "stability/exact_identification.hpp"
+#include "frf/set/frf_set.hpp"
+#include "ident/plan/coordinates.hpp"
 #include "stability/exact_number.hpp"
 
 namespace jointid::stability {

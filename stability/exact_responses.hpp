@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problems/response.hpp"
+#include "problems/structure/response.hpp"
 
 namespace jointid::stability {
 

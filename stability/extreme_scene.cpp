@@ -1,3 +1,4 @@
+#include "ident/identify.hpp"
 #include "stability/extreme_scene.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
 #include "stability/exact_identification.hpp"
 #include "stability/exact_responses.hpp"
 

@@ -8,7 +8,8 @@
 
 #include "base/eigen.hpp"
 #include "dense/svd.hpp"
-#include "ident/linear_solution.hpp"
+#include "ident/algebra/linear_solution.hpp"
+#include "ident/algebra/solve_linear.hpp"
 #include "stability/exact_number.hpp"
 #include "stability/svd_solution.hpp"
 

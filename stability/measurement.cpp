@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "ident/solve.hpp"
+#include "ident/equations/assemble.hpp"
+#include "ident/identify.hpp"
+#include "ident/plan/interpret.hpp"
 #include "stability/exact_fit.hpp"
 #include "stability/svd_solution.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/solution.hpp"
+#include "ident/result/solution.hpp"
 #include "stability/extreme_scene.hpp"
 
 namespace jointid::stability {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "base/eigen.hpp"
-#include "ident/column_scaling.hpp"
-#include "ident/linear_solution.hpp"
+#include "ident/algebra/column_scaling.hpp"
+#include "ident/algebra/linear_solution.hpp"
 #include "stability/exact_number.hpp"
 
 namespace jointid::stability {

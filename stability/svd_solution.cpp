@@ -4,7 +4,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/svd.hpp"
-#include "ident/column_scaling.hpp"
+#include "ident/algebra/column_scaling.hpp"
 
 namespace jointid::stability {
 

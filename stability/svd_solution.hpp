@@ -1,6 +1,7 @@
 #pragma once
 
-#include "ident/linear_solution.hpp"
+#include "ident/algebra/accumulator.hpp"
+#include "ident/algebra/linear_solution.hpp"
 
 namespace jointid::stability {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "stability/draw.hpp"
 #include "stability/matrix_sweeps.hpp"
 

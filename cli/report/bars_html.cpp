@@ -6,7 +6,7 @@
 
 #include "cli/report/escape.hpp"
 #include "cli/report/tables_html.hpp"
-#include "cli/table.hpp"
+#include "cli/text/table.hpp"
 
 namespace jointid::cli::report {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/dof.hpp"
+#include "frf/set/dof.hpp"
 
 /// FRFs as curves of a page.
 namespace jointid::cli::report {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/report/contents.hpp"
-#include "cli/table.hpp"
-#include "frf/dof.hpp"
+#include "cli/text/table.hpp"
+#include "frf/set/dof.hpp"
 
 namespace jointid::cli::report {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/report/contents.hpp"
-#include "cli/table.hpp"
+#include "cli/text/table.hpp"
 
 namespace jointid::cli::report {
 

@@ -9,7 +9,7 @@
 #include "cli/report/decimate.hpp"
 #include "cli/report/frf_curves.hpp"
 #include "cli/report/phase_branch.hpp"
-#include "ident/decibel_error.hpp"
+#include "ident/result/decibel_error.hpp"
 
 namespace jointid::cli::report {
 namespace {

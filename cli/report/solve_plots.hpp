@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cli/report/contents.hpp"
-#include "ident/convergence.hpp"
-#include "ident/regenerate.hpp"
+#include "ident/tasks/convergence.hpp"
+#include "ident/tasks/regenerate.hpp"
 
 /// The plots of a solve report.
 namespace jointid::cli::report {

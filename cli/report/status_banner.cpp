@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "cli/words.hpp"
+#include "cli/text/words.hpp"
 
 namespace jointid::cli::report {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cli/report/contents.hpp"
-#include "cli/table.hpp"
+#include "cli/text/table.hpp"
 
 /// What can be read without the page's program, as HTML.
 namespace jointid::cli::report {

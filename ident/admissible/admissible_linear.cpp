@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "ident/admissible/outcome.hpp"
-#include "ident/null_space.hpp"
-#include "ident/reduced_system.hpp"
+#include "ident/algebra/null_space.hpp"
+#include "ident/algebra/reduced_system.hpp"
 
 namespace jointid::ident {
 namespace {

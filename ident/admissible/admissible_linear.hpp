@@ -1,8 +1,9 @@
 #pragma once
 
-#include "ident/linear_solution.hpp"
-#include "ident/plan.hpp"
-#include "ident/solution.hpp"
+#include "ident/algebra/accumulator.hpp"
+#include "ident/algebra/linear_solution.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/solution.hpp"
 
 namespace jointid::ident {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ident/admissible/symmetric_block.hpp"
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
 
 namespace jointid::ident {
 

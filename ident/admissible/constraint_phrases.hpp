@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
 
 namespace jointid::ident {
 

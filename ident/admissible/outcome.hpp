@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ident/admissible/admissible_fit.hpp"
-#include "ident/solution.hpp"
+#include "ident/result/solution.hpp"
 
 namespace jointid::ident {
 

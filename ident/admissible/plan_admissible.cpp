@@ -11,7 +11,8 @@
 #include "ident/admissible/definite_block.hpp"
 #include "ident/admissible/interior.hpp"
 #include "ident/admissible/tie.hpp"
-#include "ident/scene_failure.hpp"
+#include "ident/plan/scaling.hpp"
+#include "ident/scene/scene_failure.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -55,7 +56,7 @@ void add_definite(const Plan& plan, std::size_t joint, std::size_t first, Kind k
   auto bands = columns_by_band(plan, joint, kind);
   if (bands.empty()) bands[std::nullopt] = {};  // all known
   for (const auto& [band, column_of] : bands) {
-    const double unit = unscale(kind, plan.assembly_spec.omega0);
+    const double unit = unscale(kind, plan.omega0);
     auto block = definite_block(*terms, first, spec.dofs.size(), column_of, unit);
     if (!block) refuse_asymmetric(plan.scene, place);
     if (block->size() == 0) continue;
@@ -141,8 +142,8 @@ bool asks(const Scene& scene) {
 
 void require_support(const Scene& scene) {
   const IdentifySection& identify = scene.identify;
-  if (identify.method != Method::newton && identify.solver != "iqml") return;
-  const std::string what = identify.solver == "iqml" ? "solver \"iqml\"" : "method \"newton\"";
+  if (traits(identify.method).has_constraints && identify.solver != "iqml") return;
+  const std::string what = identify.solver == "iqml" ? "solver \"iqml\"" : traits(identify.method).phrase;
   fail(scene, "[identify]", what + " knows no constraints (definite, bounds, ties)",
        "use method \"likelihood\" with solver \"auto\", or a linear method");
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dense/eigen.hpp"
-#include "ident/column_scaling.hpp"
+#include "ident/algebra/column_scaling.hpp"
 
 namespace jointid::ident {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "dense/pivoted_qr.hpp"
-#include "ident/column_scaling.hpp"
+#include "ident/algebra/column_scaling.hpp"
 
 namespace jointid::ident {
 

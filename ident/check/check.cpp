@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "ident/check/inquiry.hpp"
-#include "ident/couple_first.hpp"
-#include "ident/data_source.hpp"
-#include "ident/line_choice.hpp"
+#include "ident/plan/couple_first.hpp"
+#include "ident/plan/data_source.hpp"
+#include "ident/plan/line_choice.hpp"
 
 namespace jointid::ident {
 namespace {

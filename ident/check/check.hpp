@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ident/check/suspect.hpp"
-#include "ident/control.hpp"
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/control.hpp"
+#include "ident/result/suspect.hpp"
 
 namespace jointid::ident {
 

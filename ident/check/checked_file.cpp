@@ -6,7 +6,7 @@
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
-#include "ident/control.hpp"
+#include "ident/result/control.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "ident/check/suspect.hpp"
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/suspect.hpp"
 
 namespace jointid::ident {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ident/check/checked_file.hpp"
-#include "ident/control.hpp"
+#include "ident/result/control.hpp"
 
 namespace jointid::ident {
 

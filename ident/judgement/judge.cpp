@@ -10,7 +10,7 @@
 #include "ident/judgement/line_jackknife.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/whitened_fit.hpp"
-#include "ident/variance_origin.hpp"
+#include "ident/scene/variance_origin.hpp"
 #include "modalfit/selection.hpp"
 
 namespace jointid::ident {

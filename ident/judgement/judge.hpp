@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "ident/control.hpp"
-#include "ident/linear_solution.hpp"
-#include "ident/plan.hpp"
-#include "ident/solution.hpp"
+#include "ident/algebra/linear_solution.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/control.hpp"
+#include "ident/result/solution.hpp"
 
 namespace jointid::ident {
 

@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/eigen.hpp"
-#include "ident/solve.hpp"
+#include "ident/equations/assemble.hpp"
+#include "ident/equations/linear_plan.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -54,7 +55,7 @@ std::vector<Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Li
 }  // namespace
 
 std::optional<Eigen::MatrixXd> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control) {
-  if (plan.lines.size() < least_lines || !plan.builder) return std::nullopt;
+  if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
   OtherLines lines(plan);
   const auto groups = groups_of(lines.all(), most_lines, !plan.columns->limits_hz().empty());
   std::vector<Accumulator> systems = systems_of(plan, groups, control);

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "ident/control.hpp"
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/control.hpp"
 
 namespace jointid::ident {
 

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
-#include "ident/coordinates.hpp"
 #include "base/eigen.hpp"
-#include "ident/likelihood/likelihood_plan.hpp"
-#include "ident/variances.hpp"
+#include "base/error.hpp"
+#include "ident/plan/coordinates.hpp"
+#include "ident/variance/variances.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -91,7 +90,7 @@ struct Reads {
 
 /// The equations of the plan, or for other methods those that Method One has on its data.
 std::vector<Equation> equations_of(const Plan& plan) {
-  if (plan.scene.identify.method == Method::one) return plan.equations;
+  if (takes_frfs_as_measured(plan.scene.identify.method)) return plan.equations;
   Scene scene = plan.scene;
   scene.identify.method = Method::one;
   scene.identify.equations.clear();

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "ident/control.hpp"
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/control.hpp"
 
 namespace jointid::ident {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "base/text.hpp"
 #include "dense/eigen.hpp"
-#include "base/eigen.hpp"
+#include "ident/plan/scaling.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -77,7 +78,7 @@ std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<dou
     const std::optional<Range> band = bands ? std::optional(Range{limits[k], limits[k + 1]}) : std::nullopt;
     for (const restrictions::MatrixTerms& terms : plan.restriction.matrices) {
       if (terms.kind == restrictions::Kind::mass) continue;
-      find_active(plan, {terms, columns, unscale(terms.kind, plan.assembly_spec.omega0)}, band, theta, covariance, deviations, out);
+      find_active(plan, {terms, columns, unscale(terms.kind, plan.omega0)}, band, theta, covariance, deviations, out);
     }
   }
   std::ranges::stable_sort(out, {}, &ActiveMotion::eigenvalue);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
 
 namespace jointid::ident {
 

@@ -6,8 +6,9 @@
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
-#include "ident/likelihood/covariance.hpp"
-#include "ident/row_expander.hpp"
+#include "ident/algebra/covariance.hpp"
+#include "ident/equations/row_expander.hpp"
+#include "ident/plan/scaling.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -48,7 +49,7 @@ LineJoint joint_at(const Plan& plan, double frequency_hz) {
   const auto n = at(restriction.dofs.size());
   LineJoint out{plan.columns->at(frequency_hz), std::vector<std::vector<Place>>(restriction.unknowns.size()), MatrixXcd::Zero(n, n)};
   for (const restrictions::MatrixTerms& matrix : restriction.matrices) {
-    const Complex si = impedance_factor(matrix.kind, omega), scaled = si * unscale(matrix.kind, plan.assembly_spec.omega0);
+    const Complex si = impedance_factor(matrix.kind, omega), scaled = si * unscale(matrix.kind, plan.omega0);
     for (const auto& [row, column, unknown, coefficient] : matrix.terms) {
       out.unknowns[unknown].push_back({at(row), at(column), scaled * coefficient});
     }

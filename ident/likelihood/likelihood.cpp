@@ -14,23 +14,25 @@
 #include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
 #include "ident/admissible/outcome.hpp"
+#include "ident/algebra/covariance.hpp"
+#include "ident/algebra/null_space.hpp"
+#include "ident/algebra/start_points.hpp"
+#include "ident/equations/linear_plan.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/judgement/whitened_fit.hpp"
-#include "ident/likelihood/bootstrap.hpp"
-#include "ident/likelihood/bound_of.hpp"
-#include "ident/likelihood/bundle.hpp"
-#include "ident/likelihood/covariance.hpp"
-#include "ident/likelihood/estimator.hpp"
-#include "ident/likelihood/findings.hpp"
-#include "ident/likelihood/identifiability.hpp"
-#include "ident/likelihood/joint_guess.hpp"
-#include "ident/likelihood/likelihood_plan.hpp"
-#include "ident/likelihood/variance_sources.hpp"
-#include "ident/likelihood/predicted_start.hpp"
-#include "ident/minima.hpp"
-#include "ident/null_space.hpp"
-#include "ident/solve.hpp"
-#include "ident/start_points.hpp"
+#include "ident/likelihood/bundle/bundle.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/likelihood/findings/bootstrap.hpp"
+#include "ident/likelihood/findings/bound_of.hpp"
+#include "ident/likelihood/findings/findings.hpp"
+#include "ident/likelihood/findings/identifiability.hpp"
+#include "ident/likelihood/findings/variance_sources.hpp"
+#include "ident/likelihood/fit/estimator.hpp"
+#include "ident/likelihood/fit/predicted_start.hpp"
+#include "ident/plan/interpret.hpp"
+#include "ident/plan/joint_guess.hpp"
+#include "ident/plan/prediction.hpp"
+#include "ident/result/minima.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -42,12 +44,14 @@ constexpr std::array<std::pair<weighting::Weighting, double>, 4> linear_ways = {
 /// Linear estimates with one weighting after the other.
 std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const Control& control) {
   if (k >= linear_ways.size()) return std::nullopt;
-  Plan& start = *plan.likelihood->start;
-  std::tie(start.assembly_spec.weighting, start.assembly_spec.delta) = linear_ways[k];
+  Plan& start = *likelihood_plan(plan)->start;
+  AssemblySpec& spec = linear_plan(start)->spec;
+  std::tie(spec.weighting, spec.delta) = linear_ways[k];
   Control quick = control;
   quick.detail = Detail::estimates;
   quick.so_far = nullptr;
-  const Solution first = solve(start, quick);
+  Solution first;
+  start.method->solve(start, quick, first);
   std::vector<double> theta;
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const double value = column < first.unknowns.size() ? first.unknowns[column].value : 0.0;
@@ -61,7 +65,7 @@ std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const
 Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
   const std::vector<double> given = scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"));
   const StartPoints points(given, [&](const std::vector<double>& theta) { return estimator.misfit_at(theta); });
-  const Observations& observations = *plan.likelihood->observations;
+  const Observations& observations = *likelihood_plan(plan)->observations;
   if (!observations.layout().a.empty()) {
     return [points, most](std::size_t k) { return k < most ? std::optional(points(k)) : std::nullopt; };
   }
@@ -95,7 +99,7 @@ Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& 
 
 Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
   const std::size_t wanted = plan.scene.identify.starts;
-  if (plan.likelihood->start) return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
+  if (likelihood_plan(plan)->start) return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
   return given_starts(plan, estimator, wanted > 0 ? wanted : 2 * StartPoints::sizes);
 }
 
@@ -143,7 +147,7 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
   };
   const Starts starts = starts_of(plan, estimator, control);
   if (plan.solver == "gauss-helmert") {
-    const bool several_minima = !plan.likelihood->start && plan.likelihood->observations->layout().a.empty();
+    const bool several_minima = !likelihood_plan(plan)->start && likelihood_plan(plan)->observations->layout().a.empty();
     const Follow usual = several_minima ? Follow::until_reached_twice : Follow::until_it_fits;
     const Doubt doubtful = [&plan](const LikelihoodFit& fit) { return largest_relative_error(plan, fit) >= nonlinear_error; };
     return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual, doubtful);
@@ -151,7 +155,7 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
   LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
   if constexpr (JOINTID_HAVE_CERES) {
     if (plan.solver == "ceres") {
-      fit = adjust_bundle(*plan.likelihood->observations, plan.restriction, *plan.columns, plan.assembly_spec.omega0, fit, watch);
+      fit = adjust_bundle(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0, fit, watch);
     }
   }
   // Brings the lines to this joint for what is said of them afterwards.
@@ -256,11 +260,9 @@ void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const Li
   }
 }
 
-}  // namespace
-
-void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
+void estimate(Plan& plan, const Control& control, Solution& out) {
   const Clock::time_point start = Clock::now();
-  Observations& observations = *plan.likelihood->observations;
+  Observations& observations = *likelihood_plan(plan)->observations;
   read_observations(plan, control);
   out.runtime_s.read = seconds_since(start);
   const auto stage = std::make_shared<std::string>("starting");
@@ -302,7 +304,7 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   }
   out.fit.iterations = fit.iterations;
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;
-  out.fit.chi_square = chi_square_of(observations, plan.likelihood->priors, fit);
+  out.fit.chi_square = chi_square_of(observations, likelihood_plan(plan)->priors, fit);
   if (tied(plan))
     out.fit.chi_square->degrees_of_freedom +=
         static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());
@@ -315,6 +317,23 @@ void solve_likelihood(Plan& plan, const Control& control, Solution& out) {
   }
   if (control.judgement != Judgement::none)
     judge_likelihood(plan, {.theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless}, control, out);
+}
+
+class LikelihoodMethod final : public LikelihoodPlan {
+ public:
+  void solve(Plan& plan, const Control& control, Solution& out) override {
+    estimate(plan, control, out);
+    if (control.so_far) control.so_far(out);
+    if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<MethodPlan> plan_likelihood(Plan& plan, const StartPlanner& plan_start) {
+  auto own = std::make_unique<LikelihoodMethod>();
+  plan_observations(plan, plan_start, *own);
+  return own;
 }
 
 }  // namespace jointid::ident

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dense/pivoted_qr.hpp"
 #include "base/eigen.hpp"
-#include "ident/triangle.hpp"
+#include "dense/pivoted_qr.hpp"
+#include "ident/algebra/triangle.hpp"
 
 namespace jointid::ident {
 namespace {

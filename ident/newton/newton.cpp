@@ -7,13 +7,14 @@
 
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
-#include "ident/likelihood/bound_of.hpp"
-#include "ident/likelihood/joint_guess.hpp"
-#include "ident/minima.hpp"
+#include "ident/algebra/solve_linear.hpp"
+#include "ident/algebra/start_points.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton_plan.hpp"
-#include "ident/solve.hpp"
-#include "ident/start_points.hpp"
+#include "ident/plan/interpret.hpp"
+#include "ident/plan/joint_guess.hpp"
+#include "ident/plan/prediction.hpp"
+#include "ident/result/minima.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -170,11 +171,12 @@ class Search {
   MinimumList minima_;
 };
 
-Point linear_start(Plan& plan, const ResponseProblem& problem, const Control& control) {
+Point linear_start(const Plan& plan, Plan& start, const ResponseProblem& problem, const Control& control) {
   Control quick = control;
   quick.detail = Detail::estimates;
   quick.so_far = nullptr;
-  const Solution first = solve(*plan.newton->start, quick);
+  Solution first;
+  start.method->solve(start, quick, first);
   Point theta(plan.columns->size(), 0.0);
   for (std::size_t c = 0; c < first.unknowns.size(); ++c) {
     if (std::isfinite(first.unknowns[c].value)) theta[c] = first.unknowns[c].value / plan.unscale(c);
@@ -183,10 +185,10 @@ Point linear_start(Plan& plan, const ResponseProblem& problem, const Control& co
 }
 
 /// From the start that fits best by its size, then from others until one settles; as many as the scene asks for.
-void search(Plan& plan, const ResponseProblem& problem, const Control& control, Search& found) {
+void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, const Control& control, Search& found) {
   const std::size_t wanted = plan.scene.identify.starts;
-  const Point given = plan.newton->start
-                          ? linear_start(plan, problem, control)
+  const Point given = own.start
+                          ? linear_start(plan, *own.start, problem, control)
                           : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
   if (plan.solver == "newton" && wanted == 0) {
     found.from(given, 0);  // the thesis's scheme as it is
@@ -226,17 +228,9 @@ double as_good_as(double misfit, std::size_t unknowns, std::size_t rows) {
   return std::max(misfit * (1.0 + 2.0 * static_cast<double>(unknowns) / free), 1e-20);
 }
 
-}  // namespace
-
-const std::vector<std::string>& newton_solvers() {
-  static const std::vector<std::string> names = {"levenberg-marquardt", "newton",      "ceres",  "ipopt", "nlopt",
-                                                 "nlopt-crs2",          "nlopt-sbplx", "pattern"};
-  return names;
-}
-
-void solve_newton(Plan& plan, const Control& control, Solution& out) {
+void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out) {
   const Clock::time_point start = Clock::now();
-  ResponseProblem problem(read_responses(plan, plan.lines.size()), plan.columns->size());
+  ResponseProblem problem(own.read_responses(plan, plan.lines.size()), plan.columns->size());
   out.runtime_s.read = seconds_since(start);
   out.fit.lines = plan.lines.size();
   out.fit.equations_used = problem.residuals() / 2;
@@ -249,7 +243,7 @@ void solve_newton(Plan& plan, const Control& control, Solution& out) {
     return;
   }
   Search found(plan, problem, out, control);
-  search(plan, problem, control, found);
+  search(plan, own, problem, control, found);
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
   if (found.best().q.empty()) {
     out.status = Status::no_equations;
@@ -269,6 +263,23 @@ void solve_newton(Plan& plan, const Control& control, Solution& out) {
       for (std::size_t c = 0; c < minimum.values.size(); ++c) minimum.values[c] *= plan.unscale(c);
     }
   }
+}
+
+class NewtonMethod final : public NewtonPlan {
+ public:
+  void solve(Plan& plan, const Control& control, Solution& out) override {
+    estimate(plan, *this, control, out);
+    if (control.so_far) control.so_far(out);
+    if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<MethodPlan> plan_newton(Plan& plan, const StartPlanner& plan_start) {
+  auto own = std::make_unique<NewtonMethod>();
+  plan_responses(plan, plan_start, *own);
+  return own;
 }
 
 }  // namespace jointid::ident

@@ -2,15 +2,11 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "ident/eigen_view.hpp"
-#include "ident/scene_failure.hpp"
-#include "ident/start_plan.hpp"
+#include "ident/algebra/eigen_view.hpp"
 
 namespace jointid::ident {
 
-void plan_newton(Plan& plan) {
-  plan.newton = std::make_shared<NewtonPlan>();
-  NewtonPlan& own = *plan.newton;
+void plan_responses(Plan& plan, const StartPlanner& plan_start, NewtonPlan& own) {
   const Coordinates& at = plan.coordinates;
   const Dofs columns = joined(at.references, at.joint);
   own.substructures =
@@ -23,25 +19,31 @@ void plan_newton(Plan& plan) {
   plan.cost.columns = plan.columns->size();
   plan.cost.equations_per_line = at.responses.size() * at.references.size();
   plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
+  plan.predicted_responses = at.responses;
+  plan.predicted_references = at.references;
 }
 
-std::vector<ResponseLine> read_responses(Plan& plan, std::size_t count) {
+void NewtonPlan::read_first_line(Plan& plan) {
+  read_responses(plan, 1);
+  if (start) start->method->read_first_line(*start);
+}
+
+std::vector<ResponseLine> NewtonPlan::read_responses(const Plan& plan, std::size_t count) {
   std::vector<std::size_t> substructure_lines, assembly_lines;
   for (std::size_t i = 0; i < count; ++i) {
     substructure_lines.push_back(plan.lines[i].substructures);
     assembly_lines.push_back(plan.lines[i].assembly);
   }
-  NewtonPlan& own = *plan.newton;
-  own.substructures->read(substructure_lines);
-  own.assembly->read(assembly_lines);
+  substructures->read(substructure_lines);
+  assembly->read(assembly_lines);
   const std::size_t rows = plan.coordinates.responses.size(), columns = plan.coordinates.references.size();
   const std::size_t joint = plan.coordinates.joint.size();
   std::vector<ResponseLine> lines;
   for (std::size_t i = 0; i < count; ++i) {
-    const View h = own.substructures->line(i);
+    const View h = substructures->line(i);
     ReachableFrfs frfs = {map(h.block(0, 0, rows, columns)), map(h.block(0, columns, rows, joint)), map(h.block(rows, 0, joint, columns)),
-                          map(h.block(rows, columns, joint, joint)), map(own.assembly->line(i))};
-    lines.emplace_back(std::move(frfs), JointImpedance(plan.restriction, *plan.columns, plan.assembly_spec.omega0,
+                          map(h.block(rows, columns, joint, joint)), map(assembly->line(i))};
+    lines.emplace_back(std::move(frfs), JointImpedance(plan.restriction, *plan.columns, plan.omega0,
                                                        angular(plan.lines[i].frequency_hz)));
   }
   return lines;

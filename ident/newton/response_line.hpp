@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ident/likelihood/joint_impedance.hpp"
+#include "ident/plan/joint_impedance.hpp"
 
 namespace jointid::ident {
 

@@ -1,22 +1,28 @@
-#include "cli/arguments.hpp"
+#include "cli/parser.hpp"
 
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "cli/compare/compare_command.hpp"
+#include "cli/convert/info_command.hpp"
+#include "cli/problem/problem_command.hpp"
+#include "cli/solve/solve_command.hpp"
+#include "cli/stability/stability_command.hpp"
+#include "cli/study/study_command.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using testing::HasSubstr;
 
-std::variant<Arguments, Notice> parsed(std::vector<const char*> words) {
+std::variant<ChosenCommand, Notice> parsed(std::vector<const char*> words) {
   words.insert(words.begin(), "jointid");
   return parse(static_cast<int>(words.size()), words.data());
 }
 
 template <class T>
 T command(std::vector<const char*> words) {
-  return std::get<T>(std::get<Arguments>(parsed(std::move(words))));
+  return std::any_cast<T>(std::get<ChosenCommand>(parsed(std::move(words))).arguments);
 }
 
 Notice notice(std::vector<const char*> words) { return std::get<Notice>(parsed(std::move(words))); }

@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/compare_arguments.hpp"
-#include "cli/comparison_text.hpp"
-#include "cli/reproduction_text.hpp"
-#include "comparison_sample.hpp"
 #include "base/error.hpp"
+#include "cli/compare/compare_arguments.hpp"
+#include "cli/compare/comparison_text.hpp"
+#include "cli/problem/reproduction_text.hpp"
+#include "comparison_sample.hpp"
 
 namespace jointid::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "cli/comparison_text.hpp"
+#include "cli/compare/comparison_text.hpp"
 
 namespace jointid::cli {
 

@@ -1,11 +1,11 @@
-#include "cli/failure.hpp"
+#include "cli/text/failure.hpp"
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 
 namespace jointid::cli {
 namespace {

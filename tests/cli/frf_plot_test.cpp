@@ -1,4 +1,4 @@
-#include "cli/frf_plot.hpp"
+#include "cli/text/frf_plot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

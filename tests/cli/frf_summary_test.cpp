@@ -1,4 +1,4 @@
-#include "cli/frf_summary.hpp"
+#include "cli/text/frf_summary.hpp"
 
 #include <gmock/gmock.h>
 

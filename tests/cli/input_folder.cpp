@@ -4,10 +4,10 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "frf/csv_file.hpp"
-#include "frf/frf_source.hpp"
-#include "frf/hdf5_writer.hpp"
-#include "frf/uff_file.hpp"
+#include "frf/csv/csv_file.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
+#include "frf/set/frf_source.hpp"
+#include "frf/uff/uff_file.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::cli {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "frf/frf_set.hpp"
+#include "frf/set/frf_set.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {

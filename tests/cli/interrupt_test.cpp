@@ -1,4 +1,4 @@
-#include "cli/interrupt.hpp"
+#include "cli/text/interrupt.hpp"
 
 #include <gtest/gtest.h>
 

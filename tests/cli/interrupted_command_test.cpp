@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-#include "frf/hdf5_writer.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
 #include "input_folder.hpp"
 #include "problems/problem.hpp"
 #include "run_command.hpp"

@@ -7,10 +7,10 @@
 #include <functional>
 
 #include "input_folder.hpp"
-#include "problems/coupling_problem.hpp"
-#include "problems/loading_curves.hpp"
+#include "problems/case/coupling_problem.hpp"
+#include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
-#include "problems/rig_two.hpp"
+#include "problems/thesis/loading_curves.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {

@@ -8,10 +8,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "cli/commands.hpp"
-#include "cli/loading_curve_data.hpp"
-#include "friction/law.hpp"
 #include "base/error.hpp"
+#include "cli/loading_curve/loading_curve_command.hpp"
+#include "cli/loading_curve/loading_curve_data.hpp"
+#include "friction/law/laws.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {

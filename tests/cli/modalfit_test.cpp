@@ -1,4 +1,4 @@
-#include "cli/modalfit_run.hpp"
+#include "cli/modalfit/modalfit_run.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,11 +9,11 @@
 #include <numbers>
 
 #include "base/complex.hpp"
-#include "cli/modalfit_arguments.hpp"
-#include "cli/modalfit_text.hpp"
 #include "base/error.hpp"
-#include "frf/uff55.hpp"
-#include "problems/modal_set.hpp"
+#include "cli/modalfit/modalfit_arguments.hpp"
+#include "cli/modalfit/modalfit_text.hpp"
+#include "frf/uff/uff55.hpp"
+#include "problems/case/modal_set.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {

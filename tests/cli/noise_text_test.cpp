@@ -1,4 +1,4 @@
-#include "cli/noise_text.hpp"
+#include "cli/text/noise_text.hpp"
 
 #include <gtest/gtest.h>
 

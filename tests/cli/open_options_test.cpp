@@ -1,4 +1,4 @@
-#include "cli/open_options.hpp"
+#include "cli/options/open_options.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

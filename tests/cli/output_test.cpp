@@ -1,4 +1,4 @@
-#include "cli/output.hpp"
+#include "cli/options/output.hpp"
 
 #include <gtest/gtest.h>
 

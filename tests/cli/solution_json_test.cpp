@@ -1,4 +1,4 @@
-#include "cli/solution_json.hpp"
+#include "cli/solve/solution_json.hpp"
 
 #include <gmock/gmock.h>
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "ident/solution.hpp"
+#include "ident/result/solution.hpp"
 
 namespace jointid::cli {
 

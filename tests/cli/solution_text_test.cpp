@@ -1,4 +1,4 @@
-#include "cli/solution_text.hpp"
+#include "cli/solve/solution_text.hpp"
 
 #include <gmock/gmock.h>
 

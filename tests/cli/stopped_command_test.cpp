@@ -12,13 +12,13 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "frf/frf_source.hpp"
+#include "frf/set/frf_source.hpp"
 #include "input_folder.hpp"
+#include "problems/case/coupling_problem.hpp"
+#include "problems/thesis/loading_curves.hpp"
+#include "run_command.hpp"
 #include "tests/require.hpp"
 #include "tests/test_folder.hpp"
-#include "problems/coupling_problem.hpp"
-#include "problems/loading_curves.hpp"
-#include "run_command.hpp"
 
 namespace jointid::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "frf/frf_source.hpp"
+#include "frf/set/frf_source.hpp"
 #include "input_folder.hpp"
 #include "run_command.hpp"
 

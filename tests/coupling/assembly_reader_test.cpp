@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "in_memory_parts.hpp"
-#include "problems/response.hpp"
-#include "problems/coupling_problem.hpp"
+#include "problems/case/coupling_problem.hpp"
+#include "problems/structure/response.hpp"
 
 namespace jointid::coupling {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "problems/response.hpp"
+#include "problems/structure/response.hpp"
 
 namespace jointid::coupling {
 

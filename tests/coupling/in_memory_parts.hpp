@@ -1,7 +1,7 @@
 #pragma once
 
 #include "coupling/assembly_reader.hpp"
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace jointid::coupling {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "in_memory_parts.hpp"
-#include "problems/coupling_problem.hpp"
+#include "problems/case/coupling_problem.hpp"
 
 namespace jointid::coupling {
 namespace {

@@ -6,7 +6,7 @@
 #include "coupling/dependency.hpp"
 #include "coupling/truncation.hpp"
 #include "in_memory_parts.hpp"
-#include "problems/coupling_problem.hpp"
+#include "problems/case/coupling_problem.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::coupling {

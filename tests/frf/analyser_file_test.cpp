@@ -1,4 +1,4 @@
-#include "frf/analyser_file.hpp"
+#include "frf/uff/analyser_file.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "frf/columns.hpp"
+#include "frf/file/columns.hpp"
 
 #include <gmock/gmock.h>
 #include <hdf5.h>

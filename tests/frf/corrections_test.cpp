@@ -1,13 +1,13 @@
-#include "frf/corrections.hpp"
+#include "frf/set/corrections.hpp"
 
 #include <gmock/gmock.h>
 
 #include <numbers>
 
 #include "file_fixture.hpp"
-#include "frf/h1.hpp"
-#include "frf/recorded_variance.hpp"
-#include "frf/write.hpp"
+#include "frf/file/write.hpp"
+#include "frf/set/h1.hpp"
+#include "frf/set/recorded_variance.hpp"
 
 namespace jointid::frf {
 namespace {

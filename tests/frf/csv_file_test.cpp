@@ -1,4 +1,4 @@
-#include "frf/csv_file.hpp"
+#include "frf/csv/csv_file.hpp"
 
 #include <gmock/gmock.h>
 

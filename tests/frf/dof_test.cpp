@@ -1,4 +1,4 @@
-#include "frf/dof.hpp"
+#include "frf/set/dof.hpp"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "frf/frf_source.hpp"
+#include "frf/set/frf_source.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::frf {

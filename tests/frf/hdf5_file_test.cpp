@@ -1,11 +1,11 @@
-#include "frf/hdf5_file.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
 
 #include <gmock/gmock.h>
 
 #include <numeric>
 
 #include "file_fixture.hpp"
-#include "frf/hdf5_writer.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::frf {

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "file_fixture.hpp"
-#include "frf/hdf5_file.hpp"
-#include "frf/hdf5_writer.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
 
 namespace jointid::frf {
 namespace {

@@ -2,7 +2,7 @@
 #include <matio.h>
 
 #include "file_fixture.hpp"
-#include "frf/mat_file.hpp"
+#include "frf/mat/mat_file.hpp"
 
 namespace jointid::frf {
 namespace {

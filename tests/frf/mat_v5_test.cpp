@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "file_fixture.hpp"
-#include "frf/columns.hpp"
-#include "frf/mat_file.hpp"
+#include "frf/file/columns.hpp"
+#include "frf/mat/mat_file.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::frf {

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "file_fixture.hpp"
-#include "frf/mat_file.hpp"
+#include "frf/mat/mat_file.hpp"
 
 namespace jointid::frf {
 namespace {

@@ -1,4 +1,4 @@
-#include "frf/merged_set.hpp"
+#include "frf/set/merged_set.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "frf/h1.hpp"
+#include "frf/set/h1.hpp"
 
 namespace jointid::frf {
 namespace {

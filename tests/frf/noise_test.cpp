@@ -1,4 +1,4 @@
-#include "frf/noise.hpp"
+#include "frf/noise/noise.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "frf/h1.hpp"
-#include "frf/polluter.hpp"
 #include "base/random.hpp"
+#include "frf/noise/polluter.hpp"
+#include "frf/set/h1.hpp"
 
 namespace jointid::frf {
 namespace {

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "file_fixture.hpp"
-#include "frf/frf_source.hpp"
-#include "frf/write.hpp"
+#include "frf/file/write.hpp"
+#include "frf/set/frf_source.hpp"
 
 namespace jointid::frf {
 namespace {

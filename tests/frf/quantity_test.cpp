@@ -1,4 +1,4 @@
-#include "frf/quantity.hpp"
+#include "frf/set/quantity.hpp"
 
 #include <gmock/gmock.h>
 

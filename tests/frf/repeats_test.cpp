@@ -1,4 +1,4 @@
-#include "frf/repeats.hpp"
+#include "frf/noise/repeats.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>

@@ -2,7 +2,7 @@
 #include <malloc.h>
 
 #include "file_fixture.hpp"
-#include "frf/table_file.hpp"
+#include "frf/hdf5/table_file.hpp"
 
 namespace jointid::frf {
 namespace {

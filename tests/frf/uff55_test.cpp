@@ -1,4 +1,4 @@
-#include "frf/uff55.hpp"
+#include "frf/uff/uff55.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

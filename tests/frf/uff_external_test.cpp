@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frf/uff_file.hpp"
+#include "frf/uff/uff_file.hpp"
 #include "tests/require.hpp"
 #include "uff_samples.hpp"
 

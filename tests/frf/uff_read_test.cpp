@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-#include "frf/uff_file.hpp"
+#include "frf/uff/uff_file.hpp"
 #include "uff_samples.hpp"
 
 namespace jointid::frf {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "frf/uff_file.hpp"
+#include "frf/uff/uff_file.hpp"
 #include "uff_samples.hpp"
 
 namespace jointid::frf {

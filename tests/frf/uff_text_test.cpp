@@ -1,13 +1,13 @@
-#include "frf/uff_text.hpp"
+#include "frf/uff/uff_text.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "frf/uff_file.hpp"
-#include "frf/uff_units.hpp"
-#include "frf/uff_write_text.hpp"
+#include "frf/uff/uff_file.hpp"
+#include "frf/uff/uff_units.hpp"
+#include "frf/uff/uff_write_text.hpp"
 
 namespace jointid::frf::uff {
 namespace {

@@ -1,11 +1,11 @@
-#include "frf/units.hpp"
+#include "frf/set/units.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "file_fixture.hpp"
-#include "frf/line_scale.hpp"
+#include "frf/set/line_scale.hpp"
 
 namespace jointid::frf {
 namespace {

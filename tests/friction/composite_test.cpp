@@ -5,11 +5,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "friction/cancellation_free.hpp"
-#include "friction/equivalent.hpp"
-#include "friction/masing_path.hpp"
-#include "friction/quadrature.hpp"
-#include "friction/sliders.hpp"
+#include "friction/curve/equivalent.hpp"
+#include "friction/law/sliders.hpp"
+#include "friction/path/cancellation_free.hpp"
+#include "friction/path/masing_path.hpp"
+#include "friction/path/quadrature.hpp"
 #include "random_element.hpp"
 
 namespace jointid::friction {

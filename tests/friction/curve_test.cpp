@@ -1,13 +1,13 @@
-#include "friction/curve.hpp"
+#include "friction/curve/curve.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "friction/fit_start.hpp"
-#include "friction/law.hpp"
-#include "friction/tied_limit.hpp"
+#include "friction/fit/fit_start.hpp"
+#include "friction/fit/tied_limit.hpp"
+#include "friction/law/laws.hpp"
 
 namespace jointid::friction {
 namespace {

@@ -1,4 +1,4 @@
-#include "friction/distributed_slip.hpp"
+#include "friction/joint/distributed_slip.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,7 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "friction/masing_path.hpp"
+#include "friction/path/masing_path.hpp"
 #include "random_element.hpp"
 
 namespace jointid::friction {

@@ -1,4 +1,4 @@
-#include "friction/fe_joint.hpp"
+#include "friction/joint/fe_joint.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "friction/bending_root.hpp"
-#include "friction/fe_cases.hpp"
-#include "friction/law.hpp"
-#include "friction/masing_path.hpp"
-#include "friction/menq_bar.hpp"
+#include "friction/joint/bending_root.hpp"
+#include "friction/joint/fe_cases.hpp"
+#include "friction/law/laws.hpp"
+#include "friction/law/menq_bar.hpp"
+#include "friction/path/masing_path.hpp"
 
 namespace jointid::friction {
 namespace {

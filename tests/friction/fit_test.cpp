@@ -1,4 +1,4 @@
-#include "friction/fit.hpp"
+#include "friction/fit/fit.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "friction/law.hpp"
+#include "friction/law/laws.hpp"
 #include "minimise/least_squares.hpp"
 #include "tests/require.hpp"
 

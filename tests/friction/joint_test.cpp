@@ -5,11 +5,11 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "friction/bending_root.hpp"
-#include "friction/menq_bar.hpp"
-#include "friction/quadrature.hpp"
-#include "friction/ring.hpp"
-#include "friction/scaled.hpp"
+#include "friction/joint/bending_root.hpp"
+#include "friction/law/menq_bar.hpp"
+#include "friction/path/quadrature.hpp"
+#include "friction/path/ring.hpp"
+#include "friction/path/scaled.hpp"
 #include "random_element.hpp"
 
 namespace jointid::friction {

@@ -1,4 +1,4 @@
-#include "friction/law.hpp"
+#include "friction/law/laws.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "friction/quadrature.hpp"
+#include "friction/path/quadrature.hpp"
 #include "random_element.hpp"
 
 namespace jointid::friction {

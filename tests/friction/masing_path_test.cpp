@@ -1,4 +1,4 @@
-#include "friction/masing_path.hpp"
+#include "friction/path/masing_path.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,9 +6,9 @@
 #include <array>
 #include <numbers>
 
-#include "friction/distributed_slip.hpp"
-#include "friction/path_energy.hpp"
-#include "friction/quadrature.hpp"
+#include "friction/joint/distributed_slip.hpp"
+#include "friction/path/path_energy.hpp"
+#include "friction/path/quadrature.hpp"
 #include "random_element.hpp"
 
 namespace jointid::friction {

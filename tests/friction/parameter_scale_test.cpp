@@ -1,4 +1,4 @@
-#include "friction/parameter_scale.hpp"
+#include "friction/path/parameter_scale.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <typeinfo>
 #include <vector>
 
-#include "friction/generalized_slip.hpp"
-#include "friction/law.hpp"
-#include "friction/parallel.hpp"
-#include "friction/series.hpp"
+#include "friction/law/generalized_slip.hpp"
+#include "friction/law/laws.hpp"
+#include "friction/path/parallel.hpp"
+#include "friction/path/series.hpp"
 
 namespace jointid::friction {
 
@@ -28,7 +28,8 @@ inline double any_in(double lower, double upper) {
 
 inline double any_decade(double lower, double upper) { return std::pow(10.0, any_in(std::log10(lower), std::log10(upper))); }
 
-/// Values with slip displacements between 1e-8 and 1e-6 m and stiffnesses between 1e6 and 1e8 N/m.
+/// Values with slip displacements between 1e-8 and 1e-6 m and stiffnesses between 1e6 and 1e8 N/m; of a law that is not listed,
+/// where fits to such a joint begin.
 inline std::vector<double> any_values(const std::string& law) {
   const double slip = any_decade(1e-8, 1e-6), stiffness = any_decade(1e6, 1e8);
   if (law == "ren") return {slip, any_in(0.01, 6.0), stiffness};
@@ -36,7 +37,9 @@ inline std::vector<double> any_values(const std::string& law) {
   if (law == "burdekin") return {stiffness, -0.5 * stiffness / slip};
   if (law == "spring") return {stiffness};
   if (law == "iwan") return {stiffness * slip, stiffness, any_in(-0.95, 0.5), any_in(0.0, 3.0)};
-  return {slip, stiffness};
+  if (law == "bilinear") return {slip, stiffness};
+  const LawStart& start = friction::law(law).start;
+  return start.values({stiffness, stiffness * slip}, start.shapes[any_of(start.shapes.size())]);
 }
 
 inline std::string any_law() {

@@ -1,4 +1,4 @@
-#include "friction/record.hpp"
+#include "friction/path/record.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "friction/loops.hpp"
+#include "friction/path/loops.hpp"
 
 namespace jointid::friction {
 namespace {

@@ -1,7 +1,7 @@
 // Tables of FRFs, and the columns of text files with loading curves.
-#include "frf/csv_file.hpp"
+#include "frf/csv/csv_file.hpp"
 
-#include "frf/columns.hpp"
+#include "frf/file/columns.hpp"
 #include "fuzz_input.hpp"
 #include "read_source.hpp"
 

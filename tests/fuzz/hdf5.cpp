@@ -1,8 +1,8 @@
 // HDF5: jointid-frf, tables of studies, and the columns of any other file.
-#include "frf/hdf5_file.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
 
-#include "frf/columns.hpp"
-#include "frf/table_file.hpp"
+#include "frf/file/columns.hpp"
+#include "frf/hdf5/table_file.hpp"
 #include "fuzz_input.hpp"
 #include "read_source.hpp"
 

@@ -1,7 +1,7 @@
 // MATLAB v5 to v7 (matio) and v7.3 (HDF5).
-#include "frf/mat_file.hpp"
+#include "frf/mat/mat_file.hpp"
 
-#include "frf/columns.hpp"
+#include "frf/file/columns.hpp"
 #include "fuzz_input.hpp"
 #include "read_source.hpp"
 

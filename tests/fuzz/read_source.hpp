@@ -1,6 +1,6 @@
 #pragma once
 
-#include "frf/frf_source.hpp"
+#include "frf/set/frf_source.hpp"
 
 namespace jointid::fuzz {
 

@@ -1,8 +1,9 @@
 // Scenes (TOML), of identifications and of couplings.
-#include "ident/scene.hpp"
+#include "ident/scene/scene.hpp"
 
 #include "fuzz_input.hpp"
-#include "ident/couple_scene.hpp"
+#include "ident/scene/couple_scene.hpp"
+#include "ident/scene/read_scene.hpp"
 
 using namespace jointid;
 

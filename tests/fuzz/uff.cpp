@@ -1,8 +1,8 @@
 // Universal files: 58 and 58b as FRFs, their summary, single records, and the modes of 55.
-#include "frf/uff_file.hpp"
+#include "frf/uff/uff_file.hpp"
 
 #include "base/error.hpp"
-#include "frf/uff55.hpp"
+#include "frf/uff/uff55.hpp"
 #include "fuzz_input.hpp"
 #include "read_source.hpp"
 

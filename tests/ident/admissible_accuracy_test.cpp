@@ -3,9 +3,11 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
 #include "joint_eigenvalues.hpp"
 #include "likelihood_accuracy.hpp"
+#include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

@@ -5,8 +5,10 @@
 
 #include "base/error.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
-#include "ident/reduced_system.hpp"
-#include "ident/trial_loop.hpp"
+#include "ident/algebra/reduced_system.hpp"
+#include "ident/equations/assemble.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/study/trial_loop.hpp"
 #include "joint_eigenvalues.hpp"
 #include "likelihood_case.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ident/likelihood/bootstrap.hpp"
+#include "ident/likelihood/findings/bootstrap.hpp"
 #include "likelihood_case.hpp"
 
 namespace jointid::ident {

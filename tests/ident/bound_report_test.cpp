@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/likelihood/bound.hpp"
-#include "ident/likelihood/bound_report.hpp"
+#include "ident/tasks/bound.hpp"
+#include "ident/tasks/bound_report.hpp"
 #include "likelihood_case.hpp"
 #include "memory_systems.hpp"
 

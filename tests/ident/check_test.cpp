@@ -8,14 +8,15 @@
 #include <cmath>
 #include <map>
 
+#include "base/error.hpp"
 #include "ident/check/axis_shift.hpp"
 #include "ident/check/delay_fit.hpp"
 #include "ident/check/file_tests.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/span_test.hpp"
-#include "base/error.hpp"
-#include "problems/in_memory.hpp"
+#include "problems/case/in_memory.hpp"
 #include "problems/planted.hpp"
+#include "problems/problem.hpp"
 
 namespace {
 

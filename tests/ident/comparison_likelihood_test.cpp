@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "ident/comparison.hpp"
+#include "ident/tasks/comparison.hpp"
 #include "solver_case.hpp"
 
 namespace jointid::ident {

@@ -1,4 +1,4 @@
-#include "ident/comparison.hpp"
+#include "ident/tasks/comparison.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,9 @@
 #include <numeric>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

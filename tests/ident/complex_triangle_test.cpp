@@ -1,4 +1,4 @@
-#include "ident/complex_triangle.hpp"
+#include "ident/algebra/complex_triangle.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

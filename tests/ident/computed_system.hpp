@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "memory_systems.hpp"
 
 namespace jointid::ident {

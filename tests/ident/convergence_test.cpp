@@ -1,11 +1,12 @@
-#include "ident/convergence.hpp"
+#include "ident/tasks/convergence.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

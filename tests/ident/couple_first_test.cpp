@@ -1,12 +1,14 @@
-#include "ident/couple_first.hpp"
+#include "ident/plan/couple_first.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
-#include "ident/trial_runner.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/study/trial_runner.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,4 +1,4 @@
-#include "ident/couple.hpp"
+#include "ident/tasks/couple.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "frf/hdf5_file.hpp"
-#include "problems/coupling_problem.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
+#include "problems/case/coupling_problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

@@ -1,11 +1,12 @@
-#include "ident/entry_errors.hpp"
+#include "ident/tasks/entry_errors.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "problems/in_memory.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,4 +1,4 @@
-#include "ident/likelihood/godambe_information.hpp"
+#include "ident/likelihood/fit/godambe_information.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::ident {

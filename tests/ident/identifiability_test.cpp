@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "ident/likelihood/findings.hpp"
-#include "ident/likelihood/weak_combinations.hpp"
+#include "ident/likelihood/findings/findings.hpp"
+#include "ident/likelihood/findings/weak_combinations.hpp"
 #include "likelihood_case.hpp"
 
 namespace jointid::ident {

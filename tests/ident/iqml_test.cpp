@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ident/likelihood/bound.hpp"
+#include "ident/tasks/bound.hpp"
 #include "solver_case.hpp"
 
 namespace jointid::ident {

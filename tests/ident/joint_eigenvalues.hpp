@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dense/eigen.hpp"
-#include "ident/solution.hpp"
+#include "ident/result/solution.hpp"
 
 namespace jointid::ident {
 

@@ -1,4 +1,4 @@
-#include "ident/kronecker.hpp"
+#include "ident/equations/kronecker.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

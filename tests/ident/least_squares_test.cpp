@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "plain_estimate.hpp"
 
 namespace jointid::ident {

@@ -3,10 +3,11 @@
 #include <filesystem>
 #include <set>
 
-#include "frf/write.hpp"
-#include "ident/solve.hpp"
+#include "frf/file/write.hpp"
+#include "ident/identify.hpp"
 #include "memory_systems.hpp"
-#include "problems/in_memory.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "ident/likelihood/bound.hpp"
-#include "ident/trial_loop.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/study/trial_loop.hpp"
+#include "ident/tasks/bound.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 

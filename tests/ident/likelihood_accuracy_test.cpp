@@ -1,4 +1,4 @@
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "likelihood_accuracy.hpp"
 
 #include <gtest/gtest.h>

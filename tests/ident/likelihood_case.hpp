@@ -2,8 +2,9 @@
 
 #include <memory>
 
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 

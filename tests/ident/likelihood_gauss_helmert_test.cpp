@@ -7,7 +7,7 @@
 
 #include "base/eigen.hpp"
 #include "dense_gauss_helmert.hpp"
-#include "ident/likelihood/line_model.hpp"
+#include "ident/likelihood/line/line_model.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,4 +1,4 @@
-#include "ident/likelihood/guess_y.hpp"
+#include "ident/likelihood/line/guess_y.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "ident/likelihood/line_model.hpp"
+#include "ident/likelihood/line/line_model.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

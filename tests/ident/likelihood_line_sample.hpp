@@ -4,9 +4,9 @@
 #include <random>
 #include <string>
 
-#include "ident/likelihood/joint_impedance.hpp"
-#include "ident/likelihood/line_data.hpp"
-#include "ident/likelihood/line_state.hpp"
+#include "ident/likelihood/line/line_data.hpp"
+#include "ident/likelihood/line/line_state.hpp"
+#include "ident/plan/joint_impedance.hpp"
 
 namespace jointid::ident {
 

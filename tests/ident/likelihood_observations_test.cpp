@@ -1,4 +1,4 @@
-#include "ident/likelihood/observations.hpp"
+#include "ident/likelihood/data/observations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/eigen.hpp"
-#include "ident/likelihood/covariance.hpp"
-#include "ident/likelihood/frf_weight.hpp"
-#include "ident/likelihood/normal_rows.hpp"
+#include "ident/algebra/covariance.hpp"
+#include "ident/likelihood/line/frf_weight.hpp"
+#include "ident/likelihood/line/normal_rows.hpp"
 #include "likelihood_line_sample.hpp"
 #include "memory_systems.hpp"
 

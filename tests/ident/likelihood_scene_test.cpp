@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "likelihood_accuracy.hpp"
 
 namespace jointid::ident {

@@ -1,4 +1,4 @@
-#include "ident/likelihood/symmetric_frfs.hpp"
+#include "ident/likelihood/data/symmetric_frfs.hpp"
 
 #include <gtest/gtest.h>
 

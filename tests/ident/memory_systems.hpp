@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "ident/plan.hpp"
+#include "ident/identify.hpp"
+#include "ident/plan/plan.hpp"
 
 namespace jointid::ident {
 

@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/minima.hpp"
+#include "ident/algebra/start_points.hpp"
+#include "ident/identify.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton.hpp"
-#include "ident/solve.hpp"
-#include "ident/start_points.hpp"
+#include "ident/result/minima.hpp"
 #include "minimise/least_squares.hpp"
-#include "problems/in_memory.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::ident {
@@ -146,7 +147,7 @@ TEST_P(EverySolver, FindsItFromNearby) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Newton, EverySolver, testing::ValuesIn(newton_solvers()), [](const auto& solver) {
+INSTANTIATE_TEST_SUITE_P(Newton, EverySolver, testing::ValuesIn(traits(Method::newton).solvers), [](const auto& solver) {
   std::string name = solver.param;
   std::ranges::replace(name, '-', '_');
   return name;

@@ -1,4 +1,4 @@
-#include "ident/noise_fit.hpp"
+#include "ident/algebra/noise_fit.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

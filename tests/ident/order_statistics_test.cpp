@@ -1,4 +1,4 @@
-#include "ident/order_statistics.hpp"
+#include "ident/study/order_statistics.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "computed_system.hpp"
 #include "counted_memory.hpp"
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "ident/plan.hpp"
+#include "ident/plan/plan.hpp"
 #include "memory_systems.hpp"
 
 namespace jointid::ident {
@@ -29,7 +29,7 @@ class PlainEstimate {
     std::vector<double> values;
     for (std::size_t u = 0; u < plan_.restriction.unknowns.size(); ++u) {
       const restrictions::Kind kind = plan_.restriction.unknowns[u].kind;
-      const double omega0 = plan_.assembly_spec.omega0;
+      const double omega0 = plan_.omega0;
       const double unit = kind == restrictions::Kind::mass              ? omega0 * omega0
                           : kind == restrictions::Kind::viscous_damping ? omega0
                                                                         : 1.0;
@@ -100,7 +100,7 @@ class PlainEstimate {
   /// Dense T_f(ω)·T over the scaled unknowns, known part last.
   Eigen::MatrixXcd restriction(double omega) const {
     const std::size_t unknowns = plan_.restriction.unknowns.size();
-    const double omega0 = plan_.assembly_spec.omega0;
+    const double omega0 = plan_.omega0;
     Eigen::MatrixXcd t = Eigen::MatrixXcd::Zero(index(n_ * n_), index(unknowns + 1));
     const std::vector<double> none(unknowns, 0.0);
     for (const restrictions::Kind kind : restrictions::all_kinds) {

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "memory_systems.hpp"
 
 namespace jointid::ident {

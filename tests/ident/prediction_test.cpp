@@ -5,10 +5,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "ident/quality.hpp"
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
+#include "ident/result/quality.hpp"
 #include "memory_systems.hpp"
-#include "problems/in_memory.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

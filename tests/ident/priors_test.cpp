@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/likelihood/bound.hpp"
+#include "ident/tasks/bound.hpp"
 #include "likelihood_case.hpp"
 
 namespace jointid::ident {

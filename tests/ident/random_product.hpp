@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/eigen.hpp"
-#include "ident/kronecker.hpp"
+#include "ident/equations/kronecker.hpp"
 
 namespace jointid::ident {
 

@@ -2,9 +2,10 @@
 
 #include <limits>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
 #include "memory_systems.hpp"
-#include "problems/in_memory.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,4 +1,4 @@
-#include "ident/row_expander.hpp"
+#include "ident/equations/row_expander.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <numeric>
 
+#include "ident/plan/scaling.hpp"
 #include "memory_systems.hpp"
 #include "random_product.hpp"
 

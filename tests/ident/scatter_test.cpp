@@ -1,4 +1,4 @@
-#include "ident/scatter.hpp"
+#include "ident/variance/scatter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "frf/noise.hpp"
-#include "frf/variance_law.hpp"
+#include "frf/noise/noise.hpp"
+#include "frf/noise/variance_law.hpp"
 #include "memory_systems.hpp"
 #include "problems/problem.hpp"
 

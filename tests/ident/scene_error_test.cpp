@@ -1,7 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "ident/scene.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/scene/scene.hpp"
 
 namespace jointid::ident {
 namespace {

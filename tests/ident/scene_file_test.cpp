@@ -3,7 +3,8 @@
 #include <fstream>
 
 #include "base/error.hpp"
-#include "ident/scene.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/scene/scene.hpp"
 #include "tests/ident/full_scene.hpp"
 #include "tests/test_folder.hpp"
 

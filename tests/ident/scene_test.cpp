@@ -1,7 +1,8 @@
-#include "ident/scene.hpp"
+#include "ident/scene/scene.hpp"
 
 #include <gmock/gmock.h>
 
+#include "ident/scene/read_scene.hpp"
 #include "tests/ident/full_scene.hpp"
 
 namespace jointid::ident {

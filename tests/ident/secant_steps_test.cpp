@@ -1,4 +1,4 @@
-#include "ident/likelihood/secant_steps.hpp"
+#include "ident/likelihood/fit/secant_steps.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

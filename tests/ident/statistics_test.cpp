@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "base/statistics.hpp"
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -6,6 +6,7 @@
 #include "ident/judgement/judge.hpp"
 #include "likelihood_case.hpp"
 #include "problems/planted.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

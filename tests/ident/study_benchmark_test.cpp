@@ -4,9 +4,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "ident/study.hpp"
-#include "ident/study_statistics.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/study/study.hpp"
+#include "ident/study/study_statistics.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

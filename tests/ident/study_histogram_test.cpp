@@ -1,4 +1,4 @@
-#include "ident/study_histogram.hpp"
+#include "ident/study/study_histogram.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "frf/table_file.hpp"
-#include "ident/solution.hpp"
+#include "frf/hdf5/table_file.hpp"
+#include "ident/result/solution.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

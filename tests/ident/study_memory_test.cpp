@@ -3,10 +3,11 @@
 #include <filesystem>
 
 #include "counted_memory.hpp"
-#include "frf/table_file.hpp"
-#include "ident/study.hpp"
-#include "ident/study_statistics.hpp"
-#include "problems/in_memory.hpp"
+#include "frf/hdf5/table_file.hpp"
+#include "ident/study/study.hpp"
+#include "ident/study/study_statistics.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

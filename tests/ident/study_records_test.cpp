@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "ident/trial_queue.hpp"
+#include "ident/study/trial_queue.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

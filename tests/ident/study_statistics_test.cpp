@@ -1,4 +1,4 @@
-#include "ident/study_statistics.hpp"
+#include "ident/study/study_statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <limits>
 
-#include "frf/table_file.hpp"
-#include "ident/study.hpp"
-#include "ident/trial_runner.hpp"
-#include "problems/in_memory.hpp"
+#include "frf/hdf5/table_file.hpp"
+#include "ident/study/study.hpp"
+#include "ident/study/trial_runner.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "computed_system.hpp"
-#include "ident/chunk_pipeline.hpp"
-#include "ident/solve.hpp"
+#include "ident/equations/assemble.hpp"
+#include "ident/equations/linear_plan.hpp"
+#include "ident/identify.hpp"
+#include "ident/result/chunk_pipeline.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -51,7 +53,7 @@ TEST(Threads, TheSolutionIsBitForBitTheSameForAnyNumber) {
 /// Σ over chunks by hand: the same lines in the same order, put into one accumulator without any chunk.
 Assembled assembled_at_once(Plan& plan) {
   Assembled out{Accumulator(plan.columns->size(), Reduction::orthogonal), {}, 0, {}};
-  LineAssembler assembler(plan.assembly_spec);
+  LineAssembler assembler(linear_plan(plan)->spec);
   std::vector<std::size_t> substructures, assembly;
   for (const Line& line : plan.lines) {
     substructures.push_back(line.substructures);

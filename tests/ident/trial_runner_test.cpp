@@ -1,11 +1,12 @@
-#include "ident/trial_runner.hpp"
+#include "ident/study/trial_runner.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,4 +1,4 @@
-#include "ident/triangle.hpp"
+#include "ident/algebra/triangle.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "ident/accumulator.hpp"
+#include "ident/algebra/accumulator.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,14 +1,15 @@
-#include "ident/variances.hpp"
+#include "ident/variance/variances.hpp"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
 #include "base/error.hpp"
-#include "frf/h1.hpp"
-#include "frf/repeats.hpp"
-#include "ident/trial_runner.hpp"
+#include "frf/noise/repeats.hpp"
+#include "frf/set/h1.hpp"
+#include "ident/study/trial_runner.hpp"
 #include "memory_systems.hpp"
-#include "problems/in_memory.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::ident {
 namespace {

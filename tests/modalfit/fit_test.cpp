@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "modalfit/clusters.hpp"
 #include "modalfit/selection.hpp"
-#include "problems/modal_set.hpp"
+#include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {
 namespace {

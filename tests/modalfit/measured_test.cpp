@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "frf/frf_source.hpp"
+#include "frf/set/frf_source.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/synthesis.hpp"
 #include "tests/require.hpp"

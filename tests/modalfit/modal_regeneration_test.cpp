@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/comparison.hpp"
-#include "problems/modal_set.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/tasks/comparison.hpp"
+#include "problems/case/modal_set.hpp"
 
 namespace jointid::ident {
 namespace {

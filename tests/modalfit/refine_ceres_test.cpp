@@ -6,7 +6,7 @@
 #include "base/complex.hpp"
 #include "modalfit/basis.hpp"
 #include "modalfit/fit.hpp"
-#include "problems/modal_set.hpp"
+#include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {
 namespace {

@@ -5,11 +5,11 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "frf/frf_source.hpp"
+#include "frf/set/frf_source.hpp"
 #include "modalfit/basis.hpp"
 #include "modalfit/fit.hpp"
 #include "modalfit/normal_block.hpp"
-#include "problems/modal_set.hpp"
+#include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "modalfit/fit.hpp"
-#include "problems/modal_set.hpp"
+#include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {
 namespace {

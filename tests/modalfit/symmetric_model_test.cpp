@@ -8,7 +8,7 @@
 #include "modalfit/mac.hpp"
 #include "modalfit/rank_one.hpp"
 #include "modalfit/synthesis.hpp"
-#include "problems/modal_set.hpp"
+#include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {
 namespace {

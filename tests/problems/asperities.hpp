@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "friction/curve.hpp"
 #include "base/random.hpp"
+#include "friction/curve/curve.hpp"
 
 namespace jointid::problems {
 

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "base/complex.hpp"
-#include "ident/solve.hpp"
-#include "problems/brick.hpp"
-#include "problems/catalogue.hpp"
-#include "problems/in_memory.hpp"
-#include "problems/spring_coupling.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/catalogue.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/structure/brick.hpp"
+#include "problems/structure/spring_coupling.hpp"
 
 namespace jointid::problems {
 namespace {

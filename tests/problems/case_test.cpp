@@ -1,4 +1,4 @@
-#include "problems/case.hpp"
+#include "problems/case/case.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,9 +10,9 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
-#include "base/eigen.hpp"
-#include "problems/catalogue.hpp"
-#include "problems/thesis_beams.hpp"
+#include "problems/case/catalogue.hpp"
+#include "problems/case/thesis_beams.hpp"
+#include "problems/problem.hpp"
 #include "restrictions/restriction.hpp"
 
 namespace jointid::problems {

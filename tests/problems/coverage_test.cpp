@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "friction/fit.hpp"
-#include "problems/loading_curves.hpp"
+#include "friction/fit/fit.hpp"
+#include "problems/thesis/loading_curves.hpp"
 
 namespace jointid::problems {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "frf/hdf5_file.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
 #include "problems/problem.hpp"
 #include "tests/require.hpp"
 

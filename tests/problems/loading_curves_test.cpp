@@ -1,4 +1,4 @@
-#include "problems/loading_curves.hpp"
+#include "problems/thesis/loading_curves.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,10 +9,10 @@
 #include <nlohmann/json.hpp>
 
 #include "asperities.hpp"
-#include "friction/fit.hpp"
-#include "friction/law.hpp"
-#include "friction/loops.hpp"
-#include "frf/columns.hpp"
+#include "frf/file/columns.hpp"
+#include "friction/fit/fit.hpp"
+#include "friction/law/laws.hpp"
+#include "friction/path/loops.hpp"
 #include "tests/require.hpp"
 #include "tests/test_folder.hpp"
 

@@ -1,11 +1,11 @@
-#include "problems/modes.hpp"
+#include "problems/structure/modes.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "problems/thesis_beams.hpp"
+#include "problems/case/thesis_beams.hpp"
 
 namespace jointid::problems {
 namespace {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
 #include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 

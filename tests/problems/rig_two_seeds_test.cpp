@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "friction/equivalent.hpp"
-#include "friction/law.hpp"
+#include "friction/curve/equivalent.hpp"
+#include "friction/law/laws.hpp"
 #include "rig_two_table.hpp"
 
 namespace jointid::problems {

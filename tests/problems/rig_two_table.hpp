@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "friction/fit.hpp"
-#include "ident/equivalent_joint.hpp"
-#include "problems/rig_two.hpp"
+#include "friction/fit/fit.hpp"
+#include "ident/tasks/equivalent_joint.hpp"
+#include "problems/case/rig_two.hpp"
 
 namespace jointid::problems {
 

@@ -1,4 +1,4 @@
-#include "problems/rig_two.hpp"
+#include "problems/case/rig_two.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,10 +7,10 @@
 #include <filesystem>
 
 #include "base/complex.hpp"
-#include "friction/equivalent.hpp"
-#include "friction/law.hpp"
 #include "base/error.hpp"
-#include "ident/equivalent.hpp"
+#include "friction/curve/equivalent.hpp"
+#include "friction/law/laws.hpp"
+#include "ident/tasks/equivalent.hpp"
 #include "rig_two_table.hpp"
 #include "tests/test_folder.hpp"
 

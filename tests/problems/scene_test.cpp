@@ -1,4 +1,4 @@
-#include "ident/scene.hpp"
+#include "ident/scene/scene.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "problems/catalogue.hpp"
-#include "problems/in_memory.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "problems/case/catalogue.hpp"
+#include "problems/case/in_memory.hpp"
 
 namespace jointid::problems {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/structure.hpp"
+#include "problems/structure/structure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "problems/response.hpp"
-#include "problems/thesis_beams.hpp"
+#include "problems/case/thesis_beams.hpp"
+#include "problems/structure/response.hpp"
 
 namespace jointid::problems {
 namespace {

@@ -1,4 +1,4 @@
-#include "problems/thesis_tables.hpp"
+#include "problems/thesis/thesis_tables.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,9 +7,10 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "ident/solve.hpp"
-#include "problems/in_memory.hpp"
-#include "problems/reproduction.hpp"
+#include "ident/identify.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
+#include "problems/thesis/reproduction.hpp"
 
 namespace jointid::problems {
 namespace {

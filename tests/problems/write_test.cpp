@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "frf/hdf5_file.hpp"
-#include "frf/uff_file.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
+#include "frf/uff/uff_file.hpp"
 #include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 

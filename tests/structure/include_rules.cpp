@@ -53,12 +53,15 @@ std::set<std::string> allowed_folders(const std::string& cell, const std::set<st
 
 IncludeTable read_table(std::istream& markdown) {
   IncludeTable table;
-  std::set<std::string> above;
+  std::map<std::string, std::set<std::string>> above;  // rows so far, of all folders and inside each
   for (std::string line; std::getline(markdown, line);) {
     const auto cells = split(trimmed(line), '|');  // the first is what stands before the first bar
     if (cells.size() < 3 || folder_of(cells[1]).empty()) continue;
-    table[folder_of(cells[1])] = allowed_folders(cells.back(), above);
-    above.insert(folder_of(cells[1]));
+    const std::string folder = folder_of(cells[1]);
+    const std::size_t slash = folder.find('/');
+    std::set<std::string>& before = above[slash == std::string::npos ? "" : folder.substr(0, slash)];
+    table[folder] = allowed_folders(cells.back(), before);
+    before.insert(slash == std::string::npos ? folder : folder.substr(slash + 1));
   }
   return table;
 }
@@ -88,6 +91,26 @@ std::vector<std::string> violations(const IncludeTable& table, const std::string
     if (include.find('/') == std::string::npos && include.ends_with(".hpp") &&
         std::ranges::find(heavy, include) == heavy.end()) {
       found.push_back(include + " is included without its folder");
+    }
+  }
+  return found;
+}
+
+std::string room_of(const std::string& path) {
+  const std::size_t first = path.find('/');
+  const std::size_t second = first == std::string::npos ? first : path.find('/', first + 1);
+  if (first == std::string::npos) return "";
+  return second == std::string::npos ? path.substr(0, first) + "/." : path.substr(0, second);
+}
+
+std::vector<std::string> room_violations(const IncludeTable& table, const std::string& room, std::istream& source) {
+  std::vector<std::string> found;
+  const std::string folder = room.substr(0, room.find('/') + 1);
+  for (const std::string& include : includes(source)) {
+    const std::string target = room_of(include);
+    if (!target.starts_with(folder) || target == room || !table.contains(target)) continue;
+    if (!table.contains(room) || !table.at(room).contains(target.substr(folder.size()))) {
+      found.push_back(room + " may not include " + include);
     }
   }
   return found;

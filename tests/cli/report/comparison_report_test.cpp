@@ -1,10 +1,10 @@
-#include "cli/report/comparison_report.hpp"
+#include "cli/compare/comparison_page.hpp"
 
 #include <gmock/gmock.h>
 
 #include "../comparison_sample.hpp"
-#include "cli/report/comparison_plots.hpp"
-#include "cli/report/reproduction_report.hpp"
+#include "cli/compare/comparison_plots.hpp"
+#include "cli/problem/reproduction_page.hpp"
 
 namespace jointid::cli::report {
 namespace {

@@ -1,13 +1,13 @@
-#include "cli/report/couple_plots.hpp"
+#include "cli/couple/couple_plots.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <filesystem>
 
-#include "cli/report/couple_report.hpp"
-#include "frf/hdf5_file.hpp"
-#include "problems/coupling_problem.hpp"
+#include "cli/couple/couple_page.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
+#include "problems/case/coupling_problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli::report {

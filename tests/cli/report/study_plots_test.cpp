@@ -1,4 +1,4 @@
-#include "cli/report/study_plots.hpp"
+#include "cli/study/study_plots.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "cli/report/study_report.hpp"
-#include "frf/table_file.hpp"
+#include "cli/study/study_page.hpp"
+#include "frf/hdf5/table_file.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli::report {

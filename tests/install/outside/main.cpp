@@ -1,7 +1,8 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "ident/solve.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
 #include "problems/problem.hpp"
 
 using namespace jointid;

@@ -1,0 +1,35 @@
+#include "cli/check/check_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/check/check_json.hpp"
+#include "cli/check/check_text.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/output.hpp"
+#include "cli/text/json_value.hpp"
+#include "cli/text/progress.hpp"
+#include "ident/check/check.hpp"
+#include "ident/scene/read_scene.hpp"
+
+namespace jointid::cli {
+
+void add_check(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<CheckArguments>(
+      app, chosen, "check", "Look for mistakes in the FRFs of a scene: signs, labels, units, axes, loose joints");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
+  command->add_option("--json", arguments->json, "Write verdict and suspects as JSON to a file, or - for stdout");
+  command->footer("Examples:\n  jointid check joint.toml\n  jointid check joint.toml --json - | jq .suspects");
+}
+
+ExitCode execute(const CheckArguments& arguments, std::ostream& out) {
+  const ident::Scene scene = ident::read_scene(arguments.scene);
+  check_targets(ident::files_of(scene), {{"--json", arguments.json}});
+  Progress progress;
+  const ident::CheckResult result = ident::check_scene(scene, progress.control());
+  if (arguments.json) write_target(*arguments.json, json_text(check_json(result)), out);
+  if (!takes_output({arguments.json})) out << check_text(result);
+  return ExitCode::done;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,110 @@
+#include "cli/compare/compare_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "cli/compare/comparison_page.hpp"
+#include "cli/compare/comparison_text.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/output.hpp"
+#include "cli/problem/reproduction_page.hpp"
+#include "cli/problem/reproduction_text.hpp"
+#include "cli/text/interrupt.hpp"
+#include "cli/text/progress.hpp"
+#include "ident/scene/read_scene.hpp"
+
+namespace jointid::cli {
+namespace {
+
+/// Trials as asked, with progress on `progress` and Ctrl-C.
+ident::TrialOptions watched(const CompareArguments& arguments, Progress& progress) {
+  return {.trials = arguments.trials,
+          .seed = arguments.seed,
+          .threads = arguments.threads,
+          .progress = [&progress](std::size_t done, std::size_t total) {
+            progress.show(fmt::format("trial {} of {}", done, total));
+          },
+          .interrupted = interrupted};
+}
+
+void check_outputs(const CompareArguments& arguments, const std::vector<ident::NamedFile>& inputs) {
+  check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+}
+
+ReproductionReport reproduced(const CompareArguments& arguments) {
+  const problems::ThesisTable& table = problems::thesis_table(arguments.reproduce);
+  Progress progress;
+  return {table, arguments.trials, arguments.seed, problems::reproduce(table, watched(arguments, progress))};
+}
+
+void write(const CompareArguments& arguments, std::ostream& out, const std::string& text, const std::string& json,
+           const std::string& csv, const std::string& page) {
+  if (arguments.json) write_target(*arguments.json, json, out);
+  if (arguments.csv) write_target(*arguments.csv, csv, out);
+  if (arguments.report) write_target(*arguments.report, page, out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << text;
+}
+
+void write(const CompareArguments& arguments, std::ostream& out, const ComparisonReport& report, const ident::Scene& scene) {
+  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report), report::comparison_report(report, scene));
+}
+
+/// Writes the ways that were finished when the command was interrupted.
+std::string save(const CompareArguments& arguments, std::ostream& out, std::optional<ComparisonReport> done, const ident::Scene& scene) {
+  if (!done) return "interrupted";
+  done->comparison.interrupted = true;
+  ident::mark_fronts(done->comparison.combinations);
+  write(arguments, out, *done, scene);
+  return fmt::format("interrupted; the {} ways that were finished are written", done->comparison.combinations.size());
+}
+
+ComparisonReport compared(const CompareArguments& arguments, const ident::Scene& scene, std::ostream& out) {
+  const auto lists = alternatives(arguments);
+  SoFar<ComparisonReport> done;
+  Progress progress;
+  const auto keep = [&](const ident::Comparison& comparison) {
+    if (!comparison.combinations.empty()) done.put({scene.title, arguments.trials, arguments.seed, comparison});
+  };
+  return with_last_words([&] { return save(arguments, out, done.get(), scene); }, [&]() -> ComparisonReport {
+    return {scene.title, arguments.trials, arguments.seed,
+            ident::compare(scene, ident::combinations(scene.identify, lists, scene.data.regenerate), ident::load_trial_data,
+                           watched(arguments, progress), keep)};
+  });
+}
+
+bool some_usable(const std::vector<ident::Combination>& combinations) {
+  const auto usable = [](const auto& status) { return ident::is_usable(status.first); };
+  return std::ranges::any_of(combinations, [&](const auto& each) { return std::ranges::any_of(each.statuses, usable); });
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<CompareArguments>(
+      app, chosen, "compare", "Compare ways of identifying by error and run time, on the same trials with simulated noise");
+  declare(*command, *arguments);
+}
+
+ExitCode execute(const CompareArguments& arguments, std::ostream& out) {
+  check(arguments);
+  if (arguments.reproduce == "list") {
+    out << table_list();
+    return ExitCode::done;
+  }
+  if (!arguments.reproduce.empty()) {
+    check_outputs(arguments, {});
+    const ReproductionReport report = reproduced(arguments);
+    write(arguments, out, reproduction_text(report), reproduction_json(report), reproduction_csv(report),
+          report::reproduction_report(report));
+    return ExitCode::done;
+  }
+  const ident::Scene scene = ident::read_scene(arguments.scene);
+  check_outputs(arguments, ident::files_of(scene));
+  const ComparisonReport report = compared(arguments, scene, out);
+  write(arguments, out, report, scene);
+  return some_usable(report.comparison.combinations) ? ExitCode::done : ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,66 @@
+#include "cli/couple/couple_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/couple/couple_json.hpp"
+#include "cli/couple/couple_page.hpp"
+#include "cli/couple/couple_text.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/output.hpp"
+#include "cli/options/whole_number.hpp"
+#include "cli/text/failure.hpp"
+#include "cli/text/progress.hpp"
+
+namespace jointid::cli {
+namespace {
+
+std::filesystem::path result_path(const CoupleArguments& arguments) {
+  if (!arguments.out.empty()) return arguments.out;
+  std::filesystem::path path = arguments.scene.filename();
+  path.replace_extension(".coupled.h5");
+  return path;
+}
+
+void check_outputs(const CoupleArguments& arguments, const ident::CoupleScene& scene, const std::filesystem::path& out) {
+  std::vector<OptionTarget> targets = {
+      {"--out", out.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}};
+  if (arguments.bounds) targets.push_back({"--bounds", ident::with_all_path(out).string()});
+  check_targets(ident::files_of(scene), targets);
+}
+
+}  // namespace
+
+void add_couple(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] =
+      add_command<CoupleArguments>(app, chosen, "couple", "Predict the FRFs of an assembly from those of its parts");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] parts and [couple]")->required();
+  command->add_option("--out", arguments->out, "FRFs of the assembly (HDF5); default: SCENE's name with .coupled.h5, here");
+  command->add_flag("--bounds", arguments->bounds,
+                    "Leave out conditions that the others nearly imply, and write the FRFs with them as well: what is right lies between");
+  add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
+  add_outputs(command, *arguments, "what was done", "condition numbers, alphas and singular values line by line",
+              "predicted FRFs, conditions and thresholds");
+  command->footer(
+      "Examples:\n  jointid problem write coupling-C c && jointid couple c/coupling-C.toml --bounds\n"
+      "  jointid couple c/coupling-C.toml --bounds --report c.html\n"
+      "  jointid couple c/coupling-C.toml --out assembly.h5 --json -");
+}
+
+ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
+  const std::filesystem::path path = result_path(arguments);
+  const ident::CoupleScene scene = ident::read_couple_scene(arguments.scene);
+  check_outputs(arguments, scene, path);
+  Progress progress;
+  ident::Control control = progress.control();
+  control.threads = arguments.threads;
+  const ident::CoupleResult result = ident::couple(scene, path, arguments.bounds, control);
+  if (arguments.json) write_target(*arguments.json, couple_json(scene, result), out);
+  if (arguments.csv) write_target(*arguments.csv, couple_csv(result), out);
+  if (arguments.report) write_target(*arguments.report, report::couple_report(scene, result), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << couple_text(scene, result);
+  if (result.status == ident::Status::ok) return ExitCode::done;
+  print_error(arguments.scene.string() + ": " + result.message);
+  return ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "ident/tasks/couple.hpp"
+
+namespace jointid::cli {
+
+/// What coupling did, as JSON; the keys stay. Numbers that are not there are null.
+std::string couple_json(const ident::CoupleScene& scene, const ident::CoupleResult& result);
+
+}  // namespace jointid::cli

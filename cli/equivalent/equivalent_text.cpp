@@ -1,0 +1,66 @@
+#include "cli/equivalent/equivalent_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cli/text/json_value.hpp"
+#include "cli/text/table.hpp"
+
+namespace jointid::cli {
+namespace {
+
+const char* equation(const ident::EquivalentScene& scene) { return scene.rigid ? "7.18" : "7.11"; }
+
+}  // namespace
+
+bool all_settled(const std::vector<ident::LevelJoint>& levels) {
+  return std::ranges::all_of(levels, [](const ident::LevelJoint& level) { return level.joint.settled; });
+}
+
+std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels) {
+  std::string text = scene.title.empty() ? "" : scene.title + "\n";
+  text += fmt::format("equivalent stiffness and damping by ({}), FRFs of the parts {}\n\n", equation(scene),
+                      scene.real ? "made real (7.19)" : "as measured");
+  Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"misfit %"}, {"lines"}, {"", Align::left}});
+  for (const ident::LevelJoint& level : levels) {
+    const ident::EquivalentJoint& joint = level.joint;
+    const char* remark = !joint.settled ? "not found"
+                         : joint.stiffness < 0.0 || joint.damping < 0.0
+                             ? "not physical: the errors of the FRFs outweigh the joint"
+                             : "";
+    table.add({number(level.displacement), number(joint.stiffness), number(joint.damping), fmt::format("{:.2f}", 100.0 * joint.misfit),
+               fmt::format("{}", level.lines), remark});
+  }
+  return text + table.text();
+}
+
+std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels) {
+  Json out = {{"status", all_settled(levels) ? "ok" : "not_usable"},
+              {"equation", equation(scene)},
+              {"real", scene.real},
+              {"levels", Json::array()}};
+  for (const ident::LevelJoint& level : levels) {
+    out["levels"].push_back({{"file", level.file},
+                             {"displacement", level.displacement},
+                             {"stiffness", value(level.joint.stiffness)},
+                             {"damping", value(level.joint.damping)},
+                             {"misfit", value(level.joint.misfit)},
+                             {"lines", level.lines},
+                             {"settled", level.joint.settled}});
+  }
+  return json_text(out);
+}
+
+std::string equivalent_csv(const std::vector<ident::LevelJoint>& levels) {
+  std::string text = csv_line({"displacement [m]", "stiffness [N/m]", "damping [N/m]", "misfit"});
+  for (const ident::LevelJoint& level : levels) {
+    if (!level.joint.settled) continue;
+    text += csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness),
+                      fmt::format("{}", level.joint.damping), fmt::format("{}", level.joint.misfit)});
+  }
+  return text;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,130 @@
+#include "cli/loading_curve/loading_curve_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/output.hpp"
+#include "friction/fit/fit_start.hpp"
+
+namespace jointid::cli {
+namespace {
+
+[[noreturn]] void fail(const char* option, std::string problem, std::string remedy) {
+  throw InputError({ErrorKind::usage, "", option, std::move(problem), std::move(remedy)});
+}
+
+void declare_columns(CLI::App& command, LoadingCurveArguments& arguments) {
+  command.add_option("--displacement", arguments.displacement, "Column of displacements, angles or amplitudes, by name or number");
+  command.add_option("--force", arguments.force, "Column of forces or torques");
+  command.add_option("--time", arguments.time, "Column of times, for --velocity");
+  command.add_flag("--velocity", arguments.velocity, "The displacement column is a velocity");
+  command.add_option("--energy", arguments.energy, "Instead of --force: column of energies per cycle over amplitude");
+  command.add_option("--stiffness", arguments.stiffness, "Instead of --force: column of equivalent stiffnesses over amplitude …");
+  command.add_option("--damping", arguments.damping, "… and of equivalent dampings");
+  command.add_option("--unit", arguments.unit, "Of displacements, e.g. mm, or of velocities, e.g. mm/s; default: the header's, else SI");
+  command.add_option("--force-unit", arguments.force_unit, "Of forces, e.g. uN or N*m");
+  command.add_option("--time-unit", arguments.time_unit, "Of times, e.g. ms");
+  command.add_option("--sign", arguments.sign, "1 or -1: direction of the forces; auto: such that the joint takes energy")
+      ->check(CLI::IsMember({"auto", "1", "-1"}))
+      ->capture_default_str();
+  command.add_option("--kind", arguments.kind, "loading: loaded once from rest; loops: cut whole cycles out of the record")
+      ->check(CLI::IsMember({"auto", "loading", "loops"}))
+      ->capture_default_str();
+}
+
+void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
+  command.add_option("--law", arguments.laws, "Laws to fit, e.g. ren,shoukry; default: all")->delimiter(',');
+  command.add_option("--ring", arguments.ring, "Rotary joint: inner and outer radius of its ring, m")->delimiter(',')->expected(2);
+  command.add_option("--limit", arguments.limit, "Preset friction limit, N (N·m)");
+  command.add_option("--normal-load", arguments.normal_loads, "Normal load, N: one for all files or one for each")->delimiter(',');
+  command.add_flag("--friction-coefficient", arguments.friction_coefficient,
+                   "One unknown mu: every friction limit is mu times the normal load");
+  command.add_option("--shared", arguments.shared, "Parameters that all files have in common, e.g. b")->delimiter(',');
+  command.add_option("--specimen-stiffness", arguments.specimen_stiffness, "Subtract the elastic deformation of a specimen, N/m");
+  command.add_option("--specimen", arguments.specimen, "The same by the loading curve of a specimen without joint, columns as FILE");
+  command.add_option("--weighting", arguments.weighting, "Of the residuals")
+      ->check(CLI::IsMember({"none", "largest", "relative", "travel"}))
+      ->capture_default_str();
+  command.add_option("--minimiser", arguments.minimiser, "ceres, or pattern: the pattern search of Hooke and Jeeves")
+      ->check(CLI::IsMember({"best", "ceres", "pattern"}))
+      ->capture_default_str();
+  command.add_flag("--global", arguments.global, "Begin with a global search (NLopt)");
+}
+
+void check_laws(const LoadingCurveArguments& arguments) {
+  const std::vector<std::string> valid = friction::fitted_laws();
+  for (const std::string& law : arguments.laws) {
+    if (law == "all" || std::ranges::find(valid, law) != valid.end()) continue;
+    std::string all;
+    for (const std::string& each : valid) all += (all.empty() ? "" : ", ") + each;
+    const std::string near = nearest_word(law, valid);
+    fail("--law", "'" + law + "' is no law", (near.empty() ? "" : "did you mean " + near + "? ") + "all: " + all);
+  }
+}
+
+void check_columns(const LoadingCurveArguments& arguments) {
+  const bool series = !arguments.energy.empty() || !arguments.stiffness.empty() || !arguments.damping.empty();
+  if (series && !arguments.force.empty()) fail("--force", "an amplitude series has no forces", "leave --force or the other columns out");
+  if (!arguments.energy.empty() && !arguments.stiffness.empty())
+    fail("--energy", "both energies and stiffnesses are named", "fit one of them");
+  if (arguments.stiffness.empty() != arguments.damping.empty())
+    fail("--stiffness", "equivalents need both", "name --stiffness and --damping");
+  if (series && (arguments.velocity || arguments.specimen_stiffness || !arguments.specimen.empty())) {
+    fail("--displacement", "an amplitude series has no record to integrate or correct", "leave --velocity and --specimen out");
+  }
+}
+
+bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+void check_numbers(const LoadingCurveArguments& arguments) {
+  if (arguments.limit && !is_positive(*arguments.limit)) fail("--limit", "it is not positive", "give a force, N");
+  if (arguments.limit && arguments.friction_coefficient) fail("--limit", "does not go with --friction-coefficient", "leave one out");
+  if (arguments.friction_coefficient && arguments.normal_loads.empty())
+    fail("--friction-coefficient", "needs normal loads", "give --normal-load");
+  for (const double load : arguments.normal_loads) {
+    if (!is_positive(load)) fail("--normal-load", "a load is not positive", "give forces, N");
+  }
+  if (arguments.normal_loads.size() > 1 && arguments.normal_loads.size() != arguments.files.size()) {
+    fail("--normal-load", std::to_string(arguments.normal_loads.size()) + " loads for " + std::to_string(arguments.files.size()) + " files",
+         "give one for all files or one for each");
+  }
+  if (!arguments.ring.empty() && !(arguments.ring[0] >= 0.0 && arguments.ring[1] > arguments.ring[0] && is_positive(arguments.ring[1]))) {
+    fail("--ring", "the radii do not increase", "give inner and outer radius, m, e.g. 0.0255,0.038");
+  }
+  if (arguments.specimen_stiffness && !is_positive(*arguments.specimen_stiffness))
+    fail("--specimen-stiffness", "it is not positive", "give it in N/m");
+  if (arguments.specimen_stiffness && !arguments.specimen.empty())
+    fail("--specimen", "does not go with --specimen-stiffness", "leave one out");
+}
+
+void check_outputs(const LoadingCurveArguments& arguments) {
+  std::vector<ident::NamedFile> inputs;
+  for (const auto& file : arguments.files) inputs.push_back({file, "FILES"});
+  if (!arguments.specimen.empty()) inputs.push_back({arguments.specimen, "--specimen"});
+  check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+}
+
+}  // namespace
+
+void declare(CLI::App& command, LoadingCurveArguments& arguments) {
+  command.add_option("FILES", arguments.files, "CSV, MATLAB or HDF5 with columns of numbers")->required();
+  declare_columns(command, arguments);
+  declare_fit(command, arguments);
+  add_outputs(&command, arguments, "the fits", "the parameters", "tables and plots");
+  command.footer(
+      "Examples:\n  jointid problem write table2.1-1 curve && jointid loading-curve curve/table2.1-1.csv\n"
+      "  jointid loading-curve rig.txt --displacement position --unit mm --force friction --force-unit uN --law ren,bilinear\n"
+      "  jointid loading-curve 50kg.csv 100kg.csv --law ren --normal-load 490,981 --friction-coefficient --report joint.html");
+}
+
+void check(const LoadingCurveArguments& arguments) {
+  check_laws(arguments);
+  check_columns(arguments);
+  check_numbers(arguments);
+  check_outputs(arguments);
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options/target.hpp"
+#include "frf/set/frf_source.hpp"
+#include "modalfit/fit.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace jointid::cli {
+
+struct ModalfitArguments {
+  std::vector<std::filesystem::path> files;
+  frf::OpenOptions open;
+  modalfit::FitOptions fit;
+  std::optional<std::filesystem::path> regenerate, shapes;
+  Target json, csv, report;
+};
+
+/// Declares the options of `jointid modalfit` on its command.
+void declare(CLI::App& command, ModalfitArguments& arguments);
+
+/// "400:1000" in Hz; either side may be left out. Throws InputError (usage).
+std::array<double, 2> parse_range(const std::string& text);
+
+}  // namespace jointid::cli

@@ -1,0 +1,44 @@
+#include "cli/modalfit/modalfit_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/modalfit/modalfit_page.hpp"
+#include "cli/modalfit/modalfit_text.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/output.hpp"
+#include "cli/text/failure.hpp"
+#include "cli/text/interrupt.hpp"
+
+namespace jointid::cli {
+namespace {
+
+Target text_of(const std::optional<std::filesystem::path>& path) { return path ? Target(path->string()) : std::nullopt; }
+
+}  // namespace
+
+void add_modalfit(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<ModalfitArguments>(app, chosen, "modalfit",
+                                                             "Find the modes behind measured FRFs and regenerate the FRFs from them");
+  declare(*command, *arguments);
+}
+
+ExitCode execute(const ModalfitArguments& arguments, std::ostream& out) {
+  std::vector<ident::NamedFile> inputs;
+  for (const auto& file : arguments.files) inputs.push_back({file, "FILES"});
+  check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report},
+                         {"--regenerate", text_of(arguments.regenerate)}, {"--shapes", text_of(arguments.shapes)}});
+  const ModalRun run = run_modalfit(arguments);
+  const bool complete = !interrupted();  // files that could not say that they are not are left out
+  if (arguments.regenerate && complete) write_regenerated(run, *arguments.regenerate);
+  if (arguments.shapes && complete) write_shapes(run, *arguments.shapes);
+  if (arguments.json) write_target(*arguments.json, modalfit_json(run), out);
+  if (arguments.csv) write_target(*arguments.csv, modes_csv(run), out);
+  if (arguments.report) write_target(*arguments.report, report::modalfit_report(run), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << modalfit_text(run);
+  if (!complete) throw Interrupted("interrupted; what was fitted so far is written");
+  if (modalfit::is_usable(run.fit.status)) return ExitCode::done;
+  print_error(run.files + ": " + run.fit.message);
+  return ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

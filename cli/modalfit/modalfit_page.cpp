@@ -1,0 +1,138 @@
+#include "cli/modalfit/modalfit_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cli/modalfit/modalfit_text.hpp"
+#include "cli/report/cmif.hpp"
+#include "cli/report/frf_curves.hpp"
+#include "cli/report/heat_map.hpp"
+#include "cli/report/limits.hpp"
+#include "cli/report/page.hpp"
+#include "cli/report/solve_plots.hpp"
+#include "cli/report/status_banner.hpp"
+
+namespace jointid::cli::report {
+namespace {
+
+constexpr std::size_t most_rows = 50, indicators = 2;
+
+/// Whether the pole is one of the fit's modes, nearer than its decay rate or ten standard deviations.
+bool is_selected(const ModalRun& run, const modalfit::CandidatePole& pole) {
+  const double reach = std::max(std::abs(pole.damping) * pole.frequency_hz, 10.0 * pole.deviation_hz);
+  return pole.damping > 0.0 && std::ranges::any_of(run.fit.modes, [&](const modalfit::Mode& mode) {
+    return std::abs(mode.pole.frequency_hz - pole.frequency_hz) < reach;
+  });
+}
+
+std::string label(const modalfit::CandidatePole& pole) {
+  return fmt::format("{:.5g} Hz ± {:.1e}, ζ {:.3g} %", pole.frequency_hz, pole.deviation_hz, 100.0 * pole.damping);
+}
+
+PlotGroup stabilisation_diagram(const ModalRun& run) {
+  ScatterPlot plot;
+  plot.title = "Stabilisation diagram";
+  plot.x = {"frequency (Hz)", false};
+  plot.y = {"order (pole pairs)", false};
+  PointGroup selected{"stable, at a mode of the fit", {}}, stable{"stable, elsewhere", {}}, fitted{"modes of the fit", {}};
+  double highest = 0.0;
+  for (const auto& order : run.fit.stabilisation) {
+    highest = std::max(highest, static_cast<double>(order.order));
+    for (const auto& pole : order.poles) {
+      if (pole.damping <= 0.0) continue;
+      (is_selected(run, pole) ? selected : stable).points.push_back({pole.frequency_hz, static_cast<double>(order.order), label(pole)});
+    }
+  }
+  for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
+    const modalfit::Pole& pole = run.fit.modes[r].pole;
+    fitted.points.push_back({pole.frequency_hz, 1.04 * highest, fmt::format("mode {}: {:.6g} Hz", r + 1, pole.frequency_hz)});
+  }
+  plot.groups = {selected, stable, fitted};
+  plot.backdrop = mode_indicators(run.band, indicators, most_points);
+  return {"diagram", {{"stabilisation", {plot}}}};
+}
+
+/// Errors away from antiresonances of what the page shows as the model.
+HeatMap error_overview(const ModalRun& run) {
+  std::vector<double> rms_db;
+  for (const modalfit::SynthesisError& error : run.symmetric ? run.of_model : run.of_fit) rms_db.push_back(error.rms_db_away);
+  return error_map("rms error in dB away from antiresonances, responses down, references across", run.fit.response,
+                   run.fit.reference, rms_db);
+}
+
+/// The FRFs that are drawn: the first, then those that are met worst.
+std::vector<std::size_t> drawn_entries(const ModalRun& run, const std::vector<double>& rms_db) {
+  std::vector<std::size_t> out;
+  const auto add = [&](std::size_t e, std::size_t most) {
+    if (out.size() < most && run.of_fit[e].lines > 0 && std::ranges::find(out, e) == out.end()) out.push_back(e);
+  };
+  for (std::size_t e = 0; e < run.band.entries(); ++e) add(e, most_frfs - worst_frfs_drawn);
+  for (const std::size_t e : worst_first(rms_db)) add(e, most_frfs);
+  return out;
+}
+
+ident::Regenerated overlay_data(const ModalRun& run, const std::vector<std::size_t>& chosen) {
+  ident::Regenerated out;
+  out.frequency_hz = run.band.frequency_hz;
+  const std::size_t columns = run.fit.reference.size(), entries = run.band.entries();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::size_t e : chosen) {
+    ident::RegeneratedFrf frf{{run.fit.response[e / columns], run.fit.reference[e % columns]}, {}, {}};
+    for (std::size_t i = 0; i < run.band.lines(); ++i) {
+      const auto measured = run.band.value(e)[i];
+      frf.measured.push_back(measured == 0.0 ? Complex(nan, nan) : measured);
+      frf.predicted.push_back(run.regenerated.values[i * entries + e]);
+    }
+    out.frfs.push_back(std::move(frf));
+  }
+  return out;
+}
+
+/// Its message stands in the banner already.
+std::vector<std::string> modalfit_remarks(const ModalRun& run) {
+  std::vector<std::string> out = notes(run);
+  std::erase(out, run.fit.message);
+  return out;
+}
+
+}  // namespace
+
+std::string modalfit_report(const ModalRun& run) {
+  ReportPage page(run.files, "jointid modalfit");
+  const HeatMap errors = error_overview(run);
+  page.status(status_banner(modalfit::name(run.fit.status), run.fit.message, modalfit_remarks(run)));
+  page.section("Summary");
+  Facts facts{{{"status", modalfit::name(run.fit.status)},
+               {"model", model_text(run.fit.kind)},
+               {"FRFs", fmt::format("{} × {}, {} lines", run.band.responses, run.band.references, run.band.lines())},
+               {"noise", run.fit.known_noise ? "of the files" : "estimated from neighbouring lines"},
+               {"fit of each FRF", synthesis_text(run.of_fit)}}};
+  if (run.symmetric) facts.rows.emplace_back("symmetric model", synthesis_text(run.of_model));
+  page.add(facts);
+  page.section("Modes");
+  page.add(modes_table(run));
+  page.add(
+      Text{"Significance: how much worse the fit would be without the mode, over what noise reaches once in a thousand million. "
+           "Rank-one "
+           "misfit: mean square of what keeps the residues from one reciprocal shape, over their variances.",
+           true});
+  page.section("Stabilisation diagram");
+  page.add(stabilisation_diagram(run));
+  page.section("FRFs");
+  const std::vector<std::size_t> chosen = drawn_entries(run, errors.values);
+  page.add(frf_overlay(overlay_data(run, chosen), std::nullopt, most_points));
+  if (const std::string cut = drawn_text(chosen.size(), worst_first(errors.values).size()); !cut.empty()) page.add(Text{cut, true});
+  page.section("Errors of all FRFs");
+  page.add(errors);
+  page.add(synthesis_table(run, run.band.entries()), "Synthesis error, worst first", {most_rows, "--json writes all of them"});
+  if (!mac_table(run).rows().empty()) {
+    page.section("Modes of like shapes");
+    page.add(mac_table(run), "", {most_rows, "--json has the MAC of all pairs"});
+  }
+  return page.html();
+}
+
+}  // namespace jointid::cli::report

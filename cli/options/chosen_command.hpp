@@ -1,0 +1,21 @@
+#pragma once
+
+#include <any>
+#include <functional>
+#include <optional>
+#include <ostream>
+
+#include "cli/options/exit_code.hpp"
+
+namespace jointid::cli {
+
+/// The command that a command line names.
+struct ChosenCommand {
+  std::any arguments;                              ///< of the command's own type, e.g. SolveArguments
+  std::function<ExitCode(std::ostream&)> execute;  ///< the report goes to the stream; bad input throws InputError
+};
+
+/// Nothing until the command line is read.
+using Chosen = std::optional<ChosenCommand>;
+
+}  // namespace jointid::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <utility>
+
+#include "cli/options/chosen_command.hpp"
+#include "cli/options/whole_number.hpp"
+
+namespace jointid::cli {
+
+/// Declares a command whose options fill a T; choosing the command stores that T and what executes it.
+template <class T>
+std::pair<CLI::App*, T*> add_command(CLI::App& parent, Chosen& chosen, const char* name, const char* what) {
+  auto arguments = std::make_shared<T>();
+  CLI::App* command = parent.add_subcommand(name, what);
+  command->callback([arguments, &chosen] {
+    chosen = ChosenCommand{*arguments, [arguments](std::ostream& out) { return execute(*arguments, out); }};
+  });
+  return {command, arguments.get()};
+}
+
+/// --json and --csv, where the result goes: `what` as JSON, `csv` as CSV.
+template <class T>
+void add_outputs(CLI::App* command, T& arguments, const std::string& what, const std::string& csv) {
+  command->add_option("--json", arguments.json, "Write " + what + " as JSON to a file, or - for stdout");
+  command->add_option("--csv", arguments.csv, "Write " + csv + " as CSV to a file, or - for stdout");
+}
+
+/// The same and --report, a page with `page`.
+template <class T>
+void add_outputs(CLI::App* command, T& arguments, const std::string& what, const std::string& csv, const std::string& page) {
+  add_outputs(command, arguments, what, csv);
+  command->add_option("--report", arguments.report, "Write one HTML page with " + page + " to a file, or - for stdout");
+}
+
+/// --trials, --seed and --threads of commands that draw noise.
+template <class T>
+void add_trial_options(CLI::App* command, T& arguments) {
+  add_whole_number(command, "--trials", arguments.trials, "How often", counts_of_trials());
+  add_whole_number(command, "--seed", arguments.seed, "Of the noise", {});
+  add_whole_number(command, "--threads", arguments.threads, "0 for all cores; the results do not depend on it", counts_of_threads());
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,53 @@
+#include "cli/options/open_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options/of_option.hpp"
+#include "frf/set/merged_set.hpp"
+
+namespace jointid::cli {
+
+std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
+  std::vector<frf::Dof> dofs;
+  for (const std::string& text : texts) dofs.push_back(frf::Dof::parse(text));
+  return dofs;
+}
+
+frf::OpenOptions options_of_file(const frf::OpenOptions& options, std::size_t k, std::size_t count) {
+  frf::OpenOptions own = options;
+  const auto choose = [&](std::vector<frf::Dof>& dofs) {
+    if (count > 1 && dofs.size() == count) dofs = {frf::Dof(dofs[k])};
+  };
+  choose(own.response);
+  choose(own.reference);
+  return own;
+}
+
+std::unique_ptr<frf::FrfSource> open_as_one(const std::vector<std::filesystem::path>& files, const frf::OpenOptions& options) {
+  if (files.size() == 1) return frf::open(files.front(), options);
+  std::vector<frf::FrfSet> sets;
+  for (std::size_t k = 0; k < files.size(); ++k) sets.push_back(frf::load(*frf::open(files[k], options_of_file(options, k, files.size()))));
+  return frf::from_memory(frf::merged(std::move(sets)));
+}
+
+void add_open_options(CLI::App* command, frf::OpenOptions& open) {
+  command->add_option_function<std::string>(
+      "--quantity", [&open](const std::string& text) {
+        open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); });
+      },
+      "receptance, mobility or accelerance, for files that do not name it or name a wrong one");
+  const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
+    command
+        ->add_option_function<std::vector<std::string>>(
+            name,
+            [&to, name](const std::vector<std::string>& texts) { to = of_option(name, [&] { return parse_dofs(texts); }); },
+            what)
+        ->delimiter(',');
+  };
+  dofs("--response", open.response,
+       "Response DOFs, e.g. 4:+Y,4:+RZ, for files without DOFs (MAT, CSV, text exports); with several files one each");
+  dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
+  command->add_option("--variable", open.variable, "MAT: name of the FRF variable");
+}
+
+}  // namespace jointid::cli

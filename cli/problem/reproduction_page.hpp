@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "cli/problem/reproduction_text.hpp"
+
+namespace jointid::cli::report {
+
+/// The page of a table of the thesis beside ours.
+std::string reproduction_report(const ReproductionReport& report);
+
+}  // namespace jointid::cli::report

@@ -1,0 +1,43 @@
+#include "cli/solve/bound_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "cli/solve/identifiability_json.hpp"
+#include "cli/text/json_value.hpp"
+
+namespace jointid::cli {
+namespace {
+
+Json changes(const std::vector<ident::BoundChange>& list) {
+  Json all = Json::array();
+  for (const ident::BoundChange& change : list) {
+    all.push_back({{"what", change.what},
+                   {"worst", value(change.worst)},
+                   {"mean", value(change.mean)},
+                   {"factors", values(change.factors)}});
+  }
+  return all;
+}
+
+}  // namespace
+
+Json bound_json(const ident::BoundReport& report) {
+  Json unknowns = Json::array();
+  for (const ident::UnknownBound& unknown : report.unknowns) {
+    unknowns.push_back({{"name", unknown.name},
+                        {"unit", unknown.unit},
+                        {"value", unknown.value},
+                        {"bound", value(unknown.bound)},
+                        {"relative", value(unknown.relative)}});
+  }
+  Json json = {{"variances", report.variances},
+          {"unknowns", unknowns},
+          {"weakest", weakest_json(report.weakest)},
+          {"without_coordinate", changes(report.without_coordinate)},
+          {"without_lines", changes(report.without_lines)},
+          {"with_more", changes(report.with_more)}};
+  if (report.interrupted) json["interrupted"] = true;
+  return json;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,66 @@
+#include "cli/solve/plan_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/options/command_options.hpp"
+#include "cli/options/of_option.hpp"
+#include "cli/options/open_options.hpp"
+#include "cli/options/output.hpp"
+#include "cli/solve/bound_text.hpp"
+#include "cli/solve/plan_text.hpp"
+#include "cli/text/progress.hpp"
+#include "ident/check/check.hpp"
+#include "ident/identify.hpp"
+#include "ident/judgement/judge.hpp"
+#include "ident/scene/read_scene.hpp"
+
+namespace jointid::cli {
+namespace {
+
+void note_suspect(ident::Plan& plan, const ident::Control& control) {
+  const ident::CheckResult found = ident::quick_check(plan, control);
+  if (found.verdict != ident::Verdict::clean) plan.notes.push_back(ident::phrase(found.suspects.front()));
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<PlanArguments>(
+      app, chosen, "plan", "Say what solving a scene reads, computes and leaves out, without doing it");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
+  command->add_option("--json", arguments->json, "Write the plan as JSON to a file, or - for stdout");
+  CLI::Option* bound = command->add_flag("--bound", arguments->bound,
+                                         "Predict standard errors from the FRFs of a model or an earlier test, the noise and "
+                                         "[truth] or [identify] start, and what other data would change");
+  command
+      ->add_option_function<std::vector<std::string>>(
+          "--candidates",
+          [arguments = arguments](const std::vector<std::string>& texts) {
+            arguments->candidates = of_option("--candidates", [&] { return parse_dofs(texts); });
+          },
+          "Coordinates of the files that are not measured yet, e.g. 3:+Y,4:+RZ: what would each of them bring?")
+      ->delimiter(',')
+      ->needs(bound);
+  command->footer(
+      "Examples:\n  jointid plan joint.toml\n  jointid plan joint.toml --bound\n"
+      "  jointid plan joint.toml --bound --candidates 3:+Y,4:+RZ");
+}
+
+ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
+  const ident::Scene scene = ident::read_scene(arguments.scene);
+  check_targets(ident::files_of(scene), {{"--json", arguments.json}});
+  const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
+  std::optional<ident::BoundReport> bound;
+  if (arguments.bound) {
+    Progress progress;
+    bound = ident::predict_bound(*plan, arguments.candidates, progress.control());
+    if (!bound->interrupted) note_suspect(*plan, progress.control());
+  }
+  const bool cut = bound && bound->interrupted;
+  if (arguments.json) write_target(*arguments.json, plan_json(*plan, bound), out);
+  if (arguments.json != "-") out << plan_text(*plan) << (bound ? bound_text(*bound) : "");
+  if (cut) throw Interrupted("interrupted; what was predicted so far is written");
+  return ExitCode::done;
+}
+
+}  // namespace jointid::cli

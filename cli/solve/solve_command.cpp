@@ -1,0 +1,114 @@
+#include "cli/solve/solve_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/of_option.hpp"
+#include "cli/options/output.hpp"
+#include "cli/solve/solution_json.hpp"
+#include "cli/solve/solution_text.hpp"
+#include "cli/solve/solve_page.hpp"
+#include "cli/text/failure.hpp"
+#include "cli/text/frf_plot.hpp"
+#include "cli/text/interrupt.hpp"
+#include "cli/text/progress.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
+
+namespace jointid::cli {
+namespace {
+
+void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
+  check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+}
+
+void write_numbers(const SolveArguments& arguments, const ident::Solution& solution, const std::string& title, std::ostream& out) {
+  if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
+  if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << solution_text(solution, title);
+}
+
+/// Writes the best estimate that there was when the command was interrupted, and marks it; the page would need the data again.
+std::string save(const SolveArguments& arguments, std::optional<ident::Solution> best, const std::string& title, std::ostream& out) {
+  if (!best) return "interrupted";
+  const std::string when = best->fit.iterations > 0 ? fmt::format(" after {} iterations", best->fit.iterations) : "";
+  best->status = ident::Status::not_converged;
+  best->message = "Interrupted" + when + ": these are the best values so far." + (best->message.empty() ? "" : " ") + best->message;
+  write_numbers(arguments, *best, title, out);
+  return "interrupted; the best values so far are written" + std::string(arguments.report ? ", the page is not" : "");
+}
+
+ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, std::ostream& out) {
+  SoFar<ident::Solution> best;
+  Progress progress;
+  ident::Control control = progress.control();
+  control.judgement = ident::Judgement::data;
+  control.so_far = [&](const ident::Solution& solution) { best.put(solution); };
+  return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, out); }, [&] { return ident::solve(plan, control); });
+}
+
+void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
+                  const std::optional<ident::FrfEntry>& entry, std::ostream& out) {
+  Progress progress;
+  write_target(target, report::solve_report(plan, solution, entry, progress.control()), out);
+}
+
+/// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
+ident::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) {
+    throw InputError({ErrorKind::usage, "", "--plot", "'" + text + "' is not RESPONSE/REFERENCE", "write e.g. 1:+Y/5:+Y"});
+  }
+  const auto dof = [](const std::string& word) { return of_option("--plot", [&] { return frf::Dof::parse(word); }); };
+  const ident::FrfEntry entry{dof(text.substr(0, slash)), dof(text.substr(slash + 1))};
+  if (!frf::has(plan.assembly->responses(), entry.response) ||
+      !frf::has(plan.assembly->references(), entry.reference)) {
+    throw InputError({ErrorKind::usage, "", "--plot", "the assembly has no FRF " + text,
+                      "`jointid plan` lists the responses and references"});
+  }
+  return entry;
+}
+
+void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution& solution, std::ostream& out) {
+  Progress progress;
+  const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, {entry}, progress.control());
+  out << frf_plot(regenerated, regenerated.frfs.front());
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<SolveArguments>(app, chosen, "solve", "Identify the joint of a scene");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
+  add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
+  command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
+  command->footer(
+      "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | "
+      "jq .unknowns\n"
+      "  jointid solve joint.toml --report joint.html");
+}
+
+ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
+  const ident::Scene scene = ident::read_scene(arguments.scene);
+  check_outputs(arguments, scene);
+  const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
+  std::optional<ident::FrfEntry> entry;
+  if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
+  const ident::Solution solution = solve_watched(arguments, *plan, out);
+  write_numbers(arguments, solution, scene.title, out);
+  const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
+  if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
+  if (arguments.report) write_report(*arguments.report, *plan, solution, entry, out);
+  if (solution.status == ident::Status::ok) return ExitCode::done;
+  if (ident::is_usable(solution.status)) {
+    print_warning(arguments.scene.string() + ": doubtful: " + solution.message);
+    return ExitCode::done;
+  }
+  print_error(arguments.scene.string() + ": " + solution.message);
+  return ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,154 @@
+#include "cli/study/study_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "base/error.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/output.hpp"
+#include "cli/study/study_page.hpp"
+#include "cli/study/study_text.hpp"
+#include "cli/text/interrupt.hpp"
+#include "cli/text/progress.hpp"
+#include "cli/text/version.hpp"
+#include "frf/hdf5/record_journal.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/scene/scene_text.hpp"
+#include "ident/study/study_options.hpp"
+
+namespace jointid::cli {
+namespace {
+
+std::filesystem::path result_file(const StudyArguments& arguments) {
+  return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.h5") : arguments.out;
+}
+
+void check(const StudyArguments& arguments) {
+  if (arguments.trials == 0) throw InputError({ErrorKind::usage, "", "--trials", "it is 0", "give 1 or more"});
+}
+
+/// The journal of an interrupted study is written, too.
+void check_outputs(const StudyArguments& arguments, const ident::Scene& scene) {
+  const std::string result = result_file(arguments).string();
+  check_targets(ident::files_of(scene), {{"--json", arguments.json},
+                                         {"--csv", arguments.csv},
+                                         {"--report", arguments.report},
+                                         {"--out", result},
+                                         {"--out (while it runs)", ident::journal_path(result).string()}});
+}
+
+ident::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
+  ident::StudyOptions options;
+  options.trials = arguments.trials;
+  options.seed = arguments.seed;
+  options.threads = arguments.threads;
+  if (options.threads == 0) {
+    options.threads = std::max<std::size_t>(1, std::thread::hardware_concurrency() / ident::processes_started());
+  }
+  options.resume = arguments.resume;
+  options.out = result_file(arguments);
+  options.texts["scene_hash"] = fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(scene_text))));
+  options.texts["jointid_version"] = version_number();
+  return options;
+}
+
+/// "trial 1200 of 10000, 3480 per second, 2.5 s left".
+class StudyProgress {
+ public:
+  void show(std::size_t done, std::size_t total) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (!first_) first_ = done;
+    const double rate = static_cast<double>(done - *first_) / seconds;
+    std::string text = fmt::format("trial {} of {}", done, total);
+    if (rate > 0.0) text += fmt::format(", {:.3g} per second, {:.3g} s left", rate, static_cast<double>(total - done) / rate);
+    progress_.show(text);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Progress progress_;
+  Clock::time_point start_ = Clock::now();
+  std::optional<std::size_t> first_;
+};
+
+/// What a study needs to run.
+struct Start {
+  ident::StudyOptions options;
+  std::shared_ptr<const ident::TrialData> data;
+};
+
+/// The same in every process of the team; a failure is told once.
+Start start_in(ident::Team& team, const StudyArguments& arguments) {
+  Start start;
+  ident::start_together(team, [&] {
+    check(arguments);
+    start.options = options_of(arguments, ident::read_text(arguments.scene));
+    const ident::Scene scene = ident::read_scene(arguments.scene);
+    check_outputs(arguments, scene);
+    start.data = with_progress("reading", [&] { return ident::load_trial_data(scene); });
+  });
+  return start;
+}
+
+std::string to_go_on(const ident::StudyOptions& options, std::size_t done) {
+  if (!std::filesystem::exists(ident::journal_path(options.out))) return "interrupted";
+  return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues",
+                     ident::journal_path(options.out).string(), done, options.trials);
+}
+
+/// Trials that take longer than an interrupted process has are dropped; what was done before is in the journal.
+ident::StudyRun run_watched(const Start& start, ident::Team& team) {
+  StudyProgress progress;
+  std::atomic<std::size_t> trials_done = 0;
+  const LastWords words([&] { return to_go_on(start.options, trials_done); });
+  ident::StudyControl control{.progress = {}, .interrupted = interrupted};
+  if (team.rank() == 0) {
+    control.progress = [&](std::size_t done, std::size_t total) {
+      trials_done = done;
+      progress.show(done, total);
+    };
+  }
+  return ident::run_study(start.data, start.options, team, control);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, Chosen& chosen) {
+  auto [command, arguments] = add_command<StudyArguments>(
+      app, chosen, "study", "Identify over and over with simulated noise, to see how well the rig sees the joint");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
+  add_trial_options(command, *arguments);
+  command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
+  command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
+  add_outputs(command, *arguments, "the statistics", "the unknowns' statistics", "tables and histograms");
+  command->footer(
+      "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"
+      "  jointid study a1/A1.toml --trials 10000 --report a1.html\n"
+      "  mpirun -n 4 jointid study a1/A1.toml --trials 1000000 --threads 1");
+}
+
+ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
+  const auto team = ident::join_team();
+  const Start start = start_in(*team, arguments);
+  const ident::StudyOptions& options = start.options;
+  const ident::StudyRun run = run_watched(start, *team);
+  if (team->rank() != 0) return ExitCode::done;
+  if (!run.complete) {
+    throw Interrupted(to_go_on(options, run.done));
+  }
+  const StudyReport report{start.data->scene.title, options.out.string(), options.seed, run,
+                           ident::study_statistics(options.out), start.data->notes};
+  if (arguments.json) write_target(*arguments.json, study_json(report), out);
+  if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
+  if (arguments.report) write_target(*arguments.report, report::study_report(report, start.data->scene), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << study_text(report);
+  return report.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+
+#include "cli/options/chosen_command.hpp"
+#include "cli/options/target.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace jointid::cli {
+
+struct StudyArguments {
+  std::filesystem::path scene, out;  ///< out: empty for the scene's name with .study.h5 in the current folder
+  std::size_t trials = 1000;
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;  ///< 0: all cores
+  bool resume = false;
+  Target json, csv, report;
+};
+
+/// Declares `study`; choosing it stores it.
+void add_study(CLI::App& app, Chosen& chosen);
+
+/// The report goes to `out`. Bad input throws InputError.
+ExitCode execute(const StudyArguments& arguments, std::ostream& out);
+
+}  // namespace jointid::cli

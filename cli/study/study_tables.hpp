@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "cli/text/table.hpp"
+#include "ident/study/study.hpp"
+#include "ident/study/study_statistics.hpp"
+
+/// What a study found, for text and page.
+namespace jointid::cli {
+
+/// "1000, 998 with an estimate, 2 rank deficient".
+std::string trials_text(const ident::StudyStatistics& statistics);
+
+/// One row per unknown. Errors are in percent of the true value, or of the mean where none is known; quantiles are those of the
+/// relative error.
+Table unknowns_table(const ident::StudyStatistics& statistics);
+
+/// Quantiles of RJCF, ARVF and rms relative error, three rows per matrix.
+Table quality_table(const std::vector<ident::QualityStatistics>& matrices);
+
+/// Trials per second and the time of one solution.
+std::string speed_text(const ident::StudyRun& run);
+
+}  // namespace jointid::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "ident/tasks/regenerate.hpp"
+
+namespace jointid::cli {
+
+/// Magnitudes over frequency of an assembly FRF as measured and as regenerated from the substructures and the identified
+/// joint, for a terminal: dB of the receptance against the frequency axis, 72 × 18 characters, with the rms difference.
+std::string frf_plot(const ident::Regenerated& regenerated, const ident::RegeneratedFrf& frf);
+
+}  // namespace jointid::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "frf/set/frf_source.hpp"
+
+namespace jointid::cli {
+
+/// What one pass over the FRFs tells beyond the header.
+struct FrfCensus {
+  std::size_t values = 0;     ///< lines × responses × references
+  std::size_t missing = 0;    ///< values that are not measured (NaN)
+  std::size_t zero_frfs = 0;  ///< response–reference pairs that are zero, or not measured, on every line
+  bool complete = true;       ///< false when it was interrupted
+};
+
+/// Reads a source once, a few lines at a time, so that a file larger than the memory passes.
+FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted);
+
+/// Header and census for reading.
+std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census);
+
+}  // namespace jointid::cli

@@ -1,0 +1,123 @@
+#include "frf/csv/csv_columns.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "frf/text/located.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using enum CsvPart;
+
+std::size_t index_of(std::vector<Dof>& dofs, const Dof& dof) {
+  const auto found = std::find(dofs.begin(), dofs.end(), dof);
+  if (found != dofs.end()) return static_cast<std::size_t>(found - dofs.begin());
+  dofs.push_back(dof);
+  return dofs.size() - 1;
+}
+
+/// Reads the header row column by column.
+class HeaderRow {
+ public:
+  HeaderRow(const CsvTable& table, const OpenOptions& options, FrfHeader& header)
+      : table_(table), options_(options), header_(header) {}
+
+  CsvColumns::Pairs read() {
+    if (table_.columns.empty()) fail(0, "no header row", "begin it with frequency_hz");
+    if (table_.columns.size() == 1) fail(0, "no column but the frequency", "add columns of FRFs");
+    for (std::size_t column = 1; column < table_.columns.size(); ++column) add(column);
+    for (const auto& [pair, columns] : pairs_) require_complete(pair, columns);
+    return std::move(pairs_);
+  }
+
+ private:
+  using Pair = std::pair<std::size_t, std::size_t>;
+
+  [[noreturn]] void fail(std::size_t column, std::string problem, std::string remedy) const {
+    table_.fail(table_.header_line, column, std::move(problem), std::move(remedy));
+  }
+
+  void add(std::size_t column) {
+    const std::string& name = table_.columns[column];
+    const std::size_t blank = name.rfind(' ');
+    const bool named = blank != std::string::npos;
+    const CsvPart part = parse_part(column, std::string_view(name).substr(named ? blank + 1 : 0));
+    if (column > 1 && named != named_)
+      fail(column, "columns with and without DOFs", "name all of them or none");
+    named_ = named;
+    const Pair pair =
+        named ? named_pair(column, std::string_view(name).substr(0, blank)) : unnamed_pair(column, part);
+    if (pairs_[pair].has(part)) fail(column, "'" + name + "' stands there twice", "remove one");
+    pairs_[pair][part] = column;
+  }
+
+  CsvPart parse_part(std::size_t column, std::string_view word) const {
+    const auto found = std::ranges::find(csv_part_names, word);
+    if (found == csv_part_names.end()) {
+      fail(column, "'" + table_.columns[column] + "' is not a column of an FRF",
+           "write response/reference and re, im, mag, phase_deg, phase_rad, var_re, var_im or coherence, e.g. 4:+Y/1:+Y "
+           "re");
+    }
+    return static_cast<CsvPart>(found - csv_part_names.begin());
+  }
+
+  Pair named_pair(std::size_t column, std::string_view label) {
+    const std::size_t slash = label.find('/');
+    if (slash == std::string_view::npos) {
+      fail(column, "'" + std::string(label) + "' is not response/reference", "write e.g. 4:+Y/1:+Y re");
+    }
+    const auto parse = [&](std::string_view text) {
+      return located(table_.file, CsvTable::place(table_.header_line, column),
+                     [&] { return Dof::parse(text); });
+    };
+    const Dof response = parse(label.substr(0, slash));
+    const Dof reference = parse(label.substr(slash + 1));
+    return {index_of(header_.response, response), index_of(header_.reference, reference)};
+  }
+
+  /// The n-th column of a part belongs to the n-th pair of the options' DOFs.
+  Pair unnamed_pair(std::size_t column, CsvPart part) {
+    const std::size_t pair = unnamed_[part]++;
+    header_.response = options_.response;
+    header_.reference = options_.reference.empty() ? options_.response : options_.reference;
+    if (pair >= header_.entries()) {
+      fail(column,
+           "'" + table_.columns[column] + "' has no DOFs, and " + std::to_string(header_.response.size()) +
+               " responses and " + std::to_string(header_.reference.size()) + " references were given",
+           "write e.g. 4:+Y/1:+Y re, or give the DOFs when opening");
+    }
+    return {pair / header_.reference.size(), pair % header_.reference.size()};
+  }
+
+  void require_complete(const Pair& pair, const CsvColumns::OfPair& columns) const {
+    const auto both = [&](CsvPart a, CsvPart b) { return columns.has(a) && columns.has(b); };
+    const auto half = [&](CsvPart a, CsvPart b) { return columns.has(a) != columns.has(b); };
+    const bool phase = columns.has(phase_deg) != columns.has(phase_rad);
+    const bool two_phases = both(phase_deg, phase_rad);
+    const bool polar = columns.has(mag) && phase, half_polar = columns.has(mag) != (phase || two_phases);
+    if (both(re, im) != polar && !half(re, im) && !half_polar && !two_phases && !half(var_re, var_im)) return;
+    const std::string name =
+        header_.response[pair.first].name() + "/" + header_.reference[pair.second].name();
+    fail(0, "the columns of " + name + " are no complete FRF",
+         "give re and im, or mag and phase_deg (or phase_rad), and var_re with var_im");
+  }
+
+  const CsvTable& table_;
+  const OpenOptions& options_;
+  FrfHeader& header_;
+  CsvColumns::Pairs pairs_;
+  CsvColumns::OfPair unnamed_;  ///< columns without DOFs seen so far, by part
+  bool named_ = false;
+};
+
+}  // namespace
+
+CsvColumns::CsvColumns(const CsvTable& table, const OpenOptions& options, FrfHeader& header)
+    : pairs_(HeaderRow(table, options, header).read()) {}
+
+bool CsvColumns::has(CsvPart part) const {
+  return std::ranges::any_of(pairs_, [&](const auto& pair) { return pair.second.has(part); });
+}
+
+}  // namespace jointid::frf

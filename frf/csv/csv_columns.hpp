@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "frf/csv/csv_table.hpp"
+#include "frf/set/frf_source.hpp"
+
+namespace jointid::frf {
+
+/// What a column holds of its pair of DOFs; a pair is complete with re and im, or with mag and a phase.
+enum class CsvPart : std::size_t { re, im, mag, phase_deg, phase_rad, var_re, var_im, coherence };
+inline constexpr std::array<std::string_view, 8> csv_part_names = {"re",        "im",     "mag",    "phase_deg",
+                                                                   "phase_rad", "var_re", "var_im", "coherence"};
+
+/// Which column holds what, by the header row of a table.
+class CsvColumns {
+ public:
+  /// Columns of one response and reference, by part; 0 (the frequency) where there is none.
+  class OfPair {
+   public:
+    std::size_t& operator[](CsvPart part) { return column_[static_cast<std::size_t>(part)]; }
+    std::size_t operator[](CsvPart part) const { return column_[static_cast<std::size_t>(part)]; }
+    bool has(CsvPart part) const { return (*this)[part] != 0; }
+
+   private:
+    std::array<std::size_t, csv_part_names.size()> column_{};
+  };
+  using Pairs = std::map<std::pair<std::size_t, std::size_t>, OfPair>;
+
+  /// Fills the DOFs of `header`. Throws InputError naming the column that is none of an FRF, stands there
+  /// twice or lacks its other half.
+  CsvColumns(const CsvTable& table, const OpenOptions& options, FrfHeader& header);
+
+  /// Columns by (response, reference) index.
+  const Pairs& pairs() const { return pairs_; }
+
+  bool has(CsvPart part) const;
+
+ private:
+  Pairs pairs_;
+};
+
+}  // namespace jointid::frf

@@ -1,0 +1,178 @@
+#include "frf/csv/csv_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+#include "frf/csv/csv_columns.hpp"
+#include "frf/csv/csv_nodes.hpp"
+#include "frf/set/line_scale.hpp"
+#include "frf/set/units.hpp"
+#include "frf/text/located.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using enum CsvPart;
+
+constexpr std::size_t fewest_phases = 8;
+constexpr double surely_degrees = 1.0, surely_radians = 3.0;
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+[[noreturn]] void fail(const CsvTable& table, std::string place, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::data,
+                    .file = table.file,
+                    .place = std::move(place),
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+Quantity read_quantity(const CsvTable& table, const OpenOptions& options) {
+  const auto key = table.keys.find("quantity");
+  if (key != table.keys.end())
+    return located(table.file, "# quantity", [&] { return parse_quantity(key->second, options.quantity); });
+  if (options.quantity) return *options.quantity;
+  fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
+}
+
+double read_si_factor(const CsvTable& table, const FrfHeader& header) {
+  const auto key = table.keys.find("unit");
+  if (key == table.keys.end()) return 1.0;
+  return located(table.file, "# unit", [&] { return si_factor(key->second, header); });
+}
+
+double read_averages(const CsvTable& table) {
+  const auto key = table.keys.find("averages");
+  if (key == table.keys.end()) return 0.0;
+  const std::string& text = key->second;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && end == text.data() + text.size() && value >= 1.0) return value;
+  fail(table, "# averages", "'" + text + "' is not a number of averages",
+       "write e.g. # averages = 10, or leave it out");
+}
+
+void read_noise_kind(const CsvTable& table, const CsvColumns& columns, FrfHeader& header) {
+  if (columns.has(coherence) && columns.has(var_re)) {
+    fail(table, {}, "has both variances and coherences", "keep the one that was measured");
+  }
+  if (columns.has(var_re)) header.noise = NoiseRecord::variance;
+  if (columns.has(coherence)) {
+    header.noise = NoiseRecord::coherence;
+    header.averages = read_averages(table);
+  }
+}
+
+/// NaN in either half makes the whole value not measured.
+Complex whole(double a, double b) {
+  return std::isnan(a) || std::isnan(b) ? Complex{not_measured, not_measured} : Complex{a, b};
+}
+
+Complex stored_value(const CsvTable& table, std::size_t row, const CsvColumns::OfPair& columns) {
+  if (columns.has(re)) return whole(table.cell(row, columns[re]), table.cell(row, columns[im]));
+  const double angle =
+      columns.has(phase_rad) ? table.cell(row, columns[phase_rad]) : table.cell(row, columns[phase_deg]) * std::numbers::pi / 180.0;
+  const double magnitude = table.cell(row, columns[mag]);
+  if (magnitude < 0.0) {
+    table.fail(table.lines[row], columns[mag], fmt::format("the magnitude {:g} is below 0", magnitude),
+               "give magnitudes, not decibels or parts, and turn the phase by 180 degrees where the sign is meant");
+  }
+  return whole(magnitude * std::cos(angle), magnitude * std::sin(angle));
+}
+
+void fill(const CsvTable& table, const CsvColumns& columns, double si, FrfSet& set) {
+  const FrfHeader& header = set.header;
+  const std::size_t size = header.lines() * header.entries();
+  set.values.assign(size, {not_measured, not_measured});
+  if (header.noise == NoiseRecord::variance) set.variance.assign(size, {not_measured, not_measured});
+  if (header.noise == NoiseRecord::coherence) set.coherence.assign(size, not_measured);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const LineScale scale = LineScale::to_receptance(header.quantity, si, header.frequency_hz[row]);
+    for (const auto& [pair, of_pair] : columns.pairs()) {
+      const std::size_t at = set.index(row, pair.first, pair.second);
+      set.values[at] = scale.value(stored_value(table, row, of_pair));
+      if (of_pair.has(var_re)) {
+        set.variance[at] =
+            scale.variance(whole(table.cell(row, of_pair[var_re]), table.cell(row, of_pair[var_im])));
+      }
+      if (of_pair.has(coherence)) set.coherence[at] = table.cell(row, of_pair[coherence]);
+    }
+  }
+}
+
+/// Largest phase of the columns phase_deg, as it stands there; 0 where there are few.
+double largest_phase(const CsvTable& table, const CsvColumns& columns) {
+  double largest = 0.0;
+  std::size_t count = 0;
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    for (std::size_t row = 0; of_pair.has(phase_deg) && row < table.rows(); ++row) {
+      const double phase = std::abs(table.cell(row, of_pair[phase_deg]));
+      if (std::isnan(phase)) continue;
+      largest = std::max(largest, phase);
+      ++count;
+    }
+  }
+  return count < fewest_phases ? 0.0 : largest;
+}
+
+/// Radians that are called degrees fill ±π; real degrees reach beyond it where a mode or an antiresonance is near.
+void doubt_degrees(const CsvTable& table, const CsvColumns& columns, FrfHeader& header) {
+  const double largest = largest_phase(table, columns);
+  if (largest > std::numbers::pi * (1.0 + 1e-6) || largest < surely_degrees) return;
+  const std::string told = fmt::format("no phase of the columns phase_deg is beyond {:.4g}, as if they were radians", largest);
+  if (largest >= surely_radians) fail(table, {}, told, "name the columns phase_rad, or export degrees");
+  header.doubts.push_back(told + "; if they are, name the columns phase_rad");
+}
+
+std::vector<double> read_frequency(const CsvTable& table) {
+  std::vector<double> axis;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    axis.push_back(table.cell(row, 0));
+    if (std::isnan(axis.back())) table.fail(table.lines[row], 0, "no frequency", "fill or remove the line");
+  }
+  return axis;
+}
+
+}  // namespace
+
+bool looks_like_csv(std::span<const char> head) {
+  const auto binary = [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r' && c != '\n';
+  };
+  if (std::ranges::any_of(head, binary)) return false;
+  std::string_view rest(head.data(), head.size());
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    const std::size_t start = line.find_first_not_of(" \t\r");
+    if (start == std::string_view::npos) continue;
+    if (line[start] != '#') return csv_separator(line.substr(start)) != '\0';
+    if (rest.empty()) return true;  // nothing but comments as far as we see
+  }
+  return false;
+}
+
+std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const OpenOptions& options) {
+  const CsvTable table = read_csv_table(path);
+  FrfSet set;
+  set.header.file = table.file;
+  set.header.nodes = read_csv_nodes(table);
+  const CsvColumns columns(table, options, set.header);
+  set.header.quantity = read_quantity(table, options);
+  set.header.frequency_hz = read_frequency(table);
+  read_noise_kind(table, columns, set.header);
+  validate(set.header);
+  doubt_degrees(table, columns, set.header);
+  fill(table, columns, read_si_factor(table, set.header), set);
+  return from_memory(std::move(set));
+}
+
+}  // namespace jointid::frf

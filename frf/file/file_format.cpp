@@ -1,0 +1,155 @@
+#include "frf/file/file_format.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <span>
+#include <string>
+
+#include "base/error.hpp"
+#include "frf/csv/csv_file.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
+#include "frf/mat/mat_file.hpp"
+#include "frf/uff/analyser_file.hpp"
+#include "frf/uff/uff_file.hpp"
+
+namespace jointid::frf {
+namespace {
+
+constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
+constexpr std::string_view matlab_v5_text = "MATLAB 5.0 MAT-file";
+constexpr std::size_t head_bytes = 4096;
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::data,
+                    .file = path.string(),
+                    .place = {},
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+/// The first bytes of a file that exists, can be read and is not empty.
+std::string read_head(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    fail(path, "there is no such file", "check its path");
+  if (error) fail(path, "cannot be opened: " + error.message(), "check its path and the permissions of its folders");
+  if (is_directory(status)) fail(path, "is a folder", "name a file in it");
+  if (!is_regular_file(status)) fail(path, "is not a regular file", "copy its data into one");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) fail(path, std::string("cannot be opened: ") + std::strerror(errno), "check its permissions");
+  std::string head(head_bytes, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  if (head.empty()) fail(path, "is empty", "write or copy it again");
+  return head;
+}
+
+/// The signature stands at 0, or after a user block of 512, 1024, … bytes (512 in MATLAB v7.3).
+bool is_hdf5(std::string_view head) {
+  for (std::size_t at = 0; at < head.size(); at = std::max<std::size_t>(512, 2 * at)) {
+    if (head.substr(at).starts_with(hdf5_signature)) return true;
+  }
+  return false;
+}
+
+/// The first bytes as text, or in hexadecimal when they are none.
+std::string shown(std::string_view head) {
+  std::string text(head.substr(0, std::min<std::size_t>(24, head.find_first_of("\r\n"))));
+  if (!text.empty() && std::ranges::all_of(text, [](unsigned char c) { return std::isprint(c) != 0; })) {
+    return "'" + text + "'";
+  }
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string bytes = "bytes";
+  for (const char c : head.substr(0, 8)) {
+    const auto byte = static_cast<unsigned char>(c);
+    bytes += std::string(" ") + digits[byte / 16] + digits[byte % 16];
+  }
+  return bytes;
+}
+
+bool is_jointid_hdf5(const std::filesystem::path& path, std::string_view head) { return is_hdf5(head) && has_format_attribute(path); }
+
+bool is_matlab_v73(const std::filesystem::path&, std::string_view head) { return is_hdf5(head); }
+
+bool is_matlab_v5(const std::filesystem::path&, std::string_view head) { return head.starts_with(matlab_v5_text); }
+
+/// Of text, which needs no look beyond its first bytes.
+template <bool looks_like(std::span<const char>)>
+bool is_text(const std::filesystem::path&, std::string_view head) {
+  return looks_like(head);
+}
+
+std::unique_ptr<FrfSource> open_jointid_hdf5(const std::filesystem::path& path, const OpenOptions&) { return open_hdf5(path); }
+
+void write_as_hdf5(const FrfSet& set, const std::filesystem::path& path) { write_hdf5(set, path); }
+
+void write_own_quantity(const FrfSet& set, const std::filesystem::path& path) { write_uff(set, path, {.quantity = set.header.quantity}); }
+
+const Format* format_of(const std::filesystem::path& path, std::string_view head, bool binary_only) {
+  for (const Format& format : formats()) {
+    if ((format.binary || !binary_only) && format.is_of(path, head)) return &format;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all = {
+      {.format = FileFormat::jointid_hdf5,
+       .name = "HDF5 jointid-frf",
+       .binary = true,
+       .is_of = is_jointid_hdf5,
+       .open = open_jointid_hdf5,
+       .extensions = {"h5", "hdf5"},
+       .write = write_as_hdf5},
+      {.format = FileFormat::matlab_v73, .name = "MATLAB v7.3", .binary = true, .is_of = is_matlab_v73, .open = open_mat_v73},
+      {.format = FileFormat::matlab_v5,
+       .name = "MATLAB v5 to v7",
+       .binary = true,
+       .is_of = is_matlab_v5,
+       .open = open_mat_v5,
+       .extensions = {"mat"},
+       .write = write_mat},
+      {.format = FileFormat::uff,
+       .name = "UFF",
+       .is_of = is_text<looks_like_uff>,
+       .open = open_uff,
+       .extensions = {"uff", "unv"},
+       .write = write_own_quantity},
+      {.format = FileFormat::analyser_text,
+       .name = "analyser text",
+       .is_of = is_text<looks_like_analyser_text>,
+       .open = open_analyser_text},
+      {.format = FileFormat::csv,
+       .name = "CSV",
+       .is_of = is_text<looks_like_csv>,
+       .open = open_csv,
+       .extensions = {"csv"},
+       .write = write_csv},
+  };
+  return all;
+}
+
+std::string name(FileFormat format) { return std::ranges::find(formats(), format, &Format::format)->name; }
+
+const Format& format_of(const std::filesystem::path& path) {
+  const std::string head = read_head(path);
+  if (const Format* found = format_of(path, head, false)) return *found;
+  fail(path, "begins with " + shown(head) + " and is no FRF file that this program knows",
+       "give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser");
+}
+
+FileFormat detect_format(const std::filesystem::path& path) { return format_of(path).format; }
+
+std::optional<FileFormat> detect_binary_format(const std::filesystem::path& path) {
+  const Format* found = format_of(path, read_head(path), true);
+  return found != nullptr ? std::optional(found->format) : std::nullopt;
+}
+
+}  // namespace jointid::frf

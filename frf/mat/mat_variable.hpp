@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frf/set/frf_set.hpp"
+
+namespace jointid::frf {
+
+/// What a variable of a MATLAB file holds, as far as FRFs are made of it.
+enum class MatKind : std::uint8_t { real, complex, text, other };
+
+struct MatInfo {
+  std::string name;
+  MatKind kind = MatKind::other;  ///< a cell array counts as text until it is read
+  std::vector<std::size_t> dims;  ///< as MATLAB shows them
+};
+
+/// A variable with its content, numbers in MATLAB's order (first index fastest).
+struct MatVariable {
+  MatInfo info;
+  std::vector<Complex> values;     ///< real or complex
+  std::vector<std::string> texts;  ///< rows of a character array, or cells
+};
+
+/// An open MATLAB file of some version.
+class MatFile {
+ public:
+  virtual ~MatFile() = default;
+  MatFile(const MatFile&) = delete;
+  MatFile& operator=(const MatFile&) = delete;
+
+  const std::string& file() const { return file_; }
+  const std::vector<MatInfo>& variables() const { return variables_; }
+
+  /// Reads one of `variables`. Throws InputError when the file breaks its promises.
+  virtual MatVariable read(const MatInfo& info) = 0;
+
+ protected:
+  explicit MatFile(std::string file) : file_(std::move(file)) {}
+  [[noreturn]] void fail(const std::string& variable, std::string problem) const;
+
+  std::string file_;
+  std::vector<MatInfo> variables_;
+};
+
+/// By matio (v5, v6, v7); a build without it throws InputError that says so.
+std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path);
+
+/// By HDF5 (v7.3).
+std::unique_ptr<MatFile> open_mat_variables_v73(const std::filesystem::path& path);
+
+}  // namespace jointid::frf

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/complex.hpp"
+#include "frf/set/dof.hpp"
+#include "frf/set/quantity.hpp"
+
+namespace jointid::frf {
+
+struct Node {
+  std::int64_t id = 0;
+  std::array<double, 3> position{};  ///< m, global axes
+};
+
+/// What a file says about the noise of its FRFs.
+enum class NoiseRecord : std::uint8_t { none, variance, coherence };
+
+/// All that is known of an FRF set before any FRF is read.
+struct FrfHeader {
+  std::string file;                  ///< where it came from, for messages
+  std::vector<double> frequency_hz;  ///< [F] finite, ≥ 0, strictly increasing
+  std::vector<Dof> response;         ///< [R] no coordinate twice
+  std::vector<Dof> reference;        ///< [C] no coordinate twice
+  Quantity quantity = Quantity::receptance;  ///< as stored; values are handed out as receptance
+  NoiseRecord noise = NoiseRecord::none;
+  double averages = 0.0;  ///< number of averages behind a coherence, 0 if none
+  std::size_t repeats = 0;  ///< runs whose scatter gave the variances, 0 if none
+  double precision = 0x1p-53;  ///< largest relative rounding error of the numbers as they were stored
+  std::vector<Node> nodes;
+  std::vector<std::string> changes;  ///< what is put right on reading, one phrase each (corrected())
+  std::vector<std::string> doubts;   ///< what looks wrong in the file, one phrase each
+
+  std::size_t lines() const { return frequency_hz.size(); }
+  std::size_t entries() const { return response.size() * reference.size(); }
+};
+
+/// Throws InputError (data) about a place of the file that a header belongs to.
+[[noreturn]] void fail(const FrfHeader& header, std::string place, std::string problem, std::string remedy);
+
+/// Throws InputError (data) unless the axis is finite, non-negative and strictly increasing, there is at least
+/// one line, response and reference, and no coordinate appears twice among the responses or the references.
+void validate(const FrfHeader& header);
+
+/// Index of `dof`'s coordinate in `dofs`, whatever the signs, or npos.
+inline constexpr std::size_t npos = static_cast<std::size_t>(-1);
+std::size_t find_coordinate(const std::vector<Dof>& dofs, const Dof& dof);
+inline bool has(const std::vector<Dof>& dofs, const Dof& dof) { return find_coordinate(dofs, dof) != npos; }
+
+/// An FRF set in memory. Values are receptance in SI units, NaN where not measured; element (line, r, c) is at
+/// (line·R + r)·C + c. `variance` holds the variances of real and imaginary part as a complex number; it and
+/// `coherence` are empty or as long as `values`.
+struct FrfSet {
+  FrfHeader header;
+  std::vector<Complex> values;     ///< [F,R,C]
+  std::vector<Complex> variance;   ///< [F,R,C] or empty, of the receptance
+  std::vector<double> coherence;   ///< [F,R,C] or empty
+
+  std::size_t index(std::size_t line, std::size_t r, std::size_t c) const {
+    return (line * header.response.size() + r) * header.reference.size() + c;
+  }
+};
+
+/// Throws InputError (data) as validate() of the header, and where values, variance or coherence are not as long as the header says.
+void validate(const FrfSet& set);
+
+}  // namespace jointid::frf

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "frf/set/frf_set.hpp"
+
+namespace jointid::frf {
+
+/// What a source was asked to hand out so far; tests and the plan hold promises against it.
+struct ReadCount {
+  std::size_t calls = 0;
+  std::size_t lines = 0;    ///< lines handed out, summed over calls
+  std::size_t entries = 0;  ///< complex FRF values handed out
+};
+
+/// A block of an FRF set: every combination of the given lines, responses and references (header indices).
+struct Block {
+  std::span<const std::size_t> lines;       ///< ascending
+  std::span<const std::size_t> responses;   ///< any order
+  std::span<const std::size_t> references;  ///< any order
+
+  std::size_t size() const { return lines.size() * responses.size() * references.size(); }
+};
+
+/// A file (or a set in memory) from which lines and blocks are read. The header is read on opening, FRFs only when
+/// asked for. Values come as receptance in SI units for the header's DOFs as they stand there (signs included),
+/// NaN where not measured, in the order [line, response, reference] of the block.
+/// Sources are not thread-safe; open one per thread.
+class FrfSource {
+ public:
+  virtual ~FrfSource() = default;
+  FrfSource(const FrfSource&) = delete;
+  FrfSource& operator=(const FrfSource&) = delete;
+
+  const FrfHeader& header() const { return header_; }
+  const ReadCount& count() const { return count_; }
+
+  /// Reads block.size() values into `out`. Throws InputError when the file breaks its own promises.
+  void read(const Block& block, std::span<Complex> out);
+
+  /// Variances of the receptances (real and imaginary part); only when header().noise == variance.
+  void read_variance(const Block& block, std::span<Complex> out);
+
+  /// Coherences; only when header().noise == coherence.
+  void read_coherence(const Block& block, std::span<double> out);
+
+ protected:
+  FrfSource() = default;
+  virtual void do_read(const Block& block, std::span<Complex> out) = 0;
+  virtual void do_read_variance(const Block& block, std::span<Complex> out) = 0;
+  virtual void do_read_coherence(const Block& block, std::span<double> out) = 0;
+
+  FrfHeader header_;
+
+ private:
+  ReadCount count_;
+};
+
+/// What the user knows of a file and the file does not say; each is an error to leave out only where it is needed. A quantity is
+/// taken even where the file says another.
+struct OpenOptions {
+  std::optional<Quantity> quantity;  ///< for files that do not name it (UFF types 0/1, MAT, CSV), or name a wrong one
+  std::vector<Dof> response;         ///< for matrices without DOFs (MAT, CSV)
+  std::vector<Dof> reference;        ///< default: as the responses, when the matrix is square
+  std::string variable;              ///< MAT: name of the FRF variable
+};
+
+/// Opens by content, not by name: jointid-frf HDF5, UFF, MATLAB v5/v7/v7.3 or CSV. Throws InputError naming what was
+/// found when it is none of them.
+std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOptions& options = {});
+
+/// A set in memory as a source (tests, studies, formats that load whole).
+std::unique_ptr<FrfSource> from_memory(FrfSet set);
+
+/// A set that the caller keeps: what is in it when a block is read is handed out. Its header must not change.
+std::unique_ptr<FrfSource> from_shared(std::shared_ptr<const FrfSet> set);
+
+/// The whole of a source in memory.
+FrfSet load(FrfSource& source);
+
+/// A part of a source in memory, as a set of its own.
+FrfSet load(FrfSource& source, const Block& block);
+
+}  // namespace jointid::frf

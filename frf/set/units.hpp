@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+#include "frf/set/frf_set.hpp"
+#include "frf/set/quantity.hpp"
+
+namespace jointid::frf {
+
+/// Factor that turns an FRF labelled `unit_label` into SI units, e.g. 1e-3 for "mm/N" and 9.80665 for "g/N".
+/// A label is a product of units with exponents: "m/s^2/N", "(mm/s²)/N", "m/(s^2*N)", "rad/(N*m)", "1/kg".
+/// Units: m mm um in ft, s, N kN mN lbf, g (standard gravity), kg, rad. Motion may be a length or an angle, force a
+/// force or a moment. Throws InputError naming the label when it does not parse or is no unit of `quantity`.
+double si_factor(std::string_view unit_label, Quantity quantity);
+
+/// The same for the label of a whole set. One label cannot scale translations and rotations alike (mm/N says nothing
+/// of rad/N), so a set with rotations must be in SI units; otherwise throws InputError.
+double si_factor(std::string_view unit_label, const FrfHeader& header);
+
+}  // namespace jointid::frf

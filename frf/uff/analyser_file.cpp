@@ -1,0 +1,263 @@
+#include "frf/uff/analyser_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "base/error.hpp"
+#include "frf/set/line_scale.hpp"
+#include "frf/set/units.hpp"
+#include "frf/text/located.hpp"
+#include "frf/text/number_text.hpp"
+
+namespace jointid::frf {
+namespace {
+
+constexpr std::size_t most_label_lines = 60;
+
+std::string lower_case(std::string_view text) {
+  std::string out(text);
+  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+bool is_heading_row(std::string_view line) {
+  const std::string text = lower_case(trimmed(line));
+  return text.starts_with("frequency") && text.find('\t') != std::string::npos && text.find("real") != std::string::npos;
+}
+
+/// Bytes above 127 that begin no UTF-8 character are Latin-1.
+std::string as_utf8(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool pair = byte >= 0xC2 && byte <= 0xDF && i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) & 0xC0U) == 0x80U;
+    if (byte < 0x80 || pair) {
+      out += text[i];
+      if (pair) out += text[++i];
+    } else {
+      out += static_cast<char>(0xC0U | (byte >> 6U));
+      out += static_cast<char>(0x80U | (byte & 0x3FU));
+    }
+  }
+  return out;
+}
+
+/// "0-Z", "12+X", "12X" or "12:+X".
+std::optional<Dof> channel_dof(std::string_view text) {
+  std::string label(trimmed(text));
+  const std::size_t digits = std::min(label.find_first_not_of("0123456789"), label.size());
+  if (digits == 0 || digits == label.size()) return std::nullopt;
+  if (label[digits] != ':') label.insert(digits, ":");
+  try {
+    return Dof::parse(label);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// (A)(B) as A/B.
+std::string as_ratio(std::string unit) {
+  const std::size_t between = unit.find(")(");
+  if (between != std::string::npos) unit.replace(between, 2, ")/(");
+  return unit;
+}
+
+std::size_t dof_place(std::vector<Dof>& dofs, const Dof& dof) {
+  const auto found = std::ranges::find(dofs, dof);
+  if (found != dofs.end()) return static_cast<std::size_t>(found - dofs.begin());
+  dofs.push_back(dof);
+  return dofs.size() - 1;
+}
+
+class AnalyserText {
+ public:
+  AnalyserText(const std::filesystem::path& path, const OpenOptions& options) : options_(options) { set_.header.file = path.string(); }
+
+  FrfSet read(std::string_view rest) {
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    read_labels(rest);
+    assign_dofs();
+    read_rows(rest);
+    if (set_.header.frequency_hz.empty()) fail({}, "holds no lines of numbers", "export the FRF again");
+    validate(set_.header);
+    fill();
+    return std::move(set_);
+  }
+
+ private:
+  using Pair = std::pair<std::size_t, std::size_t>;
+
+  [[noreturn]] void fail(std::string place, std::string problem, std::string remedy) const {
+    throw InputError({.kind = ErrorKind::data,
+                      .file = set_.header.file,
+                      .place = std::move(place),
+                      .problem = std::move(problem),
+                      .remedy = std::move(remedy)});
+  }
+  std::string here() const { return "line " + std::to_string(line_); }
+
+  void read_labels(std::string_view& rest) {
+    while (!rest.empty()) {
+      const std::string_view line = take_until(rest, '\n');
+      ++line_;
+      if (is_heading_row(line)) return read_headings(line);
+      const std::string label = lower_case(line.substr(0, std::min(line.find('\t'), line.size())));
+      if (label.find("ref") == std::string::npos || label.find("resp") == std::string::npos) continue;
+      response_first_ = label.find("resp") < label.find("ref");
+      channels_ = split(line, '\t');
+    }
+    fail({}, "has no row of headings that begins with Frequency", "export frequency, real and imaginary part");
+  }
+
+  void read_headings(std::string_view line) {
+    const std::vector<std::string_view> cells = split(line, '\t');
+    for (std::size_t i = 1; i < cells.size(); i += 2) {
+      const bool pair = i + 1 < cells.size() && lower_case(cells[i]).starts_with("real") && lower_case(cells[i + 1]).starts_with("imag");
+      if (!pair)
+        fail(here(), "column " + std::to_string(i + 1) + " and the next are not Real and Imaginary",
+             "export real and imaginary part");
+    }
+    frfs_ = cells.size() / 2;
+    units_.resize(frfs_);
+  }
+
+  void assign_dofs() {
+    FrfHeader& header = set_.header;
+    if (!options_.response.empty()) {
+      header.response = options_.response;
+      header.reference = options_.reference.empty() ? options_.response : options_.reference;
+      if (header.entries() != frfs_) {
+        fail({}, "holds " + std::to_string(frfs_) + " FRFs, and " + std::to_string(header.response.size()) + " responses and " +
+             std::to_string(header.reference.size()) + " references were given", "give a response and a reference for each");
+      }
+      for (std::size_t k = 0; k < frfs_; ++k) pairs_.emplace_back(k / header.reference.size(), k % header.reference.size());
+      return;
+    }
+    for (std::size_t k = 0; k < frfs_; ++k) pairs_.push_back(channel_pair(k));
+  }
+
+  Pair channel_pair(std::size_t k) {
+    const std::string_view text = k + 1 < channels_.size() ? channels_[k + 1] : std::string_view();
+    const std::size_t colon = text.find(':', text.find_first_of("XYZ"));
+    const auto first = channel_dof(text.substr(0, std::min(colon, text.size())));
+    const auto second = colon < text.size() ? channel_dof(text.substr(colon + 1)) : std::nullopt;
+    if (!first || !second) {
+      fail({}, "does not tell the DOFs of FRF " + std::to_string(k + 1) + " ('" + as_utf8(text.substr(0, 30)) + "')",
+           "give them, e.g. --response 4:-X --reference 1:+X");
+    }
+    const Dof& response = response_first_ ? *first : *second;
+    const Dof reference = options_.reference.size() == 1 && frfs_ == 1 ? options_.reference.front() : (response_first_ ? *second : *first);
+    return {dof_place(set_.header.response, response), dof_place(set_.header.reference, reference)};
+  }
+
+  void read_rows(std::string_view rest) {
+    while (!rest.empty()) {
+      const std::string_view line = take_until(rest, '\n');
+      ++line_;
+      if (trimmed(line).empty()) continue;
+      const std::vector<std::string_view> cells = split(line, '\t');
+      if (set_.header.frequency_hz.empty() && is_label(cells)) {
+        read_units(cells);
+        continue;
+      }
+      read_row(cells);
+    }
+  }
+
+  static bool is_label(const std::vector<std::string_view>& cells) {
+    double value = 0.0;
+    return !parse_cell(cells[0], true, value) || cells[0].empty();
+  }
+
+  void read_units(const std::vector<std::string_view>& cells) {
+    const std::string of_axis = lower_case(cells[0]);
+    if (of_axis.empty() || of_axis.starts_with("units")) return;
+    if (of_axis != "hz") fail(here(), "the axis is in '" + as_utf8(cells[0].substr(0, 20)) + "'", "export frequencies in Hz");
+    for (std::size_t k = 0; k < frfs_ && 2 * k + 1 < cells.size(); ++k) units_[k] = as_ratio(as_utf8(cells[2 * k + 1]));
+  }
+
+  void read_row(const std::vector<std::string_view>& cells) {
+    if (cells.size() < 2 * frfs_ + 1) {
+      fail(here(), "has " + std::to_string(cells.size()) + " cells, the headings " + std::to_string(2 * frfs_ + 1), "export the FRF again");
+    }
+    for (std::size_t i = 0; i < 2 * frfs_ + 1; ++i) {
+      double value = 0.0;
+      if (!parse_cell(cells[i], true, value) || (i == 0 && std::isnan(value))) {
+        fail(here() + ", column " + std::to_string(i + 1), "'" + as_utf8(cells[i].substr(0, 30)) + "' is not a number",
+             "export the FRF again");
+      }
+      i == 0 ? set_.header.frequency_hz.push_back(value) : cells_.push_back(value);
+    }
+  }
+
+  /// The quantity that the units are of, and their factors to SI.
+  std::vector<double> si_factors() {
+    if (std::ranges::all_of(units_, [](const std::string& unit) { return unit.empty(); })) {
+      if (!options_.quantity) fail({}, "does not say which quantity it holds", "name it, e.g. --quantity accelerance");
+      set_.header.quantity = *options_.quantity;
+      return std::vector<double>(frfs_, 1.0);
+    }
+    set_.header.quantity = quantity_of(units_.front());
+    std::vector<double> factors;
+    for (const std::string& unit : units_)
+      factors.push_back(located(set_.header.file, "units", [&] { return si_factor(unit, set_.header.quantity); }));
+    return factors;
+  }
+
+  static Quantity quantity_of(const std::string& unit) {
+    for (const Quantity quantity : {Quantity::receptance, Quantity::mobility}) {
+      try {
+        si_factor(unit, quantity);
+        return quantity;
+      } catch (const InputError&) {
+        continue;
+      }
+    }
+    return Quantity::accelerance;
+  }
+
+  void fill() {
+    const std::vector<double> factors = si_factors();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    set_.values.assign(set_.header.lines() * set_.header.entries(), {nan, nan});
+    for (std::size_t line = 0; line < set_.header.lines(); ++line) {
+      for (std::size_t k = 0; k < frfs_; ++k) {
+        const LineScale scale = LineScale::to_receptance(set_.header.quantity, factors[k], set_.header.frequency_hz[line]);
+        const double* cell = cells_.data() + (line * frfs_ + k) * 2;
+        const bool measured = !std::isnan(cell[0]) && !std::isnan(cell[1]);
+        if (measured) set_.values[set_.index(line, pairs_[k].first, pairs_[k].second)] = scale.value({cell[0], cell[1]});
+      }
+    }
+  }
+
+  const OpenOptions& options_;
+  FrfSet set_;
+  std::size_t line_ = 0, frfs_ = 0;
+  bool response_first_ = false;
+  std::vector<std::string_view> channels_;
+  std::vector<std::string> units_;
+  std::vector<Pair> pairs_;
+  std::vector<double> cells_;  ///< [line, FRF, 2]
+};
+
+}  // namespace
+
+bool looks_like_analyser_text(std::span<const char> head) {
+  std::string_view rest(head.data(), head.size());
+  if (rest.find('\0') != std::string_view::npos) return false;
+  for (std::size_t line = 0; line < most_label_lines && !rest.empty(); ++line) {
+    if (is_heading_row(take_until(rest, '\n'))) return true;
+  }
+  return false;
+}
+
+std::unique_ptr<FrfSource> open_analyser_text(const std::filesystem::path& path, const OpenOptions& options) {
+  const std::string text = read_text(path);
+  return from_memory(AnalyserText(path, options).read(text));
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "frf/set/frf_set.hpp"
+
+namespace jointid::frf {
+
+/// A mode as dataset 55 ("data at nodes") holds it; values as they stand in the file, which are SI when write_uff55() wrote it.
+struct Uff55Mode {
+  std::array<std::string, 5> id;  ///< ID lines, UTF-8
+  int number = 0;                 ///< mode number
+  bool is_complex = false;        ///< analysis type 3 or 7 (complex eigenvalue); else 2 (normal mode)
+
+  double frequency_hz = 0.0;        ///< normal: as stated; complex: |λ|/2π
+  double modal_mass = 1.0;          ///< normal modes
+  double viscous_damping = 0.0;     ///< ζ; complex: −Re λ/|λ|
+  double hysteretic_damping = 0.0;  ///< η of normal modes
+
+  /// Complex modes: λ in rad/s, residue ψψᵀ/(modal A), modal B = −λ·(modal A).
+  std::complex<double> eigenvalue, modal_a{1.0}, modal_b;
+
+  std::vector<Dof> dofs;                     ///< every direction the dataset has, node by node
+  std::vector<std::complex<double>> shape;   ///< as long as dofs
+};
+
+/// The mode shapes of a universal file, in its order. Datasets 55 of other analyses (static, transient, …) and other data than three or
+/// six components per node are passed over. Throws InputError when there is none, and where a dataset breaks the format.
+std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path);
+
+/// Writes dataset 151, 164 (SI), 2411 if nodes are known, and a dataset 55 for each mode, by a temporary name: real data for
+/// normal modes, complex for complex ones; three components per node, six when one of the DOFs is a rotation, 0 where the mode has
+/// none. Six significant digits, as the format has it.
+void write_uff55(const std::vector<Uff55Mode>& modes, const std::vector<Node>& nodes, const std::filesystem::path& path);
+
+}  // namespace jointid::frf

@@ -1,0 +1,176 @@
+#include "frf/uff/uff58_header.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "frf/uff/uff_text.hpp"
+
+namespace jointid::frf::uff {
+namespace {
+
+constexpr std::array<const char*, 29> function_names = {"general or unknown function",
+                                                        "time response",
+                                                        "auto spectrum",
+                                                        "cross spectrum",
+                                                        "frequency response function",
+                                                        "transmissibility",
+                                                        "coherence",
+                                                        "auto correlation",
+                                                        "cross correlation",
+                                                        "power spectral density",
+                                                        "energy spectral density",
+                                                        "probability density function",
+                                                        "spectrum",
+                                                        "cumulative frequency distribution",
+                                                        "peaks valley",
+                                                        "stress/cycles",
+                                                        "strain/cycles",
+                                                        "orbit",
+                                                        "mode indicator function",
+                                                        "force pattern",
+                                                        "partial power",
+                                                        "partial coherence",
+                                                        "eigenvalue",
+                                                        "eigenvector",
+                                                        "shock response spectrum",
+                                                        "finite impulse response filter",
+                                                        "multiple coherence",
+                                                        "order function",
+                                                        "phase compensation"};
+
+/// One header line, read by columns; errors name the record.
+class RecordLine {
+ public:
+  RecordLine(const std::string& line, int record, const Place& place)
+      : line_(one_byte_per_column(line)), record_("record " + std::to_string(record)), place_(place) {}
+
+  std::int64_t integer(std::size_t begin, std::size_t width, const char* what) const {
+    const std::string_view field = column(line_, begin, width);
+    const auto value = parse_integer(field);
+    if (!value) fail(what, field, begin, width);
+    return *value;
+  }
+
+  int code(std::size_t begin, std::size_t width, const char* what, std::int64_t lowest,
+           std::int64_t highest) const {
+    const std::int64_t value = integer(begin, width, what);
+    if (value < lowest || value > highest) fail(what, column(line_, begin, width), begin, width);
+    return static_cast<int>(value);
+  }
+
+  double real(std::size_t begin, std::size_t width, const char* what) const {
+    const std::string_view field = column(line_, begin, width);
+    const auto value = field.empty() ? 0.0 : parse_real(field);
+    if (!value || !std::isfinite(*value)) fail(what, field, begin, width);
+    return *value;
+  }
+
+  std::string text(std::size_t begin, std::size_t width) const {
+    const std::string value = to_utf8(column(line_, begin, width));
+    return value == "NONE" ? std::string() : value;
+  }
+
+  const std::string& line() const { return line_; }
+
+  [[noreturn]] void fail(const char* what, std::string_view field, std::size_t begin,
+                         std::size_t width) const {
+    place_.fail(record_,
+                std::string(what) + " '" + to_utf8(field) + "' in columns " + std::to_string(begin + 1) +
+                    "-" + std::to_string(begin + width) + " is not valid",
+                "the header's fields must stand in the columns of the UFF 58 format");
+  }
+
+ private:
+  std::string line_;
+  std::string record_;
+  const Place& place_;
+};
+
+DofRecord parse_dof(const RecordLine& record, std::size_t begin) {
+  DofRecord dof;
+  dof.entity = record.text(begin + 1, 10);
+  dof.node = record.integer(begin + 11, 10, "node");
+  dof.direction = record.code(begin + 21, 4, "direction code", -6, 6);
+  return dof;
+}
+
+constexpr std::size_t wide = 24;
+
+/// Record 7 with its last three columns widened. Six blank-separated words are taken as the fields, whatever
+/// their columns: some programs write wider numbers than the format allows.
+std::string widened_data_form(const std::string& line) {
+  constexpr std::array<std::size_t, 6> begins = {0, 10, 20, 30, 43, 56};
+  constexpr std::array<std::size_t, 6> widths = {10, 10, 10, 13, 13, 13};
+  constexpr std::array<std::size_t, 6> new_widths = {10, 10, 10, wide, wide, wide};
+  const auto fields = words(line);
+  std::string columns;
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const std::string_view field = fields.size() == 6 ? fields[i] : column(line, begins[i], widths[i]);
+    columns += std::string(new_widths[i] - std::min(new_widths[i], field.size()), ' ') + std::string(field);
+  }
+  return columns;
+}
+
+void parse_data_form(Header58& header, const std::string& line, const Place& place) {
+  const RecordLine record(widened_data_form(line), 7, place);
+  header.ordinate_type = record.code(0, 10, "ordinate data type (2, 4, 5 or 6)", 2, 6);
+  if (header.ordinate_type == 3) record.fail("ordinate data type (2, 4, 5 or 6)", "3", 0, 10);
+  header.points = static_cast<std::uint64_t>(record.code(10, 10, "number of points", 1, 2'147'483'647));
+  header.even = record.code(20, 10, "abscissa spacing (0 or 1)", 0, 1) == 1;
+  header.abscissa_first = record.real(30, wide, "abscissa minimum");
+  header.abscissa_step = record.real(30 + wide, wide, "abscissa increment");
+}
+
+AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
+  const RecordLine record(line, number, place);
+  AxisRecord axis;
+  axis.data_type = record.code(0, 10, "specific data type", 0, 999);
+  axis.label = record.text(26, 20);
+  axis.unit = record.text(47, 20);
+  return axis;
+}
+
+}  // namespace
+
+Dof DofRecord::dof() const {
+  return {.node = node,
+          .direction = static_cast<Direction>(std::abs(direction)),
+          .sign = direction < 0 ? -1 : +1};
+}
+
+std::string DofRecord::name() const {
+  return direction == 0 ? std::to_string(node) + ":scalar" : dof().name();
+}
+
+Header58 parse_header58(const std::array<std::string, header_lines>& lines, const Place& place) {
+  Header58 header;
+  for (std::size_t i = 0; i < header.id.size(); ++i)
+    header.id[i] = to_utf8(trim(one_byte_per_column(lines[i])));
+  const RecordLine record6(lines[5], 6, place);
+  header.function_type = record6.code(0, 5, "function type", 0, 9999);
+  header.load_case = record6.integer(20, 10, "load case");
+  header.response = parse_dof(record6, 30);
+  header.reference = parse_dof(record6, 55);
+  parse_data_form(header, lines[6], place);
+  header.abscissa = parse_axis(lines[7], 8, place);
+  header.numerator = parse_axis(lines[8], 9, place);
+  header.denominator = parse_axis(lines[9], 10, place);
+  return header;
+}
+
+std::vector<double> even_abscissa(const Header58& header) {
+  std::vector<double> axis(header.points);
+  for (std::size_t i = 0; i < axis.size(); ++i) {
+    axis[i] = header.abscissa_first + static_cast<double>(i) * header.abscissa_step;
+  }
+  return axis;
+}
+
+std::string function_name(int function_type) {
+  const auto index = static_cast<std::size_t>(function_type);
+  return index < function_names.size() ? function_names[index]
+                                       : "function of type " + std::to_string(function_type);
+}
+
+}  // namespace jointid::frf::uff

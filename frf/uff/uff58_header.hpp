@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "frf/set/dof.hpp"
+#include "frf/uff/uff_bytes.hpp"
+
+namespace jointid::frf::uff {
+
+/// Function types of record 6 that this program tells apart.
+inline constexpr int function_frf = 4;
+inline constexpr int function_coherence = 6;
+
+/// Specific data types of records 8–11 that this program tells apart.
+inline constexpr int type_displacement = 8;
+inline constexpr int type_velocity = 11;
+inline constexpr int type_acceleration = 12;
+inline constexpr int type_force = 13;
+inline constexpr int type_time = 17;
+inline constexpr int type_frequency = 18;
+
+/// Number of header lines of a dataset 58.
+inline constexpr std::size_t header_lines = 11;
+
+/// Records 8–11: what stands on an axis. Labels are UTF-8.
+struct AxisRecord {
+  int data_type = 0;
+  std::string label;
+  std::string unit;
+};
+
+/// Half of record 6. Direction codes: 0 scalar, ±1…3 translations, ±4…6 rotations.
+struct DofRecord {
+  std::string entity;
+  std::int64_t node = 0;
+  int direction = 0;
+
+  bool is_rotation() const { return direction >= 4 || direction <= -4; }
+  /// Needs a direction; a scalar has no DOF.
+  Dof dof() const;
+  std::string name() const;
+};
+
+/// Records 1–11 of a dataset 58 or 58b ("Function at Nodal DOF", revision of 30 June 1999).
+struct Header58 {
+  std::array<std::string, 5> id;
+  int function_type = 0;
+  std::int64_t load_case = 0;
+  DofRecord response;
+  DofRecord reference;
+  int ordinate_type = 0;  ///< 2 real single, 4 real double, 5 complex single, 6 complex double
+  std::uint64_t points = 0;
+  bool even = true;
+  double abscissa_first = 0.0;
+  double abscissa_step = 0.0;
+  AxisRecord abscissa;
+  AxisRecord numerator;
+  AxisRecord denominator;
+
+  bool is_complex() const { return ordinate_type >= 5; }
+  bool is_double() const { return ordinate_type == 4 || ordinate_type == 6; }
+  /// Numbers in the file for each point: abscissa if uneven, real part, imaginary part if complex.
+  std::uint64_t numbers_per_point() const { return (even ? 0u : 1u) + (is_complex() ? 2u : 1u); }
+};
+
+/// Parses the eleven header lines by their columns; throws InputError at `place`.
+Header58 parse_header58(const std::array<std::string, header_lines>& lines, const Place& place);
+
+/// The abscissa of an even record, first + i·step, as the file states it.
+std::vector<double> even_abscissa(const Header58& header);
+
+/// "time response", "frequency response function", …; the number in words when it is none of the standard's.
+std::string function_name(int function_type);
+
+}  // namespace jointid::frf::uff

@@ -1,0 +1,151 @@
+#include "frf/uff/uff_catalogue_builder.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "base/error.hpp"
+#include "frf/uff/uff_coherence.hpp"
+#include "frf/uff/uff_geometry.hpp"
+
+namespace jointid::frf::uff {
+namespace {
+
+/// "3 time response records, dataset 15" for the error of a file without FRFs.
+std::string contents(const std::vector<Dataset>& datasets) {
+  std::map<std::string, std::size_t> counts;
+  for (const Dataset& dataset : datasets) {
+    ++counts[dataset.function ? function_name(dataset.function->function_type) : "dataset " + dataset.name()];
+  }
+  std::string text;
+  for (const auto& [what, count] : counts)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + what;
+  return text.empty() ? "no datasets" : text;
+}
+
+std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets, const std::string& file) {
+  std::vector<std::size_t> records;
+  for (std::size_t i = 0; i < datasets.size(); ++i) {
+    if (datasets[i].function && datasets[i].function->function_type == function_frf) records.push_back(i);
+  }
+  if (records.empty()) {
+    throw InputError({.kind = ErrorKind::data,
+                      .file = file,
+                      .place = {},
+                      .problem = "no frequency response functions; the file holds " + contents(datasets),
+                      .remedy = "export the FRFs as dataset 58 with function type 4"});
+  }
+  return records;
+}
+
+void require_direction(const Dataset& dataset, const DofRecord& dof, const char* role) {
+  if (dof.direction != 0 && dof.node >= 0) return;
+  dataset.place.fail(
+      "record 6",
+      std::string(role) + " node " + std::to_string(dof.node) + " with direction code " +
+          std::to_string(dof.direction) + " is not a DOF",
+      "export the FRFs with nodes and directions, or write them there: 1 to 3 for +X to +Z, 4 to 6 for "
+      "rotations, negative against the axis");
+}
+
+class CatalogueBuilder {
+ public:
+  CatalogueBuilder(ByteFile& file, const OpenOptions& options) : file_(file), options_(options) {
+    header_.file = file.name();
+    datasets_ = scan(file);
+  }
+
+  Catalogue build() {
+    const auto records = frf_records(datasets_, file_.name());
+    catalogue_.first_record = records.front();
+    set_axis(datasets_[records.front()]);
+    for (const std::size_t record : records) check(record);
+    const UnitTable units(file_, datasets_);
+    for (const std::size_t record : records) place(record, units.at(datasets_[record]));
+    const Ordinate first = interpret(records.front(), units.at(datasets_[records.front()]));
+    header_.quantity = first.quantity;
+    if (first.stated && *first.stated != first.quantity) header_.changes.push_back(taken_for(first.quantity, *first.stated));
+    header_.nodes = read_nodes(file_, datasets_, units);
+    attach_coherences(file_, catalogue_);
+    validate(header_);
+    return std::move(catalogue_);
+  }
+
+ private:
+  void set_axis(const Dataset& first) {
+    require_readable(first);
+    require_plausible_size(file_, first);
+    const double to_hz = abscissa_to_hz(*first.function, first.place);
+    header_.frequency_hz =
+        first.function->even ? even_abscissa(*first.function) : read_points(file_, first).abscissa;
+    for (double& line : header_.frequency_hz) line *= to_hz;
+  }
+
+  /// Everything about a record that needs no other record's DOFs; collects its DOFs.
+  void check(std::size_t index) {
+    const Dataset& dataset = datasets_[index];
+    const Header58& header = *dataset.function;
+    require_readable(dataset);
+    require_direction(dataset, header.response, "response");
+    require_direction(dataset, header.reference, "reference");
+    if (header.points != header_.lines()) {
+      dataset.place.fail("record 7",
+                         std::to_string(header.points) + " points but " +
+                             datasets_[catalogue_.first_record].place.dataset + " has " +
+                             std::to_string(header_.lines()),
+                         "put FRFs with different axes into different files");
+    }
+    if (header.even) require_axis(catalogue_, dataset, even_abscissa(header));
+    header_.precision = std::max(header_.precision, precision(dataset));
+    require_plausible_size(file_, dataset);
+    add(header_.response, header.response.dof());
+    add(header_.reference, header.reference.dof());
+  }
+
+  /// Text has the formats E13.5 and E20.12.
+  static double precision(const Dataset& dataset) {
+    if (dataset.binary) return dataset.function->is_double() ? 0x1p-53 : 0x1p-24;
+    return dataset.function->is_double() ? 5e-13 : 5e-6;
+  }
+
+  static void add(std::vector<Dof>& dofs, const Dof& dof) {
+    if (!has(dofs, dof)) dofs.push_back(dof);
+  }
+
+  Ordinate interpret(std::size_t index, const UnitFactors& factors) const {
+    return interpret_ordinate(*datasets_[index].function, factors, options_.quantity, datasets_[index].place);
+  }
+
+  void place(std::size_t index, const UnitFactors& factors) {
+    const Dataset& dataset = datasets_[index];
+    const Dof response = dataset.function->response.dof();
+    const Dof reference = dataset.function->reference.dof();
+    const std::size_t r = find_coordinate(header_.response, response);
+    const std::size_t c = find_coordinate(header_.reference, reference);
+    const auto [at, is_first] = catalogue_.grid.try_emplace(r * header_.reference.size() + c);
+    if (!is_first) {
+      dataset.place.fail("record 6",
+                         "the FRF of response " + response.name() + " and reference " + reference.name() +
+                             " is already in " + datasets_[at->second.dataset].place.dataset,
+                         "keep one of the two records");
+    }
+    const Ordinate ordinate = interpret(index, factors);
+    const int sign = response.sign * header_.response[r].sign * reference.sign * header_.reference[c].sign;
+    at->second = {
+        .dataset = index, .quantity = ordinate.quantity, .factor = sign * ordinate.to_si, .coherence = npos};
+  }
+
+  ByteFile& file_;
+  const OpenOptions& options_;
+  Catalogue catalogue_;
+  FrfHeader& header_ = catalogue_.header;
+  std::vector<Dataset>& datasets_ = catalogue_.datasets;
+};
+
+}  // namespace
+
+Catalogue build_catalogue(ByteFile& file, const OpenOptions& options) {
+  return CatalogueBuilder(file, options).build();
+}
+
+}  // namespace jointid::frf::uff

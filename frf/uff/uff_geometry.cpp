@@ -1,0 +1,113 @@
+#include "frf/uff/uff_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "frf/uff/uff_text.hpp"
+
+namespace jointid::frf::uff {
+namespace {
+
+/// Calls `use(line)` for every line of the dataset that is not blank.
+template <class Use>
+void for_each_line(ByteFile& file, const Dataset& dataset, Use use) {
+  std::string_view line;
+  file.seek(dataset.payload_begin);
+  while (file.position() < dataset.payload_end && file.next_line(line)) {
+    if (!trim(line).empty()) use(line);
+  }
+}
+
+UnitFactors parse_factors(ByteFile& file, const Dataset& dataset) {
+  std::vector<std::string> lines;
+  for_each_line(file, dataset, [&](std::string_view line) { lines.emplace_back(line); });
+  const std::string& line = lines.size() > 1 ? lines[1] : std::string();
+  const auto length = parse_real(column(line, 0, 25));
+  const auto force = parse_real(column(line, 25, 25));
+  if (!length || !force || !(*length > 0.0) || !(*force > 0.0) || std::isinf(*length) || std::isinf(*force)) {
+    dataset.place.fail("record 2", "'" + line + "' does not begin with two positive unit factors",
+                       "correct the factors of length and force");
+  }
+  return {*length, *force};
+}
+
+class NodeReader {
+ public:
+  NodeReader(std::vector<Node>& nodes, std::set<std::int64_t>& known) : nodes_(nodes), known_(known) {}
+
+  void use(const Dataset& dataset, std::string_view line, double length) {
+    if (dataset.number == 15) {
+      begin(dataset, line);
+      finish(dataset, line, 40, 13, length);
+    } else if (!open_) {
+      begin(dataset, line);
+      open_ = true;
+    } else {
+      finish(dataset, line, 0, 25, length);
+      open_ = false;
+    }
+  }
+
+ private:
+  void begin(const Dataset& dataset, std::string_view line) {
+    const auto id = parse_integer(column(line, 0, 10));
+    const auto system = parse_integer(column(line, 10, 10));
+    if (!id || !system || column(line, 0, 10).empty()) fail(dataset, line);
+    id_ = *id;
+    global_ = *system == 0 || *system == 1;
+  }
+
+  void finish(const Dataset& dataset, std::string_view line, std::size_t begin, std::size_t width,
+              double length) {
+    Node node{.id = id_, .position = {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto value = parse_real(column(line, begin + i * width, width));
+      if (!value) fail(dataset, line);
+      node.position[i] = *value / length;
+    }
+    if (global_ && known_.insert(id_).second) nodes_.push_back(node);
+  }
+
+  [[noreturn]] static void fail(const Dataset& dataset, std::string_view line) {
+    dataset.place.fail("nodes", "'" + to_utf8(one_byte_per_column(trim(line))) + "' is not a node",
+                       "correct the line or leave the geometry out");
+  }
+
+  std::vector<Node>& nodes_;
+  std::set<std::int64_t>& known_;
+  std::int64_t id_ = 0;
+  bool global_ = true;
+  bool open_ = false;
+};
+
+}  // namespace
+
+UnitTable::UnitTable(ByteFile& file, const std::vector<Dataset>& datasets) {
+  for (const Dataset& dataset : datasets) {
+    if (dataset.number == 164 && !dataset.binary)
+      entries_.push_back({dataset.place.byte, parse_factors(file, dataset)});
+  }
+}
+
+UnitFactors UnitTable::at(const Dataset& dataset) const {
+  if (entries_.empty()) return {};
+  const auto after = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& entry) { return entry.byte > dataset.place.byte; });
+  return after == entries_.begin() ? after->factors : std::prev(after)->factors;
+}
+
+std::vector<Node> read_nodes(ByteFile& file, const std::vector<Dataset>& datasets, const UnitTable& units) {
+  std::vector<Node> nodes;
+  std::set<std::int64_t> known;
+  for (const Dataset& dataset : datasets) {
+    if ((dataset.number != 15 && dataset.number != 2411) || dataset.binary) continue;
+    const double length = units.at(dataset).length;
+    NodeReader reader(nodes, known);
+    for_each_line(file, dataset, [&](std::string_view line) { reader.use(dataset, line, length); });
+  }
+  return nodes;
+}
+
+}  // namespace jointid::frf::uff

@@ -1,0 +1,125 @@
+#include "frf/uff/uff_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <system_error>
+
+namespace jointid::frf::uff {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+/// Length of the UTF-8 sequence at `at`, 0 if it is not one (overlong forms are left to be Latin-1).
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || at + length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+  }
+  return length;
+}
+
+/// Reads a number whose exponent letter from_chars does not know, or which has none.
+std::optional<double> parse_with_exponent(std::string_view text) {
+  const std::size_t split = text.find_first_of("EeDd+-", 1);
+  const std::string_view mantissa = text.substr(0, split);
+  std::string_view exponent = split == std::string_view::npos ? "0" : text.substr(split);
+  if (exponent.find_first_of("EeDd") == 0) exponent.remove_prefix(1);
+  if (!exponent.empty() && exponent[0] == '+') exponent.remove_prefix(1);
+  std::array<char, 64> buffer{};
+  if (mantissa.size() + exponent.size() + 1 > buffer.size()) return std::nullopt;
+  char* end = buffer.data() + mantissa.copy(buffer.data(), mantissa.size());
+  *end++ = 'e';
+  end += exponent.copy(end, exponent.size());
+  double value = 0.0;
+  const auto [last, error] = std::from_chars(buffer.data(), end, value);
+  if (last != end) return std::nullopt;
+  if (error == std::errc::result_out_of_range && exponent[0] == '-') return 0.0;
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace
+
+std::string_view trim(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+std::string one_byte_per_column(std::string_view line) {
+  std::string columns;
+  columns.reserve(line.size());
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t length = utf8_length(line, at);
+    if (length == 0) return std::string(line);
+    const auto first = static_cast<unsigned char>(line[at]);
+    if (length == 1) {
+      columns += line[at];
+    } else if (length == 2 && first < 0xC4) {
+      columns += static_cast<char>(((first & 0x03) << 6) | (static_cast<unsigned char>(line[at + 1]) & 0x3F));
+    } else {
+      columns += '?';
+    }
+    at += length;
+  }
+  return columns;
+}
+
+std::string to_utf8(std::string_view latin1) {
+  std::string text;
+  text.reserve(latin1.size());
+  for (const char character : latin1) {
+    const auto code = static_cast<unsigned char>(character);
+    if (code < 0x80) {
+      text += character;
+    } else {
+      text += static_cast<char>(0xC0 | (code >> 6));
+      text += static_cast<char>(0x80 | (code & 0x3F));
+    }
+  }
+  return text;
+}
+
+std::string_view column(std::string_view line, std::size_t begin, std::size_t width) {
+  return begin >= line.size() ? std::string_view() : trim(line.substr(begin, width));
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+  std::vector<std::string_view> found;
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    found.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(blanks, end);
+  }
+  return found;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  text = trim(text);
+  if (text.empty()) return 0;
+  if (text[0] == '+' && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || last != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<double> parse_real(std::string_view text) {
+  text = trim(text);
+  if (!text.empty() && text[0] == '+' && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
+  if (text.empty()) return std::nullopt;
+  double value = 0.0;
+  const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc() && last == text.data() + text.size()) return value;
+  return parse_with_exponent(text);
+}
+
+bool is_delimiter(std::string_view line) { return trim(line) == "-1" && line.find('1') < 6; }
+
+}  // namespace jointid::frf::uff

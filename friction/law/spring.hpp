@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "friction/law/law.hpp"
+#include "friction/path/element.hpp"
+
+namespace jointid::friction {
+
+/// T = ku; a part of assemblies.
+class Spring final : public Element {
+ public:
+  static const Law law;
+
+  /// {k}: stiffness (N/m).
+  explicit Spring(std::span<const double> values);
+
+  Response response(double u) const override;
+  double energy(double u) const override;
+  double displacement(double force) const override;
+  double limit() const override { return infinity; }
+  std::vector<Parameter> parameters() const override { return with_values(law, std::array{stiffness_}); }
+  void derivative(double u, std::span<double> out) const override;
+  std::unique_ptr<Element> with(std::span<const double> values) const override;
+  double cycle_energy(double u) const override;
+  double equivalent_stiffness(double u) const override;
+  double second_moment(double u) const override;
+  void second_moment_derivative(double u, std::span<double> out) const override;
+
+ private:
+  double stiffness_;
+};
+
+}  // namespace jointid::friction

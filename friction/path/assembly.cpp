@@ -1,0 +1,43 @@
+#include "friction/path/assembly.hpp"
+
+#include <numeric>
+#include <stdexcept>
+
+namespace jointid::friction {
+
+Assembly::Assembly(Parts parts) : parts_(std::move(parts)) {
+  if (parts_.empty()) throw std::invalid_argument("assembly of friction elements: no element");
+  for (const auto& part : parts_) sizes_.push_back(part->parameters().size());
+}
+
+std::vector<Parameter> Assembly::parameters() const {
+  std::vector<Parameter> result;
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    for (Parameter parameter : parts_[i]->parameters()) {
+      parameter.name = std::to_string(i + 1) + "." + parameter.name;
+      result.push_back(std::move(parameter));
+    }
+  }
+  return result;
+}
+
+Parts Assembly::parts_with(std::span<const double> values) const {
+  if (values.size() != std::accumulate(sizes_.begin(), sizes_.end(), std::size_t{0})) {
+    throw std::invalid_argument("assembly of friction elements: " + std::to_string(values.size()) + " values");
+  }
+  Parts result;
+  for (std::size_t i = 0, first = 0; i < parts_.size(); first += sizes_[i++]) {
+    result.push_back(parts_[i]->with(values.subspan(first, sizes_[i])));
+  }
+  return result;
+}
+
+std::vector<std::span<double>> Assembly::split(std::span<double> out) const {
+  std::vector<std::span<double>> result;
+  for (std::size_t i = 0, first = 0; i < parts_.size(); first += sizes_[i++]) {
+    result.push_back(out.subspan(first, sizes_[i]));
+  }
+  return result;
+}
+
+}  // namespace jointid::friction

@@ -1,0 +1,104 @@
+#include "ident/equations/assemble.hpp"
+
+#include <chrono>
+
+#include "base/stopwatch.hpp"
+#include "ident/algebra/solve_linear.hpp"
+#include "ident/equations/linear_plan.hpp"
+#include "ident/result/chunk_pipeline.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// Assembles chunks of lines, each into a system of its own, and merges them in order.
+class Assembler final : public ChunkWorker {
+ public:
+  /// Shares the plan's own builder, or has one of its own when others work beside it.
+  Assembler(Plan& plan, bool alone, bool measures_rounding, Assembled& total, double& read_time)
+      : plan_(plan),
+        own_builder_(alone ? nullptr : linear_plan(plan)->make_builder(plan)),
+        builder_(alone ? *linear_plan(plan)->builder : *own_builder_),
+        assembler_(linear_plan(plan)->spec, measures_rounding),
+        chunk_(plan.columns->size(), total.accumulator.reduction()),
+        total_(total),
+        read_time_(read_time) {
+    product_.wants_error_scale = measures_rounding;
+  }
+
+  void read(std::size_t first, std::size_t last) override {
+    const Clock::time_point start = Clock::now();
+    substructure_lines_.clear();
+    assembly_lines_.clear();
+    for (std::size_t i = first; i < last; ++i) {
+      substructure_lines_.push_back(plan_.lines[i].substructures);
+      assembly_lines_.push_back(plan_.lines[i].assembly);
+    }
+    builder_.read(substructure_lines_, assembly_lines_);
+    read_time_ += seconds_since(start);
+  }
+
+  void work(std::size_t first, std::size_t last) override {
+    assembler_.reset_counts();
+    unusable_ = 0;
+    const bool only_chunk = first == 0 && last == plan_.lines.size();
+    Accumulator& to = only_chunk ? total_.accumulator : chunk_;
+    for (std::size_t i = first; i < last; ++i) {
+      product_.frequency_hz = plan_.lines[i].frequency_hz;
+      if (builder_.line(i - first, product_)) {
+        assembler_.add(product_, to);
+      } else {
+        ++unusable_;
+      }
+    }
+    to.flush();
+  }
+
+  void merge() override {
+    total_.accumulator.merge(chunk_);
+    chunk_.clear();
+    total_.equations.used += assembler_.count().used;
+    total_.equations.dropped += assembler_.count().dropped + unusable_ * plan_.cost.equations_per_line;
+    total_.equations.rows += assembler_.count().rows;
+    total_.lines += assembler_.lines_used();
+    total_.rounding.merge(assembler_.rounding());
+  }
+
+ private:
+  Plan& plan_;
+  std::unique_ptr<EquationBuilder> own_builder_;
+  EquationBuilder& builder_;
+  LineAssembler assembler_;
+  LineProduct product_;
+  Accumulator chunk_;
+  std::size_t unusable_ = 0;
+  std::vector<std::size_t> substructure_lines_, assembly_lines_;
+  Assembled& total_;
+  double& read_time_;
+};
+
+}  // namespace
+
+Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
+  const Clock::time_point start = Clock::now();
+  const Reduction reduction = plan.solver == "normal" ? Reduction::normal : Reduction::orthogonal;
+  Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0, {}};
+  const bool measures_rounding = control.detail == Detail::full;
+  const std::size_t chunk = chunk_lines(linear_plan(plan)->builder->entries_per_line());
+  const std::size_t count = worker_count(plan.lines.size(), chunk, control.threads);
+  double read_time = 0.0;
+  std::vector<std::unique_ptr<ChunkWorker>> workers;
+  for (std::size_t i = 0; i < count; ++i) {
+    workers.push_back(std::make_unique<Assembler>(plan, count == 1, measures_rounding, out, read_time));
+  }
+  run_chunks(plan.lines.size(), chunk, "assembling", workers, control);
+  runtime.read += read_time;
+  runtime.assemble += seconds_since(start) - read_time;
+  return out;
+}
+
+LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition) {
+  if (plan.solver == "normal") return solve_normal(accumulator, condition);
+  return plan.solver == "spqr" ? solve_sparse(accumulator, condition) : solve_dense(accumulator, condition);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,85 @@
+#include "ident/equations/linear_plan.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/complex.hpp"
+#include "ident/equations/supports.hpp"
+
+namespace jointid::ident {
+namespace {
+
+void plan_assembly(const Plan& plan, LinearPlan& own) {
+  AssemblySpec& spec = own.spec;
+  spec.omega0 = plan.omega0;
+  spec.restriction = &plan.restriction;
+  spec.columns = plan.columns.get();
+  spec.weighting = plan.scene.identify.weighting;
+  spec.delta = plan.scene.identify.delta;
+  const Dofs columns = own.builder->columns();
+  std::vector<std::size_t> joint_source, column_source;
+  if (plan.substructures->source_count() > 1 && own.keeps_parts_apart()) {
+    for (const frf::Dof& dof : plan.coordinates.joint) joint_source.push_back(plan.substructures->source_of(dof));
+    for (const frf::Dof& dof : columns) column_source.push_back(plan.substructures->source_of(dof));
+  }
+  choose_supports(plan.restriction, joint_source, column_source, columns.size(), spec);
+  make_expanders(spec);
+}
+
+std::size_t count_equations(const Plan& plan) {
+  const EquationSet use(plan.equations);
+  const std::size_t joint = plan.coordinates.joint.size();
+  const std::size_t n_rows = plan.coordinates.responses.size(), n_columns = plan.coordinates.references.size();
+  return (use.nn ? n_rows * n_columns : 0) + (use.nj ? n_rows * joint : 0) + (use.jj ? joint * joint : 0) +
+         (use.jn ? joint * n_columns : 0);
+}
+
+void count_cost(Plan& plan, const LinearPlan& own) {
+  const AssemblySpec& spec = own.spec;
+  Cost& cost = plan.cost;
+  cost.lines = plan.lines.size();
+  cost.columns = plan.columns->size();
+  cost.equations_per_line = count_equations(plan);
+  cost.compressed_rows_per_line = compressed_rows(spec, own.rows_of_a(plan));
+  cost.bytes_read = plan.entries_per_line * sizeof(Complex) * cost.lines;
+  const auto lines = static_cast<double>(cost.lines), unknowns = static_cast<double>(plan.restriction.unknowns.size());
+  const auto n = static_cast<double>(plan.coordinates.joint.size());
+  const auto m = static_cast<double>(own.rows_of_a(plan)), l = static_cast<double>(own.builder->columns().size());
+  cost.assemble_flops =
+      lines * (16.0 * n * n * (m + l) + 8.0 * m * l * n + reduction_flops(spec, own.rows_of_a(plan)));
+  cost.stacked_flops =
+      lines * static_cast<double>(cost.equations_per_line) * (8.0 * n * n + 4.0 * unknowns * unknowns);
+}
+
+/// SPQR pays when the stacked triangles are mostly empty and large.
+void choose_solver(Plan& plan, const LinearPlan& own) {
+  plan.solver = plan.scene.identify.solver;
+  if (plan.solver != "auto") return;
+  std::size_t touched = 0;
+  for (const Support& support : own.spec.supports) touched = std::max(touched, support.unknowns.size());
+  const std::size_t columns = plan.columns->size();
+  plan.solver = columns >= 200 && 4 * touched <= columns ? "spqr" : "qr";
+}
+
+}  // namespace
+
+std::size_t LinearPlan::rows_of_a(const Plan& plan) const {
+  const EquationSet use(plan.equations);
+  return (use.nn || use.nj ? plan.coordinates.responses.size() : 0) + (use.jj || use.jn ? plan.coordinates.joint.size() : 0);
+}
+
+void LinearPlan::read_first_line(Plan& plan) {
+  builder->read(std::array{plan.lines.front().substructures}, std::array{plan.lines.front().assembly});
+}
+
+LinearPlan* linear_plan(const Plan& plan) { return dynamic_cast<LinearPlan*>(plan.method.get()); }
+
+void plan_linear(Plan& plan, LinearPlan& own) {
+  own.builder = own.make_builder(plan);
+  plan.entries_per_line = own.builder->entries_per_line();
+  plan_assembly(plan, own);
+  choose_solver(plan, own);
+  count_cost(plan, own);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,77 @@
+#include "ident/equations/rounding_scale.hpp"
+
+#include <cmath>
+
+namespace jointid::ident {
+namespace {
+
+double squared(double x) { return x * x; }
+
+/// Weighted ‖A_p‖², or of A's errors.
+double column_norm2(const LineProduct& line, const SubProduct& part, std::size_t p) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < part.rows.size(); ++i) {
+    const std::size_t m = part.rows[i];
+    const double element2 = line.a_is_unit         ? (m == p ? 1.0 : 0.0)
+                            : line.a_error.empty() ? std::norm(line.a(m, p))
+                                                   : squared(line.a_error[m * line.a.columns + p]);
+    sum += squared(part.row_weight[i]) * element2;
+  }
+  return sum;
+}
+
+double row_norm2(const LineProduct& line, const SubProduct& part, std::size_t q) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < part.columns.size(); ++i) {
+    sum += squared(part.column_weight[i]) * std::norm(line.b(q, part.columns[i]));
+  }
+  return sum;
+}
+
+double right_norm2(const LineProduct& line, const SubProduct& part) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < part.rows.size(); ++i) {
+    double row = 0.0;
+    for (std::size_t k = 0; k < part.columns.size(); ++k) {
+      const std::size_t m = part.rows[i], l = part.columns[k];
+      const double element2 = line.c_error.empty() ? std::norm(line.c1(m, l)) + std::norm(line.c2(m, l))
+                                                   : squared(line.c_error[m * line.c1.columns + l]);
+      row += squared(part.column_weight[k]) * element2;
+    }
+    sum += squared(part.row_weight[i]) * row;
+  }
+  return sum;
+}
+
+}  // namespace
+
+void RoundingScale::add(const LineProduct& line, const SubProduct& part, double factor) {
+  joint_ = line.b.rows;
+  coefficient2_.resize(joint_ * joint_, 0.0);
+  a2_.clear();
+  b2_.clear();
+  for (const std::size_t p : part.a_dofs) a2_.push_back(column_norm2(line, part, p));
+  for (const std::size_t q : part.b_dofs) b2_.push_back(row_norm2(line, part, q));
+  for (std::size_t i = 0; i < a2_.size(); ++i) {
+    for (std::size_t k = 0; k < b2_.size(); ++k) {
+      coefficient2_[part.a_dofs[i] * joint_ + part.b_dofs[k]] += squared(factor) * a2_[i] * b2_[k];
+    }
+  }
+  right2_ += squared(factor) * right_norm2(line, part);
+}
+
+void RoundingScale::merge(const RoundingScale& other) {
+  if (other.joint_ == 0) return;
+  joint_ = other.joint_;
+  right2_ += other.right2_;
+  coefficient2_.resize(joint_ * joint_, 0.0);
+  for (std::size_t i = 0; i < coefficient2_.size(); ++i) coefficient2_[i] += other.coefficient2_[i];
+}
+
+double RoundingScale::right() const { return std::sqrt(right2_); }
+
+double RoundingScale::coefficient(std::size_t p, std::size_t q) const {
+  return coefficient2_.empty() ? 0.0 : std::sqrt(coefficient2_[p * joint_ + q]);
+}
+
+}  // namespace jointid::ident

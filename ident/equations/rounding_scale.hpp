@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "ident/algebra/line_product.hpp"
+#include "ident/equations/kronecker.hpp"
+
+namespace jointid::ident {
+
+/// How far the equations E z = p of all lines move, as a 2-norm over the weighted rows, when every FRF has a relative error of
+/// 1: |δp| ≤ right(), and the column of E for Z_j(p,q) moves by at most 2·coefficient(p,q), once for A and once for B.
+/// Cancellation in C₁ − C₂, in differences of columns (springs) and in what a method inverts is seen here, and nowhere in E.
+class RoundingScale {
+ public:
+  /// Adds the equations of one product, all weights times `factor`.
+  void add(const LineProduct& line, const SubProduct& part, double factor);
+  void merge(const RoundingScale& other);
+
+  double right() const;
+  /// √Σ‖A_p‖²‖B_q‖² over all products; 0 for elements that no equation touches.
+  double coefficient(std::size_t p, std::size_t q) const;
+
+ private:
+  std::size_t joint_ = 0;            ///< N
+  double right2_ = 0.0;              ///< squares
+  std::vector<double> coefficient2_; ///< [N×N]
+  std::vector<double> a2_, b2_;      ///< of one product
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,125 @@
+#include "ident/identify.hpp"
+
+#include <chrono>
+
+#include "base/error.hpp"
+#include "base/stopwatch.hpp"
+#include "ident/check/check.hpp"
+#include "ident/judgement/judge.hpp"
+#include "ident/likelihood/likelihood.hpp"
+#include "ident/linear/linear_method.hpp"
+#include "ident/modal_regeneration.hpp"
+#include "ident/newton/newton.hpp"
+#include "ident/plan/data_source.hpp"
+#include "ident/prepare_plan.hpp"
+#include "ident/scene/scene_failure.hpp"
+
+namespace jointid::ident {
+namespace {
+
+std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices);
+
+/// All methods: what makes the part of a prepared plan that is the method's own.
+std::unique_ptr<MethodPlan> plan_method(Plan& plan) {
+  switch (plan.scene.identify.method) {
+    case Method::one: return plan_method_one(plan);
+    case Method::two: return plan_method_two(plan);
+    case Method::direct: return plan_direct(plan);
+    case Method::newton: return plan_newton(plan, plan_start);
+    case Method::likelihood: return plan_likelihood(plan, plan_start);
+  }
+  throw std::logic_error("a method without a plan");
+}
+
+std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) {
+  Scene scene = plan.scene;
+  scene.identify = {};
+  for (restrictions::JointSpec& joint : scene.joints) joint.definite.clear();
+  scene.couple_first = {};  // done already
+  for (const auto& [method, equations] : choices) {
+    scene.identify.method = method;
+    scene.identify.equations = equations;
+    try {
+      return make_plan(scene, plan.substructures, plan.assembly);
+    } catch (const InputError&) {
+      // The next one needs less.
+    }
+  }
+  fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
+}
+
+/// What the FRFs' variances do not say of their errors.
+void warn_of_shared_errors(const Plan& plan, Solution& out) {
+  if (!traits(plan.scene.identify.method).uses_variances) return;
+  std::string which;
+  if (!plan.scene.couple_first.pairs.empty()) which = "the FRFs of the coupled parts";
+  if (!plan.regenerated.empty()) which += (which.empty() ? "" : " and ") + std::string("regenerated FRFs");
+  if (which.empty()) return;
+  out.warnings.push_back("The likelihood takes the errors of FRFs for independent; those of " + which +
+                         " are not, so that standard errors and intervals are too small.");
+}
+
+/// What the short check of the data finds, in status and message.
+void check_briefly(Plan& plan, const Control& control, Solution& out) {
+  if (control.detail != Detail::full || control.judgement != Judgement::data) return;
+  out.check = quick_check(plan, control);
+  tell_check(*out.check, out);
+}
+
+}  // namespace
+
+std::unique_ptr<Plan> make_plan(const Scene& scene) {
+  std::vector<ModalRegeneration> regenerated;
+  const auto open_system = [&](const char* name, const std::vector<DataFile>& files, frf::Composition composition, bool by_modes) {
+    auto sources = open_all(files);
+    if (by_modes) sources = regenerate_sources(std::move(sources), composition == frf::Composition::merged, scene, regenerated);
+    return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
+  };
+  const Regeneration chosen = scene.data.regenerate;
+  auto substructures = open_system("substructures", scene.data.substructures, frf::Composition::uncoupled, chosen.substructures);
+  auto assembly = open_system("assembly", scene.data.assembly, frf::Composition::merged, chosen.assembly);
+  auto plan = make_plan(scene, std::move(substructures), std::move(assembly));
+  for (const ModalRegeneration& each : regenerated) plan->notes.push_back(note(each));
+  plan->regenerated = std::move(regenerated);
+  return plan;
+}
+
+std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
+                                std::shared_ptr<frf::FrfSystem> assembly) {
+  auto plan = prepare_plan(scene, std::move(substructures), std::move(assembly));
+  plan->method = plan_method(*plan);
+  complete_plan(*plan);
+  return plan;
+}
+
+std::unique_ptr<Plan> make_plan(const Scene& scene, std::vector<frf::FrfSet> substructures, std::vector<frf::FrfSet> assembly) {
+  const auto system_of = [&](const char* name, std::vector<frf::FrfSet>& sets, frf::Composition composition) {
+    std::vector<std::unique_ptr<frf::FrfSource>> sources;
+    for (frf::FrfSet& set : sets) {
+      frf::validate(set);
+      sources.push_back(frf::from_memory(std::move(set)));
+    }
+    return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
+  };
+  return make_plan(scene, system_of("substructures", substructures, frf::Composition::uncoupled),
+                   system_of("assembly", assembly, frf::Composition::merged));
+}
+
+Solution solve(Plan& plan, const Control& control) {
+  Solution out;
+  const Clock::time_point start = Clock::now();
+  out.dofs = plan.coordinates.joint;
+  for (const ModalRegeneration& each : plan.regenerated) {
+    if (!each.harm.empty()) out.warnings.push_back(note(each));
+  }
+  warn_of_shared_errors(plan, out);
+  out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
+  out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
+              plan.solver, 0};
+  plan.method->solve(plan, control, out);
+  check_briefly(plan, control, out);
+  out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
+  return out;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,133 @@
+#include "ident/likelihood/data/likelihood_plan.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "ident/scene/scene_failure.hpp"
+
+namespace jointid::ident {
+namespace {
+
+bool has(const frf::FrfSystem& system, const frf::Dof& dof) {
+  return frf::has(system.responses(), dof) || frf::has(system.references(), dof);
+}
+
+Dofs find_others(const Plan& plan) {
+  Dofs others;
+  for (const Dofs* dofs : {&plan.assembly->responses(), &plan.assembly->references()}) {
+    for (const frf::Dof& dof : *dofs) {
+      const bool known = frf::has(others, dof);
+      const bool of_joint = frf::has(plan.coordinates.joint, dof);
+      if (!known && !of_joint && has(*plan.substructures, dof)) others.push_back(dof);
+    }
+  }
+  return others;
+}
+
+/// Why an equation cannot be used, or empty.
+std::string lacks(const LikelihoodPlan& own, Equation equation, bool joint_on_assembly) {
+  if (equation != Equation::jj && own.others.empty()) {
+    return "no non-joint coordinate is in both the substructures and the assembly";
+  }
+  return equation == Equation::nn || joint_on_assembly ? "" : "the assembly has none of the joint DOFs";
+}
+
+/// Equations in the order nn nj jj jn; without a choice nn, nj and jj, which read all that jn does.
+void choose_equations(Plan& plan, const LikelihoodPlan& own, bool joint_on_assembly) {
+  const auto& named = plan.scene.identify.equations;
+  for (const Equation equation : {Equation::nn, Equation::nj, Equation::jj, Equation::jn}) {
+    const bool is_named = std::find(named.begin(), named.end(), equation) != named.end();
+    if (named.empty() ? equation == Equation::jn : !is_named) continue;
+    const std::string lack = lacks(own, equation, joint_on_assembly);
+    if (lack.empty()) {
+      plan.equations.push_back(equation);
+    } else if (is_named) {
+      fail(plan.scene, "[identify] equations", "equation " + name(equation) + " cannot be used: " + lack,
+           "leave it out, measure what it lacks, or let `jointid check` look for a mistaken label");
+    }
+  }
+  if (plan.equations.empty()) {
+    fail(plan.scene, "[data]", "the data allow no equation: " + lacks(own, Equation::nn, joint_on_assembly), "measure it");
+  }
+}
+
+void choose_blocks(const Plan& plan, LikelihoodPlan& own, bool joint_on_assembly) {
+  const EquationSet use(plan.equations);
+  LikelihoodBlocks& blocks = own.blocks;
+  blocks.substructures = {.nn = use.nn, .jn = !own.others.empty(), .jj = use.nj || use.jj || use.jn || !joint_on_assembly};
+  blocks.assembly = {.nn = use.nn, .jn = joint_on_assembly && !own.others.empty() && (use.nn || use.nj || use.jn),
+                     .jj = use.jj || use.jn};
+}
+
+/// The scene's priors as of the columns they name.
+std::vector<ScaledPrior> plan_priors(const Plan& plan) {
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    names.push_back(plan.columns->name(column, plan.restriction));
+  }
+  std::vector<ScaledPrior> priors;
+  for (const Prior& prior : plan.scene.identify.priors) {
+    const auto found = std::ranges::find(names, prior.unknown);
+    if (found == names.end()) {
+      const std::string near = nearest_word(prior.unknown, names);
+      fail(plan.scene, "[identify] priors", "the joint has no unknown " + prior.unknown,
+           near.empty() ? "`jointid plan` lists them" : "did you mean " + near + "?");
+    }
+    const auto column = static_cast<std::size_t>(found - names.begin());
+    priors.push_back({column, prior.value / plan.unscale(column), plan.unscale(column) / prior.deviation});
+  }
+  return priors;
+}
+
+/// Which assembly FRFs are predicted from its result.
+void plan_prediction(Plan& plan, const LikelihoodPlan& own) {
+  if (!own.blocks.substructures.jj) {
+    plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
+    return;
+  }
+  const Blocks& blocks = own.blocks.assembly;
+  plan.predicted_responses = joined(blocks.nn || blocks.jn ? own.others : Dofs(), blocks.jj ? plan.coordinates.joint : Dofs());
+  plan.predicted_references = joined(blocks.nn ? own.others : Dofs(), blocks.jn || blocks.jj ? plan.coordinates.joint : Dofs());
+}
+
+}  // namespace
+
+void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPlan& own) {
+  if (!plan.restriction.symmetric()) {
+    fail(plan.scene, "[joint]", "method \"likelihood\" takes FRFs as reciprocal, and the joint is not symmetric",
+         "use pattern = \"symmetric\" or a symmetric matrix");
+  }
+  own.others = find_others(plan);
+  own.priors = plan_priors(plan);
+  const Dofs& joint = plan.coordinates.joint;
+  const bool joint_on_assembly = std::any_of(joint.begin(), joint.end(), [&](const auto& dof) { return has(*plan.assembly, dof); });
+  choose_equations(plan, own, joint_on_assembly);
+  if (plan.equations == std::vector{Equation::jj}) own.others.clear();
+  choose_blocks(plan, own, joint_on_assembly);
+  own.observations = std::make_unique<Observations>(plan.scene, joined(own.others, joint), own.others.size(), own.blocks,
+                                                    *plan.substructures, *plan.assembly);
+  if (plan.scene.identify.start.empty()) {
+    // Method One, else the direct solution.
+    own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});
+  }
+  plan.coordinates.responses = plan.coordinates.references = own.others;
+  plan.entries_per_line = own.observations->entries_per_line();
+  plan.solver = plan.scene.identify.solver == "auto" ? "gauss-helmert" : plan.scene.identify.solver;
+  const EquationSet use(plan.equations);
+  const std::size_t n = own.others.size(), j = joint.size();
+  plan.cost.lines = plan.lines.size();
+  plan.cost.columns = plan.columns->size();
+  plan.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
+                                 (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
+  plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
+  plan_prediction(plan, own);
+}
+
+void LikelihoodPlan::read_first_line(Plan& plan) {
+  observations->read({plan.lines.front()}, [](std::size_t) {});
+  if (start) start->method->read_first_line(*start);
+}
+
+LikelihoodPlan* likelihood_plan(const Plan& plan) { return dynamic_cast<LikelihoodPlan*>(plan.method.get()); }
+
+}  // namespace jointid::ident

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "ident/likelihood/data/observations.hpp"
+#include "ident/likelihood/data/scaled_prior.hpp"
+#include "ident/plan/plan.hpp"
+
+namespace jointid::ident {
+
+/// What method "likelihood" needs beside the rest of a Plan.
+class LikelihoodPlan : public MethodPlan {
+ public:
+  Dofs others;  ///< non-joint coordinates that both systems have, in either role
+  LikelihoodBlocks blocks;
+  std::vector<ScaledPrior> priors;
+  std::unique_ptr<Observations> observations;
+  std::unique_ptr<Plan> start;  ///< the linear estimate to start from; empty when the scene gives the start
+
+  void read_first_line(Plan& plan) override;
+};
+
+/// That of a plan, or nullptr for other methods.
+LikelihoodPlan* likelihood_plan(const Plan& plan);
+
+/// Plans the likelihood on a plan whose scene, systems, restriction, lines and columns are there. The equations say which
+/// blocks are read, as they do for Method One; coordinates count in either role, and the assembly's joint coordinates may be
+/// missing (then only H_nn is used). Throws InputError for joints that are not symmetric (reciprocity) and for data without
+/// variances.
+void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPlan& own);
+
+}  // namespace jointid::ident

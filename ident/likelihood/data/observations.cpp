@@ -1,0 +1,155 @@
+#include "ident/likelihood/data/observations.hpp"
+
+#include <algorithm>
+
+#include "base/complex.hpp"
+#include "ident/likelihood/data/choose_layout.hpp"
+#include "ident/likelihood/line/frf_weight.hpp"
+#include "ident/result/chunk_pipeline.hpp"
+
+namespace jointid::ident {
+namespace {
+
+void append(Channel& channel, const Measured& m) {
+  channel.value.push_back(m.known() ? m.value : Complex(0.0));
+  channel.weight.push_back(m.known() ? frf_weight(m.variance, m.value) : Complex(0.0));
+}
+
+std::size_t count_measured(const Channel& channel) {
+  std::size_t count = 0;
+  for (const Complex& weight : channel.weight) count += (weight.real() > 0.0) + (weight.imag() > 0.0);
+  return count;
+}
+
+}  // namespace
+
+Observations::Observations(const Scene& scene, const Dofs& coordinates, std::size_t others, const LikelihoodBlocks& blocks,
+                           frf::FrfSystem& substructures, frf::FrfSystem& assembly)
+    : substructures_(substructures, scene, coordinates, others, blocks.substructures),
+      assembly_(assembly, scene, coordinates, others, blocks.assembly),
+      background_(substructures.background(coordinates, coordinates)) {
+  layout_.coordinates = coordinates;
+  layout_.others = others;
+  layout_.joint = coordinates.size() - others;
+}
+
+std::vector<FileVariances> Observations::origins() const {
+  std::vector<FileVariances> all = substructures_.origins();
+  const auto more = assembly_.origins();
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+std::size_t Observations::bytes() const {
+  std::size_t total = 0;
+  const std::size_t size = layout_.coordinates.size();
+  total += raw_.size() * size * (size + 1) * sizeof(Measured);
+  for (const LineData& line : data_) {
+    for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+      total += (channel->value.capacity() + channel->weight.capacity()) * sizeof(Complex);
+    }
+  }
+  return total;
+}
+
+void Observations::read(const std::vector<Line>& lines, const std::function<void(std::size_t)>& between) {
+  plan_lines_ = lines;
+  raw_.clear();
+  data_.clear();
+  std::vector<std::size_t> substructure_lines, assembly_lines;
+  for (const Line& line : lines) {
+    substructure_lines.push_back(line.substructures);
+    assembly_lines.push_back(line.assembly);
+  }
+  substructures_.prepare(substructure_lines);
+  assembly_.prepare(assembly_lines);
+  const std::size_t chunk = std::max<std::size_t>(1, chunk_lines(entries_per_line()) / 4);
+  for (std::size_t first = 0; first < lines.size(); first += chunk) {
+    between(first);
+    const std::size_t count = std::min(chunk, lines.size() - first);
+    read_chunk(std::span(substructure_lines).subspan(first, count), std::span(assembly_lines).subspan(first, count));
+  }
+  leave_out({});
+}
+
+void Observations::leave_out(const std::vector<std::size_t>& coordinates) {
+  layout_ = without(choose_layout(layout_.coordinates, layout_.others, raw_), coordinates);
+  weigh_as_measured();
+}
+
+void Observations::read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) {
+  substructures_.read(substructure_lines);
+  assembly_.read(assembly_lines);
+  const std::size_t size = layout_.coordinates.size();
+  for (std::size_t i = 0; i < substructure_lines.size(); ++i) {
+    raw_.push_back({Symmetric<Measured>(size), Symmetric<Measured>(size)});
+    Raw& raw = raw_.back();
+    for (std::size_t at = 0; at < size * size; ++at) {
+      const std::size_t row = at / size, column = at % size;
+      if (row > column) continue;
+      const bool apart = background_[at] == Complex(0.0);
+      raw.substructures.at(row, column) = apart ? Measured{0.0, 0.0} : substructures_.at(i, row, column);
+      raw.assembly.at(row, column) = assembly_.at(i, row, column);
+    }
+  }
+}
+
+LineData Observations::data_of(const Raw& raw, double omega) const {
+  const std::size_t n = layout_.others;
+  LineData data;
+  data.omega = omega;
+  for (const auto [p, k] : layout_.x) append(data.x, raw.substructures.at(n + p, k));
+  for (const auto [p, q] : layout_.y) append(data.y, raw.substructures.at(n + p, n + q));
+  for (const auto [p, k] : layout_.a) append(data.a, raw.assembly.at(n + p, k));
+  for (const auto [p, q] : layout_.b) append(data.b, raw.assembly.at(n + p, n + q));
+  for (const auto [r, k] : layout_.d) append(data.d, raw.substructures.at(r, k) - raw.assembly.at(r, k));
+  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) data.measured += count_measured(*channel);
+  return data;
+}
+
+void Observations::weigh_as_measured() {
+  data_.clear();
+  for (std::size_t i = 0; i < raw_.size(); ++i) {
+    data_.push_back(data_of(raw_[i], angular(plan_lines_[i].frequency_hz)));
+  }
+}
+
+void Observations::weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) {
+  const Raw& raw = raw_[line];
+  LineData& data = data_[line];
+  data = data_of(raw, data.omega);
+  const std::size_t n = layout_.others;
+  const BothSystems<Complex> values = estimated_frfs(layout_, raw, data.d, state, z);
+  substructures_.variances_of(plan_lines_[line].substructures, values.substructures);
+  assembly_.variances_of(plan_lines_[line].assembly, values.assembly);
+  reweigh(layout_.x, {n, 0}, substructures_, raw.substructures, values.substructures, data.x);
+  reweigh(layout_.y, {n, n}, substructures_, raw.substructures, values.substructures, data.y);
+  reweigh(layout_.a, {n, 0}, assembly_, raw.assembly, values.assembly, data.a);
+  reweigh(layout_.b, {n, n}, assembly_, raw.assembly, values.assembly, data.b);
+  reweigh_differences(raw, values, data.d);
+}
+
+void Observations::reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
+                           const Symmetric<Measured>& measured, const Symmetric<Complex>& values, Channel& channel) const {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const std::size_t row = origin.row + elements[i].row, column = origin.column + elements[i].column;
+    const Measured& m = measured.at(row, column);
+    if (!m.known()) continue;
+    const Complex now = frf_weight(system.variance(row, column, m.averaged), values.at(row, column));
+    channel.weight[i] = near_weight(now, channel.weight[i]);
+  }
+}
+
+void Observations::reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const {
+  for (std::size_t i = 0; i < layout_.d.size(); ++i) {
+    const auto [r, k] = layout_.d[i];
+    const Measured &sub = raw.substructures.at(r, k), &whole = raw.assembly.at(r, k);
+    if (!sub.known() || !whole.known()) continue;
+    const Complex own = sub.is_zero() ? Complex(0.0) : substructures_.variance(r, k, sub.averaged);
+    const Complex now = frf_weight(own + assembly_.variance(r, k, whole.averaged),
+                                   values.substructures.at(r, k) - values.assembly.at(r, k));
+    channel.weight[i] = near_weight(now, channel.weight[i]);
+  }
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+
+#include "ident/likelihood/data/estimated_frfs.hpp"
+#include "ident/likelihood/data/likelihood_data.hpp"
+#include "ident/plan/line.hpp"
+
+namespace jointid::ident {
+
+/// Which blocks of both systems the equations of a likelihood read: those that Method One reads for them. Without any H_nj of
+/// the assembly (only H_nn measured) H_bb is needed too.
+struct LikelihoodBlocks {
+  Blocks substructures, assembly;
+};
+
+/// All measured FRFs of a problem with their variances, brought into the form of the likelihood.
+class Observations final : public LikelihoodData {
+ public:
+  Observations(const Scene& scene, const Dofs& coordinates, std::size_t others, const LikelihoodBlocks& blocks,
+               frf::FrfSystem& substructures, frf::FrfSystem& assembly);
+
+  std::size_t entries_per_line() const { return substructures_.entries_per_line() + assembly_.entries_per_line(); }
+
+  /// Reads the lines of a plan, replacing what was read before; `between` is called between chunks of lines.
+  void read(const std::vector<Line>& lines, const std::function<void(std::size_t done)>& between);
+
+  /// Takes what was read as if some coordinates (numbers in LineLayout::coordinates) had not been measured: non-joint ones at
+  /// all, joint ones on the assembly. Replaces what was left out before.
+  void leave_out(const std::vector<std::size_t>& coordinates);
+
+  bool variances_by_law() const override { return substructures_.variances_by_law() || assembly_.variances_by_law(); }
+  void weigh_as_measured() override;
+  void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) override;
+
+  std::vector<FileVariances> origins() const;
+
+  /// Of the measured FRFs and their weights.
+  std::size_t bytes() const;
+
+ private:
+  using Raw = BothSystems<Measured>;
+
+  void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
+  LineData data_of(const Raw& raw, double omega) const;
+  void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
+               const Symmetric<Measured>& measured, const Symmetric<Complex>& values, Channel& channel) const;
+  void reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const;
+
+  SymmetricFrfs substructures_, assembly_;
+  std::vector<Line> plan_lines_;
+  std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
+  std::vector<Raw> raw_;
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,144 @@
+#include "ident/likelihood/data/symmetric_frfs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace jointid::ident {
+namespace {
+
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::size_t> numbers(std::size_t first, std::size_t last) {
+  std::vector<std::size_t> all(last - first);
+  std::iota(all.begin(), all.end(), first);
+  return all;
+}
+
+Dofs pick(const Dofs& dofs, const std::vector<std::size_t>& which) {
+  Dofs out;
+  for (const std::size_t i : which) out.push_back(dofs[i]);
+  return out;
+}
+
+double averaged_part(double a, double va, double b, double vb) {
+  if (va == 0.0 || vb == 0.0) return va == 0.0 ? a : b;
+  return (a * vb + b * va) / (va + vb);
+}
+
+double averaged_variance(double va, double vb) { return va == 0.0 || vb == 0.0 ? 0.0 : va * vb / (va + vb); }
+
+/// Whether two measurements agree far better than their noise lets independent ones: one is a copy of the other.
+bool copies(const Measured& a, const Measured& b) {
+  const double variance = a.variance.real() + a.variance.imag() + b.variance.real() + b.variance.imag();
+  return std::norm(a.value - b.value) <= 1e-8 * variance || a.value == b.value;
+}
+
+}  // namespace
+
+SymmetricFrfs::SymmetricFrfs(frf::FrfSystem& system, const Scene& scene, const Dofs& coordinates, std::size_t others,
+                             const Blocks& blocks)
+    : size_(coordinates.size()) {
+  const auto n = numbers(0, others), j = numbers(others, size_);
+  std::vector<std::pair<std::vector<std::size_t>, std::vector<std::size_t>>> wanted;
+  if (blocks.nn && blocks.jn && blocks.jj) {
+    wanted.emplace_back(numbers(0, size_), numbers(0, size_));
+  } else {
+    if (blocks.nn) wanted.emplace_back(n, n);
+    if (blocks.jn) wanted.emplace_back(n, j);
+    if (blocks.jn) wanted.emplace_back(j, n);
+    if (blocks.jj) wanted.emplace_back(j, j);
+  }
+  for (auto& [rows, columns] : wanted) {
+    if (rows.empty() || columns.empty()) continue;
+    const Dofs row_dofs = pick(coordinates, rows), column_dofs = pick(coordinates, columns);
+    parts_.push_back({std::move(rows), std::move(columns), std::make_unique<frf::BlockReader>(system, row_dofs, column_dofs),
+                      std::make_unique<Variances>(system, row_dofs, column_dofs, scene)});
+  }
+}
+
+std::size_t SymmetricFrfs::entries_per_line() const {
+  std::size_t entries = 0;
+  for (const Part& part : parts_) entries += part.rows.size() * part.columns.size();
+  return entries;
+}
+
+std::vector<FileVariances> SymmetricFrfs::origins() const {
+  std::vector<FileVariances> all;
+  for (const Part& part : parts_) {
+    for (FileVariances& file : part.variances->origins()) {
+      const bool told = std::any_of(all.begin(), all.end(), [&](const FileVariances& other) { return other.file == file.file; });
+      if (!told) all.push_back(std::move(file));
+    }
+  }
+  return all;
+}
+
+bool SymmetricFrfs::variances_by_law() const {
+  const auto all = origins();
+  return std::any_of(all.begin(), all.end(),
+                     [](const FileVariances& file) { return file.origin == VarianceOrigin::noise_model; });
+}
+
+void SymmetricFrfs::scatter(const Part& part, std::size_t lines, const std::vector<Complex>& from,
+                            std::vector<Complex>& to) const {
+  const Complex* next = from.data();
+  for (std::size_t line = 0; line < lines; ++line) {
+    for (const std::size_t row : part.rows) {
+      for (const std::size_t column : part.columns) to[(line * size_ + row) * size_ + column] = *next++;
+    }
+  }
+}
+
+void SymmetricFrfs::prepare(std::span<const std::size_t> lines) {
+  for (Part& part : parts_) {
+    if (part.variances->needs_prepare()) part.variances->prepare(lines);
+  }
+}
+
+void SymmetricFrfs::read(std::span<const std::size_t> lines) {
+  values_.assign(lines.size() * size_ * size_, not_measured);
+  variances_.assign(values_.size(), not_measured);
+  for (Part& part : parts_) {
+    scratch_.resize(lines.size() * part.rows.size() * part.columns.size());
+    scratch_variance_.resize(scratch_.size());
+    part.reader->read(lines, scratch_);
+    part.variances->read(lines, scratch_, scratch_variance_);
+    scatter(part, lines.size(), scratch_, values_);
+    scatter(part, lines.size(), scratch_variance_, variances_);
+  }
+}
+
+Measured SymmetricFrfs::at(std::size_t i, std::size_t row, std::size_t column) const {
+  const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
+  const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
+  if (!b.known()) return a;
+  if (!a.known() || copies(a, b)) return b;
+  return {{averaged_part(a.value.real(), a.variance.real(), b.value.real(), b.variance.real()),
+           averaged_part(a.value.imag(), a.variance.imag(), b.value.imag(), b.variance.imag())},
+          {averaged_variance(a.variance.real(), b.variance.real()), averaged_variance(a.variance.imag(), b.variance.imag())},
+          true};
+}
+
+void SymmetricFrfs::variances_of(std::size_t line, const Symmetric<Complex>& values) {
+  variances_.assign(size_ * size_, not_measured);
+  const std::array<std::size_t, 1> lines = {line};
+  for (Part& part : parts_) {
+    scratch_.clear();
+    for (const std::size_t row : part.rows) {
+      for (const std::size_t column : part.columns) scratch_.push_back(values.at(row, column));
+    }
+    scratch_variance_.resize(scratch_.size());
+    part.variances->read(lines, scratch_, scratch_variance_);
+    scatter(part, 1, scratch_variance_, variances_);
+  }
+}
+
+Complex SymmetricFrfs::variance(std::size_t row, std::size_t column, bool averaged) const {
+  const Complex one = variances_[row * size_ + column], other = variances_[column * size_ + row];
+  const Complex known = std::isnan(one.real()) ? other : one;
+  return averaged ? 0.5 * known : known;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "ident/equations/equation_builder.hpp"
+#include "ident/likelihood/line/symmetric.hpp"
+#include "ident/variance/variances.hpp"
+
+namespace jointid::ident {
+
+/// A measured FRF with the variances of its real and imaginary part; NaN where not measured.
+struct Measured {
+  Complex value, variance;
+  bool averaged = false;  ///< of two measurements that differ
+
+  bool known() const { return !std::isnan(value.real()) && !std::isnan(variance.real()); }
+  bool is_zero() const { return known() && value == Complex(0.0); }
+};
+
+/// The difference of two independent measurements; not known unless both are.
+inline Measured operator-(const Measured& a, const Measured& b) {
+  return {a.value - b.value, a.variance + b.variance};
+}
+
+/// Which blocks of a system are read, with n non-joint and j joint coordinates.
+struct Blocks {
+  bool nn = false, jn = false, jj = false;
+};
+
+/// The FRFs of one system as a symmetric matrix over some coordinates (reciprocity). Where (r,c) and (c,r) are both measured
+/// they are one measurement when they agree far better than their variances allow, and otherwise averaged.
+class SymmetricFrfs {
+ public:
+  /// `coordinates`: n non-joint ones, then joint ones. Throws InputError when variances are asked for that the data do not have.
+  SymmetricFrfs(frf::FrfSystem& system, const Scene& scene, const Dofs& coordinates, std::size_t others, const Blocks& blocks);
+
+  /// FRFs read per line.
+  std::size_t entries_per_line() const;
+
+  /// Whether variances follow a law of the value, so that better values give better variances.
+  bool variances_by_law() const;
+
+  std::vector<FileVariances> origins() const;
+
+  /// Finds the laws of the variances that depend on the FRFs of all `lines` in use (common lines, ascending): before read(),
+  /// and again when the FRFs have changed.
+  void prepare(std::span<const std::size_t> lines);
+
+  /// Reads some common lines of the system (ascending).
+  void read(std::span<const std::size_t> lines);
+
+  /// The i-th line read, in the role (row, column) or (column, row).
+  Measured at(std::size_t i, std::size_t row, std::size_t column) const;
+
+  /// Works out the variances that line `line` of the system would have for other values; NaN where not measured.
+  void variances_of(std::size_t line, const Symmetric<Complex>& values);
+
+  /// After variances_of(): half of it where two measurements were averaged.
+  Complex variance(std::size_t row, std::size_t column, bool averaged) const;
+
+ private:
+  struct Part {
+    std::vector<std::size_t> rows, columns;  ///< in the coordinates
+    std::unique_ptr<frf::BlockReader> reader;
+    std::unique_ptr<Variances> variances;
+  };
+
+  void scatter(const Part& part, std::size_t lines, const std::vector<Complex>& from, std::vector<Complex>& to) const;
+
+  std::size_t size_;
+  std::vector<Part> parts_;
+  std::vector<Complex> values_, variances_, scratch_, scratch_variance_;
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,47 @@
+#include "ident/likelihood/findings/bound_of.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "base/eigen.hpp"
+#include "ident/algebra/covariance.hpp"
+#include "ident/algebra/null_space.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/plan/joint_guess.hpp"
+
+namespace jointid::ident {
+
+std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& information) {
+  const Eigen::MatrixXd covariance = covariance_of(information), free = null_space_of(information);
+  std::vector<double> bound;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const auto c = at(column);
+    bound.push_back(std::sqrt(covariance(c, c)) * plan.unscale(column));
+  }
+  LinearSolution fixed;
+  if (free.cols() > 0) tell_null_space(free, fixed);
+  for (const std::size_t column : fixed.undetermined) bound[column] = std::numeric_limits<double>::infinity();
+  return bound;
+}
+
+void read_observations(Plan& plan, const Control& control) {
+  likelihood_plan(plan)->observations->read(plan.lines, [&](std::size_t done) {
+    stop_if(control.interrupted);
+    if (control.progress) control.progress("reading", done, plan.lines.size());
+  });
+}
+
+LikelihoodEstimator make_estimator(Plan& plan, const Control& control, std::shared_ptr<const std::string> stage) {
+  LikelihoodEstimator estimator(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0,
+                                control.threads);
+  estimator.set_priors(likelihood_plan(plan)->priors);
+  if (control.interrupted || control.progress) {
+    estimator.set_line_watch([&control, stage = std::move(stage)](std::size_t begun, std::size_t lines) {
+      stop_if(control.interrupted);
+      if (control.progress) control.progress(stage ? stage->c_str() : "likelihood", begun, lines);
+    });
+  }
+  return estimator;
+}
+
+}  // namespace jointid::ident

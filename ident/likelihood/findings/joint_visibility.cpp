@@ -1,0 +1,128 @@
+#include "ident/likelihood/findings/joint_visibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/eigen.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Numbers = std::vector<double>;
+
+/// Appends |difference|/σ of both parts; weights are 1/σ of each term, 0: not measured.
+void add(Complex difference, Complex first, Complex second, Numbers& out) {
+  const auto one = [&](double value, double a, double b) {
+    if (a > 0.0 && b > 0.0) out.push_back(std::abs(value) / std::hypot(1.0 / a, 1.0 / b));
+  };
+  one(difference.real(), first.real(), second.real());
+  one(difference.imag(), first.imag(), second.imag());
+}
+
+void add_block(const std::vector<Element>& of_sub, const Channel& sub, const std::vector<Element>& of_asm, const Channel& whole,
+               Numbers& out) {
+  for (std::size_t i = 0; i < of_asm.size(); ++i) {
+    const auto found = std::ranges::find_if(of_sub, [&](const Element& e) {
+      return e.row == of_asm[i].row && e.column == of_asm[i].column;
+    });
+    if (found == of_sub.end()) continue;
+    const auto j = static_cast<std::size_t>(found - of_sub.begin());
+    add(sub.value[j] - whole.value[i], sub.weight[j], whole.weight[i], out);
+  }
+}
+
+void add_effects(const LineLayout& layout, const LineData& data, Numbers& out) {
+  add_block(layout.x, data.x, layout.a, data.a, out);
+  add_block(layout.y, data.y, layout.b, data.b, out);
+  for (std::size_t i = 0; i < layout.d.size(); ++i) {
+    const Complex value = data.d.value[i], weight = data.d.weight[i];
+    if (weight.real() > 0.0) out.push_back(std::abs(value.real()) * weight.real());
+    if (weight.imag() > 0.0) out.push_back(std::abs(value.imag()) * weight.imag());
+  }
+}
+
+/// |a_kᵀ δZ a_k| / |x_kᵀ δZ x_k| for every non-joint coordinate k.
+void add_deformations(const LineState& state, const ComplexMatrix& dz, Numbers& out) {
+  for (Eigen::Index k = 0; k < state.x.cols(); ++k) {
+    const Complex assembled = (state.a.col(k).transpose() * dz * state.a.col(k)).value();
+    const Complex free = (state.x.col(k).transpose() * dz * state.x.col(k)).value();
+    if (free != Complex(0.0)) out.push_back(std::abs(assembled / free));
+  }
+}
+
+std::optional<double> median(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEstimator& estimator,
+                                 const std::vector<double>& direction) {
+  Numbers effects, deformations;
+  const std::vector<double> origin(direction.size(), 0.0);
+  for (std::size_t i = 0; i < data.lines().size(); ++i) {
+    const LineState& state = estimator.state_of(i);
+    if (state.a.size() == 0) continue;
+    add_effects(data.layout(), data.lines()[i], effects);
+    add_deformations(state, estimator.impedance_of(i, direction) - estimator.impedance_of(i, origin), deformations);
+  }
+  return {median(std::move(effects)), median(std::move(deformations))};
+}
+
+namespace {
+
+constexpr double held_together = 0.1;
+
+struct Pair {
+  std::size_t i, j;
+  double motion;
+};
+
+/// The median of |a_i − s a_j| / |x_i − s x_j|, s the product of the DOFs' signs.
+std::optional<double> relative_motion(const LikelihoodData& data, const LikelihoodEstimator& estimator, Eigen::Index i, Eigen::Index j,
+                                      double sign) {
+  Numbers ratios;
+  for (std::size_t line = 0; line < data.lines().size(); ++line) {
+    const LineState& state = estimator.state_of(line);
+    for (Eigen::Index k = 0; k < state.a.cols(); ++k) {
+      const double free = std::abs(state.x(i, k) - sign * state.x(j, k));
+      if (free > 0.0) ratios.push_back(std::abs(state.a(i, k) - sign * state.a(j, k)) / free);
+    }
+  }
+  return median(std::move(ratios));
+}
+
+std::vector<Pair> held_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator, const Dofs& joint) {
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < joint.size(); ++i) {
+    for (std::size_t j = i + 1; j < joint.size(); ++j) {
+      if (joint[i].direction != joint[j].direction) continue;
+      const auto motion = relative_motion(data, estimator, at(i), at(j),
+                                          joint[i].sign * joint[j].sign);
+      if (motion && *motion < held_together) pairs.push_back({i, j, *motion});
+    }
+  }
+  std::ranges::sort(pairs, {}, &Pair::motion);
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<std::array<std::string, 2>> stiff_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator) {
+  const Dofs& all = data.layout().coordinates;
+  const Dofs joint(all.begin() + static_cast<std::ptrdiff_t>(data.layout().others), all.end());
+  std::vector<bool> taken(joint.size(), false);
+  std::vector<std::array<std::string, 2>> out;
+  for (const Pair& pair : held_pairs(data, estimator, joint)) {
+    if (taken[pair.i] || taken[pair.j]) continue;
+    taken[pair.i] = taken[pair.j] = true;
+    out.push_back({joint[pair.i].name(), joint[pair.j].name()});
+  }
+  if (2 * out.size() == joint.size()) out.clear();
+  return out;
+}
+
+}  // namespace jointid::ident

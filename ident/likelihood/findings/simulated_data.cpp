@@ -1,0 +1,69 @@
+#include "ident/likelihood/findings/simulated_data.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "base/eigen.hpp"
+
+namespace jointid::ident {
+namespace {
+
+std::vector<Complex> values_at(const std::vector<Element>& elements, const ComplexMatrix& matrix) {
+  std::vector<Complex> out;
+  for (const Element& e : elements) out.push_back(matrix(at(e.row), at(e.column)));
+  return out;
+}
+
+ExactLine exact_line(const LineLayout& layout, const LineState& state, const ComplexMatrix& za) {
+  ExactLine out{values_at(layout.x, state.x), values_at(layout.y, state.y), values_at(layout.a, state.a), {}, {}};
+  if (!layout.b.empty()) out.b = values_at(layout.b, state.b);
+  for (const Element& e : layout.d) out.d.push_back(predicted_difference(state, za, e));
+  return out;
+}
+
+double error(double normal, double weight) { return weight > 0.0 ? normal / weight : 0.0; }
+
+void draw_channel(const std::vector<Complex>& exact, const RandomStream& stream, std::uint64_t entry, Channel& channel) {
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const auto normal = normal_numbers(stream, entry, i);
+    const Complex weight = channel.weight[i];
+    channel.value[i] = exact[i] + Complex(error(normal[0], weight.real()), error(normal[1], weight.imag()));
+  }
+}
+
+}  // namespace
+
+std::vector<ExactLine> exact_lines(const LikelihoodData& data, const LikelihoodEstimator& fitted, const std::vector<double>& theta) {
+  std::vector<ExactLine> out;
+  for (std::size_t i = 0; i < data.lines().size(); ++i) {
+    const LineState& state = fitted.state_of(i);
+    if (state.x.rows() == 0) {
+      out.emplace_back();
+      continue;
+    }
+    out.push_back(exact_line(data.layout(), state, fitted.impedance_of(i, theta) * state.a));
+  }
+  return out;
+}
+
+SimulatedData::SimulatedData(const LikelihoodData& data, const std::vector<double>& line_weight) {
+  layout_ = data.layout();
+  data_ = data.lines();
+  for (std::size_t i = 0; i < data_.size(); ++i) {
+    LineData& line = data_[i];
+    for (Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
+      for (Complex& weight : channel->weight) weight *= std::sqrt(line_weight[i]);
+    }
+  }
+}
+
+void SimulatedData::draw(const std::vector<ExactLine>& exact, const RandomStream& stream) {
+  for (std::size_t i = 0; i < data_.size(); ++i) {
+    LineData& line = data_[i];
+    const std::array<std::pair<const std::vector<Complex>*, Channel*>, 5> channels = {
+        {{&exact[i].x, &line.x}, {&exact[i].y, &line.y}, {&exact[i].a, &line.a}, {&exact[i].b, &line.b}, {&exact[i].d, &line.d}}};
+    for (std::size_t c = 0; c < channels.size(); ++c) draw_channel(*channels[c].first, stream, 5 * i + c, *channels[c].second);
+  }
+}
+
+}  // namespace jointid::ident

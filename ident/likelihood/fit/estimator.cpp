@@ -1,0 +1,384 @@
+#include "ident/likelihood/fit/estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/eigen.hpp"
+#include "ident/algebra/covariance.hpp"
+#include "ident/likelihood/fit/godambe_information.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// How long a step is in standard deviations.
+double norm_of(const Eigen::VectorXd& step, const Eigen::MatrixXd& information) {
+  return std::sqrt(std::max(0.0, step.dot(information * step)));
+}
+
+/// The part of a step that changes no unknown by more than half of itself, or of what it was at the start, where that is more:
+/// an unknown that changes its sign passes zero.
+double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, const std::vector<double>& start) {
+  double scale = 1.0;
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    const double size = std::max(std::abs(theta[i]), std::abs(start[i]));
+    if (size != 0.0 && step[at(i)] != 0.0) scale = std::min(scale, 0.5 * size / std::abs(step[at(i)]));
+  }
+  return scale;
+}
+
+/// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
+/// more than was assumed, or less, down to this part of it (FRFs without noise).
+constexpr double settled = 1e-3;
+constexpr double least_misfit = 1e-6;
+constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
+constexpr std::size_t most_iterations = 60;
+
+/// With most lines further than three times their errors off, a joint that does not get 2 % nearer in four steps is not waited for, and
+/// when starts end within a tenth of each other no other is tried: the data are wrong, or the joint's model.
+constexpr double far_misfit = 9.0, mended = 0.02, same_end = 0.1;
+constexpr std::size_t patience = 4;
+/// The same where the data contradict every joint.
+constexpr double mended_beyond = 0.3;
+constexpr std::size_t patience_beyond = 1;
+
+/// How far it is still after a step of that size, when steps shrink by that ratio; as far as the step where they do not shrink.
+double left_after(double size, double ratio) { return ratio < 0.5 ? size * ratio / (1.0 - ratio) : size; }
+
+/// Shares a cost out: to the ties what they have of it in the quadratic model, the rest by how far each condition pulled the
+/// estimate the way it went.
+void share_out(const Eigen::VectorXd& free, double cost, double tie_share, AdmissibleFit& fit) {
+  std::vector<double> pulls;
+  double sum = 0.0;
+  for (const Eigen::VectorXd& force : fit.forces) {
+    pulls.push_back(force.size() > 0 ? force.dot(fit.theta - free) : 0.0);
+    sum += pulls.back();
+  }
+  fit.cost = cost;
+  fit.tie_cost = sum > 0.0 ? tie_share * cost : (tie_share > 0.0 ? cost : 0.0);
+  for (std::size_t k = 0; k < pulls.size(); ++k) fit.shares[k] = sum > 0.0 ? (cost - fit.tie_cost) * pulls[k] / sum : 0.0;
+}
+
+std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step, double scale) {
+  for (std::size_t i = 0; i < theta.size(); ++i) theta[i] += scale * step[at(i)];
+  return theta;
+}
+
+}  // namespace
+
+LikelihoodEstimator::LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction,
+                                         const UnknownColumns& columns, double omega0, std::size_t threads)
+    : unknowns_(columns.size()), lines_(observations, restriction, columns, omega0, threads) {}
+
+double LikelihoodEstimator::total(const std::vector<double>& theta) const {
+  double sum = lines_.loss();
+  for (const auto& [column, value, weight] : priors_) sum += weight * weight * (value - theta[column]) * (value - theta[column]);
+  return sum;
+}
+
+double LikelihoodEstimator::misfit_of(double loss) const {
+  const double expected = lines_.expected() - static_cast<double>(unknowns_);
+  return expected > 0.0 ? std::clamp(std::sqrt(loss / expected), least_misfit, 1.0) : 1.0;
+}
+
+void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
+  information = Eigen::MatrixXd::Zero(at(unknowns_), at(unknowns_));
+  gradient = Eigen::VectorXd::Zero(at(unknowns_));
+  for (const auto& [column, value, weight] : priors_) {
+    information(at(column), at(column)) += weight * weight;
+    gradient[at(column)] += weight * weight * (value - theta[column]);
+  }
+  lines_.add_to(information, gradient);
+}
+
+/// The step of the joint from the lines as they are linearised where they stand, weighted by their own χ².
+Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information) {
+  lines_.linearise(theta);
+  lines_.take_linearised_costs();
+  lines_.choose_tolerance();
+  lines_.weigh_robustly();
+  Eigen::VectorXd gradient;
+  sum(theta, information, gradient);
+  return determined_step(information, gradient);
+}
+
+/// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
+/// covariance that the last joint gives them.
+bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch) {
+  for (std::size_t iteration = 0; iteration < most; ++iteration) {
+    watch(++fit.iterations);
+    const Eigen::VectorXd step = whitened_step(fit.theta, fit.information);
+    fit.theta = added(fit.theta, step, 1.0);
+    tell(fit);
+    if (std::sqrt(step.dot(fit.information * step)) < tolerance) return true;
+  }
+  return false;
+}
+
+void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& watch) {
+  const bool poor = lines_.layout().a.empty();  // without H_jn of the assembly the start may be far off
+  const std::size_t most = poor ? 30 : 15;
+  const double near = poor ? 6.0 : 1.0;  // in standard deviations: close enough for the last stage
+  const std::vector<double> start = fit.theta;
+  Eigen::MatrixXd information;
+  for (std::size_t iteration = 0; iteration < most; ++iteration) {
+    watch(++fit.iterations);
+    const Eigen::VectorXd step = whitened_step(fit.theta, information);
+    const double scale = poor ? half_of(step, fit.theta, start) : 1.0;
+    const std::vector<double> next = added(fit.theta, step, scale);
+    lines_.advance(fit.theta, next, scale * step);
+    fit.theta = next;
+    tell(fit);
+    if (std::sqrt(step.dot(information * step)) < near) break;
+  }
+}
+
+/// The step to the minimum of the quadratic model, over the admissible joints where there are constraints.
+Eigen::VectorXd LikelihoodEstimator::joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information,
+                                                const Eigen::VectorXd& gradient) {
+  if (admissible_ == nullptr) return secants_.step(information, gradient);
+  const Eigen::VectorXd step = determined_step(information, gradient);
+  const Eigen::VectorXd from = Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()));
+  nearest_ = nearest_admissible(*admissible_, from + step, root_of(information), std::sqrt(lines_.tolerance()));
+  return nearest_.theta - from;
+}
+
+bool LikelihoodEstimator::far_from_fitting() const { return lines_.tolerance() > far_misfit; }
+
+bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
+  if (!second_opinion_ || !far_from_fitting()) return false;
+  if (!beyond_any_joint_) beyond_any_joint_ = second_opinion_(theta);
+  return *beyond_any_joint_;
+}
+
+bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
+  lines_.relax(fit.theta);
+  if (admissible_ == nullptr) lines_.choose_tolerance();
+  lines_.weigh_robustly();
+  double loss = total(fit.theta);
+  double last = 0.0, ratio = shrinks_;
+  int crawling = 0;  // steps in a row of which next to nothing helped
+  std::vector<double> losses = {loss};
+  Eigen::VectorXd gradient, taken;
+  while (fit.iterations < most_iterations) {
+    watch(++fit.iterations);
+    lines_.linearise(fit.theta);
+    const Eigen::VectorXd before_taken = std::exchange(gradient, {});
+    sum(fit.theta, fit.information, gradient);
+    if (taken.size() > 0) secants_.note(taken, before_taken - gradient, fit.information);
+    const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
+    const double size = norm_of(step, fit.information) / std::sqrt(lines_.tolerance());
+    const std::vector<FittedLine> before = lines_.places();
+    double scale = 1.0;
+    for (int attempt = 0;; ++attempt, scale *= 0.25) {
+      if (attempt == 8) {
+        lines_.go_back(before);
+        return size < tolerance;
+      }
+      const std::vector<double> next = added(fit.theta, step, scale);
+      lines_.follow(before, next, scale * step);
+      const double reached = total(next);
+      if (!(reached <= loss * (1.0 + 1e-9))) continue;
+      loss = reached;
+      fit.theta = next;
+      tell(fit, loss);
+      break;
+    }
+    taken = scale * step;
+    lines_.weigh_robustly();
+    crawling = scale < 0.01 ? crawling + 1 : 0;
+    if (crawling == 3) return false;
+    losses.push_back(loss);
+    const bool beyond = beyond_any_joint(fit.theta);
+    const std::size_t steps = beyond ? patience_beyond : patience;
+    if (far_from_fitting() && losses.size() > steps &&
+        loss > (1.0 - (beyond ? mended_beyond : mended)) * losses[losses.size() - 1 - steps]) {
+      fit.hopeless = true;
+      return false;
+    }
+    if (last > 0.0) shrinks_ = ratio = size / last;
+    if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) return true;
+    last = size;
+  }
+  return false;
+}
+
+LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch) {
+  lines_.take_variances_as_measured();
+  LikelihoodFit fit = begun(std::move(start));
+  if (!lines_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
+  implicit_stage(fit, watch);
+  if (lines_.variances_by_law()) {
+    lines_.relax(fit.theta);
+    lines_.take_variances_here(fit.theta);
+  }
+  fit.converged = project(fit, 0.1, watch);
+  for (double before = 2.0 * lines_.tolerance(); fit.converged && lines_.tolerance() > 1.0 && lines_.tolerance() < 0.9 * before;) {
+    before = lines_.tolerance();  // lines that fit better now may tell others as outlying
+    fit.converged = project(fit, 0.1, watch);
+  }
+  while (fit.converged && lines_.variances_by_law() && fit.iterations < most_iterations) {
+    const std::vector<double> before = fit.theta;
+    lines_.take_variances_here(fit.theta);
+    fit.converged = project(fit, 0.1, watch);
+    Eigen::VectorXd moved(at(unknowns_));
+    for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
+    if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
+  }
+  if (fit.converged) fit.converged = project(fit, settled, watch);
+  finish(fit);
+  return fit;
+}
+
+LikelihoodFit LikelihoodEstimator::run_whitened(std::vector<double> start, const FitWatcher& watch) {
+  lines_.take_variances_as_measured();
+  LikelihoodFit fit = begun(std::move(start));
+  fit.converged = whitened_stage(fit, 50, 1e-3, watch);
+  finish(fit);
+  return fit;
+}
+
+LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
+  LikelihoodFit fit;
+  fit.theta = std::move(start);
+  secants_.forget();
+  shrinks_ = 1.0;
+  tell(fit);
+  lines_.begin(fit.theta);
+  return fit;
+}
+
+void LikelihoodEstimator::finish(LikelihoodFit& fit) const {
+  fit.loss = total(fit.theta);
+  for (const FittedLine& line : lines_.places()) {
+    fit.line_cost.push_back(line.cost);
+    fit.line_weight.push_back(line.weight);
+  }
+  fit.bytes = lines_.bytes();
+}
+
+LikelihoodFit LikelihoodEstimator::refine(std::vector<double> start, const FitWatcher& watch) {
+  LikelihoodFit fit = begun(std::move(start));
+  fit.converged = project(fit, 1e-2, watch);
+  finish(fit);
+  return fit;
+}
+
+ConstrainedFit LikelihoodEstimator::constrain(LikelihoodFit fit, const AdmissibleSet& set, const FitWatcher& watch) {
+  const auto vector = [](const std::vector<double>& theta) {
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size())));
+  };
+  AdmissibleFit unmoved = nearest_admissible(set, vector(fit.theta), root_of(fit.information), std::sqrt(lines_.tolerance()));
+  if (unmoved.theta == vector(fit.theta)) return {std::move(fit), std::move(unmoved)};
+  const std::size_t before = std::exchange(fit.iterations, 0);
+  fit.converged = project(fit, settled, watch) && fit.converged;  // so that both minima are of the same weights
+  const double free_loss = total(fit.theta);
+  const Eigen::VectorXd free = vector(fit.theta);
+  admissible_ = &set;
+  nearest_ = nearest_admissible(set, free, root_of(fit.information), std::sqrt(lines_.tolerance()));
+  const bool moves = nearest_.theta != free;
+  const double tie_share = nearest_.cost > 0.0 ? nearest_.tie_cost / nearest_.cost : 0.0;
+  if (moves) {
+    fit.theta.assign(nearest_.theta.begin(), nearest_.theta.end());
+    fit.converged = project(fit, settled, watch) && nearest_.converged;
+  }
+  admissible_ = nullptr;
+  fit.iterations += before;
+  fit.line_cost.clear();
+  fit.line_weight.clear();
+  finish(fit);
+  ConstrainedFit out{std::move(fit), std::move(nearest_)};
+  out.admissible.theta = vector(out.fit.theta);
+  share_out(free, moves ? std::max(0.0, out.fit.loss - free_loss) : 0.0, tie_share, out.admissible);
+  return out;
+}
+
+namespace {
+
+/// How many of the ends of starts that are far from fitting are about as far as this one.
+std::ptrdiff_t times_as_far(double loss, const std::vector<double>& far) {
+  return std::ranges::count_if(far, [loss](double other) { return std::abs(other - loss) <= same_end * loss; });
+}
+
+std::ptrdiff_t times_reached(double loss, const std::vector<LikelihoodFit::End>& ends) {
+  return std::ranges::count_if(ends, [loss](const LikelihoodFit::End& end) { return end.loss <= loss + 1e-3 * std::max(1.0, loss); });
+}
+
+}  // namespace
+
+LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch, Follow follow, const Doubt& doubtful) {
+  LikelihoodFit best;
+  std::vector<LikelihoodFit::End> ends;
+  std::vector<FittedLine> places;  // of the best
+  std::vector<double> far;         // losses of ends far from fitting
+  beyond_any_joint_.reset();
+  const std::ptrdiff_t enough = lines_.layout().a.empty() ? 4 : 2;
+  bool any = false, fits = false;
+  for (std::size_t k = 0;; ++k) {
+    const auto start = starts(k);
+    if (!start) break;
+    LikelihoodFit fit = run_from(*start, watch);
+    if (fit.converged) ends.push_back({fit.loss, fit.theta});
+    const double end_loss = fit.loss;
+    if (!any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged)) {
+      best = std::move(fit);
+      fits = best.converged && lines_.fit(unknowns_);
+      places = lines_.places();
+    }
+    any = true;
+    best.starts = k + 1;
+    if (far_from_fitting()) far.push_back(end_loss);
+    if (follow != Follow::all && !fits && (times_as_far(best.loss, far) >= enough || beyond_any_joint(best.theta))) {
+      best.hopeless = true;
+      break;
+    }
+    if (follow == Follow::all || !fits) continue;
+    if (follow == Follow::until_reached_twice ? times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best))) break;
+  }
+  best.ends = std::move(ends);
+  lines_.go_back(std::move(places));
+  lines_.take_variances_here(best.theta);
+  return best;
+}
+
+double LikelihoodEstimator::misfit_at(const std::vector<double>& theta) {
+  lines_.begin(theta);
+  lines_.linearise(theta);
+  return lines_.linearised_misfit();
+}
+
+Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {
+  lines_.begin(theta);
+  lines_.relax(theta);
+  lines_.linearise(theta);
+  lines_.weigh_alike();
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+  sum(theta, information, gradient);
+  return information;
+}
+
+Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit& fit) {
+  const std::vector<FittedLine> there = lines_.places();
+  const auto gradient_at = [&](const Eigen::VectorXd& offset) {
+    lines_.go_back(there);
+    const std::vector<double> theta = added(fit.theta, offset, 1.0);
+    lines_.relax(theta);
+    lines_.linearise(theta);
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+    sum(theta, information, gradient);
+    return gradient;
+  };
+  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information);
+  lines_.go_back(there);
+  return curvature;
+}
+
+Eigen::MatrixXd LikelihoodEstimator::information_of(std::size_t line) const {
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(at(unknowns_), at(unknowns_));
+  lines_.add_information(line, 1.0, information);
+  return information;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,197 @@
+#include "ident/likelihood/fit/fitted_lines.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/eigen.hpp"
+#include "ident/likelihood/line/robust_loss.hpp"
+
+namespace jointid::ident {
+namespace {
+
+Eigen::VectorXd pick(const Eigen::VectorXd& all, const std::vector<std::size_t>& which) {
+  Eigen::VectorXd out(at(which.size()));
+  for (std::size_t i = 0; i < which.size(); ++i) out[at(i)] = all[at(which[i])];
+  return out;
+}
+
+}  // namespace
+
+FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
+                         std::size_t threads)
+    : data_(&data), threads_(threads) {
+  for (const LineData& each : data.lines()) {
+    FittedLine line{JointImpedance(restriction, columns, omega0, each.omega), {}, 0.0, 0.0, 1.0, {}};
+    if (!line.joint.columns().empty()) line.redundancy = each.redundancy(data.layout());
+    lines_.push_back(std::move(line));
+  }
+}
+
+void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) const {
+  std::atomic<std::size_t> begun = 0;
+  const auto work_on = [&](std::size_t i, LineModel& model) {
+    if (lines_[i].redundancy <= 0.0) return;
+    if (watch_) watch_(begun++, lines_.size());
+    work(i, model);
+  };
+  if (threads_ == 1) {
+    LineModel model(layout());
+    for (std::size_t i = 0; i < lines_.size(); ++i) work_on(i, model);
+    return;
+  }
+  oneapi::tbb::task_arena arena(threads_ == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads_));
+  arena.execute([&] {
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, lines_.size()), [&](const auto& range) {
+      LineModel model(layout());
+      for (std::size_t i = range.begin(); i != range.end(); ++i) work_on(i, model);
+    });
+  });
+}
+
+void FittedLines::begin(const std::vector<double>& theta) {
+  for_all([&](std::size_t i, LineModel&) { lines_[i].state = first_state(layout(), data_->lines()[i], impedance(i, theta)); });
+}
+
+void FittedLines::linearise(const std::vector<double>& theta) {
+  for_all([&](std::size_t i, LineModel& model) {
+    lines_[i].reduced = linearised(data_->lines()[i], impedance(i, theta), model, lines_[i]);
+  });
+}
+
+void FittedLines::take_linearised_costs() {
+  for (FittedLine& line : lines_) line.cost = line.reduced.cost;
+}
+
+void FittedLines::advance(const std::vector<double>& theta, const std::vector<double>& next, const Eigen::VectorXd& step) {
+  for_all([&](std::size_t i, LineModel& model) {
+    FittedLine& line = lines_[i];
+    const ComplexMatrix z = line.joint.at(theta);
+    model.prepare(z, line.state);
+    model.advance(line.reduced.own - line.reduced.back * pick(step, line.joint.columns()), line.joint.at(next) - z, line.state);
+  });
+}
+
+void FittedLines::relax(const std::vector<double>& theta) {
+  for_all([&](std::size_t i, LineModel& model) { ident::relax(data_->lines()[i], impedance(i, theta), model, lines_[i]); });
+  const auto far = std::ranges::count_if(lines_, &FittedLine::far_from_fitting);
+  // A few lines far from fitting may be stuck. Where there are many it is the joint.
+  if (far == 0 || 4 * static_cast<std::size_t>(far) > lines_.size()) return;
+  for_all([&](std::size_t i, LineModel& model) { relax_again(data_->lines()[i], impedance(i, theta), model, lines_[i]); });
+}
+
+void FittedLines::follow(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step) {
+  for_all([&](std::size_t i, LineModel&) {
+    FittedLine& line = lines_[i];
+    line.state = before[i].state;
+    const ComplexMatrix z = line.joint.at(theta);
+    ComplexMatrix x = line.state.x, y = line.state.y;
+    move(layout(), -(before[i].reduced.back * pick(step, line.joint.columns())), 1.0, x, y);
+    const LineData& data = data_->lines()[i];
+    if (line_cost(layout(), data, z, x, y) > line_cost(layout(), data, z, line.state.x, line.state.y)) return;
+    line.state.x = std::move(x);
+    line.state.y = std::move(y);
+  });
+  relax(theta);
+}
+
+void FittedLines::weigh_robustly() {
+  for (FittedLine& line : lines_) line.weight = line.redundancy > 0.0 ? robust_weight(line.cost / tolerance_, line.redundancy) : 0.0;
+}
+
+void FittedLines::weigh_alike() {
+  for (FittedLine& line : lines_) line.weight = 1.0;
+}
+
+void FittedLines::choose_tolerance() {
+  std::vector<double> ratios;
+  for (const FittedLine& line : lines_) {
+    if (line.redundancy > 0.0) ratios.push_back(line.cost / line.redundancy);
+  }
+  if (!ratios.empty()) tolerance_ = line_tolerance(std::move(ratios));
+}
+
+void FittedLines::take_variances_here(const std::vector<double>& theta) {
+  if (!variances_by_law()) return;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].redundancy > 0.0) data_->weigh_at(i, lines_[i].state, impedance(i, theta));
+  }
+}
+
+double FittedLines::loss() const {
+  double sum = 0.0;
+  for (const FittedLine& line : lines_) {
+    if (line.redundancy > 0.0) sum += tolerance_ * robust_loss(line.cost / tolerance_, line.redundancy);
+  }
+  return sum;
+}
+
+double FittedLines::expected() const {
+  double sum = 0.0;
+  for (const FittedLine& line : lines_) sum += std::max(0.0, line.redundancy);
+  return sum;
+}
+
+void FittedLines::add_to(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    const FittedLine& line = lines_[l];
+    if (line.redundancy <= 0.0) continue;
+    const auto& columns = line.joint.columns();
+    for (std::size_t i = 0; i < columns.size(); ++i) gradient[at(columns[i])] += line.weight * line.reduced.gradient[at(i)];
+    add_information(l, line.weight, information);
+  }
+}
+
+void FittedLines::add_information(std::size_t line, double weight, Eigen::MatrixXd& information) const {
+  if (lines_[line].redundancy <= 0.0) return;
+  const auto& columns = lines_[line].joint.columns();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) {
+      information(at(columns[i]), at(columns[j])) += weight * lines_[line].reduced.information(at(i), at(j));
+    }
+  }
+}
+
+bool FittedLines::fit(std::size_t unknowns) const {
+  double chi_square = 0.0, expected = -static_cast<double>(unknowns);
+  std::size_t fitting = 0, outliers = 0;
+  for (const FittedLine& line : lines_) {
+    if (line.redundancy <= 0.0) continue;
+    if (line.cost > outlying * line.redundancy) {
+      ++outliers;
+      continue;
+    }
+    ++fitting;
+    chi_square += line.cost;
+    expected += line.redundancy;
+  }
+  return 4 * outliers <= fitting && chi_square <= expected + 5.0 * std::sqrt(2.0 * std::max(0.0, expected));
+}
+
+double FittedLines::linearised_misfit() const {
+  double misfit = 0.0, redundancy = 0.0;
+  for (const FittedLine& line : lines_) {
+    if (line.redundancy <= 0.0) continue;
+    misfit += line.redundancy * std::log1p(line.reduced.cost / line.redundancy);
+    redundancy += line.redundancy;
+  }
+  return redundancy > 0.0 ? misfit / redundancy : 0.0;
+}
+
+std::size_t FittedLines::bytes() const {
+  std::size_t sum = 0;
+  for (const FittedLine& line : lines_) {
+    const LineState& state = line.state;
+    const ReducedLine& reduced = line.reduced;
+    sum += sizeof(FittedLine) +
+           sizeof(Complex) * static_cast<std::size_t>(state.x.size() + state.y.size() + state.a.size() + state.b.size()) +
+           sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.back.size() +
+                                                     reduced.own.size());
+  }
+  return sum;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "ident/likelihood/data/likelihood_data.hpp"
+#include "ident/likelihood/line/fitted_line.hpp"
+
+namespace jointid::ident {
+
+/// All lines of a likelihood, worked on in parallel, and Σ L over them: L is χ² of a line that fits, and bounded for one with gross
+/// errors (robust_loss()). The joint's unknowns θ are the caller's. Sums go from line to line in order: they do not depend on the
+/// number of threads.
+class FittedLines {
+ public:
+  FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
+              std::size_t threads);
+
+  /// Called before each line of every pass with how many of how many are begun, by any thread; may throw to stop.
+  void set_watch(std::function<void(std::size_t begun, std::size_t lines)> watch) { watch_ = std::move(watch); }
+
+  const LineLayout& layout() const { return data_->layout(); }
+  const FittedLine& operator[](std::size_t line) const { return lines_[line]; }
+  ComplexMatrix impedance(std::size_t line, const std::vector<double>& theta) const { return lines_[line].joint.at(theta); }
+
+  /// Where all lines stand, to come back to.
+  const std::vector<FittedLine>& places() const { return lines_; }
+  void go_back(std::vector<FittedLine> places) { lines_ = std::move(places); }
+
+  /// first_state() of every line.
+  void begin(const std::vector<double>& theta);
+
+  /// linearised() every line where it stands.
+  void linearise(const std::vector<double>& theta);
+
+  /// Takes χ² of the linearised lines for theirs.
+  void take_linearised_costs();
+
+  /// Along the linearised constraint by a step of the joint from `theta` to `next` and what it makes of the FRFs.
+  void advance(const std::vector<double>& theta, const std::vector<double>& next, const Eigen::VectorXd& step);
+
+  /// The FRFs of every line optimised for a joint.
+  void relax(const std::vector<double>& theta);
+
+  /// From `before`, where lines are linearised, with the FRFs after a step of the joint as far as that helps, and optimised there.
+  void follow(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
+
+  /// Robust weights by χ², or all 1.
+  void weigh_robustly();
+  void weigh_alike();
+
+  /// Sets χ² over its expectation that counts as fitting: line_tolerance().
+  void choose_tolerance();
+  double tolerance() const { return tolerance_; }
+
+  /// Variances by law are taken at the estimated values.
+  void take_variances_here(const std::vector<double>& theta);
+  void take_variances_as_measured() { data_->weigh_as_measured(); }
+  bool variances_by_law() const { return data_->variances_by_law(); }
+
+  /// Σ L.
+  double loss() const;
+
+  /// What Σ χ² is expected to be, the joint's unknowns not yet taken off.
+  double expected() const;
+
+  /// Adds Σ weight · information and gradient of the lines as linearised.
+  void add_to(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
+
+  /// Adds weight · information of one line.
+  void add_information(std::size_t line, double weight, Eigen::MatrixXd& information) const;
+
+  /// At most one line in five is outlying, and χ² of the others is within five standard deviations of its expectation.
+  bool fit(std::size_t unknowns) const;
+
+  /// The mean of log(1 + χ²/r) over lines as linearised, weighted by their redundancy r.
+  double linearised_misfit() const;
+
+  std::size_t bytes() const;
+
+ private:
+  void for_all(const std::function<void(std::size_t, LineModel&)>& work) const;
+
+  LikelihoodData* data_;
+  std::size_t threads_;
+  std::function<void(std::size_t, std::size_t)> watch_;
+  std::vector<FittedLine> lines_;
+  double tolerance_ = 1.0;
+};
+
+}  // namespace jointid::ident

@@ -1,0 +1,50 @@
+#include "ident/likelihood/fit/godambe_information.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "dense/cholesky.hpp"
+#include "dense/eigen.hpp"
+#include "ident/algebra/covariance.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double way = 0.3;        // standard deviations to either side
+constexpr double noticed = 0.02;   // a relative difference that is worth knowing
+constexpr double least = 0.1, most_curvature = 3.0;  // of the information's curvature: else differences tell none
+
+}  // namespace
+
+Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information) {
+  if (null_space_of(information).cols() > 0) return information;
+  const auto root = dense::cholesky(covariance_of(information));
+  if (!root) return information;
+  const Eigen::MatrixXd& unit = *root;  // offsets of one standard deviation: the information is the identity there
+  const auto along = [&](const Eigen::VectorXd& direction) {
+    const Eigen::VectorXd offset = unit * (way * direction);
+    return Eigen::VectorXd(unit.transpose() * (gradient(-offset) - gradient(offset)) / (2.0 * way));
+  };
+  const Eigen::Index size = information.rows();
+  std::mt19937_64 random(static_cast<std::uint64_t>(size));
+  bool differs = false;
+  for (int probe = 0; probe < 3 && !differs; ++probe) {
+    Eigen::VectorXd direction(size);
+    for (double& value : direction) value = (random() & 1u) != 0 ? 1.0 : -1.0;
+    direction /= std::sqrt(static_cast<double>(size));
+    differs = !(std::abs(direction.dot(along(direction)) - 1.0) < noticed);
+  }
+  if (!differs) return information;
+  Eigen::MatrixXd curvature(size, size);
+  for (Eigen::Index c = 0; c < size; ++c) curvature.col(c) = along(Eigen::VectorXd::Unit(size, c));
+  if (!curvature.allFinite()) return information;
+  curvature = 0.5 * (curvature + curvature.transpose()).eval();
+  const Eigen::VectorXd values = dense::symmetric_eigenvalues(curvature);
+  if (!(values[0] > least && values[size - 1] < most_curvature)) return information;
+  Eigen::MatrixXd half = Eigen::MatrixXd::Identity(size, size);
+  dense::solve_lower(unit, half);  // unit⁻¹
+  return half.transpose() * (curvature * curvature) * half;
+}
+
+}  // namespace jointid::ident

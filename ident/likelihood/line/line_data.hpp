@@ -1,0 +1,27 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "ident/likelihood/line/line_layout.hpp"
+
+namespace jointid::ident {
+
+/// Measured values of one block and their weights 1/σ of real and imaginary part; weight 0: not measured.
+struct Channel {
+  std::vector<Complex> value, weight;
+};
+
+/// One line as the likelihood sees it, in the order of a LineLayout.
+struct LineData {
+  double omega = 0.0;  ///< rad/s
+  Channel x, y, a, b, d;
+  std::size_t measured = 0;  ///< real numbers with a weight
+
+  /// Real conditions that the measured numbers are left with: the expected χ² of the line at the true joint.
+  double redundancy(const LineLayout& layout) const {
+    return static_cast<double>(measured) - 2.0 * static_cast<double>(layout.variables());
+  }
+};
+
+}  // namespace jointid::ident

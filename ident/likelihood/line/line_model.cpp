@@ -1,0 +1,213 @@
+#include "ident/likelihood/line/line_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/eigen.hpp"
+#include "dense/cholesky.hpp"
+#include "dense/lu.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// An FRF that was not measured may be this many times as large as those around it.
+constexpr double wide = 1e3;
+
+double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff(); }
+
+}  // namespace
+
+NormalRows::Run LineModel::column(std::size_t other) const {
+  return {2 * layout_.x_first[other], 2 * (layout_.x_first[other + 1] - layout_.x_first[other])};
+}
+
+NormalRows::Run LineModel::tail() const {
+  const std::size_t first = 2 * layout_.x.size();
+  return {first, rows_.columns() - first};
+}
+
+void LineModel::put(Complex coefficient) {
+  double* re = rows_.real() + place_;
+  double* im = rows_.imaginary() + place_;
+  re[0] += coefficient.real();
+  re[1] -= coefficient.imag();
+  im[0] += coefficient.imag();
+  im[1] += coefficient.real();
+  place_ += 2;
+}
+
+/// −left δY right
+void LineModel::put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index k) {
+  for (const Element& e : layout_.y) {
+    Complex sum = left[e.row] * right(at(e.column), k);
+    if (e.row != e.column) sum += left[e.column] * right(at(e.row), k);
+    put(-sum);
+  }
+}
+
+void LineModel::put_joint(const JointImpedance& joint, const Complex* left, const Complex* right) {
+  if (unknowns_ == 0) return;
+  joint.sensitivity(left, right, sensitivity_.data());
+  for (std::size_t t = 0; t < unknowns_; ++t) {
+    rows_.real()[place_ + t] = sensitivity_[t].real();
+    rows_.imaginary()[place_ + t] = sensitivity_[t].imag();
+  }
+  place_ += unknowns_;
+}
+
+void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first,
+                     NormalRows::Run second) {
+  const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
+  double* re = rows_.real();
+  double* im = rows_.imaginary();
+  re[place_] = weight.real() == 0.0 ? 0.0 : residual.real();
+  im[place_] = weight.imag() == 0.0 ? 0.0 : residual.imag();
+  ++place_;
+  for (std::size_t k = 0; k < place_; ++k) {
+    re[k] *= weight.real();
+    im[k] *= weight.imag();
+  }
+  rows_.add({first, second, tail()});
+}
+
+void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
+  const auto n = at(layout_.joint);
+  const ComplexMatrix identity = ComplexMatrix::Identity(n, n);
+  p_ = dense::inverse(identity + state.y * z);
+  py_ = p_ * state.y;
+  za_ = z * state.a;
+  r_ = state.x - state.a - state.y * za_;
+  pr_ = p_ * r_;
+  if (layout_.b.empty()) return;
+  c_ = identity - z * state.b;
+  pr_b_ = p_ * (state.y * c_ - state.b);
+}
+
+void LineModel::linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
+                          bool with_joint) {
+  prepare(z, state);
+  unknowns_ = with_joint ? joint.columns().size() : 0;
+  sensitivity_.resize(unknowns_);
+  h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
+  yh_ = state.x - state.y.transpose() * h_;
+  rows_.reset(2 * layout_.variables() + unknowns_ + 1);
+  add_priors(data, state);
+  add_a(data, joint, state);
+  if (!layout_.b.empty()) add_b(data, joint, state);
+  add_d(data, joint, state);
+}
+
+void LineModel::add_priors(const LineData& data, const LineState& state) {
+  prior_weight_.clear();
+  const std::size_t last = rows_.columns() - 1;
+  double* normal = rows_.data();
+  const auto add = [&](const Channel& channel, std::size_t i, Complex current, double size) {
+    const Complex residual = channel.value[i] - current;
+    for (const auto& [weight, part] : {std::pair(channel.weight[i].real(), residual.real()),
+                                       std::pair(channel.weight[i].imag(), residual.imag())}) {
+      const std::size_t v = prior_weight_.size();
+      const double used = weight == 0.0 ? 1.0 / (wide * size) : weight;
+      prior_weight_.push_back(used);
+      normal[v * rows_.columns() + v] += used * used;
+      if (weight == 0.0) continue;
+      normal[v * rows_.columns() + last] += weight * weight * part;
+      normal[last * rows_.columns() + last] += weight * weight * part * part;
+    }
+  };
+  const double x_size = largest(state.x), y_size = largest(state.y);
+  for (std::size_t i = 0; i < layout_.x.size(); ++i) {
+    add(data.x, i, state.x(at(layout_.x[i].row), at(layout_.x[i].column)), x_size);
+  }
+  for (std::size_t i = 0; i < layout_.y.size(); ++i) {
+    add(data.y, i, state.y(at(layout_.y[i].row), at(layout_.y[i].column)), y_size);
+  }
+}
+
+void LineModel::add_a(const LineData& data, const JointImpedance& joint, const LineState& state) {
+  std::vector<Complex> p_row(layout_.joint), left(layout_.joint);
+  for (std::size_t i = 0; i < layout_.a.size(); ++i) {
+    if (data.a.weight[i] == Complex(0.0)) continue;
+    const auto [p, k] = layout_.a[i];
+    for (std::size_t m = 0; m < layout_.joint; ++m) {
+      p_row[m] = p_(at(p), at(m));
+      left[m] = -py_(at(p), at(m));
+    }
+    place_ = 0;
+    for (std::size_t v = layout_.x_first[k]; v < layout_.x_first[k + 1]; ++v) put(p_row[layout_.x[v].row]);
+    put_y(p_row.data(), za_, at(k));
+    put_joint(joint, left.data(), state.a.col(at(k)).data());
+    emit(data.a, i, state.a(at(p), at(k)) + pr_(at(p), at(k)), column(k), {});
+  }
+}
+
+void LineModel::add_b(const LineData& data, const JointImpedance& joint, const LineState& state) {
+  std::vector<Complex> minus_p_row(layout_.joint), left(layout_.joint);
+  for (std::size_t i = 0; i < layout_.b.size(); ++i) {
+    if (data.b.weight[i] == Complex(0.0)) continue;
+    const auto [p, q] = layout_.b[i];
+    for (std::size_t m = 0; m < layout_.joint; ++m) {
+      minus_p_row[m] = -p_(at(p), at(m));
+      left[m] = -py_(at(p), at(m));
+    }
+    place_ = 0;
+    put_y(minus_p_row.data(), c_, at(q));
+    put_joint(joint, left.data(), state.b.col(at(q)).data());
+    emit(data.b, i, state.b(at(p), at(q)) + pr_b_(at(p), at(q)), {}, {});
+  }
+}
+
+void LineModel::add_d(const LineData& data, const JointImpedance& joint, const LineState& state) {
+  for (std::size_t i = 0; i < layout_.d.size(); ++i) {
+    if (data.d.weight[i] == Complex(0.0)) continue;
+    const auto [r, k] = layout_.d[i];
+    const Complex* h = h_.col(at(r)).data();
+    place_ = 0;
+    for (std::size_t v = layout_.x_first[r]; v < layout_.x_first[r + 1]; ++v) put(za_(at(layout_.x[v].row), at(k)));
+    if (r == k) place_ = 0;
+    for (std::size_t v = layout_.x_first[k]; v < layout_.x_first[k + 1]; ++v) put(h[layout_.x[v].row]);
+    put_y(h, za_, at(k));
+    put_joint(joint, yh_.col(at(r)).data(), state.a.col(at(k)).data());
+    const Complex along = (h_.col(at(r)).transpose() * r_.col(at(k))).value();
+    emit(data.d, i, predicted_difference(state, za_, {r, k}) + along, column(r), r == k ? NormalRows::Run{} : column(k));
+  }
+}
+
+std::optional<ReducedLine> LineModel::reduce(double damping) {
+  const auto v = at(2 * layout_.variables()), p = at(unknowns_), size = at(rows_.columns());
+  const Eigen::Map<const Eigen::MatrixXd> normal(rows_.data(), size, size);
+  Eigen::MatrixXd u = normal.topLeftCorner(v, v);
+  for (Eigen::Index i = 0; i < v; ++i) {
+    const double weight = prior_weight_[static_cast<std::size_t>(i)];
+    u(i, i) += damping * weight * weight;
+  }
+  const Eigen::VectorXd scale = u.diagonal().cwiseSqrt().cwiseInverse();
+  for (Eigen::Index j = 0; j < v; ++j) u.col(j).tail(v - j).array() *= scale.tail(v - j).array() * scale[j];
+  if (!dense::cholesky_in_place(u)) return std::nullopt;
+  Eigen::MatrixXd right = scale.asDiagonal() * normal.bottomLeftCorner(p + 1, v).transpose();
+  dense::solve_lower(u, right);
+  Eigen::MatrixXd schur = normal.bottomRightCorner(p + 1, p + 1);
+  schur.selfadjointView<Eigen::Lower>().rankUpdate(right.transpose(), -1.0);
+  dense::solve_lower_transposed(u, right);
+  right = scale.asDiagonal() * right;
+  ReducedLine out;
+  out.information = schur.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();
+  out.gradient = schur.bottomLeftCorner(1, p).transpose();
+  out.cost = schur(p, p);
+  out.back = right.leftCols(p);
+  out.own = right.col(p);
+  if (!std::isfinite(out.cost)) return std::nullopt;
+  return out;
+}
+
+void LineModel::advance(const LineStep& step, const ComplexMatrix& dz, LineState& state) const {
+  ComplexMatrix dx = ComplexMatrix::Zero(state.x.rows(), state.x.cols());
+  ComplexMatrix dy = ComplexMatrix::Zero(state.y.rows(), state.y.cols());
+  move(layout_, step, 1.0, dx, dy);
+  const ComplexMatrix da = pr_ + p_ * (dx - dy * za_) - py_ * (dz * state.a);
+  if (!layout_.b.empty()) state.b += pr_b_ + p_ * (dy * c_) - py_ * (dz * state.b);
+  state.a += da;
+  state.x += dx;
+  state.y += dy;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+
+#include "ident/likelihood/line/line_state.hpp"
+#include "ident/likelihood/line/normal_rows.hpp"
+
+namespace jointid::ident {
+
+/// The part of a line's least-squares problem that is left for the joint unknowns once its FRFs are eliminated (Schur
+/// complement), and the way back to the FRFs.
+struct ReducedLine {
+  Eigen::MatrixXd information;  ///< p×p: Σ JᵀJ − WᵀU⁻¹W
+  Eigen::VectorXd gradient;     ///< p: a step of the unknowns solves information · δθ = gradient
+  Eigen::MatrixXd back;         ///< 2v×p, U⁻¹W
+  LineStep own;                 ///< 2v, U⁻¹g: the step of the FRFs is own − back · δθ
+  double cost = 0.0;            ///< χ² of the linearised problem at δθ = 0
+};
+
+/// The linearised line (docs/formulas.md §11e). With P = (I + Y Z)⁻¹, G = Z A, R = X − A − Y Z A:
+///   δA = P (R + δX − δY G − Y δZ A),  δD(r,k) = G_kᵀ δX_r + h_r (R_k + δX_k − δY G_k) + (X_rᵀ − h_r Y) δZ A_k,
+/// h = Xᵀ Z P, and likewise for B. Eliminating δA, δB and H(n,n), which stands alone in its rows, leaves δX, δY and δθ: the
+/// step is that of the implicit errors-in-variables problem (Gauss–Helmert), and on the constraint, where R = 0, that of the
+/// explicit one (Gauss–Newton). Not thread-safe: one per thread.
+class LineModel {
+ public:
+  explicit LineModel(const LineLayout& layout) : layout_(layout) {}
+
+  const LineLayout& layout() const { return layout_; }
+
+  /// Linearises at `state`; `with_joint`: the unknowns of the joint too.
+  void linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
+                 bool with_joint);
+
+  /// What advance() needs of linearise().
+  void prepare(const ComplexMatrix& z, const LineState& state);
+
+  /// Eliminates the FRFs, with damping · weight² added for measured X and Y (relative to a wide guess for those not measured).
+  /// Empty when the FRFs are not determined without more damping.
+  std::optional<ReducedLine> reduce(double damping);
+
+  /// Moves all of the state that linearise() or prepare() got, A and B along the linearised constraint, by a step of X and Y and by δZ.
+  void advance(const LineStep& step, const ComplexMatrix& dz, LineState& state) const;
+
+ private:
+  void add_priors(const LineData& data, const LineState& state);
+  void add_a(const LineData& data, const JointImpedance& joint, const LineState& state);
+  void add_b(const LineData& data, const JointImpedance& joint, const LineState& state);
+  void add_d(const LineData& data, const JointImpedance& joint, const LineState& state);
+  NormalRows::Run column(std::size_t other) const;
+  NormalRows::Run tail() const;
+  void put(Complex coefficient);
+  void put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index right_column);
+  void put_joint(const JointImpedance& joint, const Complex* left, const Complex* right);
+  void emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first, NormalRows::Run second);
+
+  const LineLayout& layout_;
+  std::size_t unknowns_ = 0;  ///< of the joint
+  std::size_t place_ = 0;     ///< in the row that is being written
+  ComplexMatrix p_, py_, za_, h_, yh_, r_, pr_;
+  ComplexMatrix c_, pr_b_;  ///< where B is measured: I − Z B, P·(Y − B − Y Z B)
+  std::vector<Complex> sensitivity_;
+  std::vector<double> prior_weight_;  ///< 2v
+  NormalRows rows_;
+};
+
+}  // namespace jointid::ident

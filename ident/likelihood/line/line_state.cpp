@@ -1,0 +1,84 @@
+#include "ident/likelihood/line/line_state.hpp"
+
+#include "base/eigen.hpp"
+#include "dense/lu.hpp"
+
+namespace jointid::ident {
+namespace {
+
+double square(const Channel& channel, std::size_t i, const Complex& predicted) {
+  const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
+  const double re = weight.real() == 0.0 ? 0.0 : residual.real() * weight.real();
+  const double im = weight.imag() == 0.0 ? 0.0 : residual.imag() * weight.imag();
+  return re * re + im * im;
+}
+
+double block_cost(const std::vector<Element>& elements, const Channel& channel, const ComplexMatrix& predicted) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    sum += square(channel, i, predicted(at(elements[i].row), at(elements[i].column)));
+  }
+  return sum;
+}
+
+}  // namespace
+
+void move(const LineLayout& layout, const LineStep& step, double scale, ComplexMatrix& x, ComplexMatrix& y) {
+  Eigen::Index v = 0;
+  const auto next = [&] {
+    const Complex change(step[v], step[v + 1]);
+    v += 2;
+    return scale * change;
+  };
+  for (const Element& e : layout.x) x(at(e.row), at(e.column)) += next();
+  for (const Element& e : layout.y) {
+    const Complex change = next();
+    y(at(e.row), at(e.column)) += change;
+    if (e.row != e.column) y(at(e.column), at(e.row)) += change;
+  }
+}
+
+void take_measured(const LineLayout& layout, const LineData& data, LineState& state) {
+  for (std::size_t v = 0; v < layout.x.size(); ++v) {
+    if (data.x.weight[v] != Complex(0.0)) state.x(at(layout.x[v].row), at(layout.x[v].column)) = data.x.value[v];
+  }
+  for (std::size_t v = 0; v < layout.y.size(); ++v) {
+    if (data.y.weight[v] == Complex(0.0)) continue;
+    const auto p = at(layout.y[v].row), q = at(layout.y[v].column);
+    state.y(p, q) = state.y(q, p) = data.y.value[v];
+  }
+}
+
+LineState measured_start(const LineLayout& layout, const LineData& data) {
+  const auto joint = at(layout.joint);
+  LineState state{ComplexMatrix::Zero(joint, at(layout.others)), ComplexMatrix::Zero(joint, joint), {}, {}};
+  take_measured(layout, data, state);
+  return state;
+}
+
+void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
+  const auto n = at(layout.joint);
+  const dense::ComplexLu factors(ComplexMatrix::Identity(n, n) + state.y * z);
+  state.a = state.x;  // without columns (equation jj alone) there is nothing to solve
+  if (state.x.cols() > 0) state.a = factors.solve(state.x);
+  if (!layout.b.empty()) state.b = factors.solve(state.y);
+}
+
+Complex predicted_difference(const LineState& state, const ComplexMatrix& za, Element e) {
+  return (state.x.col(at(e.row)).transpose() * za.col(at(e.column))).value();
+}
+
+double line_cost(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, const ComplexMatrix& x,
+                 const ComplexMatrix& y) {
+  LineState state{x, y, {}, {}};
+  put_on_constraint(layout, z, state);
+  double cost = block_cost(layout.x, data.x, x) + block_cost(layout.y, data.y, y) + block_cost(layout.a, data.a, state.a);
+  if (!layout.b.empty()) cost += block_cost(layout.b, data.b, state.b);
+  const ComplexMatrix za = z * state.a;
+  for (std::size_t i = 0; i < layout.d.size(); ++i) {
+    cost += square(data.d, i, predicted_difference(state, za, layout.d[i]));
+  }
+  return cost;
+}
+
+}  // namespace jointid::ident

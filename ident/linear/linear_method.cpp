@@ -1,0 +1,144 @@
+#include "ident/linear/linear_method.hpp"
+
+#include "base/stopwatch.hpp"
+#include "ident/admissible/admissible_linear.hpp"
+#include "ident/admissible/outcome.hpp"
+#include "ident/equations/assemble.hpp"
+#include "ident/equations/linear_plan.hpp"
+#include "ident/judgement/judge.hpp"
+#include "ident/linear/rounding_judgement.hpp"
+#include "ident/plan/interpret.hpp"
+#include "ident/plan/prediction.hpp"
+
+namespace jointid::ident {
+namespace {
+
+std::string without_equations(const Plan& plan) {
+  const bool filtered = plan.scene.identify.delta > 0.0;
+  return std::string("No equation is left: the FRFs are missing or zero, or their matrices singular, on every line") +
+         (filtered ? ", or delta dropped them. Lower delta" : ". Choose other lines") +
+         ", or look with `jointid info` at what the files hold.";
+}
+
+void estimate(Plan& plan, Assembled& system, const Control& control, Solution& out) {
+  LinearSolution linear;
+  bool settled = true;
+  {
+    const Stopwatch watch(out.runtime_s.solve);
+    stop_if(control.interrupted);
+    if (control.progress) control.progress("solving", 0, 0);
+    linear = solve(plan, system.accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
+    if (plan.admissible && linear.rank > 0) out.admissibility = constrain(plan, system.accumulator, system.equations.rows, linear, settled);
+  }
+  interpret(plan, linear, out);
+  if (out.admissibility) {
+    tell_outcome(plan, out);
+  } else if (control.detail == Detail::full) {
+    judge_rounding(plan, linear, system.rounding, out);
+  }
+  if (!settled) {
+    out.status = Status::not_converged;
+    out.message += "The constrained least-squares problem did not settle.";
+  }
+  if (control.so_far) control.so_far(out);
+  if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+  if (control.detail == Detail::full && control.judgement == Judgement::data) judge_linear(plan, linear, control, out);
+}
+
+/// Assembles all lines, solves and judges, which all linear methods have in common.
+class LinearMethod : public LinearPlan {
+ public:
+  void solve(Plan& plan, const Control& control, Solution& out) override {
+    Assembled system = assemble(plan, out.runtime_s, control);
+    out.fit.equations_used = system.equations.used;
+    out.fit.equations_dropped = system.equations.dropped;
+    out.fit.lines = system.lines;
+    out.used.accumulator_bytes = system.accumulator.bytes();
+    if (system.equations.used > 0) {
+      estimate(plan, system, control, out);
+    } else {
+      out.status = Status::no_equations;
+      out.message = without_equations(plan);
+    }
+  }
+};
+
+class MethodOnePlan final : public LinearMethod {
+ public:
+  std::unique_ptr<EquationBuilder> make_builder(const Plan& plan) const override {
+    return make_method_one(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+  }
+
+  /// That takes H_bb, too.
+  void plan_prediction(Plan& plan) const {
+    const EquationSet use(plan.equations);
+    const Coordinates& at = plan.coordinates;
+    if (!use.nj && !use.jj) {
+      plan.left_out.push_back("the assembly FRF error: it needs H_bb, which the equations do not read");
+      return;
+    }
+    plan.predicted_responses = joined(only_if(use.nn || use.nj, at.responses), only_if(use.jj || use.jn, at.joint));
+    plan.predicted_references = joined(only_if(use.nn || use.jn, at.references), at.joint);
+  }
+
+  std::vector<std::string> left_out(const Plan& plan) const override {
+    const EquationSet use(plan.equations);
+    const std::pair<bool, const char*> blocks[] = {{use.nn, "H_aa and H_nn"},      {use.nn || use.nj, "H_nj"},
+                                                   {use.nn || use.jn, "H_ba"},     {use.nj, "H_ab"},
+                                                   {use.nj || use.jj, "H_bb"},     {use.jj || use.jn, "H_jj"},
+                                                   {use.jn, "H_jn"}};
+    std::vector<std::string> out;
+    for (const auto& [used, block] : blocks) {
+      if (!used) out.push_back(std::string(block) + ": not read");
+    }
+    return out;
+  }
+};
+
+class MethodTwoPlan final : public LinearMethod {
+ public:
+  std::unique_ptr<EquationBuilder> make_builder(const Plan& plan) const override {
+    return make_method_two(plan.coordinates, EquationSet(plan.equations), *plan.substructures, *plan.assembly);
+  }
+
+  std::size_t rows_of_a(const Plan& plan) const override { return plan.coordinates.joint.size(); }
+
+  bool keeps_parts_apart() const override { return false; }
+
+  void plan_prediction(Plan& plan) const {
+    const EquationSet use(plan.equations);
+    const Coordinates& at = plan.coordinates;
+    plan.predicted_responses = joined(at.responses, at.joint);
+    plan.predicted_references = joined(only_if(use.jn, at.references), only_if(use.jj, at.joint));
+  }
+};
+
+class DirectPlan final : public LinearMethod {
+ public:
+  std::unique_ptr<EquationBuilder> make_builder(const Plan& plan) const override {
+    return make_direct(plan.coordinates, *plan.substructures, *plan.assembly);
+  }
+
+  void plan_prediction(Plan& plan) const {
+    plan.predicted_responses = plan.coordinates.responses;
+    plan.predicted_references = plan.coordinates.references;
+  }
+};
+
+template <class Method>
+std::unique_ptr<MethodPlan> planned(Plan& plan) {
+  auto own = std::make_unique<Method>();
+  plan_linear(plan, *own);
+  own->plan_prediction(plan);
+  return own;
+}
+
+}  // namespace
+
+std::unique_ptr<MethodPlan> plan_method_one(Plan& plan) { return planned<MethodOnePlan>(plan); }
+
+std::unique_ptr<MethodPlan> plan_method_two(Plan& plan) { return planned<MethodTwoPlan>(plan); }
+
+std::unique_ptr<MethodPlan> plan_direct(Plan& plan) { return planned<DirectPlan>(plan); }
+
+}  // namespace jointid::ident

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "frf/set/frf_system.hpp"
+#include "ident/scene/scene.hpp"
+
+namespace jointid::ident {
+
+/// The substructures with the pairs of couple_first coupled; the same system when there are none. Variances
+/// are carried through where somebody asks, from the files or the law of [noise]; that coupled FRFs have errors in common is not.
+/// Throws InputError as coupling::AssemblyReader, and for variance = "noise" with files that say their own.
+std::shared_ptr<frf::FrfSystem> couple_first(Scene& scene, std::shared_ptr<frf::FrfSystem> substructures, std::vector<std::string>& notes);
+
+}  // namespace jointid::ident

@@ -1,0 +1,29 @@
+#include "ident/plan/data_source.hpp"
+
+#include "frf/noise/repeats.hpp"
+#include "frf/set/corrections.hpp"
+
+namespace jointid::ident {
+namespace {
+
+std::unique_ptr<frf::FrfSource> open_run(const DataFile& file) {
+  return frf::corrected(frf::open(file.path, file.options), file.corrections);
+}
+
+std::unique_ptr<frf::FrfSource> open(const DataFile& file) {
+  if (file.repeats.empty()) return open_run(file);
+  std::vector<std::unique_ptr<frf::FrfSource>> runs;
+  runs.push_back(open_run(file));
+  for (const DataFile& run : file.repeats) runs.push_back(open_run(run));
+  return frf::mean_of_repeats(std::move(runs));
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<frf::FrfSource>> open_all(const std::vector<DataFile>& files) {
+  std::vector<std::unique_ptr<frf::FrfSource>> sources;
+  for (const DataFile& file : files) sources.push_back(open(file));
+  return sources;
+}
+
+}  // namespace jointid::ident

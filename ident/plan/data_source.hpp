@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frf/set/frf_source.hpp"
+#include "ident/scene/scene.hpp"
+
+namespace jointid::ident {
+
+/// Opens the files of a system (headers only), with the corrections of the scene, repeats as their mean. Throws InputError as frf::open(),
+/// frf::corrected() and frf::mean_of_repeats().
+std::vector<std::unique_ptr<frf::FrfSource>> open_all(const std::vector<DataFile>& files);
+
+}  // namespace jointid::ident

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "ident/plan/plan.hpp"
+
+namespace jointid::ident {
+
+/// Values (SI, one per column) of the joint with these matrices; those of matrices that are not given are zero. `place` of the
+/// scene is named by the InputError (usage) that is thrown when they do not fix an unknown.
+std::vector<double> joint_values(const Plan& plan, const std::map<restrictions::Kind, Matrix>& matrices, const std::string& place);
+
+/// Values (SI, one per column) of the joint that the scene assumes: [truth], else [identify] start; matrices that it does not
+/// give are zero. Throws InputError (usage) when there is neither, or they do not fix an unknown.
+std::vector<double> joint_guess(const Plan& plan);
+
+/// The number of a candidate coordinate. Throws InputError (usage) when it is none of `coordinates`.
+std::size_t find_candidate(const Scene& scene, const Dofs& coordinates, const frf::Dof& dof);
+
+/// Scaled unknowns of a plan from values in SI.
+std::vector<double> scaled(const Plan& plan, const std::vector<double>& values);
+
+}  // namespace jointid::ident

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "ident/algebra/line_product.hpp"
+#include "ident/plan/unknown_columns.hpp"
+#include "restrictions/restriction.hpp"
+
+namespace jointid::ident {
+
+using ComplexMatrix = Eigen::MatrixXcd;
+
+/// Z_j at one line as a function of the unknowns of that line, in the scaled form x = {k, ω₀²m, ω₀c, d} (docs/formulas.md §1):
+/// Z_j(θ) = Z_known + Σ_t θ_t ∂Z/∂θ_t. Symmetric restrictions only.
+class JointImpedance {
+ public:
+  JointImpedance(const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0, double omega);
+
+  /// Which columns of the whole problem the unknowns of this line are; empty where the line lies in no band.
+  const std::vector<std::size_t>& columns() const { return columns_; }
+
+  /// Z_j for the columns `theta` of the whole problem.
+  ComplexMatrix at(std::span<const double> theta) const;
+
+  /// Σ_pq left(p) ∂Z(p,q)/∂θ_t right(q) for every unknown t of this line.
+  void sensitivity(const Complex* left, const Complex* right, Complex* out) const;
+
+ private:
+  struct Term {
+    std::size_t row, column;
+    double coefficient;
+  };
+  struct Part {
+    Complex factor;
+    std::size_t first_term, last_term;
+  };
+
+  std::vector<std::size_t> columns_;
+  std::vector<Part> parts_;  ///< one per unknown
+  std::vector<Term> terms_;
+  ComplexMatrix known_;
+};
+
+}  // namespace jointid::ident

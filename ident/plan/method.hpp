@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ident/scene/scene.hpp"
+
+namespace jointid::ident {
+
+struct Control;
+struct Plan;
+struct Solution;
+
+/// One method of identification with what it needs beside the rest of a Plan, whose part it is. To add one: a folder with a class of its
+/// own, a row in all_methods(), and a line in the table of identify.cpp.
+class MethodPlan {
+ public:
+  virtual ~MethodPlan() = default;
+
+  /// Reads what the plan reads of its first line.
+  virtual void read_first_line(Plan& plan) = 0;
+
+  /// Reads, estimates and judges: fills unknowns, matrices, figures of merit and status of `out`, which names what is used already.
+  virtual void solve(Plan& plan, const Control& control, Solution& out) = 0;
+
+  /// What of its data the scene does not need, one phrase each.
+  virtual std::vector<std::string> left_out(const Plan&) const { return {}; }
+};
+
+/// Linear estimates to start from: methods and equations, what needs most first.
+using StartChoices = std::vector<std::pair<Method, std::vector<Equation>>>;
+
+/// Plans the first of them that the data of a plan allow, on the same systems. Throws InputError where they allow none.
+using StartPlanner = std::function<std::unique_ptr<Plan>(const Plan& plan, const StartChoices& choices)>;
+
+}  // namespace jointid::ident

@@ -1,0 +1,88 @@
+#include "ident/plan/prediction.hpp"
+
+#include <cmath>
+#include "ident/plan/joint_effect.hpp"
+#include "ident/plan/rectangle.hpp"
+#include "ident/result/chunk_pipeline.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// Predicts chunks of lines and adds their errors up in order.
+class Predictor final : public ChunkWorker {
+ public:
+  Predictor(Plan& plan, const std::vector<BandMatrices>& bands, DecibelError& total)
+      : plan_(plan),
+        bands_(bands),
+        total_(total),
+        substructures_(whole_rectangle(*plan.substructures,
+                                       with_joint(plan.predicted_responses, plan.coordinates.joint),
+                                       with_joint(plan.predicted_references, plan.coordinates.joint))),
+        assembly_(whole_rectangle(*plan.assembly, plan.predicted_responses, plan.predicted_references)) {}
+
+  void read(std::size_t first, std::size_t last) override {
+    std::vector<std::size_t> substructure_lines, assembly_lines;
+    for (std::size_t i = first; i < last; ++i) {
+      substructure_lines.push_back(plan_.lines[i].substructures);
+      assembly_lines.push_back(plan_.lines[i].assembly);
+    }
+    substructures_.read(substructure_lines);
+    assembly_.read(assembly_lines);
+  }
+
+  void work(std::size_t first, std::size_t last) override {
+    error_ = {};
+    for (std::size_t i = first; i < last; ++i) {
+      const double frequency = plan_.lines[i].frequency_hz;
+      const Matrices* matrices = matrices_at(bands_, frequency);
+      if (matrices != nullptr) add(*matrices, frequency, substructures_.line(i - first), assembly_.line(i - first));
+    }
+  }
+
+  void merge() override {
+    total_.sum_of_squares += error_.sum_of_squares;
+    total_.entries += error_.entries;
+  }
+
+ private:
+  void add(const Matrices& matrices, double frequency_hz, const View& h, const View& measured) {
+    const std::size_t n = plan_.coordinates.joint.size();
+    const std::size_t rows = measured.rows, columns = measured.columns;
+    const JointEffect effect = joint_effect(h, rows, columns, joint_impedance(matrices, n, frequency_hz));
+    const auto right = map(effect.right);
+    const RowMatrixXd left_re = effect.left.real(), left_im = effect.left.imag();
+    RowMatrixXd right_re = RowMatrixXd::Zero(right.rows(), static_cast<Eigen::Index>(padded(columns))), right_im = right_re;
+    right_re.leftCols(right.cols()) = right.real();
+    right_im.leftCols(right.cols()) = right.imag();
+    add_decibel_error(h.block(0, 0, rows, columns), left_re.data(), left_im.data(), right_re.data(), right_im.data(), n,
+                      measured, error_);
+  }
+
+  Plan& plan_;
+  const std::vector<BandMatrices>& bands_;
+  DecibelError& total_;
+  DecibelError error_;
+  Rectangle substructures_, assembly_;
+};
+
+}  // namespace
+
+DecibelError predict(Plan& plan, const std::vector<BandMatrices>& bands, const Control& control) {
+  DecibelError total;
+  const std::size_t chunk = chunk_lines(plan.entries_per_line);
+  std::vector<std::unique_ptr<ChunkWorker>> workers;
+  for (std::size_t i = worker_count(plan.lines.size(), chunk, control.threads); i-- > 0;) {
+    workers.push_back(std::make_unique<Predictor>(plan, bands, total));
+  }
+  run_chunks(plan.lines.size(), chunk, "predicting", workers, control);
+  return total;
+}
+
+std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control) {
+  if (plan.predicted_responses.empty()) return std::nullopt;
+  const DecibelError error = predict(plan, solution.bands, control);
+  if (error.entries == 0) return std::nullopt;
+  return std::sqrt(error.sum_of_squares / static_cast<double>(error.entries));
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ident/plan/plan.hpp"
+
+namespace jointid::ident {
+
+/// A Plan but for its method, on sources that are open: restriction, coordinates, lines, columns, ω₀ and constraints, and the equations
+/// where the method is not the one to choose them. Throws as make_plan().
+std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
+                                   std::shared_ptr<frf::FrfSystem> assembly);
+
+/// What of its data the scene does not need, and what is to be said of them, once the plan has its method.
+void complete_plan(Plan& plan);
+
+}  // namespace jointid::ident

@@ -1,0 +1,121 @@
+#include "ident/result/chunk_pipeline.hpp"
+
+#include <oneapi/tbb/parallel_pipeline.h>
+
+#include <algorithm>
+#include <complex>
+#include <mutex>
+#include <thread>
+
+#include "ident/result/control.hpp"
+
+
+namespace jointid::ident {
+namespace {
+
+struct Chunk {
+  ChunkWorker* worker = nullptr;
+  std::size_t first = 0, last = 0;
+};
+
+/// Hands out chunks one after the other, reporting and stopping in between.
+class Source {
+ public:
+  Source(std::size_t lines, std::size_t chunk, const char* stage, const Control& control)
+      : lines_(lines), chunk_(chunk), stage_(stage), control_(control) {}
+
+  bool next(Chunk& out) {
+    if (first_ >= lines_) return false;
+    stop_if(control_.interrupted);
+    if (control_.progress) control_.progress(stage_, first_, lines_);
+    out.first = first_;
+    out.last = std::min(first_ + chunk_, lines_);
+    first_ = out.last;
+    return true;
+  }
+
+ private:
+  std::size_t lines_, chunk_, first_ = 0;
+  const char* stage_;
+  const Control& control_;
+};
+
+/// Workers that wait for a chunk. There are as many as chunks in flight, so one is always free.
+class FreeWorkers {
+ public:
+  explicit FreeWorkers(const std::vector<std::unique_ptr<ChunkWorker>>& workers) {
+    for (const auto& worker : workers) free_.push_back(worker.get());
+  }
+  ChunkWorker* take() {
+    const std::lock_guard lock(mutex_);
+    ChunkWorker* worker = free_.back();
+    free_.pop_back();
+    return worker;
+  }
+  void give_back(ChunkWorker* worker) {
+    const std::lock_guard lock(mutex_);
+    free_.push_back(worker);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<ChunkWorker*> free_;
+};
+
+void run_in_turn(Source& source, ChunkWorker& worker) {
+  Chunk chunk;
+  while (source.next(chunk)) {
+    worker.read(chunk.first, chunk.last);
+    worker.work(chunk.first, chunk.last);
+    worker.merge();
+  }
+}
+
+}  // namespace
+
+void run_chunks(std::size_t lines, std::size_t chunk, const char* stage,
+                const std::vector<std::unique_ptr<ChunkWorker>>& workers, const Control& control) {
+  Source source(lines, chunk, stage, control);
+  if (workers.size() == 1) {
+    run_in_turn(source, *workers.front());
+    return;
+  }
+  FreeWorkers free(workers);
+  using oneapi::tbb::filter_mode;
+  oneapi::tbb::parallel_pipeline(
+      workers.size(),
+      oneapi::tbb::make_filter<void, Chunk>(filter_mode::serial_in_order,
+                                            [&](oneapi::tbb::flow_control& flow) {
+                                              Chunk next;
+                                              if (!source.next(next)) {
+                                                flow.stop();
+                                                return next;
+                                              }
+                                              next.worker = free.take();
+                                              next.worker->read(next.first, next.last);
+                                              return next;
+                                            }) &
+          oneapi::tbb::make_filter<Chunk, Chunk>(filter_mode::parallel,
+                                                 [](Chunk next) {
+                                                   next.worker->work(next.first, next.last);
+                                                   return next;
+                                                 }) &
+          oneapi::tbb::make_filter<Chunk, void>(filter_mode::serial_in_order, [&](Chunk next) {
+            next.worker->merge();
+            free.give_back(next.worker);
+          }));
+}
+
+std::size_t chunk_lines(std::size_t entries_per_line) {
+  constexpr std::size_t chunk_bytes = 8u << 20;
+  const std::size_t line_bytes = std::max<std::size_t>(1, entries_per_line * sizeof(std::complex<double>));
+  return std::max<std::size_t>(1, chunk_bytes / line_bytes);
+}
+
+std::size_t worker_count(std::size_t lines, std::size_t chunk, std::size_t threads) {
+  const std::size_t chunks = (lines + chunk - 1) / chunk;
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  return threads == 1 ? 1 : std::clamp<std::size_t>(chunks, 1, threads + 1);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,148 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ident/result/admissibility.hpp"
+#include "ident/result/identifiability.hpp"
+#include "ident/result/suspect.hpp"
+#include "ident/scene/scene.hpp"
+
+namespace jointid::ident {
+
+/// Whether the numbers are usable.
+enum class Status {
+  ok,
+  rank_deficient,  ///< the data do not fix every unknown; the rest of the numbers hold
+  no_equations,    ///< nothing was left to solve
+  not_converged,
+  imprecise,  ///< rounding alone can move an unknown by as much as its size
+  doubtful,   ///< usable, but the data say something against it
+  poor_fit    ///< the data contradict it: far more misfit than their noise explains, or a joint that gives energy away
+};
+
+std::string name(Status status);
+
+/// Whether the numbers may be used: ok or doubtful.
+constexpr bool is_usable(Status status) { return status == Status::ok || status == Status::doubtful; }
+
+/// How the intervals of a solution were found.
+enum class IntervalKind { none, cramer_rao, bootstrap };
+
+std::string name(IntervalKind kind);
+
+struct Estimate {
+  std::string name;
+  std::string unit;
+  double value = 0.0;
+  bool determined = true;           ///< false: the data do not fix it, see Solution::message
+  std::optional<double> std_error;  ///< empty where the method has no honest one
+  std::optional<std::array<double, 2>> ci95;
+  /// First-order bound of what rounding does to the value, that of the FRFs and that of the arithmetic, in its unit; of linear
+  /// methods with Detail::full.
+  std::optional<double> rounding;
+  /// Of linear methods with Detail::full, in its unit: what the noise of the FRFs does to the value, √(scatter² + bias²). No standard
+  /// error: it is not the width of a distribution about the truth.
+  std::optional<double> error_estimate{};
+  std::optional<double> bias{};  ///< the bias in it, that of noise in the coefficients to first order; empty where it is not known
+  std::string limit{};  ///< the constraint that holds it: "tied", "at its lower bound", "K is singular"; empty: none
+};
+
+using Matrices = std::map<restrictions::Kind, Matrix>;
+
+/// Joint matrices of one frequency band (one band without limits when the scene names none).
+struct BandMatrices {
+  std::optional<Range> band_hz;
+  Matrices matrices;
+  Matrices errors{};  ///< of the elements, from Estimate::error_estimate; empty where there is none
+};
+
+/// How the residuals of all FRFs compare with their variances: `value` is about `degrees_of_freedom`, give or take √(2·that),
+/// when joint model and variances are right.
+struct ChiSquare {
+  double value = 0.0;
+  double degrees_of_freedom = 0.0;
+  std::size_t outlying_lines = 0;  ///< lines that fit so badly that they count for less than half
+  std::vector<double> by_line;     ///< χ² over its expectation, one per line; NaN for a line without redundancy
+};
+
+struct Fit {
+  std::size_t equations_used = 0;     ///< complex equations
+  std::size_t equations_dropped = 0;  ///< by Δ, by missing data, or with zero coefficients only
+  std::size_t lines = 0;
+  std::size_t rank = 0;
+  double condition = 0.0;                ///< of the column-scaled weighted system: 2-norm (qr), a lower bound of it (spqr), 1-norm (normal)
+  /// Decimal digits that rounding leaves of the worst unknown, relative to the largest of its joint and unit; not below 0.
+  std::optional<double> digits;
+  std::size_t iterations = 0;            ///< of iterative methods
+  std::optional<ChiSquare> chi_square;   ///< of methods that weigh FRFs by their variances
+  std::optional<double> asm_frf_error;   ///< dB; empty when the scene's equations do not read what it needs
+  /// Of linear methods with Detail::full: squares of the residuals over what the noise of the FRFs explains, WhitenedFit::misfit.
+  std::optional<double> misfit{};
+};
+
+/// Figures of merit of docs/formulas.md §6 for one matrix against the truth.
+struct Quality {
+  double rjcf = 0.0;
+  double arvf = 0.0;
+  double rms_relative_error = 0.0;  ///< sqrt(mean((u_i − 1)²)) over the same elements
+};
+
+/// Reading overlaps with the rest when several threads work: `assemble` is the time of that stage not spent reading.
+struct RunTime {
+  double read = 0.0, assemble = 0.0, solve = 0.0, total = 0.0;  ///< s
+};
+
+/// Where the variances of a file's FRFs came from, in words for the user.
+struct VarianceSource {
+  std::string file;
+  std::string origin;  ///< phrase() of the VarianceOrigin
+  std::string note;    ///< a sentence, empty when there is nothing to say
+};
+
+/// What was really done; a silent fall-back would show here.
+struct Used {
+  Method method = Method::one;
+  std::vector<Equation> equations;
+  weighting::Weighting weighting = weighting::Weighting::none;
+  double delta = 0.0;
+  std::string solver;
+  std::size_t accumulator_bytes = 0;  ///< of the reduced system and its row buffers; of the likelihood, of its data and states
+};
+
+/// Where starts of an iterative method ended.
+struct FoundMinimum {
+  double cost = 0.0;         ///< χ² of method likelihood; of newton the mean over the lines of log(1 + ‖F‖²/‖H_aa − H_nn‖²)
+  std::size_t starts = 0;    ///< how many of the starts ended there
+  std::vector<double> values;  ///< of the unknowns, SI
+};
+
+/// What a search from several starts found.
+struct MinimumSearch {
+  std::vector<FoundMinimum> minima;  ///< best first
+  std::size_t equally_good = 0;      ///< that fit as well as the best, itself included: 1 when the joint is unique as far as was looked
+};
+
+struct Solution {
+  Status status = Status::ok;
+  std::string message;  ///< one or more sentences; empty when all is well
+  std::vector<Estimate> unknowns;
+  std::vector<frf::Dof> dofs;
+  std::vector<BandMatrices> bands;  ///< at least one
+  Fit fit;
+  IntervalKind intervals = IntervalKind::none;
+  std::optional<Admissibility> admissibility;      ///< where the scene has constraints
+  std::optional<Identifiability> identifiability;  ///< of methods that know the covariance of their estimates
+  std::optional<MinimumSearch> search;  ///< where the scene asks for several starts
+  std::map<restrictions::Kind, Quality> quality;   ///< where the scene tells the truth
+  RunTime runtime_s;
+  Used used;
+  std::vector<std::string> warnings;      ///< what makes the numbers doubtful though they were found, one sentence each
+  std::optional<CheckResult> check{};     ///< of the data, its short form (quick_check()); with Detail::full
+  std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
+};
+
+}  // namespace jointid::ident

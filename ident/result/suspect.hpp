@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "frf/set/dof.hpp"
+
+namespace jointid::ident {
+
+/// What may be wrong with measured FRFs; docs/checking-data.md tells what each looks like.
+enum class SuspectKind : std::uint8_t {
+  sign,            ///< a transducer, or the hammer, pointed the other way
+  swap,            ///< the labels of two channels are exchanged
+  label,           ///< a DOF that no counterpart has, next to one that lacks its own
+  gain,            ///< a channel, or a file, is off by a factor
+  unit,            ///< a file is off by a factor between units
+  quantity,        ///< receptance, mobility and accelerance mixed up
+  conjugate,       ///< the imaginary part has the other sign
+  delay,           ///< a phase proportional to frequency, common to a file
+  axis,            ///< the frequency axis of a file is stretched
+  mass,            ///< the mass of accelerometers is in the FRFs
+  dead,            ///< a channel without signal, or not finite
+  copy,            ///< a channel that repeats another
+  loose,           ///< the assembly moves as its parts alone do
+  exchange,        ///< a file holds the FRFs of another
+  not_passive,     ///< a driving point gives energy away
+  not_reciprocal,  ///< H_ij and H_ji differ for no reason above
+  nonlinear        ///< the assembly does not follow from its parts by forces at the joint, for no reason above
+};
+
+/// "sign", "swap", …, as in JSON.
+std::string name(SuspectKind kind);
+
+/// Something that may be wrong, and what would mend it.
+struct Suspect {
+  SuspectKind kind = SuspectKind::sign;
+  std::string file;            ///< as the scene names it
+  std::vector<frf::Dof> dofs;  ///< the channels; empty where it is the whole file
+  std::string evidence;        ///< numbers in a sentence
+  double confidence = 0.0;     ///< 0…1
+  std::string remedy;          ///< lines for the scene that would mend it; empty where only measuring again would
+};
+
+/// "sign 125:+Y, 126:+Y in rig.uff".
+std::string title(const Suspect& suspect);
+
+enum class Verdict : std::uint8_t {
+  clean,       ///< nothing stands out
+  suspicious,  ///< something may be wrong
+  wrong        ///< something is wrong
+};
+
+/// "clean", "suspicious", "wrong".
+std::string name(Verdict verdict);
+
+/// What a check found, most likely first.
+struct CheckResult {
+  Verdict verdict = Verdict::clean;
+  std::vector<Suspect> suspects;
+};
+
+}  // namespace jointid::ident

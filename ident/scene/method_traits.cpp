@@ -1,0 +1,74 @@
+#include "ident/scene/method_traits.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace jointid::ident {
+namespace {
+
+const std::vector<std::string> linear_solvers = {"qr", "normal", "spqr"};
+
+}  // namespace
+
+const std::vector<MethodTraits>& all_methods() {
+  static const std::vector<MethodTraits> all = {
+      {.method = Method::one, .name = "one", .solvers = linear_solvers, .phrase = "Method One"},
+      {.method = Method::two,
+       .name = "two",
+       .solvers = linear_solvers,
+       .phrase = "Method Two",
+       .inverts_substructures = true},
+      {.method = Method::direct,
+       .name = "direct",
+       .solvers = linear_solvers,
+       .phrase = "the direct solution",
+       .joint_on_assembly = false,
+       .inverts_references = true},
+      {.method = Method::newton,
+       .name = "newton",
+       .solvers = {"levenberg-marquardt", "newton", "ceres", "ipopt", "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern"},
+       .phrase = "method \"newton\"",
+       .iterates = true,
+       .has_constraints = false,
+       .joint_on_assembly = false},
+      {.method = Method::likelihood,
+       .name = "likelihood",
+       .solvers = {"gauss-helmert", "iqml", "ceres"},
+       .phrase = "method \"likelihood\"",
+       .iterates = true,
+       .uses_variances = true},
+  };
+  return all;
+}
+
+const MethodTraits& traits(Method method) { return all_methods()[static_cast<std::size_t>(method)]; }
+
+bool takes_frfs_as_measured(Method method) {
+  const MethodTraits& of = traits(method);
+  return !of.iterates && of.joint_on_assembly && !of.inverts_substructures;
+}
+
+std::string name(Method method) { return traits(method).name; }
+
+Method parse_method(const std::string& text) { return all_methods()[find_word(text, method_names(), "method")].method; }
+
+bool weighs_equations(Method method) { return !traits(method).iterates; }
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const MethodTraits& each : all_methods()) names.push_back(each.name);
+  return names;
+}
+
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names = {"auto"};
+  for (const MethodTraits& each : all_methods()) {
+    for (const std::string& solver : each.solvers) {
+      if (std::ranges::find(names, solver) == names.end()) names.push_back(solver);
+    }
+  }
+  return names;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace jointid::ident {
+
+/// A method of identification, by its place in all_methods(). Files of studies hold the number: new ones go to the end.
+enum class Method { one, two, direct, newton, likelihood };
+
+/// What scenes may ask of a method and what it asks of the data. Whoever plans, checks or tells asks here, not for a method by name.
+struct MethodTraits {
+  Method method;
+  std::string name;                   ///< in [identify] method
+  std::vector<std::string> solvers;   ///< in [identify] solver, without auto
+  std::string phrase;                 ///< as a subject: "the direct solution"
+  bool iterates = false;              ///< from a start; no weighting and Δ, which are those of linear equations
+  bool uses_variances = false;        ///< of the FRFs, so that priors and a bootstrap have something to be weighed against
+  bool has_constraints = true;        ///< definite, bounds, ties
+  bool joint_on_assembly = true;      ///< reads the joint coordinates of the assembly: equations nn nj jj jn, else nn alone
+  bool inverts_substructures = false; ///< over all coordinates: both roles there, equations jn and jj
+  bool inverts_references = false;    ///< at least as many non-joint references as joint DOFs
+};
+
+/// In the order of Method.
+const std::vector<MethodTraits>& all_methods();
+
+const MethodTraits& traits(Method method);
+
+/// Whether the equations are those of the measured FRFs as they are, none of them inverted: H_nj Z_j H_ba = H_aa − H_nn.
+bool takes_frfs_as_measured(Method method);
+
+std::string name(Method method);
+
+/// The method by name; throws InputError (usage) with the nearest valid word.
+Method parse_method(const std::string& text);
+
+/// Whether weighting and Δ apply: the likelihood weighs FRFs by their variances instead, newton lines by their sensitivity.
+bool weighs_equations(Method method);
+
+/// The names of all methods, and of all solvers of [identify] beginning with auto.
+std::vector<std::string> method_names();
+std::vector<std::string> solver_names();
+
+}  // namespace jointid::ident

@@ -1,0 +1,33 @@
+#include "ident/scene/read_scene.hpp"
+
+#include "ident/scene/reduce_joints.hpp"
+#include "ident/scene/scene_sections.hpp"
+#include "ident/scene/scene_text.hpp"
+#include "ident/scene/variance_origin.hpp"
+
+namespace jointid::ident {
+
+Scene parse_scene(const std::string& text, const Path& file) {
+  const Value document = parse_toml(text, file);
+  const std::string file_name = file.string();
+  const SceneItem root(document, file_name, {}, {});
+  const SceneTable table = root.table(
+      {"title", "data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth"});
+  Scene scene;
+  scene.file = file;
+  if (const auto title = table.find("title")) scene.title = title->text();
+  scene.data = read_data(table.require("data"), file.parent_path());
+  if (const auto frequency = table.find("frequency")) scene.frequency = read_frequency(*frequency);
+  scene.joints = read_joints(table);
+  if (const auto identify = table.find("identify")) scene.identify = read_identify(*identify, scene.joints);
+  if (const auto noise = table.find("noise")) scene.noise = read_noise(*noise);
+  if (scene.identify.variance == VarianceChoice::noise) require_noise_law(scene);
+  if (const auto truth = table.find("truth")) scene.truth = read_matrices(*truth, joint_size(scene.joints));
+  scene.couple_first.pairs = read_couple_first(table);
+  if (!scene.couple_first.pairs.empty()) root.here([&] { reduce_joints(scene); });
+  return scene;
+}
+
+Scene read_scene(const Path& file) { return parse_scene(read_text(file), file); }
+
+}  // namespace jointid::ident

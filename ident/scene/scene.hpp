@@ -1,0 +1,141 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frf/noise/noise.hpp"
+#include "frf/set/corrections.hpp"
+#include "frf/set/frf_source.hpp"
+#include "ident/scene/method_traits.hpp"
+#include "restrictions/joint_spec.hpp"
+#include "weighting/weighting.hpp"
+
+namespace jointid::ident {
+
+using Path = std::filesystem::path;
+using Matrix = std::vector<std::vector<double>>;
+using Range = std::array<double, 2>;  ///< Hz, both ends included
+
+/// A file and what the scene says about it ([data.files."name"]): what it does not say itself, and what is wrong in it.
+struct DataFile {
+  Path path;  ///< resolved against the folder of the scene
+  frf::OpenOptions options;
+  std::vector<DataFile> repeats{};  ///< further runs of the same measurement
+  frf::Corrections corrections{};   ///< of its FRFs
+  std::optional<double> mass{};     ///< kg, of the structure, which hung free: what `check` holds its rigid-body lines against
+};
+
+/// Which systems' FRFs a modal model replaces.
+struct Regeneration {
+  bool substructures = false, assembly = false;
+
+  bool any() const { return substructures || assembly; }
+  bool operator==(const Regeneration&) const = default;
+};
+
+/// "none", "substructures", "assembly" or "substructures+assembly".
+std::string name(const Regeneration& regeneration);
+
+/// Parses such a name; throws InputError (usage) with the nearest valid word.
+Regeneration parse_regeneration(const std::string& text);
+
+struct DataSection {
+  std::vector<DataFile> substructures;  ///< uncoupled: FRFs across two files are zero by construction
+  std::vector<DataFile> assembly;
+  Regeneration regenerate{};  ///< by modal models, before anything else
+  bool reciprocity = false;  ///< on request: an FRF that is not there is taken from its transpose
+};
+
+/// Leaves out lines within half_width·f of every resonance f found in the data.
+struct ResonanceExclusion {
+  bool of_substructures = false;
+  bool of_assembly = false;
+  double half_width = 0.01;  ///< relative, 0 < half_width < 1
+};
+
+struct FrequencySection {
+  std::optional<Range> range_hz;
+  std::optional<double> step_hz;  ///< > 0: the lines nearest to lo, lo+step, …
+  std::vector<Range> exclude_hz;
+  std::optional<ResonanceExclusion> exclude_resonances;
+};
+
+/// The block of the assembly that an equation explains (docs/formulas.md §2), or that Z_j multiplies (§3).
+enum class Equation { nn, nj, jj, jn };
+
+std::string name(Equation equation);
+
+/// The equation by name; throws InputError (usage) with the nearest valid word.
+Equation parse_equation(const std::string& text);
+
+/// Where the variances of the FRFs are taken from.
+enum class VarianceChoice {
+  automatic,  ///< what each file has; else the law of [noise]; else the scatter of the data
+  file,       ///< variances or coherences of the files
+  noise,      ///< the law of [noise], whatever the files have
+  local       ///< estimated from the scatter of the data about smooth local models
+};
+
+/// What is known of an unknown beside the data: a normal distribution.
+struct Prior {
+  std::string unknown;     ///< its name as printed, "K(1,1)"
+  double value = 0.0;      ///< SI
+  double deviation = 1.0;  ///< standard deviation, SI, > 0
+};
+
+/// lower ≤ unknown ≤ upper, of which one may be infinite.
+struct Bound {
+  std::string unknown;  ///< its name as printed
+  double lower = 0.0, upper = 0.0;  ///< SI
+};
+
+struct IdentifySection {
+  Method method = Method::one;
+  std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
+  weighting::Weighting weighting = weighting::Weighting::wb;
+  double delta = 0.0;  ///< 0 ≤ Δ < 2
+  std::string solver = "auto";
+  VarianceChoice variance = VarianceChoice::automatic;
+  /// Of files: σ² = a|H|² + b fitted to each FRF. Empty: where they come from few averages or repeats, over enough lines.
+  std::optional<bool> smooth_variance;
+  std::map<restrictions::Kind, Matrix> start;
+  std::size_t starts = 0;  ///< of iterative methods, all of which are followed; 0: the first that is good enough
+  std::vector<Prior> priors;  ///< of method likelihood
+  std::vector<Bound> bounds;
+  std::vector<std::string> ties;  ///< linear equations between unknowns: "K(1,1) = K(2,2)"
+  std::size_t bootstrap = 0;  ///< replicates of the parametric bootstrap of method likelihood; 0: none
+  std::uint64_t bootstrap_seed = 1;
+};
+
+/// Pairs of coordinates that are coupled rigidly before the identification (docs/formulas.md §4). The joints of a scene are those that
+/// are left then, see reduce_joints().
+struct CoupleFirst {
+  std::vector<std::array<frf::Dof, 2>> pairs;
+  std::vector<frf::Dof> hidden;  ///< of the coordinates that result, those without a joint left: their FRFs are not used
+};
+
+struct NoiseSection {
+  std::string model;  ///< uniform | gaussian | circular | hammer | modal
+  double level = 0.0;
+  frf::NoiseModel frf_model;  ///< the whole section, for every model but modal
+};
+
+/// A scene file, checked for everything that can be checked without opening the data.
+struct Scene {
+  Path file;
+  std::string title;
+  DataSection data;
+  FrequencySection frequency;
+  std::vector<restrictions::JointSpec> joints;  ///< [joint] or [[joints]]
+  CoupleFirst couple_first;
+  IdentifySection identify;
+  std::optional<NoiseSection> noise;
+  std::map<restrictions::Kind, Matrix> truth;  ///< over all joint DOFs in order; absent matrices are not compared
+};
+
+}  // namespace jointid::ident

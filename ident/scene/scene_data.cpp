@@ -1,0 +1,132 @@
+#include <algorithm>
+
+#include "ident/scene/scene_sections.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// `names` collects the files as written, none twice.
+DataFile read_file(const SceneItem& item, const Path& folder, Names& names) {
+  const std::string name = item.text_not_empty();
+  if (std::find(names.begin(), names.end(), name) != names.end()) {
+    item.fail("the file '" + name + "' is named twice", "a file holds either a substructure or the assembly, once");
+  }
+  names.push_back(name);
+  return {folder / name, {}};
+}
+
+/// Repeats of one measurement: the first run with the others.
+DataFile read_repeats(const SceneItem& list, const Path& folder, Names& names) {
+  const std::vector<SceneItem> runs = list.list_not_empty();
+  if (runs.size() < 2) list.fail("a list of one file: one run has no scatter", "name the file without the list, or more runs");
+  DataFile first = read_file(runs.front(), folder, names);
+  for (std::size_t i = 1; i < runs.size(); ++i) first.repeats.push_back(read_file(runs[i], folder, names));
+  return first;
+}
+
+std::vector<DataFile> read_files(const SceneItem& list, const Path& folder, Names& names) {
+  std::vector<DataFile> files;
+  for (const SceneItem& item : list.list_not_empty()) {
+    files.push_back(item.is_list() ? read_repeats(item, folder, names) : read_file(item, folder, names));
+  }
+  return files;
+}
+
+/// The files in the order of their names.
+std::vector<DataFile*> all_files(DataSection& data) {
+  std::vector<DataFile*> all;
+  for (auto* files : {&data.substructures, &data.assembly}) {
+    for (DataFile& file : *files) {
+      all.push_back(&file);
+      for (DataFile& run : file.repeats) all.push_back(&run);
+    }
+  }
+  return all;
+}
+
+SceneTable file_table(const SceneItem& item) {
+  std::vector<std::string> keys = correction_keys();
+  keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable", "mass"});
+  return item.table(keys);
+}
+
+frf::OpenOptions read_options(const SceneTable& table) {
+  frf::OpenOptions options;
+  if (const auto quantity = table.find("quantity")) {
+    const std::string& word = quantity->text();
+    options.quantity = quantity->here([&] { return frf::parse_quantity(word); });
+  }
+  if (const auto dofs = table.find("dofs")) options.response = dofs->dofs();
+  if (const auto dofs = table.find("reference_dofs")) {
+    options.reference = dofs->dofs();
+    if (options.response.empty()) dofs->fail("reference_dofs is given without dofs", "give dofs, too");
+  }
+  if (const auto variable = table.find("variable")) options.variable = variable->text_not_empty();
+  return options;
+}
+
+Regeneration read_regeneration(const SceneItem& list) {
+  Regeneration chosen;
+  for (const SceneItem& item : list.list_not_empty()) {
+    const Regeneration one = item.here([&] { return parse_regeneration(item.text()); });
+    chosen.substructures |= one.substructures;
+    chosen.assembly |= one.assembly;
+  }
+  return chosen;
+}
+
+/// `files` are those of `names`; a name may stand for several.
+void read_all_options(const SceneItem& item, const Names& names, const std::vector<DataFile*>& files) {
+  const SceneTable table = item.table(names);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto of_file = table.find(names[i]);
+    if (!of_file) continue;
+    const SceneTable keys = file_table(*of_file);
+    files[i]->options = read_options(keys);
+    files[i]->corrections = read_corrections(keys);
+    if (const auto mass = keys.find("mass")) files[i]->mass = mass->positive();
+  }
+}
+
+}  // namespace
+
+DataSection read_data(const SceneItem& item, const Path& folder) {
+  const SceneTable table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files"});
+  DataSection data;
+  Names names;
+  data.substructures = read_files(table.require("substructures"), folder, names);
+  data.assembly = read_files(table.require("assembly"), folder, names);
+  if (const auto regenerate = table.find("regenerate")) data.regenerate = read_regeneration(*regenerate);
+  if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
+  if (const auto files = table.find("files")) read_all_options(*files, names, all_files(data));
+  return data;
+}
+
+DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names,
+                               const std::vector<FurtherFile>& further) {
+  const SceneTable table = item.table({"parts", "reciprocity", "files"});
+  DataSection data;
+  Names all;
+  data.substructures = read_files(table.require("parts"), folder, all);
+  if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
+  if (const auto files = table.find("files")) {
+    Names named = all;
+    std::vector<DataFile*> of_name = all_files(data);
+    for (const FurtherFile& other : further) {
+      named.push_back(other.name);
+      of_name.push_back(other.file);
+    }
+    read_all_options(*files, named, of_name);
+  }
+  // A part of several runs is named by the first.
+  std::size_t file = 0;
+  for (const DataFile& part : data.substructures) {
+    names.push_back(all[file]);
+    file += 1 + part.repeats.size();
+  }
+  return data;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "ident/scene/scene_reader.hpp"
+
+namespace jointid::ident {
+
+/// The keys of [data.files."NAME"] that put the FRFs of a file right, and what they say.
+std::vector<std::string> correction_keys();
+frf::Corrections read_corrections(const SceneTable& table);
+
+/// [data]; paths are resolved against `folder`.
+DataSection read_data(const SceneItem& item, const Path& folder);
+
+/// A file that another section of the scene names; [data.files] may speak of it.
+struct FurtherFile {
+  std::string name;  ///< as written
+  DataFile* file = nullptr;
+};
+
+/// [data] of a coupling scene: `substructures` are its parts, and `names` gets their names as written.
+DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names,
+                               const std::vector<FurtherFile>& further = {});
+
+/// [frequency]
+FrequencySection read_frequency(const SceneItem& item);
+
+/// [joint] or [[joints]] with the positions of [nodes] handed to every joint that uses them; checked by building each
+/// matrix's restriction. Pattern free without positions passes: the data files may have them.
+std::vector<restrictions::JointSpec> read_joints(const SceneTable& scene);
+
+/// couple_first of [joint] or all of [[joints]].
+std::vector<std::array<frf::Dof, 2>> read_couple_first(const SceneTable& scene);
+
+/// [identify]; `joints` are needed to check the start values.
+IdentifySection read_identify(const SceneItem& item, const std::vector<restrictions::JointSpec>& joints);
+
+/// [identify] priors: a table of [value, standard deviation]; the names are checked against the unknowns by the plan.
+std::vector<Prior> read_priors(const SceneItem& item);
+
+/// [identify] bounds: a table of [lowest, highest] or of the words "positive" and "negative".
+std::vector<Bound> read_bounds(const SceneItem& item);
+
+/// [identify] ties: a list of equations, whose names the plan reads.
+std::vector<std::string> read_ties(const SceneItem& item);
+
+/// The keys bootstrap and bootstrap_seed of [identify].
+void read_bootstrap(const SceneTable& table, IdentifySection& identify);
+
+/// How many starts an iterative method follows.
+std::size_t read_starts(const SceneItem& item);
+
+/// [noise]
+NoiseSection read_noise(const SceneItem& item);
+
+/// A table of matrices by kind over all joint DOFs, each square ([truth], start).
+std::map<restrictions::Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size);
+
+/// Number of DOFs of all joints.
+std::size_t joint_size(const std::vector<restrictions::JointSpec>& joints);
+
+/// The keys "stiffness", "mass", "viscous_damping" and "hysteretic_damping".
+std::vector<std::string> kind_keys();
+
+}  // namespace jointid::ident

@@ -1,0 +1,51 @@
+#include "ident/study/team.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace jointid::ident {
+namespace {
+
+class TeamOfOne final : public Team {
+ public:
+  std::size_t rank() const override { return 0; }
+  std::size_t size() const override { return 1; }
+  std::size_t first_failed(bool failed) override { return failed ? 0 : 1; }
+  void share(std::vector<std::uint64_t>&) override {}
+  void send(const std::vector<double>&) override {}
+  void send_end(const std::string&) override {}
+  std::optional<TeamMessage> receive() override { return std::nullopt; }
+  void stop_others() override {}
+  bool stopped() override { return false; }
+};
+
+/// The number in one of the environment variables, of Open MPI and of MPICH; 0 when there is none.
+std::size_t variable(const char* open_mpi, const char* mpich) {
+  for (const char* name : {open_mpi, mpich}) {
+    if (const char* text = std::getenv(name)) return std::strtoul(text, nullptr, 10);
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::unique_ptr<Team> make_team_of_one() { return std::make_unique<TeamOfOne>(); }
+
+void start_together(Team& team, const std::function<void()>& start) {
+  std::exception_ptr failure;
+  try {
+    start();
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  const std::size_t first = team.first_failed(failure != nullptr);
+  if (first == team.size()) return;
+  if (first == team.rank()) std::rethrow_exception(failure);
+  throw ToldElsewhere();
+}
+
+std::size_t processes_started() { return std::max(std::size_t{1}, variable("OMPI_COMM_WORLD_SIZE", "PMI_SIZE")); }
+
+std::size_t process_number() { return variable("OMPI_COMM_WORLD_RANK", "PMI_RANK"); }
+
+}  // namespace jointid::ident

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/complex.hpp"
+#include "frf/noise/variance_law.hpp"
+#include "frf/set/frf_set.hpp"
+
+namespace jointid::ident {
+
+/// Reads values and recorded variances of some FRFs of a file at one of its lines.
+using ReadRecorded = std::function<void(std::span<const std::size_t> line, std::span<Complex> values, std::span<Complex> variances)>;
+
+/// The law σ² = a|H|² + b of each of `entries` FRFs that fits its recorded variances best, at up to 512 of the `lines`: few
+/// averages make the variances themselves uncertain (by 1/√(n_d−1) of their value).
+std::vector<frf::VarianceLaw> smoothed_laws(const frf::FrfHeader& header, std::size_t entries, const ReadRecorded& read,
+                                            std::span<const std::size_t> lines);
+
+}  // namespace jointid::ident

@@ -1,0 +1,52 @@
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "problems/case/in_memory.hpp"
+
+namespace jointid::problems {
+namespace {
+
+std::shared_ptr<frf::FrfSystem> system(const char* name, std::vector<frf::FrfSet> sets, frf::Composition composition) {
+  std::vector<std::unique_ptr<frf::FrfSource>> sources;
+  for (frf::FrfSet& set : sets) sources.push_back(frf::from_memory(std::move(set)));
+  return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, false);
+}
+
+std::shared_ptr<frf::FrfSystem> parts_of(Measurement& measurement) {
+  return system("substructures", std::move(measurement.substructures), frf::Composition::uncoupled);
+}
+
+std::shared_ptr<frf::FrfSystem> assembly_of(Measurement& measurement) {
+  std::vector<frf::FrfSet> assembly;
+  assembly.push_back(std::move(measurement.assembly));
+  return system("assembly", std::move(assembly), frf::Composition::merged);
+}
+
+}  // namespace
+
+ident::Scene scene(const Problem& problem) { return ident::parse_scene(problem.scene, problem.name + ".toml"); }
+
+std::unique_ptr<ident::Plan> plan(const ident::Scene& scene, Measurement measurement) {
+  return ident::make_plan(scene, parts_of(measurement), assembly_of(measurement));
+}
+
+ident::CheckResult check(const ident::Scene& scene, Measurement measurement) {
+  return ident::check_systems(scene, parts_of(measurement), assembly_of(measurement));
+}
+
+std::shared_ptr<const ident::TrialData> trial_data(const ident::Scene& scene, const Problem& problem) {
+  const ident::Measurements clean{problem.substructures, {problem.assembly}};
+  if (const auto* model = std::get_if<frf::NoiseModel>(&problem.noise)) {
+    return ident::make_trial_data(scene, clean, *model);
+  }
+  const auto regenerate = [errors = std::get<ConsistentErrors>(problem.noise), parts = problem.substructure_modes,
+                           whole = problem.assembly_modes](std::uint64_t seed, std::uint64_t trial,
+                                                           ident::Measurements& data) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      data.substructures[i] = with_modal_errors(data.substructures[i], parts[i], errors, {seed, trial, i});
+    }
+    data.assembly.front() = with_modal_errors(data.assembly.front(), whole, errors, {seed, trial, parts.size()});
+  };
+  return ident::make_trial_data(scene, clean, regenerate);
+}
+
+}  // namespace jointid::problems

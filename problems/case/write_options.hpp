@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace jointid::problems {
+
+/// How the files of a problem are written.
+struct WriteOptions {
+  std::string format = "h5";  ///< "h5" or "uff"
+  std::uint64_t seed = 1;     ///< of the noise that the case is defined with
+  bool clean = false;         ///< leave the noise out
+};
+
+}  // namespace jointid::problems

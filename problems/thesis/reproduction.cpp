@@ -1,0 +1,81 @@
+#include "problems/thesis/reproduction.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
+
+namespace jointid::problems {
+namespace {
+
+/// The trials of one run of a table and what it takes to read them.
+struct Outcome {
+  std::vector<ident::Trial> trials;
+  std::vector<Kind> judged;
+  restrictions::Restriction restriction;
+};
+
+ident::Scene scene_of(const TableRun& run, const Problem& problem) {
+  ident::Scene result = scene(problem);
+  if (!run.equations.empty()) result.identify.equations = run.equations;
+  if (run.weighting) result.identify.weighting = *run.weighting;
+  if (run.delta) result.identify.delta = *run.delta;
+  return result;
+}
+
+Outcome run_trials_of(const TableRun& run, const Problem& problem, const ident::TrialOptions& options) {
+  const ident::Scene chosen = scene_of(run, problem);
+  const auto data = trial_data(chosen, problem);
+  return {ident::run_trials(data, options), data->judged, restrictions::build(chosen.joints)};
+}
+
+std::vector<double> figures(const Outcome& outcome, const TableEntry& entry) {
+  const auto place = static_cast<std::size_t>(std::ranges::find(outcome.judged, entry.kind) - outcome.judged.begin());
+  std::vector<double> values;
+  for (const ident::Trial& trial : outcome.trials) {
+    values.push_back(
+        ident::figure_of(trial, place, entry.figure == TableFigure::rjcf ? &ident::Quality::rjcf : &ident::Quality::arvf));
+  }
+  return values;
+}
+
+std::vector<double> elements(const Outcome& outcome, const TableEntry& entry, const Problem& problem) {
+  const double truth = problem.truth.at(entry.kind)[entry.i][entry.j];
+  const std::size_t size = problem.joint_dofs.size();
+  std::vector<double> values;
+  for (const ident::Trial& trial : outcome.trials) {
+    if (!ident::is_usable(trial.status)) continue;
+    values.push_back(outcome.restriction.matrix(entry.kind, trial.values)[entry.i * size + entry.j] / truth);
+  }
+  return values;
+}
+
+Reproduced judged(const Print& print, std::vector<double> values) {
+  const Spread ours = spread(std::move(values));
+  return {ours, ours.low <= print.value + print.half_unit && print.value - print.half_unit <= ours.high};
+}
+
+}  // namespace
+
+std::vector<Reproduced> reproduce(const ThesisTable& table, const ident::TrialOptions& options) {
+  std::map<std::string, Problem> problems;
+  std::vector<Reproduced> result(table.entries.size());
+  for (std::size_t r = 0; r < table.runs.size(); ++r) {
+    const TableRun& run = table.runs[r];
+    auto found = problems.find(run.problem);
+    if (found == problems.end()) found = problems.emplace(run.problem, make(run.problem)).first;
+    Problem problem = found->second;
+    if (run.noise_free) problem.noise = frf::NoiseModel{.level = 0.0};
+    const Outcome outcome = run_trials_of(run, problem, ident::counting_parts(options, r, table.runs.size()));
+    for (std::size_t e = 0; e < table.entries.size(); ++e) {
+      const TableEntry& entry = table.entries[e];
+      if (entry.run != r) continue;
+      const bool element = entry.figure == TableFigure::element;
+      result[e] = judged(entry.print, element ? elements(outcome, entry, found->second) : figures(outcome, entry));
+    }
+  }
+  return result;
+}
+
+}  // namespace jointid::problems
