@@ -37,7 +37,8 @@ void expect_agreement(const frf::FrfSet& set, const std::vector<std::array<doubl
       if (!mode.inside) continue;
       for (const Mode& other : seen) {
         if (std::abs(other.pole.frequency_hz - mode.pole.frequency_hz) > 1.0) continue;
-        EXPECT_NEAR(mode.pole.frequency_hz, other.pole.frequency_hz, std::hypot(mode.frequency_deviation_hz, other.frequency_deviation_hz));
+        EXPECT_NEAR(mode.pole.frequency_hz, other.pole.frequency_hz,
+                    std::hypot(mode.frequency_deviation_hz, other.frequency_deviation_hz));
         EXPECT_NEAR(mode.pole.damping, other.pole.damping, 2.0 * std::hypot(mode.damping_deviation, other.damping_deviation));
       }
       EXPECT_TRUE(std::ranges::any_of(known, [&](double f) { return std::abs(mode.pole.frequency_hz - f) < 0.01; }));
@@ -45,7 +46,8 @@ void expect_agreement(const frf::FrfSet& set, const std::vector<std::array<doubl
     }
     frf::FrfHeader lines = set.header;
     lines.frequency_hz = band.frequency_hz;
-    const auto errors = synthesis_errors(found, band, regenerate(found, lines, {band.frequency_hz.front(), band.frequency_hz.back()}));
+    const auto errors =
+        synthesis_errors(found, band, regenerate(found, lines, {band.frequency_hz.front(), band.frequency_hz.back()}));
     EXPECT_LT(overall(errors).rms_db_away, 0.6);
   }
 }

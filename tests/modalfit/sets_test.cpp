@@ -8,8 +8,8 @@
 namespace jointid::modalfit {
 namespace {
 
-/// Every seed: all modes and no other, frequencies within 1e-4, damping within 3 %. Over seeds and modes together: rms of the errors
-/// in parts of their Cramér–Rao bounds within `most`, and not below its inverse, for then the bound would be no bound.
+/// Every seed: all modes and no other, frequencies within 1e-4, damping within 3 %. Over seeds and modes together: rms of the
+/// errors in parts of their Cramér–Rao bounds within `most`, and not below its inverse, for then the bound would be no bound.
 void expect_accurate(const std::string& name, std::uint64_t seeds, double most) {
   const auto set = problems::make_modal_set(name);
   const std::size_t n = set.modes.count();

@@ -29,8 +29,8 @@ double small_error(const RigTwo& rig, Form form, std::uint64_t seeds) {
   return middle(std::move(errors));
 }
 
-/// 200 seeds, and the other forms of the equations: bench_rig_two. 195 of 200 limits within 15 % there; of 40, five beyond are a chance of
-/// 1 in 300 when that is the true share, and seeds are always the same.
+/// 200 seeds, and the other forms of the equations: bench_rig_two. 195 of 200 limits within 15 % there; of 40, five beyond are a
+/// chance of 1 in 300 when that is the true share, and seeds are always the same.
 TEST(RigTwoSeeds, TheLimitIsWithinFifteenPercentByTheRigidReference) {
   for (const ProblemInfo& info : list_rig_two()) {
     const RigTwo rig = make_rig_two(info.name);
