@@ -162,7 +162,7 @@ void measure_in(const std::filesystem::path& directory, const std::string& comma
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {
   const TestFolder folder;
-  const std::filesystem::path directory = line.word(1, folder / "");
+  const std::filesystem::path directory = std::filesystem::path(line.word(1, folder / "")) / (line.quick() ? "quick" : "full");
   std::filesystem::create_directories(directory);
   measure_in(directory, line.word(0, ""), line.quick(), promises);
 }

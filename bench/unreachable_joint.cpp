@@ -56,7 +56,7 @@ frf::FrfSet thinned(const frf::FrfSet& set) {
 class Bench {
  public:
   Bench(bool quick, bench::Promises& promises)
-      : problem_(problems::make("H4")), base_(problems::scene(problem_)), promises_(promises) {
+      : problem_(problems::make("H4")), base_(problems::scene(problem_)), quick_(quick), promises_(promises) {
     if (quick) {
       problem_.assembly = thinned(problem_.assembly);
       for (frf::FrfSet& set : problem_.substructures) set = thinned(set);
@@ -119,7 +119,8 @@ class Bench {
     std::fflush(stdout);
     if (!way.promised || count == 0) return;
     promises_.at_least(way.label + ": share of starts that reach the joint",
-                       static_cast<double>(reached) / static_cast<double>(count), bench::least_share(0.975, count));
+                       static_cast<double>(reached) / static_cast<double>(count),
+                       quick_ ? bench::least_share(0.95, count) : 0.95);
   }
 
   void noise(const Way& way, std::size_t seeds) const {
@@ -166,6 +167,7 @@ class Bench {
   problems::Problem problem_;
   ident::Scene base_;
   std::vector<double> truth_;
+  bool quick_;
   bench::Promises& promises_;
 };
 
