@@ -1,6 +1,6 @@
 // Friction limits that Ren's law gets from the FRFs of rig two (problems rig2 and rig2-264), over seeds of the errors of its
-// tests. Prints the table of docs/loading-curves.md. Promised of (7.18) with real FRFs of the parts and relative residuals: 97.5
-// % of the limits are within 15 %, and k + id at small displacements has less than half the error that (7.11) leaves.
+// tests. Prints the table of docs/loading-curves.md. Promised of (7.18) with real FRFs of the parts and relative residuals:
+// 97.5 % of the limits are within 15 %, and k + id at small displacements has at most half the error that (7.11) leaves.
 #include <fmt/core.h>
 
 #include <algorithm>

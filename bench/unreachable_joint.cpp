@@ -1,6 +1,6 @@
 // Joints whose coordinates cannot be reached on the assembly (case H4, only H_nn): how many starts lead to the joint, and how far
 // off the estimates are with 5 % noise, solver by solver on the same data and starts. Prints the tables of
-// docs/unreachable-joints.md. Promised of the two default solvers: 95 in 100 starts reach the joint; and of likelihood that it
+// docs/unreachable-joints.md. Promised of the two default solvers: 95 of 100 starts reach the joint; and of likelihood that it
 // settles in every seed, within 1.1 times the Cramér–Rao bound but for chance. The quick run takes these two, and every third
 // line.
 #include <fmt/core.h>
