@@ -1,13 +1,14 @@
 // Accuracy of method "likelihood" against the Cramér–Rao bound on the built-in cases: rms error / bound over many trials,
-// coverage of the 95 % intervals, iterations. Prints the table of docs/accuracy.md.
-//   bench_accuracy [TRIALS [CASE ...]]
-#include <fmt/format.h>
+// coverage of the 95 % intervals, iterations. Prints the table of docs/accuracy.md; misses its promise when a trial does not
+// converge, an rms error is further above the bound than chance explains, or coverage is further below 92 % than that.
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "bench/bench.hpp"
 #include "ident/study/trial_loop.hpp"
 #include "ident/tasks/bound.hpp"
 #include "problems/case/in_memory.hpp"
@@ -23,11 +24,14 @@ struct Case {
   std::vector<ident::Equation> equations;
 };
 
-const std::vector<Case> cases = {
-    {"A1", "A1", {nn, nj}},     {"A1 all", "A1", {nn, nj, jj, jn}}, {"B nn", "B", {nn}},    {"B", "B", {nn, nj}}, {"C1", "C1", {nn, nj}},
-    {"C2", "C2", {nn, nj}},     {"D1", "D1", {nn, nj}},             {"E1", "E1", {nn, nj}}, {"E2", "E2", {nn, nj}},
-    {"E3", "E3", {nn, nj}},     {"F1", "F1", {nn, nj}},             {"F2", "F2", {nn, nj}}, {"F3", "F3", {nn, nj}},
-    {"G1", "G1", {nn, nj}},     {"H_nn", "H4", {nn}},      {"rig1", "rig1", {}}};
+const std::vector<Case> cases = {{"A1", "A1", {nn, nj}}, {"A1 all", "A1", {nn, nj, jj, jn}},
+                                 {"B nn", "B", {nn}},    {"B", "B", {nn, nj}},
+                                 {"C1", "C1", {nn, nj}}, {"C2", "C2", {nn, nj}},
+                                 {"D1", "D1", {nn, nj}}, {"E1", "E1", {nn, nj}},
+                                 {"E2", "E2", {nn, nj}}, {"E3", "E3", {nn, nj}},
+                                 {"F1", "F1", {nn, nj}}, {"F2", "F2", {nn, nj}},
+                                 {"F3", "F3", {nn, nj}}, {"G1", "G1", {nn, nj}},
+                                 {"H_nn", "H4", {nn}},   {"rig1", "rig1", {}}};
 
 struct Figures {
   double mean = 0.0, worst = 0.0, bias = 0.0;
@@ -46,8 +50,12 @@ std::string noise_text(double level, double gross) {
   return fmt::format("{:g} %{}", 100.0 * level, gross > 0.0 ? fmt::format(", {:g} % gross lines", 100.0 * gross) : "");
 }
 
-/// `level` 0: the noise of the problem itself; `gross`: share of lines with errors ten times as large.
-void run(const Case& which, double level, double gross, std::size_t trials) {
+/// How far an rms error may be above the bound but for chance: where the bound is a tenth and more of the unknown, and where
+/// gross lines count for less, the estimator does not reach it.
+double allowance(double largest_bound, double gross) { return largest_bound >= 0.1 ? 1.25 : gross > 0.0 ? 1.2 : 1.1; }
+
+/// `level` 0: the noise of the problem itself; `gross`: share of lines with errors ten times as large. Returns the coverage.
+double run(const Case& which, double level, double gross, std::size_t trials, bench::Promises& promises) {
   problems::Problem problem = problems::make(which.problem);
   auto& noise = std::get<frf::NoiseModel>(problem.noise);
   if (level > 0.0) noise.level = level;
@@ -65,9 +73,10 @@ void run(const Case& which, double level, double gross, std::size_t trials) {
   Figures stiffness, rest;
   double covered = 0.0, intervals = 0.0, largest_bound = 0.0;
   std::vector<double> iterations, times;
-  std::size_t failed = 0;
+  std::size_t failed = 0, contradicted = 0;
   for (const ident::Trial& trial : done) {
     failed += !ident::is_usable(trial.status);
+    contradicted += trial.status == ident::Status::poor_fit;
     iterations.push_back(static_cast<double>(trial.iterations));
     times.push_back(1e3 * trial.solve_s);
   }
@@ -96,24 +105,40 @@ void run(const Case& which, double level, double gross, std::size_t trials) {
              noise_text(level, gross), 100.0 * largest_bound, mean(stiffness), mean(rest), std::max(stiffness.bias, rest.bias),
              covered / intervals, iterations[iterations.size() / 2], iterations.back(), failed, times[times.size() / 2]);
   std::fflush(stdout);
+  const std::string row = fmt::format("{} with noise of {}", which.label, noise_text(level, gross));
+  // Data with gross lines do contradict the noise that the scene tells.
+  promises.at_most(row + ": trials not usable", static_cast<double>(failed - (gross > 0.0 ? contradicted : 0)), 0.0);
+  promises.at_most(row + ": rms error over bound, worst element", std::max(stiffness.worst, rest.worst),
+                   allowance(largest_bound, gross) * bench::largest_rms(trials));
+  promises.at_least(row + ": coverage", covered / intervals, bench::least_share(0.92, trials));
+  return covered / intervals;
+}
+
+void measure(const bench::CommandLine& line, bench::Promises& promises) {
+  const std::size_t trials = line.count(0, 100, 10);
+  std::vector<std::string> labels;
+  for (const Case& each : cases) labels.push_back(each.label);
+  const std::vector<std::string> wanted = line.choice(1, labels, {"A1", "E1", "F1"});
+  const std::vector<double> levels = line.quick() ? std::vector{0.01} : std::vector{0.001, 0.01, 0.05};
+  fmt::print(
+      "| case | noise | largest bound | K: rms / bound, mean / worst | M, D: the same | largest bias / bound | coverage | "
+      "iterations, median / most | "
+      "not usable | ms |\n|---|---|---|---|---|---|---|---|---|---|\n");
+  double coverage = 0.0, rows = 0.0;
+  const auto row = [&](const Case& which, double level, double gross) {
+    coverage += run(which, level, gross, trials, promises);
+    ++rows;
+  };
+  for (const Case& which : cases) {
+    if (std::ranges::find(wanted, which.label) == wanted.end()) continue;
+    for (const double level : which.problem == "rig1" ? std::vector{0.0} : levels) row(which, level, 0.0);
+    if (which.label == "A1") row(which, 0.01, 0.05);
+  }
+  // Levels share their random numbers, and so do some pairs of cases: independent are about half as many trials as cases have.
+  promises.at_least("coverage of all rows", coverage / rows,
+                    bench::least_share(0.94, std::max<std::size_t>(trials * wanted.size() / 2, 1)));
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const std::size_t trials = argc > 1 ? std::stoul(argv[1]) : 100;
-  const std::vector<std::string> wanted(argv + std::min(argc, 2), argv + argc);
-  fmt::print(
-      "| case | noise | largest bound | K: rms / bound, mean / worst | M, D: the same | largest bias / bound | coverage | "
-      "iterations, median / most | "
-      "not converged | ms |\n|---|---|---|---|---|---|---|---|---|---|\n");
-  for (const Case& which : cases) {
-    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), which.label) == wanted.end()) continue;
-    if (which.problem == "rig1") {
-      run(which, 0.0, 0.0, trials);
-      continue;
-    }
-    for (const double level : {0.001, 0.01, 0.05}) run(which, level, 0.0, trials);
-    if (which.label == "A1") run(which, 0.01, 0.05, trials);
-  }
-}
+int main(int argc, char** argv) { return bench::run(argc, argv, "[TRIALS [CASE ...]]", measure); }

@@ -1,13 +1,13 @@
 // What constraints do to errors: K and D positive semidefinite, 5 % noise, against the same seeds without. Prints the table of
-// docs/admissible-joints.md; returns 1 when an error is larger with the constraints or an estimate is not admissible.
-//   bench_admissible [TRIALS]
-#include <fmt/format.h>
+// docs/admissible-joints.md; promised: no error is larger with the constraints, every estimate is admissible.
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "bench/bench.hpp"
 #include "dense/eigen.hpp"
 #include "ident/study/trial_loop.hpp"
 #include "problems/case/in_memory.hpp"
@@ -53,7 +53,7 @@ std::size_t settled(const std::vector<ident::Trial>& trials) {
   return static_cast<std::size_t>(std::ranges::count(trials, ident::Status::ok, &ident::Trial::status));
 }
 
-bool run(const std::string& name, ident::Method method, std::size_t trials) {
+void run(const std::string& name, ident::Method method, std::size_t trials, bool quick, bench::Promises& promises) {
   problems::Problem problem = problems::make(name);
   auto& noise = std::get<frf::NoiseModel>(problem.noise);
   noise.level = noise_level;
@@ -67,39 +67,47 @@ bool run(const std::string& name, ident::Method method, std::size_t trials) {
   for (const auto& [kind, matrix] : scene.joints[0].matrices) scene.joints[0].definite.insert(kind);
   const auto constrained = ident::run_trials(problems::trial_data(scene, problem), {.trials = trials});
   const auto plan = problems::plan(scene, problems::polluted(problem, 1, 0));
-  std::size_t indefinite = 0;
-  bool kept = settled(constrained) + trials / 50 >= settled(free);
+  std::size_t indefinite = 0, inadmissible = 0;
   for (std::size_t t = 0; t < trials; ++t) {
     double before = 1.0;
     for (const auto kind : data->judged) {
       before = std::min(before, least_relative_eigenvalue(plan->restriction.matrix(kind, free[t].values)));
       if (constrained[t].status != ident::Status::ok) continue;
-      kept = kept && least_relative_eigenvalue(plan->restriction.matrix(kind, constrained[t].values)) >= negative;
+      inadmissible += !(least_relative_eigenvalue(plan->restriction.matrix(kind, constrained[t].values)) >= negative);
     }
     indefinite += before < negative;
   }
+  const std::string row = fmt::format("{} by {}", name, ident::name(method));
+  promises.at_least(row + ": settled trials", static_cast<double>(settled(constrained)),
+                    static_cast<double>(settled(free)) - std::ceil(static_cast<double>(trials) / 50.0));
+  promises.at_most(row + ": matrices with an eigenvalue below −1e-10 of the largest", static_cast<double>(inadmissible), 0.0);
   fmt::print("| {} | {} | {} of {} |", name, ident::name(method), indefinite, trials);
   for (std::size_t k = 0; k < data->judged.size(); ++k) {
     const double before = rms_error(free, constrained, k), after = rms_error(constrained, free, k);
     fmt::print(" {} {:.3g} → {:.3g} |", restrictions::symbol(data->judged[k]), before, after);
-    kept = kept && after <= before;
+    promises.at_most(fmt::format("{}: rms error of {}", row, restrictions::symbol(data->judged[k])), after,
+                     quick ? before * bench::largest_rms(trials) : before);
   }
   if (method == ident::Method::likelihood) {
     const double before = coverage(free, problem.unknowns), after = coverage(constrained, problem.unknowns);
     fmt::print(" coverage {:.3f} → {:.3f} |", before, after);
-    kept = kept && after >= before - 0.01;
+    promises.at_least(row + ": coverage", after, quick ? bench::least_share(0.92, trials) : before - 0.01);
   }
-  fmt::print(" settled {} → {} | {}\n", settled(free), settled(constrained), kept ? "kept" : "MISSED");
-  return kept;
+  fmt::print(" settled {} → {} |\n", settled(free), settled(constrained));
+}
+
+/// In few trials an rms error may be the larger one with constraints by chance: by less than a single one differs from its
+/// expectation, as both are of the same noise.
+void measure(const bench::CommandLine& line, bench::Promises& promises) {
+  for (const auto method : {ident::Method::one, ident::Method::likelihood}) {
+    const std::size_t trials = line.count(0, 200, method == ident::Method::one ? 20 : 4);
+    for (const char* name : {"A1", "C1", "D1"}) {
+      if (line.quick() && method == ident::Method::likelihood && name == std::string("A1")) continue;
+      run(name, method, trials, line.quick(), promises);
+    }
+  }
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const std::size_t trials = argc > 1 ? std::stoul(argv[1]) : 200;
-  bool kept = true;
-  for (const auto method : {ident::Method::one, ident::Method::likelihood}) {
-    for (const char* name : {"A1", "C1", "D1"}) kept = run(name, method, trials) && kept;
-  }
-  return kept ? 0 : 1;
-}
+int main(int argc, char** argv) { return bench::run(argc, argv, "[TRIALS]", measure); }

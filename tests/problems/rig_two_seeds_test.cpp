@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "friction/curve/equivalent.hpp"
 #include "friction/law/laws.hpp"
@@ -10,35 +9,13 @@
 namespace jointid::problems {
 namespace {
 
-constexpr std::uint64_t seeds = 200;
-
-const char* name(Form form) {
-  if (!form.real) return form.rigid ? "(7.18) as measured" : "(7.11) as measured";
-  if (!form.relative) return form.rigid ? "(7.18) real, not weighted" : "(7.11) real, not weighted";
-  return form.rigid ? "(7.18) real" : "(7.11) real";
-}
-
-double quantile(std::vector<double> values, double share) {
-  std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
-}
-
-/// Friction limits over the truth; seeds without a fit count as 0.
-std::vector<double> limits(const RigTwo& rig, Form form) {
-  std::vector<double> out;
-  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-    const double ratio = limit_ratio(polluted(rig, seed), form);
-    out.push_back(std::isfinite(ratio) ? ratio : 0.0);
-  }
-  std::printf("%s %s: limit over truth, 5 %% %.3f median %.3f 95 %% %.3f, within 15 %%: %d of %d\n", rig.name.c_str(), name(form),
-              quantile(out, 0.05), quantile(out, 0.5), quantile(out, 0.95),
-              static_cast<int>(std::ranges::count_if(out, [](double x) { return std::abs(x - 1.0) < 0.15; })),
-              static_cast<int>(seeds));
-  return out;
+double middle(std::vector<double> values) {
+  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
+  return values[values.size() / 2];
 }
 
 /// Median over seeds and levels of |Δ(k + id)|/|k + id| at the four smallest displacements.
-double small_error(const RigTwo& rig, Form form) {
+double small_error(const RigTwo& rig, Form form, std::uint64_t seeds) {
   const auto element = friction::make_element("ren", rig.element);
   std::vector<double> errors;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -49,21 +26,18 @@ double small_error(const RigTwo& rig, Form form) {
                        std::hypot(exact.stiffness, exact.damping));
     }
   }
-  const double median = quantile(std::move(errors), 0.5);
-  std::printf("%s %s: median error of k + id at small displacements %.3f\n", rig.name.c_str(), name(form), median);
-  return median;
+  return middle(std::move(errors));
 }
 
+/// 200 seeds, and the other forms of the equations: bench_rig_two. 195 of 200 limits within 15 % there; of 40, five beyond are a
+/// chance of 1 in 300 when that is the true share, and seeds are always the same.
 TEST(RigTwoSeeds, TheLimitIsWithinFifteenPercentByTheRigidReference) {
   for (const ProblemInfo& info : list_rig_two()) {
     const RigTwo rig = make_rig_two(info.name);
-    const std::vector<double> reference = limits(rig, {});
-    EXPECT_GE(std::ranges::count_if(reference, [](double x) { return std::abs(x - 1.0) < 0.15; }), 195);
-    limits(rig, {.rigid = true, .real = false});
-    limits(rig, {.rigid = true, .real = true, .relative = false});
-    EXPECT_LT(small_error(rig, {}), 0.5 * small_error(rig, {.rigid = false, .real = true}));
-    small_error(rig, {.rigid = true, .real = true, .relative = false});
-    small_error(rig, {.rigid = true, .real = false});
+    std::size_t within = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) within += std::abs(limit_ratio(polluted(rig, seed), {}) - 1.0) < 0.15;
+    EXPECT_GE(within, 36u) << rig.name;
+    EXPECT_LT(small_error(rig, {}, 20), 0.5 * small_error(rig, {.rigid = false, .real = true}, 20)) << rig.name;
   }
 }
 
