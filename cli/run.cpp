@@ -10,7 +10,7 @@
 namespace jointid::cli {
 namespace {
 
-int report(ExitCode code, const std::string& line) {
+int told(ExitCode code, const std::string& line) {
   if (interrupted()) claim_end();
   print_error(line);
   return static_cast<int>(code);
@@ -18,13 +18,13 @@ int report(ExitCode code, const std::string& line) {
 
 /// For what all processes that mpirun started find alike: the first tells, the others end quietly, and with 0, as mpirun kills
 /// the rest when one fails.
-int report_once(ExitCode code, const std::string& line) { return ident::process_number() == 0 ? report(code, line) : 0; }
+int told_once(ExitCode code, const std::string& line) { return ident::process_number() == 0 ? told(code, line) : 0; }
 
 /// The exit code, unless what was printed did not get through (a full disk, a closed file).
 int finish(ExitCode code) {
   std::cout.flush();
-  if (!std::cout) return report(ExitCode::data, "cannot write to standard output");
-  if (interrupted()) return report_once(ExitCode::interrupted, "interrupted");
+  if (!std::cout) return told(ExitCode::data, "cannot write to standard output");
+  if (interrupted()) return told_once(ExitCode::interrupted, "interrupted");
   return static_cast<int>(code);
 }
 
@@ -34,7 +34,7 @@ int perform(const ChosenCommand& command) {
 }
 
 int print(const Notice& notice) {
-  if (notice.code != ExitCode::done) return report_once(notice.code, notice.text);
+  if (notice.code != ExitCode::done) return told_once(notice.code, notice.text);
   std::cout << notice.text;
   return finish(notice.code);
 }
@@ -50,7 +50,7 @@ int run(int argc, const char* const* argv) {
     return 0;
   } catch (...) {
     const Failure failure = explain(std::current_exception());
-    return report(failure.code, failure.line);
+    return told(failure.code, failure.line);
   }
 }
 

@@ -44,7 +44,7 @@ std::string cost_text(const ident::Cost& cost) {
   return "\ncost\n" + table.text();
 }
 
-std::string variances_text(const std::vector<ident::VarianceSource>& files) {
+std::string known_noise_text(const std::vector<ident::VarianceSource>& files) {
   if (files.empty()) return "";
   Table table({{"", Align::left}, {"", Align::left}});
   for (const auto& file : files) table.add({file.file, file.origin});
@@ -87,7 +87,7 @@ std::string plan_text(const ident::Plan& plan) {
   table.add({"assembly FRFs", !plan.predicted_responses.empty() ? "regenerated and compared" : "not regenerated"});
   return (plan.scene.title.empty() ? "" : plan.scene.title + "\n") + table.text() +
          phrases("constraints", ident::constraint_phrases(plan)) + cost_text(plan.cost) +
-         variances_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) +
+         known_noise_text(ident::variance_sources(plan)) + phrases("left out", plan.left_out) + phrases("warnings", plan.warnings) +
          phrases("notes", plan.notes);
 }
 

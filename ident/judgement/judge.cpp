@@ -177,15 +177,25 @@ bool estimated_variances(const Solution& out) {
   });
 }
 
-/// χ² over degrees of freedom of the lines that are not outlying, where those are few.
-double ratio_of(const ChiSquare& chi_square) {
+/// χ² over degrees of freedom line by line.
+struct LineRatios {
+  double mean = 0.0;  ///< of the lines that are not outlying, where those are a third at most; they count for little in the estimate
+  std::size_t outlying = 0, lines = 0;
+
+  bool are_many_outlying() const { return 5 * outlying > lines; }
+};
+
+LineRatios ratios_of(const ChiSquare& chi_square) {
   constexpr double gross = 3.2;  // counts for less than half: robust_weight()
   std::vector<double> lines = chi_square.by_line;
   std::erase_if(lines, [](double ratio) { return std::isnan(ratio); });
-  if (lines.empty()) return 0.0;
-  const auto outlying = std::ranges::count_if(lines, [](double ratio) { return ratio > gross; });
-  if (5 * outlying <= std::ssize(lines)) std::erase_if(lines, [](double ratio) { return ratio > gross; });
-  return std::accumulate(lines.begin(), lines.end(), 0.0) / static_cast<double>(lines.size());
+  LineRatios out;
+  if (lines.empty()) return out;
+  out.lines = lines.size();
+  out.outlying = static_cast<std::size_t>(std::ranges::count_if(lines, [](double ratio) { return ratio > gross; }));
+  if (3 * out.outlying <= out.lines) std::erase_if(lines, [](double ratio) { return ratio > gross; });
+  out.mean = std::accumulate(lines.begin(), lines.end(), 0.0) / static_cast<double>(lines.size());
+  return out;
 }
 
 /// Errors that several FRFs share are not in the law of χ².
@@ -193,11 +203,18 @@ bool shares_errors(const Plan& plan) { return !plan.regenerated.empty() || !plan
 
 void tell_chi_square(const Plan& plan, bool hopeless, Solution& out) {
   const ChiSquare& chi_square = *out.fit.chi_square;
-  const double freedom = std::max(1.0, chi_square.degrees_of_freedom), ratio = ratio_of(chi_square);
+  const LineRatios lines = ratios_of(chi_square);
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom), ratio = lines.mean;
   const bool estimated = estimated_variances(out) || shares_errors(plan);
   const bool poor = hopeless || ratio > (estimated ? 4.0 : 2.0);
   const double likely = chi_square_quantile(freedom, 5.0) / freedom;
-  if (!poor && !(ratio > std::max(likely, estimated ? 2.0 : 1.4))) return;
+  if (!poor && !(ratio > std::max(likely, estimated ? 2.0 : 1.4))) {
+    if (!lines.are_many_outlying()) return;
+    tell(out, Status::doubtful,
+         std::to_string(lines.outlying) + " of " + std::to_string(lines.lines) +
+             " lines are off by far more than their standard errors and count for little; the others fit." + remedy);
+    return;
+  }
   tell(out, poor ? Status::poor_fit : Status::doubtful,
        std::string(hopeless ? "Stopped early: n" : "N") + "o joint of this scene explains the FRFs: they are off by " +
            digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")." +

@@ -64,7 +64,7 @@ struct OneLine {
   ExplicitLine line;
 
   static ExplicitLine make(Plan& plan) {
-    Observations& observations = *plan.likelihood->observations;
+    Observations& observations = *likelihood_plan(plan)->observations;
     observations.read(plan.lines, [](std::size_t) {});
     const LineData& data = observations.lines().front();
     const JointImpedance joint(plan.restriction, *plan.columns, plan.omega0, data.omega);
@@ -129,7 +129,7 @@ TEST(LineStart, FromExactDataIsExactEitherWay) {
   auto& noise = std::get<frf::NoiseModel>(example.problem.noise);
   noise.level = 0.0;
   const auto plan = example.plan("ceres", 1, true);
-  Observations& observations = *plan->likelihood->observations;
+  Observations& observations = *likelihood_plan(*plan)->observations;
   observations.read(plan->lines, [](std::size_t) {});
   std::vector<double> theta = example.truth();
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] /= plan->unscale(i);

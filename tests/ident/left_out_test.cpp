@@ -4,7 +4,9 @@
 #include <set>
 
 #include "frf/file/write.hpp"
+#include "ident/equations/linear_plan.hpp"
 #include "ident/identify.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
 #include "memory_systems.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
@@ -129,10 +131,10 @@ TEST(LeftOut, JnAloneReadsNoNonJointResponse) {
 }
 
 TEST(LeftOut, LinearMethodsPrepareNoLikelihood) {
-  for (const Method method : {Method::one, Method::direct}) EXPECT_EQ(run({}, false, method)->plan->likelihood, nullptr);
+  for (const Method method : {Method::one, Method::direct}) EXPECT_EQ(likelihood_plan(*run({}, false, method)->plan), nullptr);
   const auto planned = run({Equation::nn}, false, Method::likelihood);
-  EXPECT_NE(planned->plan->likelihood, nullptr);
-  EXPECT_EQ(planned->plan->builder, nullptr);
+  EXPECT_NE(likelihood_plan(*planned->plan), nullptr);
+  EXPECT_EQ(linear_plan(*planned->plan), nullptr);
   EXPECT_TRUE(planned->substructures.frfs.empty() && planned->assembly.frfs.empty());
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t lines = 1000;
 
 /// Lines of a chunk of a plan.
-std::size_t chunk_of(const Plan& plan) { return chunk_lines(plan.builder->entries_per_line()); }
+std::size_t chunk_of(const Plan& plan) { return chunk_lines(linear_plan(plan)->builder->entries_per_line()); }
 
 Solution solve_with(Plan& plan, std::size_t threads) {
   return solve(plan, {.threads = threads, .progress = {}, .interrupted = {}});
@@ -59,11 +59,11 @@ Assembled assembled_at_once(Plan& plan) {
     substructures.push_back(line.substructures);
     assembly.push_back(line.assembly);
   }
-  plan.builder->read(substructures, assembly);
+  linear_plan(plan)->builder->read(substructures, assembly);
   LineProduct product;
   for (std::size_t i = 0; i < plan.lines.size(); ++i) {
     product.frequency_hz = plan.lines[i].frequency_hz;
-    if (plan.builder->line(i, product)) assembler.add(product, out.accumulator);
+    if (linear_plan(plan)->builder->line(i, product)) assembler.add(product, out.accumulator);
   }
   out.equations = assembler.count();
   out.lines = assembler.lines_used();
