@@ -17,6 +17,7 @@
 #include "ident/identify.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
+#include "ident/plan/joint_guess.hpp"
 #include "problems/case/catalogue.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"

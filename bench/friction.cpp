@@ -16,6 +16,7 @@
 #include "friction/joint/fe_cases.hpp"
 #include "friction/law/generalized_slip.hpp"
 #include "friction/law/law.hpp"
+#include "friction/law/laws.hpp"
 #include "friction/law/sliders.hpp"
 #include "friction/path/masing_path.hpp"
 #include "friction/path/parallel.hpp"

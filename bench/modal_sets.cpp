@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bench/bench.hpp"
-#include "modalfit/fit.hpp"
+#include "modalfit/model/fit.hpp"
 #include "problems/case/modal_set.hpp"
 
 namespace {

@@ -9,6 +9,7 @@
 #include "bench/bench.hpp"
 #include "friction/curve/equivalent.hpp"
 #include "friction/law/law.hpp"
+#include "friction/law/laws.hpp"
 #include "tests/problems/rig_two_table.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "base/eigen.hpp"
-#include "coupling/groups.hpp"
 #include "base/error.hpp"
+#include "coupling/groups.hpp"
 
 namespace jointid::coupling {
 namespace {

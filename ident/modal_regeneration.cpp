@@ -4,7 +4,7 @@
 
 #include "base/text.hpp"
 #include "frf/set/merged_set.hpp"
-#include "modalfit/regenerated_set.hpp"
+#include "modalfit/model/regenerated_set.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -6,7 +6,7 @@
 #include "frf/set/frf_source.hpp"
 #include "ident/plan/regeneration_note.hpp"
 #include "ident/scene/scene.hpp"
-#include "modalfit/fit.hpp"
+#include "modalfit/model/fit.hpp"
 
 namespace jointid::ident {
 

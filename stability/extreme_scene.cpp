@@ -1,5 +1,6 @@
-#include "ident/identify.hpp"
 #include "stability/extreme_scene.hpp"
+
+#include "ident/identify.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 
 #include "cli/options/target.hpp"
 #include "frf/set/frf_source.hpp"
-#include "modalfit/fit.hpp"
+#include "modalfit/model/fit.hpp"
 
 namespace CLI {
 class App;

@@ -4,7 +4,7 @@
 
 #include "cli/modalfit/modalfit_text.hpp"
 #include "cli/text/json_value.hpp"
-#include "modalfit/mac.hpp"
+#include "modalfit/model/mac.hpp"
 
 namespace jointid::cli {
 namespace {

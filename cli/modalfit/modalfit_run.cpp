@@ -11,7 +11,7 @@
 #include "frf/file/write.hpp"
 #include "frf/uff/uff55.hpp"
 #include "ident/identify.hpp"
-#include "modalfit/basis.hpp"
+#include "modalfit/band/basis.hpp"
 
 namespace jointid::cli {
 namespace {

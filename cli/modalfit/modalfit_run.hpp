@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/modalfit/modalfit_arguments.hpp"
-#include "modalfit/fit.hpp"
-#include "modalfit/symmetric_model.hpp"
-#include "modalfit/synthesis.hpp"
+#include "modalfit/model/fit.hpp"
+#include "modalfit/model/symmetric_model.hpp"
+#include "modalfit/model/synthesis.hpp"
 
 namespace jointid::cli {
 

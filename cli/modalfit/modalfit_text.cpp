@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "modalfit/mac.hpp"
+#include "modalfit/model/mac.hpp"
 
 namespace jointid::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "cli/report/contents.hpp"
-#include "modalfit/band.hpp"
+#include "modalfit/band/band.hpp"
 
 namespace jointid::cli::report {
 

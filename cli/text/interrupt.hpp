@@ -8,7 +8,6 @@
 
 #include "ident/result/control.hpp"
 
-
 namespace jointid::cli {
 
 /// From now on SIGINT and SIGTERM ask for an end, and say at once on stderr that they were heard. Work that polls `interrupted()`

@@ -7,7 +7,6 @@
 
 #include "ident/result/control.hpp"
 
-
 namespace jointid::cli {
 
 /// One line on stderr that says how far a run is; nothing when stderr is no terminal. The line is gone afterwards. May be used by

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "modalfit/selection.hpp"
+#include "modalfit/poles/selection.hpp"
 
 namespace jointid::ident {
 namespace {

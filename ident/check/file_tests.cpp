@@ -6,9 +6,9 @@
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
+#include "base/statistics.hpp"
 #include "ident/check/delay_fit.hpp"
 #include "ident/check/slope_fit.hpp"
-#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -5,10 +5,10 @@
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
+#include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "ident/check/delay_fit.hpp"
 #include "ident/check/unit_factor.hpp"
-#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {

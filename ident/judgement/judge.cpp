@@ -11,7 +11,7 @@
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/whitened_fit.hpp"
 #include "ident/scene/variance_origin.hpp"
-#include "modalfit/selection.hpp"
+#include "modalfit/poles/selection.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,4 +1,5 @@
 #include "ident/plan/plan.hpp"
+
 #include "ident/plan/scaling.hpp"
 
 namespace jointid::ident {

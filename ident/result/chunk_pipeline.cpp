@@ -9,7 +9,6 @@
 
 #include "ident/result/control.hpp"
 
-
 namespace jointid::ident {
 namespace {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ident/modal_regeneration.hpp"
-#include "modalfit/regenerated_set.hpp"
+#include "modalfit/model/regenerated_set.hpp"
 
 namespace jointid::ident {
 namespace {

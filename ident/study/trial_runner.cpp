@@ -1,9 +1,9 @@
-#include "ident/identify.hpp"
 #include "ident/study/trial_runner.hpp"
+
+#include "ident/identify.hpp"
 
 #include <algorithm>
 #include <limits>
-
 
 namespace jointid::ident {
 namespace {

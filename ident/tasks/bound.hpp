@@ -5,7 +5,6 @@
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 
-
 namespace jointid::ident {
 
 /// Cramér–Rao bound (docs/formulas.md §11g): the smallest standard deviation that any unbiased estimate of each unknown can have on the

@@ -3,7 +3,6 @@
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 
-
 namespace jointid::ident {
 
 /// Figures of merit of the joint identified from the first `lines` lines.

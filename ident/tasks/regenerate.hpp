@@ -3,7 +3,6 @@
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 
-
 namespace jointid::ident {
 
 /// One FRF of the assembly: receptance, response over reference.

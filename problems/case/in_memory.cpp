@@ -1,6 +1,7 @@
+#include "problems/case/in_memory.hpp"
+
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "problems/case/in_memory.hpp"
 
 namespace jointid::problems {
 namespace {

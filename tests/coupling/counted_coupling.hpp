@@ -1,8 +1,8 @@
 #pragma once
 
+#include "counted.hpp"
 #include "coupling/jumps.hpp"
 #include "coupling/mtc_steps.hpp"
-#include "counted.hpp"
 
 namespace jointid::coupling {
 

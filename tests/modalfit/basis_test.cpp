@@ -1,4 +1,4 @@
-#include "modalfit/basis.hpp"
+#include "modalfit/band/basis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/complex.hpp"
-#include "modalfit/mac.hpp"
+#include "modalfit/model/mac.hpp"
 
 namespace jointid::modalfit {
 namespace {

@@ -1,4 +1,4 @@
-#include "modalfit/fit.hpp"
+#include "modalfit/model/fit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "modalfit/clusters.hpp"
-#include "modalfit/selection.hpp"
+#include "modalfit/poles/clusters.hpp"
+#include "modalfit/poles/selection.hpp"
 #include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {

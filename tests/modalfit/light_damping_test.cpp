@@ -7,10 +7,10 @@
 
 #include "base/complex.hpp"
 #include "base/random.hpp"
-#include "modalfit/doubled.hpp"
-#include "modalfit/fit.hpp"
-#include "modalfit/noise_laws.hpp"
-#include "modalfit/residual_peaks.hpp"
+#include "modalfit/model/fit.hpp"
+#include "modalfit/model/noise_laws.hpp"
+#include "modalfit/poles/doubled.hpp"
+#include "modalfit/poles/residual_peaks.hpp"
 
 namespace jointid::modalfit {
 namespace {

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "frf/set/frf_source.hpp"
-#include "modalfit/fit.hpp"
-#include "modalfit/synthesis.hpp"
+#include "modalfit/model/fit.hpp"
+#include "modalfit/model/synthesis.hpp"
 #include "tests/require.hpp"
 
 namespace jointid::modalfit {

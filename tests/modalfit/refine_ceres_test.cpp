@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/complex.hpp"
-#include "modalfit/basis.hpp"
-#include "modalfit/fit.hpp"
+#include "modalfit/band/basis.hpp"
+#include "modalfit/model/fit.hpp"
 #include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {

@@ -1,4 +1,4 @@
-#include "modalfit/refine.hpp"
+#include "modalfit/poles/refine.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "frf/set/frf_source.hpp"
-#include "modalfit/basis.hpp"
-#include "modalfit/fit.hpp"
-#include "modalfit/normal_block.hpp"
+#include "modalfit/band/basis.hpp"
+#include "modalfit/band/normal_block.hpp"
+#include "modalfit/model/fit.hpp"
 #include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "modalfit/fit.hpp"
+#include "modalfit/model/fit.hpp"
 #include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {

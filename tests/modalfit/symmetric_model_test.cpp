@@ -1,13 +1,13 @@
-#include "modalfit/symmetric_model.hpp"
+#include "modalfit/model/symmetric_model.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/complex.hpp"
-#include "modalfit/mac.hpp"
-#include "modalfit/rank_one.hpp"
-#include "modalfit/synthesis.hpp"
+#include "modalfit/model/mac.hpp"
+#include "modalfit/model/rank_one.hpp"
+#include "modalfit/model/synthesis.hpp"
 #include "problems/case/modal_set.hpp"
 
 namespace jointid::modalfit {

@@ -18,7 +18,6 @@
 namespace jointid::problems {
 namespace {
 
-
 class EveryCase : public testing::TestWithParam<Case> {};
 
 Eigen::MatrixXcd joint_impedance(const Case& definition, double frequency_hz) {

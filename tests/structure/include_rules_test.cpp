@@ -50,7 +50,7 @@ TEST(IncludeRules, AnIncludeAgainstTheTableIsFound) {
   EXPECT_THAT(violations_in("frf", "#include \"ident/scene.hpp\"\n"),
               ElementsAre("frf may not include ident/scene.hpp"));
   EXPECT_THAT(violations_in("weighting", "  #  include <ident/scene/scene.hpp>  // why\n"),
-              ElementsAre("weighting may not include ident/scene.hpp"));
+              ElementsAre("weighting may not include ident/scene/scene.hpp"));
   EXPECT_THAT(violations_in("frf", "#include \"dof.hpp\"\n"), ElementsAre("dof.hpp is included without its folder"));
 }
 

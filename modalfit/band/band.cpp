@@ -1,0 +1,86 @@
+#include "modalfit/band/band.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/complex.hpp"
+#include "frf/set/frf_set.hpp"
+#include "frf/set/recorded_variance.hpp"
+
+namespace jointid::modalfit {
+namespace {
+
+constexpr std::size_t least_lines = 8;
+constexpr double exact = 1e-6;
+
+std::vector<std::size_t> lines_in(const frf::FrfHeader& header, const std::optional<std::array<double, 2>>& range) {
+  std::vector<std::size_t> lines;
+  for (std::size_t i = 0; i < header.lines(); ++i) {
+    const double f = header.frequency_hz[i];
+    if (f > 0.0 && (!range || (f >= (*range)[0] && f <= (*range)[1]))) lines.push_back(i);
+  }
+  if (lines.size() < least_lines) {
+    fail(header, "range", fmt::format("{} lines are in it; a modal fit needs at least {}", lines.size(), least_lines),
+         "widen the range, or measure finer");
+  }
+  return lines;
+}
+
+void weigh_as_recorded(const frf::FrfSet& set, const std::vector<std::size_t>& lines, std::size_t entry, Band& band) {
+  double* weight = band.weights(entry);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::size_t at = lines[i] * set.header.entries() + entry;
+    const double least = exact * std::abs(set.values[at]);
+    const Complex variance = frf::recorded_variance(set, at);
+    for (std::size_t part = 0; part < 2; ++part) {
+      const double deviation = std::max(std::sqrt(part == 0 ? variance.real() : variance.imag()), least);
+      const bool known = std::isfinite(deviation) && deviation > 0.0 && band.value(entry)[i] != 0.0;
+      weight[2 * i + part] = known ? 1.0 / deviation : 0.0;
+    }
+  }
+}
+
+void weigh_evenly(Band& band, std::size_t entry) {
+  double sum = 0.0, count = 0.0;
+  const auto stored = [&](std::size_t i) {
+    return std::abs(frf::from_receptance(band.quantity, band.frequency_hz[i]));
+  };
+  for (std::size_t i = 0; i < band.lines(); ++i) {
+    if (band.value(entry)[i] == 0.0) continue;
+    sum += std::norm(band.value(entry)[i] * stored(i));
+    count += 1.0;
+  }
+  for (std::size_t i = 0; i < band.lines(); ++i) {
+    const double weight = band.value(entry)[i] == 0.0 ? 0.0 : stored(i) / (0.01 * std::sqrt(sum / count));
+    band.weights(entry)[2 * i] = band.weights(entry)[2 * i + 1] = weight;
+  }
+}
+
+}  // namespace
+
+Band make_band(const frf::FrfSet& set, const std::optional<std::array<double, 2>>& range_hz) {
+  const std::vector<std::size_t> lines = lines_in(set.header, range_hz);
+  Band band;
+  for (const std::size_t line : lines) band.frequency_hz.push_back(set.header.frequency_hz[line]);
+  band.responses = set.header.response.size();
+  band.references = set.header.reference.size();
+  band.known_noise = frf::knows_noise(set);
+  band.quantity = set.header.quantity;
+  band.values.resize(band.entries() * lines.size());
+  band.weight.resize(band.values.size() * 2);
+  for (std::size_t entry = 0; entry < band.entries(); ++entry) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Complex value = set.values[lines[i] * set.header.entries() + entry];
+      band.values[entry * lines.size() + i] = std::isfinite(value.real()) && std::isfinite(value.imag()) ? value : 0.0;
+    }
+    band.known_noise ? weigh_as_recorded(set, lines, entry, band) : weigh_evenly(band, entry);
+  }
+  if (std::ranges::all_of(band.weight, [](double weight) { return weight == 0.0; })) {
+    fail(set.header, "range", "nothing was measured on its lines", "choose other lines");
+  }
+  return band;
+}
+
+}  // namespace jointid::modalfit

@@ -1,0 +1,23 @@
+#include "modalfit/band/model_kind.hpp"
+
+#include <array>
+
+#include "base/error.hpp"
+
+namespace jointid::modalfit {
+
+std::string name(Damping damping) { return damping == Damping::viscous ? "viscous" : "hysteretic"; }
+
+Damping parse_damping(std::string_view text) {
+  for (const Damping damping : {Damping::viscous, Damping::hysteretic}) {
+    if (text == name(damping)) return damping;
+  }
+  const std::string near = nearest_word(std::string(text), std::array{name(Damping::viscous), name(Damping::hysteretic)});
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = {},
+                    .place = "damping",
+                    .problem = "'" + std::string(text) + "' is no damping model",
+                    .remedy = near.empty() ? "use viscous or hysteretic" : "did you mean " + near + "?"});
+}
+
+}  // namespace jointid::modalfit
