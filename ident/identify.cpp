@@ -22,11 +22,16 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices);
 /// All methods: what makes the part of a prepared plan that is the method's own.
 std::unique_ptr<MethodPlan> plan_method(Plan& plan) {
   switch (plan.scene.identify.method) {
-    case Method::one: return plan_method_one(plan);
-    case Method::two: return plan_method_two(plan);
-    case Method::direct: return plan_direct(plan);
-    case Method::newton: return plan_newton(plan, plan_start);
-    case Method::likelihood: return plan_likelihood(plan, plan_start);
+    case Method::one:
+      return plan_method_one(plan);
+    case Method::two:
+      return plan_method_two(plan);
+    case Method::direct:
+      return plan_direct(plan);
+    case Method::newton:
+      return plan_newton(plan, plan_start);
+    case Method::likelihood:
+      return plan_likelihood(plan, plan_start);
   }
   throw std::logic_error("a method without a plan");
 }
@@ -70,7 +75,8 @@ void check_briefly(Plan& plan, const Control& control, Solution& out) {
 
 std::unique_ptr<Plan> make_plan(const Scene& scene) {
   std::vector<ModalRegeneration> regenerated;
-  const auto open_system = [&](const char* name, const std::vector<DataFile>& files, frf::Composition composition, bool by_modes) {
+  const auto open_system = [&](const char* name, const std::vector<DataFile>& files, frf::Composition composition,
+                               bool by_modes) {
     auto sources = open_all(files);
     if (by_modes) sources = regenerate_sources(std::move(sources), composition == frf::Composition::merged, scene, regenerated);
     return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
@@ -114,8 +120,8 @@ Solution solve(Plan& plan, const Control& control) {
   }
   warn_of_shared_errors(plan, out);
   out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
-  out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting, plan.scene.identify.delta,
-              plan.solver, 0};
+  out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
+              plan.scene.identify.delta,  plan.solver,    0};
   plan.method->solve(plan, control, out);
   check_briefly(plan, control, out);
   out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();

@@ -79,7 +79,8 @@ void note_changes(const frf::FrfSystem& system, std::vector<std::string>& notes)
 }
 
 /// What the joints make of the unknowns; an error in them names the scene.
-restrictions::Restriction build_restriction(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
+restrictions::Restriction build_restriction(const Scene& scene, const frf::FrfSystem& substructures,
+                                            const frf::FrfSystem& assembly) {
   std::vector<restrictions::JointSpec> joints = scene.joints;
   add_node_positions(substructures, joints);
   add_node_positions(assembly, joints);
@@ -127,7 +128,8 @@ void complete_plan(Plan& plan) {
   if (plan.lines.size() < lines) {
     plan.left_out.push_back(std::to_string(lines - plan.lines.size()) + " of " + std::to_string(lines) + " lines: not read");
   }
-  if (weighs_equations(plan.scene.identify.method) && plan.scene.identify.delta == 0.0) plan.left_out.push_back("the delta filter");
+  if (weighs_equations(plan.scene.identify.method) && plan.scene.identify.delta == 0.0)
+    plan.left_out.push_back("the delta filter");
   warn_of_data(plan);
 }
 

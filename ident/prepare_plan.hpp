@@ -4,8 +4,8 @@
 
 namespace jointid::ident {
 
-/// A Plan but for its method, on sources that are open: restriction, coordinates, lines, columns, ω₀ and constraints, and the equations
-/// where the method is not the one to choose them. Throws as make_plan().
+/// A Plan but for its method, on sources that are open: restriction, coordinates, lines, columns, ω₀ and constraints, and the
+/// equations where the method is not the one to choose them. Throws as make_plan().
 std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
                                    std::shared_ptr<frf::FrfSystem> assembly);
 

@@ -24,19 +24,15 @@ constexpr std::string_view matlab_v5_text = "MATLAB 5.0 MAT-file";
 constexpr std::size_t head_bytes = 4096;
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = path.string(),
-                    .place = {},
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
+  throw InputError(
+      {.kind = ErrorKind::data, .file = path.string(), .place = {}, .problem = std::move(problem), .remedy = std::move(remedy)});
 }
 
 /// The first bytes of a file that exists, can be read and is not empty.
 std::string read_head(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found)
-    fail(path, "there is no such file", "check its path");
+  if (status.type() == std::filesystem::file_type::not_found) fail(path, "there is no such file", "check its path");
   if (error) fail(path, "cannot be opened: " + error.message(), "check its path and the permissions of its folders");
   if (is_directory(status)) fail(path, "is a folder", "name a file in it");
   if (!is_regular_file(status)) fail(path, "is not a regular file", "copy its data into one");
@@ -72,7 +68,9 @@ std::string shown(std::string_view head) {
   return bytes;
 }
 
-bool is_jointid_hdf5(const std::filesystem::path& path, std::string_view head) { return is_hdf5(head) && has_format_attribute(path); }
+bool is_jointid_hdf5(const std::filesystem::path& path, std::string_view head) {
+  return is_hdf5(head) && has_format_attribute(path);
+}
 
 bool is_matlab_v73(const std::filesystem::path&, std::string_view head) { return is_hdf5(head); }
 
@@ -88,7 +86,9 @@ std::unique_ptr<FrfSource> open_jointid_hdf5(const std::filesystem::path& path, 
 
 void write_as_hdf5(const FrfSet& set, const std::filesystem::path& path) { write_hdf5(set, path); }
 
-void write_own_quantity(const FrfSet& set, const std::filesystem::path& path) { write_uff(set, path, {.quantity = set.header.quantity}); }
+void write_own_quantity(const FrfSet& set, const std::filesystem::path& path) {
+  write_uff(set, path, {.quantity = set.header.quantity});
+}
 
 const Format* format_of(const std::filesystem::path& path, std::string_view head, bool binary_only) {
   for (const Format& format : formats()) {

@@ -10,7 +10,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr Eigen::Index window = 6, powers = 3;     ///< lines, and coefficients of numerator and denominator
+constexpr Eigen::Index window = 6, powers = 3;    ///< lines, and coefficients of numerator and denominator
 constexpr std::size_t most_of_denominator = 250;  ///< FRFs that tell it; they share it
 
 /// 1, x, x² in rows.

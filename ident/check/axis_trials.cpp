@@ -19,9 +19,9 @@ constexpr std::array<double, 16> grid = {-0.03, -0.02, -0.015, -0.01,  -0.0075, 
 constexpr double step = 1e-3, least_stretch = 0.002, least_deviations = 1.5;
 constexpr double least_score_of_axis = 0.55;  // between lines, FRFs are smoothed, too
 constexpr std::size_t most_lines = 16, least_lines = 8;
-constexpr double most_work = 3e5;                     ///< products of complex numbers per test, about
+constexpr double most_work = 3e5;                        ///< products of complex numbers per test, about
 constexpr std::size_t most_rows = 10, most_columns = 5;  ///< beside the joint's, per part
-constexpr std::size_t most_searched = 8;  ///< columns of a part, the joint's included, over the grid
+constexpr std::size_t most_searched = 8;                 ///< columns of a part, the joint's included, over the grid
 
 const Dofs& side(const CheckedFile& file, bool references) { return references ? file.references : file.responses; }
 
@@ -32,8 +32,8 @@ Dofs some_of(const Files& files, const Dofs& joint, bool references, std::size_t
     if (part.assembly) continue;
     Dofs others;
     for (const frf::Dof& dof : side(part, references)) {
-      const bool common =
-          std::ranges::any_of(files, [&](const CheckedFile& file) { return file.assembly && frf::has(side(file, references), dof); });
+      const bool common = std::ranges::any_of(
+          files, [&](const CheckedFile& file) { return file.assembly && frf::has(side(file, references), dof); });
       if (common && !frf::has(joint, dof)) others.push_back(dof);
     }
     for (const std::size_t i : spread_lines(others.size(), most)) chosen.push_back(others[i]);
@@ -51,7 +51,8 @@ SpanSetup with_fewer_columns(const SpanSetup& setup, std::size_t most) {
     fewer.part_columns.push_back(setup.part_columns[i]);
     fewer.assembly_columns.push_back(setup.assembly_columns[i]);
   }
-  for (const std::size_t i : spread_lines(setup.outer_columns.size(), most)) fewer.outer_columns.push_back(setup.outer_columns[i]);
+  for (const std::size_t i : spread_lines(setup.outer_columns.size(), most))
+    fewer.outer_columns.push_back(setup.outer_columns[i]);
   return fewer;
 }
 

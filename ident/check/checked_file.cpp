@@ -153,7 +153,8 @@ std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count) {
   return lines;
 }
 
-std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_t most, const std::function<bool()>& interrupted) {
+std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_t most,
+                                            const std::function<bool()>& interrupted) {
   frf::FrfSystem* const systems[] = {&of.substructures, &of.assembly};
   std::size_t entries = 0;
   for (const frf::FrfSystem* system : systems) {

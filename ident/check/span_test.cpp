@@ -18,8 +18,8 @@ Eigen::MatrixXcd block(const CheckedFile& file, std::size_t line, const Indices&
   return all(rows, columns);
 }
 
-/// Orthonormal basis of the columns, by Gram and Schmidt, twice where half of a column is lost; columns that depend on those before
-/// are left out.
+/// Orthonormal basis of the columns, by Gram and Schmidt, twice where half of a column is lost; columns that depend on those
+/// before are left out.
 Eigen::MatrixXcd basis_of(const Eigen::MatrixXcd& columns) {
   Eigen::MatrixXcd q(columns.rows(), columns.cols());
   Eigen::Index count = 0;
@@ -51,8 +51,7 @@ struct SpanLine {
     columns.insert(columns.end(), setup.outer_columns.begin(), setup.outer_columns.end());
     assembly = block(of_assembly, line, setup.assembly_rows, columns, setup.transposed);
     part = Eigen::MatrixXcd::Zero(assembly.rows(), assembly.cols());
-    part.leftCols(at(setup.part_columns.size())) =
-        block(of_part, line, setup.part_rows, setup.part_columns, setup.transposed);
+    part.leftCols(at(setup.part_columns.size())) = block(of_part, line, setup.part_rows, setup.part_columns, setup.transposed);
     joint = block(of_part, line, setup.part_rows, setup.joint, setup.transposed);
   }
 

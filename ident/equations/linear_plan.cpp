@@ -45,10 +45,8 @@ void count_cost(Plan& plan, const LinearPlan& own) {
   const auto lines = static_cast<double>(cost.lines), unknowns = static_cast<double>(plan.restriction.unknowns.size());
   const auto n = static_cast<double>(plan.coordinates.joint.size());
   const auto m = static_cast<double>(own.rows_of_a(plan)), l = static_cast<double>(own.builder->columns().size());
-  cost.assemble_flops =
-      lines * (16.0 * n * n * (m + l) + 8.0 * m * l * n + reduction_flops(spec, own.rows_of_a(plan)));
-  cost.stacked_flops =
-      lines * static_cast<double>(cost.equations_per_line) * (8.0 * n * n + 4.0 * unknowns * unknowns);
+  cost.assemble_flops = lines * (16.0 * n * n * (m + l) + 8.0 * m * l * n + reduction_flops(spec, own.rows_of_a(plan)));
+  cost.stacked_flops = lines * static_cast<double>(cost.equations_per_line) * (8.0 * n * n + 4.0 * unknowns * unknowns);
 }
 
 /// SPQR pays when the stacked triangles are mostly empty and large.

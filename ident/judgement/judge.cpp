@@ -79,8 +79,8 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 }
 
 /// Error estimates from the scatter and, where a fit without bias is there, the difference to that.
-void fill_errors(const Plan& plan, const LinearSolution& linear, const Eigen::MatrixXd& scatter, const std::optional<WhitenedFit>& fit,
-                 Solution& out) {
+void fill_errors(const Plan& plan, const LinearSolution& linear, const Eigen::MatrixXd& scatter,
+                 const std::optional<WhitenedFit>& fit, Solution& out) {
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     const auto c = at(column);
     Estimate& estimate = out.unknowns[column];
@@ -179,7 +179,8 @@ bool estimated_variances(const Solution& out) {
 
 /// χ² over degrees of freedom line by line.
 struct LineRatios {
-  double mean = 0.0;  ///< of the lines that are not outlying, where those are a third at most; they count for little in the estimate
+  double mean =
+      0.0;  ///< of the lines that are not outlying, where those are a third at most; they count for little in the estimate
   std::size_t outlying = 0, lines = 0;
 
   bool are_many_outlying() const { return 5 * outlying > lines; }
@@ -235,7 +236,8 @@ void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Co
   if (control.detail == Detail::full && out.status != Status::rank_deficient && !plan.admissible) {
     tell_active(active_motions(plan, fit.theta, fit.covariance, 5.0), out);
   }
-  if (out.identifiability && out.identifiability->joint.effect && *out.identifiability->joint.effect < no_joint_effect) tell_no_joint(out);
+  if (out.identifiability && out.identifiability->joint.effect && *out.identifiability->joint.effect < no_joint_effect)
+    tell_no_joint(out);
   if (out.status == Status::poor_fit) withhold_errors(out);
 }
 

@@ -28,7 +28,8 @@ void estimate(Plan& plan, Assembled& system, const Control& control, Solution& o
     stop_if(control.interrupted);
     if (control.progress) control.progress("solving", 0, 0);
     linear = solve(plan, system.accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
-    if (plan.admissible && linear.rank > 0) out.admissibility = constrain(plan, system.accumulator, system.equations.rows, linear, settled);
+    if (plan.admissible && linear.rank > 0)
+      out.admissibility = constrain(plan, system.accumulator, system.equations.rows, linear, settled);
   }
   interpret(plan, linear, out);
   if (out.admissibility) {
@@ -83,10 +84,10 @@ class MethodOnePlan final : public LinearMethod {
 
   std::vector<std::string> left_out(const Plan& plan) const override {
     const EquationSet use(plan.equations);
-    const std::pair<bool, const char*> blocks[] = {{use.nn, "H_aa and H_nn"},      {use.nn || use.nj, "H_nj"},
-                                                   {use.nn || use.jn, "H_ba"},     {use.nj, "H_ab"},
-                                                   {use.nj || use.jj, "H_bb"},     {use.jj || use.jn, "H_jj"},
-                                                   {use.jn, "H_jn"}};
+    const std::pair<bool, const char*> blocks[] = {
+        {use.nn, "H_aa and H_nn"}, {use.nn || use.nj, "H_nj"}, {use.nn || use.jn, "H_ba"},
+        {use.nj, "H_ab"},          {use.nj || use.jj, "H_bb"}, {use.jj || use.jn, "H_jj"},
+        {use.jn, "H_jn"}};
     std::vector<std::string> out;
     for (const auto& [used, block] : blocks) {
       if (!used) out.push_back(std::string(block) + ": not read");

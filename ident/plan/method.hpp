@@ -14,8 +14,8 @@ struct Control;
 struct Plan;
 struct Solution;
 
-/// One method of identification with what it needs beside the rest of a Plan, whose part it is. To add one: a folder with a class of its
-/// own, a row in all_methods(), and a line in the table of identify.cpp.
+/// One method of identification with what it needs beside the rest of a Plan, whose part it is. To add one: a folder with a class
+/// of its own, a row in all_methods(), and a line in the table of identify.cpp.
 class MethodPlan {
  public:
   virtual ~MethodPlan() = default;
@@ -23,7 +23,8 @@ class MethodPlan {
   /// Reads what the plan reads of its first line.
   virtual void read_first_line(Plan& plan) = 0;
 
-  /// Reads, estimates and judges: fills unknowns, matrices, figures of merit and status of `out`, which names what is used already.
+  /// Reads, estimates and judges: fills unknowns, matrices, figures of merit and status of `out`, which names what is used
+  /// already.
   virtual void solve(Plan& plan, const Control& control, Solution& out) = 0;
 
   /// What of its data the scene does not need, one phrase each.

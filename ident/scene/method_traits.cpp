@@ -14,11 +14,7 @@ const std::vector<std::string> linear_solvers = {"qr", "normal", "spqr"};
 const std::vector<MethodTraits>& all_methods() {
   static const std::vector<MethodTraits> all = {
       {.method = Method::one, .name = "one", .solvers = linear_solvers, .phrase = "Method One"},
-      {.method = Method::two,
-       .name = "two",
-       .solvers = linear_solvers,
-       .phrase = "Method Two",
-       .inverts_substructures = true},
+      {.method = Method::two, .name = "two", .solvers = linear_solvers, .phrase = "Method Two", .inverts_substructures = true},
       {.method = Method::direct,
        .name = "direct",
        .solvers = linear_solvers,

@@ -8,18 +8,19 @@ namespace jointid::ident {
 /// A method of identification, by its place in all_methods(). Files of studies hold the number: new ones go to the end.
 enum class Method { one, two, direct, newton, likelihood };
 
-/// What scenes may ask of a method and what it asks of the data. Whoever plans, checks or tells asks here, not for a method by name.
+/// What scenes may ask of a method and what it asks of the data. Whoever plans, checks or tells asks here, not for a method by
+/// name.
 struct MethodTraits {
   Method method;
-  std::string name;                   ///< in [identify] method
-  std::vector<std::string> solvers;   ///< in [identify] solver, without auto
-  std::string phrase;                 ///< as a subject: "the direct solution"
-  bool iterates = false;              ///< from a start; no weighting and Δ, which are those of linear equations
-  bool uses_variances = false;        ///< of the FRFs, so that priors and a bootstrap have something to be weighed against
-  bool has_constraints = true;        ///< definite, bounds, ties
-  bool joint_on_assembly = true;      ///< reads the joint coordinates of the assembly: equations nn nj jj jn, else nn alone
-  bool inverts_substructures = false; ///< over all coordinates: both roles there, equations jn and jj
-  bool inverts_references = false;    ///< at least as many non-joint references as joint DOFs
+  std::string name;                    ///< in [identify] method
+  std::vector<std::string> solvers;    ///< in [identify] solver, without auto
+  std::string phrase;                  ///< as a subject: "the direct solution"
+  bool iterates = false;               ///< from a start; no weighting and Δ, which are those of linear equations
+  bool uses_variances = false;         ///< of the FRFs, so that priors and a bootstrap have something to be weighed against
+  bool has_constraints = true;         ///< definite, bounds, ties
+  bool joint_on_assembly = true;       ///< reads the joint coordinates of the assembly: equations nn nj jj jn, else nn alone
+  bool inverts_substructures = false;  ///< over all coordinates: both roles there, equations jn and jj
+  bool inverts_references = false;     ///< at least as many non-joint references as joint DOFs
 };
 
 /// In the order of Method.

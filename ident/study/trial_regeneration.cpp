@@ -23,10 +23,11 @@ void regenerate_polluted(frf::FrfSet& set, const modalfit::FitOptions& options) 
 Pollution with_regeneration(Pollution pollution, const Scene& scene) {
   const Regeneration chosen = scene.data.regenerate;
   if (!chosen.any()) return pollution;
-  return [pollution = std::move(pollution), chosen, options = regeneration_options(scene)](std::uint64_t seed, std::uint64_t trial,
-                                                                                 Measurements& data) mutable {
+  return [pollution = std::move(pollution), chosen, options = regeneration_options(scene)](
+             std::uint64_t seed, std::uint64_t trial, Measurements& data) mutable {
     pollution(seed, trial, data);
-    if (chosen.substructures) std::ranges::for_each(data.substructures, [&](frf::FrfSet& set) { regenerate_polluted(set, options); });
+    if (chosen.substructures)
+      std::ranges::for_each(data.substructures, [&](frf::FrfSet& set) { regenerate_polluted(set, options); });
     if (chosen.assembly) std::ranges::for_each(data.assembly, [&](frf::FrfSet& set) { regenerate_polluted(set, options); });
   };
 }

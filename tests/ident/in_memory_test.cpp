@@ -33,7 +33,8 @@ std::vector<double> lines() {
   return hz;
 }
 
-frf::FrfSet set_of(const std::string& name, const std::vector<Dof>& dofs, const std::function<std::vector<Complex>(double)>& frfs) {
+frf::FrfSet set_of(const std::string& name, const std::vector<Dof>& dofs,
+                   const std::function<std::vector<Complex>(double)>& frfs) {
   frf::FrfSet set;
   set.header.file = name;
   set.header.frequency_hz = lines();
@@ -61,7 +62,8 @@ ident::Scene scene() {
     dofs = ["1:+X", "2:+X"]
     stiffness.springs = [["1:+X", "2:+X"]]
     hysteretic_damping.springs = [["1:+X", "2:+X"]]
-  )", "in memory");
+  )",
+                            "in memory");
 }
 
 TEST(InMemory, TheSpringBetweenTwoMassesIsFound) {
