@@ -6,6 +6,7 @@
 #include "base/eigen.hpp"
 #include "ident/algebra/column_scaling.hpp"
 #include "ident/algebra/linear_solution.hpp"
+#include "ident/algebra/triangle.hpp"
 #include "stability/exact_number.hpp"
 
 namespace jointid::stability {

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -98,6 +99,26 @@ TEST(Status, OfDataWithoutMistakesIsOk) {
       EXPECT_EQ(found.status, Status::ok) << name << ' ' << level << ' ' << found.message;
     }
   }
+}
+
+/// 9 % of the lines of each of the three files: more than a fifth of the lines in some seeds, and never more than a third in these.
+TEST(Status, ALikelihoodWithManyGrossLinesIsDoubtfulAndKeepsItsIntervals) {
+  NoisyProblem problem("A1", 0.01, Method::likelihood);
+  std::get<frf::NoiseModel>(problem.problem.noise).gross = {.share = 0.09, .factor = 10.0};
+  std::size_t many = 0;
+  for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+    const Solution found = problem.solve(problem.data(seed));
+    const std::vector<double>& ratios = found.fit.chi_square->by_line;
+    const auto outlying = static_cast<std::size_t>(std::ranges::count_if(ratios, [](double ratio) { return ratio > 3.2; }));
+    ASSERT_LE(3 * outlying, ratios.size());
+    EXPECT_TRUE(is_usable(found.status)) << found.message;
+    EXPECT_TRUE(found.unknowns.front().ci95);
+    if (5 * outlying <= ratios.size()) continue;
+    ++many;
+    EXPECT_EQ(found.status, Status::doubtful);
+    EXPECT_THAT(found.message, HasSubstr(std::to_string(outlying) + " of " + std::to_string(ratios.size()) + " lines"));
+  }
+  EXPECT_GT(many, 0U);
 }
 
 TEST(Status, ConjugatedFrfsAreAPoorFitThoughEveryEquationHolds) {
