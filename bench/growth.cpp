@@ -32,12 +32,6 @@ frf::FrfSet random_set(std::size_t lines, std::size_t dofs, unsigned seed) {
   return set;
 }
 
-std::unique_ptr<frf::FrfSystem> system(const char* name, frf::FrfSet set) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  sources.push_back(frf::from_memory(std::move(set)));
-  return std::make_unique<frf::FrfSystem>(name, std::move(sources), frf::Composition::merged, false);
-}
-
 using RowMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// The FRFs with the joint k between the first coordinates: (6.15) of docs/formulas.md.
@@ -73,8 +67,8 @@ Run solve(const Size& size, bool quick) {
   const auto n = static_cast<Eigen::Index>(size.joint);
   const frf::FrfSet parts = random_set(size.lines, size.joint + size.other, 1);
   const auto plan = ident::make_plan(
-      scene, system("substructures", parts),
-      system("assembly", with_joint(parts, Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(k.data(), n, n))));
+      scene, {parts},
+      {with_joint(parts, Eigen::Map<const Eigen::Matrix<double, -1, -1, Eigen::RowMajor>>(k.data(), n, n))});
   ident::Control control;
   control.threads = 1;
   control.detail = ident::Detail::estimates;

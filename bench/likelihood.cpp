@@ -64,12 +64,6 @@ void append(frf::FrfSet& set, const Matrix& h) {
   }
 }
 
-std::shared_ptr<frf::FrfSystem> system(const char* name, std::vector<frf::FrfSet> sets, frf::Composition composition) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  for (frf::FrfSet& set : sets) sources.push_back(frf::from_memory(std::move(set)));
-  return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, false);
-}
-
 struct Run {
   std::size_t iterations = 0;
   double seconds = 0.0, largest_error = 0.0;  ///< error in standard errors
@@ -108,8 +102,7 @@ Run random_problem(std::size_t lines) {
   parts.push_back(frf::polluted(b, noise, 1, 0, 1));
   std::vector<frf::FrfSet> whole;
   whole.push_back(frf::polluted(both, noise, 1, 0, 2));
-  const auto plan = ident::make_plan(scene, system("substructures", std::move(parts), frf::Composition::uncoupled),
-                                     system("assembly", std::move(whole), frf::Composition::merged));
+  const auto plan = ident::make_plan(scene, std::move(parts), std::move(whole));
   ident::Control control;
   control.detail = ident::Detail::estimates;
   const ident::Solution solution = ident::solve(*plan, control);

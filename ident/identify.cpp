@@ -99,16 +99,12 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
 }
 
 std::unique_ptr<Plan> make_plan(const Scene& scene, std::vector<frf::FrfSet> substructures, std::vector<frf::FrfSet> assembly) {
-  const auto system_of = [&](const char* name, std::vector<frf::FrfSet>& sets, frf::Composition composition) {
-    std::vector<std::unique_ptr<frf::FrfSource>> sources;
-    for (frf::FrfSet& set : sets) {
-      frf::validate(set);
-      sources.push_back(frf::from_memory(std::move(set)));
-    }
-    return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
-  };
-  return make_plan(scene, system_of("substructures", substructures, frf::Composition::uncoupled),
-                   system_of("assembly", assembly, frf::Composition::merged));
+  for (const auto* sets : {&substructures, &assembly}) {
+    for (const frf::FrfSet& set : *sets) frf::validate(set);
+  }
+  const bool reciprocity = scene.data.reciprocity;
+  return make_plan(scene, frf::memory_system("substructures", std::move(substructures), frf::Composition::uncoupled, reciprocity),
+                   frf::memory_system("assembly", std::move(assembly), frf::Composition::merged, reciprocity));
 }
 
 Solution solve(Plan& plan, const Control& control) {

@@ -112,12 +112,6 @@ frf::FrfSet responses(Structure structure, const std::vector<ExactSpring>& sprin
   return problems::frequency_response(structure, request);
 }
 
-std::unique_ptr<frf::FrfSystem> system(const char* name, const std::vector<frf::FrfSet>& sets, frf::Composition composition) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  for (const frf::FrfSet& set : sets) sources.push_back(frf::from_memory(set));
-  return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, false);
-}
-
 }  // namespace
 
 ExtremeProblem make(const ExtremeScene& given) {
@@ -153,8 +147,7 @@ ExtremeProblem make(const ExtremeScene& given) {
 std::unique_ptr<ident::Plan> ExtremeProblem::plan(const std::string& solver) const {
   ident::Scene chosen = scene;
   chosen.identify.solver = solver;
-  return ident::make_plan(chosen, system("substructures", sets.substructures, frf::Composition::uncoupled),
-                          system("assembly", sets.assembly, frf::Composition::merged));
+  return ident::make_plan(chosen, sets.substructures, sets.assembly);
 }
 
 }  // namespace jointid::stability

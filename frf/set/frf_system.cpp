@@ -213,4 +213,10 @@ void BlockReader::scatter(const BlockPiece& piece, std::size_t lines, std::span<
   }
 }
 
+std::unique_ptr<FrfSystem> memory_system(std::string name, std::vector<FrfSet> sets, Composition composition, bool reciprocity) {
+  std::vector<std::unique_ptr<FrfSource>> sources;
+  for (FrfSet& set : sets) sources.push_back(from_memory(std::move(set)));
+  return std::make_unique<FrfSystem>(std::move(name), std::move(sources), composition, reciprocity);
+}
+
 }  // namespace jointid::frf

@@ -91,4 +91,7 @@ class BlockReader {
   std::vector<std::size_t> source_lines_;
 };
 
+/// A system of sets in memory.
+std::unique_ptr<FrfSystem> memory_system(std::string name, std::vector<FrfSet> sets, Composition composition, bool reciprocity = false);
+
 }  // namespace jointid::frf

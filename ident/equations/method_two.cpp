@@ -11,7 +11,7 @@ class MethodTwo final : public EquationBuilder {
  public:
   MethodTwo(const Coordinates& at, const EquationSet& use, frf::FrfSystem& substructures, frf::FrfSystem& assembly)
       : all_(joined(at.responses, at.joint)),
-        columns_(joined(use.jn ? at.references : Dofs(), use.jj ? at.joint : Dofs())),
+        columns_(joined(only_if(use.jn, at.references), only_if(use.jj, at.joint))),
         joint_(at.joint.size()) {
     substructures_ = std::make_unique<Rectangle>(substructures, std::vector<Band>{{all_, all_}}, all_);
     assembly_ = std::make_unique<Rectangle>(assembly, std::vector<Band>{{all_, columns_}}, columns_);

@@ -179,8 +179,8 @@ bool estimated_variances(const Solution& out) {
 
 /// χ² over degrees of freedom line by line.
 struct LineRatios {
-  double mean =
-      0.0;  ///< of the lines that are not outlying, where those are a third at most; they count for little in the estimate
+  /// Of the lines that are not outlying, where those are a third at most: they count for little in the estimate.
+  double mean = 0.0;
   std::size_t outlying = 0, lines = 0;
 
   bool are_many_outlying() const { return 5 * outlying > lines; }

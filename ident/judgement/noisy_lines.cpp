@@ -100,9 +100,9 @@ std::vector<Equation> equations_of(const Plan& plan) {
 Reads reads_of(const Plan& plan) {
   const Coordinates& at = plan.coordinates;
   const EquationSet use(equations_of(plan));
-  const Dofs n_rows = use.nn || use.nj ? at.responses : Dofs(), n_columns = use.nn || use.jn ? at.references : Dofs();
-  return {use, n_rows, n_columns, joined(n_rows, use.jj || use.jn ? at.joint : Dofs()),
-          joined(n_columns, use.nj || use.jj ? at.joint : Dofs())};
+  const Dofs n_rows = only_if(use.nn || use.nj, at.responses), n_columns = only_if(use.nn || use.jn, at.references);
+  return {use, n_rows, n_columns, joined(n_rows, only_if(use.jj || use.jn, at.joint)),
+          joined(n_columns, only_if(use.nj || use.jj, at.joint))};
 }
 
 std::vector<Eigen::Index> joint_numbers(std::size_t others, std::size_t all) {

@@ -47,17 +47,7 @@ std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const
   Plan& start = *likelihood_plan(plan)->start;
   AssemblySpec& spec = linear_plan(start)->spec;
   std::tie(spec.weighting, spec.delta) = linear_ways[k];
-  Control quick = control;
-  quick.detail = Detail::estimates;
-  quick.so_far = nullptr;
-  Solution first;
-  start.method->solve(start, quick, first);
-  std::vector<double> theta;
-  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
-    const double value = column < first.unknowns.size() ? first.unknowns[column].value : 0.0;
-    theta.push_back(std::isfinite(value) ? value / plan.unscale(column) : 0.0);
-  }
-  return theta;
+  return started(plan, start, control);
 }
 
 /// From the scene's start in sizes that fit, the first as it is, then along method "newton" where H_jn of the assembly is not
@@ -323,8 +313,7 @@ class LikelihoodMethod final : public LikelihoodPlan {
  public:
   void solve(Plan& plan, const Control& control, Solution& out) override {
     estimate(plan, control, out);
-    if (control.so_far) control.so_far(out);
-    if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+    tell_and_predict(plan, control, out);
   }
 };
 

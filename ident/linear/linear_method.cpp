@@ -41,8 +41,7 @@ void estimate(Plan& plan, Assembled& system, const Control& control, Solution& o
     out.status = Status::not_converged;
     out.message += "The constrained least-squares problem did not settle.";
   }
-  if (control.so_far) control.so_far(out);
-  if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+  tell_and_predict(plan, control, out);
   if (control.detail == Detail::full && control.judgement == Judgement::data) judge_linear(plan, linear, control, out);
 }
 

@@ -171,24 +171,11 @@ class Search {
   MinimumList minima_;
 };
 
-Point linear_start(const Plan& plan, Plan& start, const ResponseProblem& problem, const Control& control) {
-  Control quick = control;
-  quick.detail = Detail::estimates;
-  quick.so_far = nullptr;
-  Solution first;
-  start.method->solve(start, quick, first);
-  Point theta(plan.columns->size(), 0.0);
-  for (std::size_t c = 0; c < first.unknowns.size(); ++c) {
-    if (std::isfinite(first.unknowns[c].value)) theta[c] = first.unknowns[c].value / plan.unscale(c);
-  }
-  return problem.scaled(theta);
-}
-
 /// From the start that fits best by its size, then from others until one settles; as many as the scene asks for.
 void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, const Control& control, Search& found) {
   const std::size_t wanted = plan.scene.identify.starts;
   const Point given = own.start
-                          ? linear_start(plan, *own.start, problem, control)
+                          ? problem.scaled(started(plan, *own.start, control))
                           : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
   if (plan.solver == "newton" && wanted == 0) {
     found.from(given, 0);  // the thesis's scheme as it is
@@ -269,8 +256,7 @@ class NewtonMethod final : public NewtonPlan {
  public:
   void solve(Plan& plan, const Control& control, Solution& out) override {
     estimate(plan, *this, control, out);
-    if (control.so_far) control.so_far(out);
-    if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+    tell_and_predict(plan, control, out);
   }
 };
 

@@ -1,5 +1,7 @@
 #include "ident/plan/joint_guess.hpp"
 
+#include <cmath>
+
 #include "ident/plan/true_values.hpp"
 #include "ident/scene/scene_failure.hpp"
 
@@ -42,6 +44,20 @@ std::size_t find_candidate(const Scene& scene, const Dofs& coordinates, const fr
 std::vector<double> scaled(const Plan& plan, const std::vector<double>& values) {
   std::vector<double> theta;
   for (std::size_t column = 0; column < values.size(); ++column) theta.push_back(values[column] / plan.unscale(column));
+  return theta;
+}
+
+std::vector<double> started(const Plan& plan, Plan& start, const Control& control) {
+  Control quick = control;
+  quick.detail = Detail::estimates;
+  quick.so_far = nullptr;
+  Solution first;
+  start.method->solve(start, quick, first);
+  std::vector<double> theta(plan.columns->size(), 0.0);
+  for (std::size_t column = 0; column < first.unknowns.size(); ++column) {
+    const double value = first.unknowns[column].value;
+    if (std::isfinite(value)) theta[column] = value / plan.unscale(column);
+  }
   return theta;
 }
 

@@ -78,11 +78,20 @@ DecibelError predict(Plan& plan, const std::vector<BandMatrices>& bands, const C
   return total;
 }
 
+namespace {
+
 std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control) {
   if (plan.predicted_responses.empty()) return std::nullopt;
   const DecibelError error = predict(plan, solution.bands, control);
   if (error.entries == 0) return std::nullopt;
   return std::sqrt(error.sum_of_squares / static_cast<double>(error.entries));
+}
+
+}  // namespace
+
+void tell_and_predict(Plan& plan, const Control& control, Solution& out) {
+  if (control.so_far) control.so_far(out);
+  if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 
 }  // namespace jointid::ident

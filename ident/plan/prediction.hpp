@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 #include "ident/result/decibel_error.hpp"
@@ -14,7 +12,8 @@ namespace jointid::ident {
 /// band that it lies in, and compares them with the measured ones.
 DecibelError predict(Plan& plan, const std::vector<BandMatrices>& bands, const Control& control);
 
-/// The rms of that over the FRFs that the plan predicts, dB; empty where it predicts none.
-std::optional<double> assembly_error(Plan& plan, const Solution& solution, const Control& control);
+/// Hands an estimate to Control::so_far and, with Detail::full, fills Fit::asm_frf_error: the rms of that over the FRFs that the plan
+/// predicts, dB; empty where it predicts none.
+void tell_and_predict(Plan& plan, const Control& control, Solution& out);
 
 }  // namespace jointid::ident

@@ -6,20 +6,14 @@
 namespace jointid::problems {
 namespace {
 
-std::shared_ptr<frf::FrfSystem> system(const char* name, std::vector<frf::FrfSet> sets, frf::Composition composition) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  for (frf::FrfSet& set : sets) sources.push_back(frf::from_memory(std::move(set)));
-  return std::make_shared<frf::FrfSystem>(name, std::move(sources), composition, false);
-}
-
 std::shared_ptr<frf::FrfSystem> parts_of(Measurement& measurement) {
-  return system("substructures", std::move(measurement.substructures), frf::Composition::uncoupled);
+  return frf::memory_system("substructures", std::move(measurement.substructures), frf::Composition::uncoupled);
 }
 
 std::shared_ptr<frf::FrfSystem> assembly_of(Measurement& measurement) {
   std::vector<frf::FrfSet> assembly;
   assembly.push_back(std::move(measurement.assembly));
-  return system("assembly", std::move(assembly), frf::Composition::merged);
+  return frf::memory_system("assembly", std::move(assembly), frf::Composition::merged);
 }
 
 }  // namespace

@@ -78,13 +78,7 @@ inline frf::FrfSet random_set(const std::string& file, const std::vector<double>
   return set;
 }
 
-inline std::unique_ptr<frf::FrfSystem> memory_system(const std::string& name, const std::vector<frf::FrfSet>& sets,
-                                                     frf::Composition composition, bool reciprocity = false) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  for (const frf::FrfSet& set : sets) sources.push_back(frf::from_memory(set));
-  return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, reciprocity);
-}
-
+using frf::memory_system;
 /// A plan on sets in memory.
 inline std::unique_ptr<Plan> memory_plan(const Scene& scene, const std::vector<frf::FrfSet>& substructures,
                                          const std::vector<frf::FrfSet>& assembly) {

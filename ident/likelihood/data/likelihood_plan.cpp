@@ -86,8 +86,8 @@ void plan_prediction(Plan& plan, const LikelihoodPlan& own) {
     return;
   }
   const Blocks& blocks = own.blocks.assembly;
-  plan.predicted_responses = joined(blocks.nn || blocks.jn ? own.others : Dofs(), blocks.jj ? plan.coordinates.joint : Dofs());
-  plan.predicted_references = joined(blocks.nn ? own.others : Dofs(), blocks.jn || blocks.jj ? plan.coordinates.joint : Dofs());
+  plan.predicted_responses = joined(only_if(blocks.nn || blocks.jn, own.others), only_if(blocks.jj, plan.coordinates.joint));
+  plan.predicted_references = joined(only_if(blocks.nn, own.others), only_if(blocks.jn || blocks.jj, plan.coordinates.joint));
 }
 
 }  // namespace

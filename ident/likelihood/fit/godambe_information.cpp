@@ -13,7 +13,7 @@ namespace {
 
 constexpr double way = 0.3;        // standard deviations to either side
 constexpr double noticed = 0.02;   // a relative difference that is worth knowing
-constexpr double least = 0.1, most_curvature = 3.0;  // of the information's curvature: else differences tell none
+constexpr double least_curvature = 0.1, most_curvature = 3.0;  // of the information's curvature: else differences tell none
 
 }  // namespace
 
@@ -41,7 +41,7 @@ Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::Mat
   if (!curvature.allFinite()) return information;
   curvature = 0.5 * (curvature + curvature.transpose()).eval();
   const Eigen::VectorXd values = dense::symmetric_eigenvalues(curvature);
-  if (!(values[0] > least && values[size - 1] < most_curvature)) return information;
+  if (!(values[0] > least_curvature && values[size - 1] < most_curvature)) return information;
   Eigen::MatrixXd half = Eigen::MatrixXd::Identity(size, size);
   dense::solve_lower(unit, half);  // unit⁻¹
   return half.transpose() * (curvature * curvature) * half;

@@ -7,22 +7,11 @@
 
 using namespace jointid;
 
-namespace {
-
-std::unique_ptr<frf::FrfSystem> system_of(const std::string& name, const std::vector<frf::FrfSet>& sets) {
-  std::vector<std::unique_ptr<frf::FrfSource>> sources;
-  for (const auto& set : sets) sources.push_back(frf::from_memory(set));
-  return std::make_unique<frf::FrfSystem>(name, std::move(sources), frf::Composition::uncoupled, false);
-}
-
-}  // namespace
-
 /// Solves a built-in problem without noise: the unknowns must come out as they went in.
 int main() {
   const auto problem = problems::make("A1");
   const auto scene = ident::parse_scene(problem.scene, "A1.toml");
-  const auto plan = ident::make_plan(scene, system_of("substructures", problem.substructures),
-                                     system_of("assembly", {problem.assembly}));
+  const auto plan = ident::make_plan(scene, problem.substructures, {problem.assembly});
   const auto solution = ident::solve(*plan);
   std::cout << ident::name(solution.status) << ", rms relative error of K "
             << solution.quality.at(restrictions::Kind::stiffness).rms_relative_error << '\n';
