@@ -1,8 +1,12 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 namespace jointid {
+
+/// A number that is not known.
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The normal quantile of 97.5 %: half the width of a 95 % interval in standard deviations.
 inline constexpr double normal_95 = 1.959963984540054;

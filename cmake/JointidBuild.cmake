@@ -22,6 +22,7 @@ set(CMAKE_CXX_FLAGS_DEV "-O2 -g1")
 set(CMAKE_CXX_FLAGS_ASAN
     "-O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize=null,alignment,pointer-overflow,object-size -fno-sanitize-recover=all")
 set(CMAKE_EXE_LINKER_FLAGS_ASAN "-fsanitize=address,undefined")
+set(CMAKE_MODULE_LINKER_FLAGS_ASAN "-fsanitize=address,undefined")
 
 add_library(jointid_warnings INTERFACE)
 target_compile_options(jointid_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion
@@ -47,4 +48,24 @@ function(jointid_library name)
   target_link_libraries(${target} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:jointid_warnings>)
   install(TARGETS ${target} EXPORT jointid-targets
           FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/jointid")
+endfunction()
+
+# jointid_module(ceres SOURCES … LINK …): what calls a library that most runs do not need; loaded when it is (base/module.hpp). The targets
+# `modules` are built with the command, the tests and the benchmarks.
+add_custom_target(modules)
+set(JOINTID_MODULES "${PROJECT_BINARY_DIR}/modules")
+set(CMAKE_BUILD_RPATH "${JOINTID_MODULES}")
+set(JOINTID_INSTALL_MODULES "${CMAKE_INSTALL_LIBDIR}/jointid")
+
+function(jointid_module name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  set(target jointid_module_${name})
+  add_library(${target} MODULE ${arg_SOURCES})
+  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME jointid_${name} LIBRARY_OUTPUT_DIRECTORY "${JOINTID_MODULES}")
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${target} PRIVATE ${arg_LINK} jointid_warnings)
+  target_link_options(${target} PRIVATE LINKER:--exclude-libs,ALL)
+  add_dependencies(modules ${target})
+  install(TARGETS ${target} LIBRARY DESTINATION "${JOINTID_INSTALL_MODULES}")
 endfunction()

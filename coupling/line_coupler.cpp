@@ -5,6 +5,7 @@
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
+#include "base/statistics.hpp"
 #include "coupling/jumps.hpp"
 #include "coupling/truncation.hpp"
 #include "dense/lu.hpp"
@@ -12,7 +13,6 @@
 namespace jointid::coupling {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double singular = 16.0 * std::numeric_limits<double>::epsilon();  ///< 1/condition, per condition
 
 Conditions met(const Conditions& all, const std::vector<bool>& left_out) {

@@ -5,6 +5,7 @@
 #include "base/complex.hpp"
 #include "base/text.hpp"
 #include "ident/admissible/admissible_set.hpp"
+#include "ident/algebra/sparse_qr.hpp"
 #include "ident/plan/couple_first.hpp"
 #include "ident/plan/data_warnings.hpp"
 #include "ident/plan/line_choice.hpp"
@@ -43,6 +44,7 @@ void require_solver(const Scene& scene, const std::vector<std::string>& own) {
   require(minimise::has_ceres(), identify.solver == "ceres", "Ceres", "libceres-dev");
   require(minimise::has_nlopt(), identify.solver.starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
   require(minimise::has_ipopt(), identify.solver == "ipopt", "Ipopt", "coinor-libipopt-dev");
+  require(has_spqr(), identify.solver == "spqr", "SPQR", "libsuitesparse-dev");
 }
 
 void require_method(const Scene& scene) {
@@ -119,7 +121,17 @@ std::unique_ptr<Plan> prepare_plan(const Scene& scene, std::shared_ptr<frf::FrfS
   return plan;
 }
 
+/// FRFs that are read for the estimate, its prediction, its judgement and where it starts from are read once when they are not too many.
+void keep_frfs(Plan& plan) {
+  constexpr std::size_t most = std::size_t{64} << 20;  // bytes
+  const std::size_t with_noise = 2;
+  if (with_noise * plan.entries_per_line * plan.lines.size() * sizeof(Complex) > most) return;
+  plan.substructures->keep(most / 2);
+  plan.assembly->keep(most / 2);
+}
+
 void complete_plan(Plan& plan) {
+  keep_frfs(plan);
   for (const restrictions::Kind kind : restrictions::all_kinds) {
     if (!plan.restriction.has(kind)) plan.left_out.push_back(restrictions::key(kind) + ": no columns");
   }

@@ -27,8 +27,8 @@ struct Minimum {
   bool converged = false;
 };
 
-/// Levenberg–Marquardt of Ceres, until a step lowers Σ r² by less than `tolerance` times it. A build without Ceres throws
-/// std::logic_error; has_ceres() says which it is.
+/// Levenberg–Marquardt of Ceres, until a step lowers Σ r² by less than `tolerance` times it. Without the module
+/// ceres it throws InputError; has_ceres() says whether it is there.
 struct CeresOptions {
   double tolerance = 1e-10;
   int most_iterations = 100;
@@ -50,7 +50,8 @@ enum class Search {
 };
 
 /// Best point that a search finds in the box start ± half_width; the start where it finds none better. `converged` when it ended by
-/// its tolerance, which of these only crs2 and sbplx do. A build without NLopt throws std::logic_error; has_nlopt() says which it is.
+/// its tolerance, which of these only crs2 and sbplx do. Without the module nlopt it
+/// throws InputError; has_nlopt() says whether it is there.
 struct NloptOptions {
   Search search = Search::direct;
   double half_width = 1.0;
@@ -62,7 +63,8 @@ Minimum nlopt_minimum(const Objective& objective, std::span<const double> start,
 bool has_nlopt();
 
 /// Interior-point minimum of Σ r² by Ipopt with the Gauss–Newton Hessian 2JᵀJ, within lower ≤ q ≤ upper where given. One solve at a
-/// time runs, others wait: Debian's Ipopt is not thread-safe. A build without Ipopt throws std::logic_error; has_ipopt() says which it is.
+/// time runs, others wait: Debian's Ipopt is not thread-safe. Without the
+/// module ipopt it throws InputError; has_ipopt() says whether it is there.
 struct IpoptOptions {
   double tolerance = 1e-10;
   int most_iterations = 100;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
+#include "base/statistics.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/interpret.hpp"
@@ -13,8 +13,6 @@
 
 namespace jointid::stability {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ident::Control one_thread() {
   ident::Control control;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/statistics.hpp"
 #include "cli/report/decimate.hpp"
@@ -17,7 +16,6 @@ namespace {
 using Values = std::vector<double>;
 using coupling::LineRecord;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_together = 12;
 
 CurvePlot over_frequency(const std::string& title, Axis y, const Values& frequency_hz, std::vector<Series> series, std::size_t most) {

@@ -10,13 +10,13 @@ namespace jointid::cli {
 namespace {
 
 /// Characters of a UTF-8 text: bytes that do not continue another.
-std::size_t width(const std::string& text) {
+std::size_t display_width(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
 std::string padded(const std::string& text, std::size_t columns, Align align) {
-  const std::string blanks(columns - width(text), ' ');
+  const std::string blanks(columns - display_width(text), ' ');
   return align == Align::left ? text + blanks : blanks + text;
 }
 
@@ -43,7 +43,7 @@ std::string Table::text(std::size_t indent) const {
   }
   std::vector<std::size_t> widths(columns_.size(), 0);
   for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], display_width(line[i]));
   }
   std::string text;
   for (const auto& line : lines) {

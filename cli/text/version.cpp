@@ -1,22 +1,32 @@
 #include "cli/text/version.hpp"
 
+#include "frf/hdf5/hdf5_module.hpp"
+#include "frf/mat/mat_module.hpp"
+#include "ident/algebra/sparse_qr.hpp"
+#include "ident/study/team.hpp"
 #include "minimise/least_squares.hpp"
 
 namespace jointid::cli {
+namespace {
+
+std::string line(const std::string& what, bool is_there, const std::string& library) {
+  return "\n" + what + ": " + (is_there ? "yes" : "no, this build lacks " + library);
+}
+
+}  // namespace
 
 std::string version_number() { return JOINTID_VERSION; }
 
 std::string version_text() {
-  const std::string matio = JOINTID_HAVE_MATIO ? "yes" : "no, this build lacks matio";
-  const std::string mpi = JOINTID_HAVE_MPI ? "yes" : "no, this build lacks MPI";
-  const std::string ceres = JOINTID_HAVE_CERES ? "yes" : "no, this build lacks Ceres";
-  const std::string nlopt = minimise::has_nlopt() ? "yes" : "no, this build lacks NLopt";
-  const std::string ipopt = minimise::has_ipopt() ? "yes" : "no, this build lacks Ipopt";
-  return "jointid " + version_number() +
-         "\nUFF 58 and 58b, HDF5, MATLAB v7.3 and CSV files: yes\nMATLAB v5 to v7 files: " + matio +
-         "\nSolver ceres of methods likelihood and newton: " + ceres +
-         "\nSolvers nlopt, nlopt-crs2 and nlopt-sbplx of method newton, global start of loading-curve: " + nlopt +
-         "\nSolver ipopt of method newton: " + ipopt + "\nStudies under mpirun: " + mpi;
+  return "jointid " + version_number() + "\nUFF 58 and 58b, and CSV files: yes" +
+         line("HDF5 and MATLAB v7.3 files, studies", frf::has_hdf5(), "HDF5") +
+         line("MATLAB v5 to v7 files", frf::has_matio(), "matio") +
+         line("Solver spqr of methods one, two and direct", ident::has_spqr(), "SPQR") +
+         line("Solver ceres of methods likelihood and newton", minimise::has_ceres(), "Ceres") +
+         line("Solvers nlopt, nlopt-crs2 and nlopt-sbplx of method newton, global start of loading-curve", minimise::has_nlopt(),
+              "NLopt") +
+         line("Solver ipopt of method newton", minimise::has_ipopt(), "Ipopt") +
+         line("Studies under mpirun", ident::has_mpi(), "MPI");
 }
 
 }  // namespace jointid::cli

@@ -1,31 +1,9 @@
 #include "frf/hdf5/hdf5_writer.hpp"
 
-#include <hdf5.h>
-
-#include <algorithm>
-#include <array>
-#include <cassert>
-#include <string>
-#include <vector>
-
 #include "base/error.hpp"
-#include "frf/hdf5/hdf5_create.hpp"
-#include "frf/hdf5/hdf5_object.hpp"
-#include "frf/hdf5/hdf5_output.hpp"
-#include "frf/set/line_scale.hpp"
 
 namespace jointid::frf {
 namespace {
-
-using hdf5::Handle;
-
-constexpr std::size_t chunk_bytes = std::size_t{512} << 10;
-
-std::size_t choose_lines_per_chunk(const FrfHeader& header, std::size_t asked) {
-  const std::size_t line_bytes = header.entries() * sizeof(Complex);
-  const std::size_t lines = asked != 0 ? asked : (chunk_bytes + line_bytes / 2) / line_bytes;
-  return std::clamp<std::size_t>(lines, 1, header.lines());
-}
 
 void validate(const Hdf5WriteOptions& options) {
   if (options.compression >= 0 && options.compression <= 9) return;
@@ -38,134 +16,17 @@ void validate(const Hdf5WriteOptions& options) {
 
 }  // namespace
 
-class Hdf5Writer::File {
- public:
-  File(const std::filesystem::path& path, const FrfHeader& header, const Hdf5WriteOptions& options)
-      : output_(path),
-        header_(header),
-        quantity_(options.quantity.value_or(header.quantity)),
-        lines_per_chunk_(choose_lines_per_chunk(header, options.lines_per_chunk)),
-        written_(header.lines(), false) {
-    output_.require(write_header() && create_datasets(options.compression));
-  }
-
-  std::size_t lines_per_chunk() const { return lines_per_chunk_; }
-
-  void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
-                   std::span<const Complex> variance, std::span<const double> coherence) {
-    assert(first + count <= header_.lines() && values.size() == count * header_.entries());
-    assert(variance.size() == (header_.noise == NoiseRecord::variance ? values.size() : 0));
-    assert(coherence.size() == (header_.noise == NoiseRecord::coherence ? values.size() : 0));
-    write_scaled(frf_, first, count, values, [](const LineScale& s, Complex h) { return s.value(h); });
-    if (!variance.empty()) {
-      write_scaled(noise_, first, count, variance,
-                   [](const LineScale& s, Complex v) { return s.variance(v); });
-    }
-    if (!coherence.empty()) {
-      output_.require(write_slab(noise_, Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), first, count, coherence.data()));
-    }
-    std::fill_n(written_.begin() + static_cast<std::ptrdiff_t>(first), count, true);
-  }
-
-  void finish() {
-    const auto missing = std::find(written_.begin(), written_.end(), false);
-    if (missing != written_.end()) {
-      output_.fail("line " + std::to_string(missing - written_.begin() + 1) + " was never written");
-    }
-    const bool closed = frf_.close() && noise_.close();
-    output_.finish(closed);
-  }
-
- private:
-  bool write_header() const {
-    return hdf5::write_text_attribute(output_.file(), "format", "jointid-frf") &&
-           hdf5::write_integer_attribute(output_.file(), "version", 1) &&
-           hdf5::write_axis(output_.file(), header_.frequency_hz) &&
-           hdf5::write_dofs(output_.file(), "response_dof", header_.response) &&
-           hdf5::write_dofs(output_.file(), "reference_dof", header_.reference) &&
-           hdf5::write_nodes(output_.file(), header_.nodes);
-  }
-
-  bool create_datasets(int compression) {
-    const std::array<std::size_t, 3> dims = {header_.lines(), header_.response.size(),
-                                             header_.reference.size()};
-    const Handle complex = hdf5::complex_type();
-    const Handle real(H5Tcopy(H5T_NATIVE_DOUBLE));
-    frf_ = hdf5::create_lines(output_.file(), "frf", complex, dims, lines_per_chunk_, compression);
-    bool ok = frf_.is_open() && hdf5::write_text_attribute(frf_, "quantity", name(quantity_)) &&
-              hdf5::write_text_attribute(frf_, "unit", unit(quantity_));
-    if (ok && header_.noise == NoiseRecord::variance) {
-      noise_ = hdf5::create_lines(output_.file(), "variance", complex, dims, lines_per_chunk_, compression);
-      ok = noise_.is_open();
-    } else if (ok && header_.noise == NoiseRecord::coherence) {
-      noise_ = hdf5::create_lines(output_.file(), "coherence", real, dims, lines_per_chunk_, compression);
-      ok = noise_.is_open() &&
-           (header_.averages == 0.0 || hdf5::write_number_attribute(noise_, "averages", header_.averages));
-    }
-    return ok;
-  }
-
-  /// Writes receptances (or their variances) in the stored quantity; `scale(line scale, value)` converts one.
-  template <class Scale>
-  void write_scaled(const Handle& dataset, std::size_t first, std::size_t count,
-                    std::span<const Complex> values, Scale scale) {
-    const Complex* data = values.data();
-    if (quantity_ != Quantity::receptance) {
-      scaled_.clear();
-      for (std::size_t line = 0; line < count; ++line) {
-        const LineScale of_line = LineScale::from_receptance(quantity_, header_.frequency_hz[first + line]);
-        for (const Complex& value : values.subspan(line * header_.entries(), header_.entries())) {
-          scaled_.push_back(scale(of_line, value));
-        }
-      }
-      data = scaled_.data();
-    }
-    output_.require(write_slab(dataset, hdf5::complex_type(), first, count, data));
-  }
-
-  bool write_slab(const Handle& dataset, const Handle& type, std::size_t first, std::size_t count,
-                  const void* data) const {
-    const std::array<hsize_t, 3> start = {first, 0, 0};
-    const std::array<hsize_t, 3> extent = {count, header_.response.size(), header_.reference.size()};
-    const Handle in_file(H5Dget_space(dataset.get()));
-    const Handle in_memory(H5Screate_simple(3, extent.data(), nullptr));
-    return H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(),
-                               nullptr) >= 0 &&
-           H5Dwrite(dataset.get(), type.get(), in_memory.get(), in_file.get(), H5P_DEFAULT, data) >= 0;
-  }
-
-  hdf5::Output output_;
-  FrfHeader header_;
-  Quantity quantity_;
-  std::size_t lines_per_chunk_;
-  std::vector<bool> written_;
-  Handle frf_;
-  Handle noise_;
-  std::vector<Complex> scaled_;
-};
-
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const FrfHeader& header,
-                       const Hdf5WriteOptions& options) {
-  validate(header);
-  validate(options);
-  const hdf5::Silence silence;
-  file_ = std::make_unique<File>(path, header, options);
-}
-
-Hdf5Writer::~Hdf5Writer() {
-  const hdf5::Silence silence;
-  file_.reset();
-}
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const FrfHeader& header, const Hdf5WriteOptions& options)
+    : temporary_((validate(header), validate(options), path)), file_(hdf5_module().create(temporary_, header, options)) {}
 
 void Hdf5Writer::write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
                              std::span<const Complex> variance, std::span<const double> coherence) {
-  const hdf5::Silence silence;
   if (count > 0) file_->write_lines(first, count, values, variance, coherence);
 }
 
 void Hdf5Writer::finish() {
-  const hdf5::Silence silence;
   file_->finish();
+  temporary_.commit();
 }
 
 std::size_t Hdf5Writer::lines_per_chunk() const { return file_->lines_per_chunk(); }

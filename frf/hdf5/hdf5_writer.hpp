@@ -6,14 +6,16 @@
 #include <optional>
 #include <span>
 
+#include "base/temporary_file.hpp"
+#include "frf/hdf5/hdf5_module.hpp"
 #include "frf/set/frf_set.hpp"
 
 namespace jointid::frf {
 
 struct Hdf5WriteOptions {
   std::optional<Quantity> quantity = std::nullopt;  ///< stored as, in SI units; default: header.quantity
-  std::size_t lines_per_chunk = 0;  ///< 0: as many as make a chunk of about 512 KiB, at least one
-  int compression = 0;              ///< deflate level 0 (none, the fastest to read) … 9
+  std::size_t lines_per_chunk = 0;                  ///< 0: as many as make a chunk of about 512 KiB, at least one
+  int compression = 0;                              ///< deflate level 0 (none, the fastest to read) … 9
 };
 
 /// Writes a jointid-frf file line by line, so that a set larger than memory can be made. Until `finish` the
@@ -22,17 +24,13 @@ struct Hdf5WriteOptions {
 class Hdf5Writer {
  public:
   /// Creates the file with all but the FRFs. `header.noise` says which noise record the lines will carry.
-  Hdf5Writer(const std::filesystem::path& path, const FrfHeader& header,
-             const Hdf5WriteOptions& options = {});
-  ~Hdf5Writer();
-  Hdf5Writer(const Hdf5Writer&) = delete;
-  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
+  Hdf5Writer(const std::filesystem::path& path, const FrfHeader& header, const Hdf5WriteOptions& options = {});
 
   /// Writes lines first … first + count − 1, each [R,C], of receptances and of the header's noise record:
   /// `variance` of the receptances or `coherence`, as long as `values`, the other empty. Fastest in whole
   /// chunks, in order.
-  void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
-                   std::span<const Complex> variance = {}, std::span<const double> coherence = {});
+  void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values, std::span<const Complex> variance = {},
+                   std::span<const double> coherence = {});
 
   /// Completes the file and gives it its name. Throws InputError when a line was never written.
   void finish();
@@ -41,8 +39,8 @@ class Hdf5Writer {
   std::size_t lines_per_chunk() const;
 
  private:
-  class File;
-  std::unique_ptr<File> file_;
+  TemporaryFile temporary_;
+  std::unique_ptr<LinesOutput> file_;
 };
 
 /// Writes a whole set.

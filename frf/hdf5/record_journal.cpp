@@ -114,8 +114,7 @@ std::size_t RecordJournal::load(std::size_t first, std::vector<double>& slots) c
 }
 
 bool RecordJournal::is_whole(std::size_t index, const double* slot) const {
-  return std::bit_cast<std::uint64_t>(slot[columns_]) ==
-         std::bit_cast<std::uint64_t>(record_checksum(index, {slot, columns_}));
+  return std::bit_cast<std::uint64_t>(slot[columns_]) == std::bit_cast<std::uint64_t>(record_checksum(index, {slot, columns_}));
 }
 
 std::vector<IndexRange> RecordJournal::missing(std::size_t count) const {

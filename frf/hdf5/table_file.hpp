@@ -7,6 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "base/temporary_file.hpp"
+#include "frf/hdf5/hdf5_module.hpp"
+
 namespace jointid::frf {
 
 struct TableColumn {
@@ -28,15 +31,14 @@ class TableWriter {
  public:
   /// Throws InputError when the folder does not take the file.
   TableWriter(const std::filesystem::path& path, const TableHeader& header, std::size_t rows);
-  ~TableWriter();
 
   /// Appends rows, [count, C] numbers. Throws InputError when the disk does not take them.
   void append(std::span<const double> rows);
   void finish();
 
  private:
-  class File;
-  std::unique_ptr<File> file_;
+  TemporaryFile temporary_;
+  std::unique_ptr<TableOutput> file_;
 };
 
 /// Reads a table column by column.
@@ -44,7 +46,6 @@ class TableReader {
  public:
   /// Throws InputError when the file is no such table.
   explicit TableReader(const std::filesystem::path& path);
-  ~TableReader();
 
   const TableHeader& header() const;
   std::size_t rows() const;
@@ -52,8 +53,7 @@ class TableReader {
   void read(std::size_t column, std::size_t first, std::span<double> out) const;
 
  private:
-  class File;
-  std::unique_ptr<File> file_;
+  std::unique_ptr<TableInput> file_;
 };
 
 }  // namespace jointid::frf

@@ -18,6 +18,8 @@ class MemorySource final : public FrfSource {
     header_ = set_->header;
   }
 
+  bool in_memory() const override { return true; }
+
  private:
   template <class T>
   void gather(const Block& block, const std::vector<T>& from, std::span<T> out) const {

@@ -49,6 +49,9 @@ class FrfSource {
   /// Coherences; only when header().noise == coherence.
   void read_coherence(const Block& block, std::span<double> out);
 
+  /// Whether all values lie in memory already.
+  virtual bool in_memory() const { return false; }
+
  protected:
   FrfSource() = default;
   virtual void do_read(const Block& block, std::span<Complex> out) = 0;

@@ -53,6 +53,12 @@ FrfSystem::FrfSystem(std::string name, std::vector<std::unique_ptr<FrfSource>> s
       sources_(std::move(sources)),
       composition_(composition),
       use_reciprocity_(use_reciprocity) {
+  for (auto& source : sources_) {
+    if (source->in_memory()) continue;
+    auto kept = std::make_unique<KeptSource>(std::move(source));
+    files_.push_back(kept.get());
+    source = std::move(kept);
+  }
   require_disjoint();
   align_axes();
   collect_coordinates();
@@ -126,6 +132,10 @@ void FrfSystem::require_disjoint() const {
       }
     }
   }
+}
+
+void FrfSystem::keep(std::size_t bytes) {
+  for (KeptSource* file : files_) file->keep(bytes / files_.size());
 }
 
 std::size_t FrfSystem::source_of(const Dof& dof) const {

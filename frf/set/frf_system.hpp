@@ -6,6 +6,7 @@
 
 #include "frf/set/block_pieces.hpp"
 #include "frf/set/frf_source.hpp"
+#include "frf/set/kept_source.hpp"
 
 namespace jointid::frf {
 
@@ -40,6 +41,9 @@ class FrfSystem {
   const std::vector<Dof>& responses() const { return responses_; }
   const std::vector<Dof>& references() const { return references_; }
 
+  /// Every FRF that is read from now on is kept, up to so many bytes, and read once (KeptSource).
+  void keep(std::size_t bytes);
+
   std::size_t source_count() const { return sources_.size(); }
   const FrfSource& source(std::size_t index) const { return *sources_[index]; }
   FrfSource& source(std::size_t index) { return *sources_[index]; }
@@ -60,6 +64,7 @@ class FrfSystem {
 
   std::string name_;
   std::vector<std::unique_ptr<FrfSource>> sources_;
+  std::vector<KeptSource*> files_;  ///< of sources_, those that are not in memory
   Composition composition_;
   bool use_reciprocity_;
   std::vector<double> frequency_hz_;

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/statistics.hpp"
 #include "frf/set/frf_system.hpp"
 #include "frf/set/recorded_variance.hpp"
 
 namespace jointid::frf {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void add_dofs(std::vector<Dof>& to, const std::vector<Dof>& from) {
   for (const Dof& dof : from) {

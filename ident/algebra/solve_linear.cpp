@@ -107,8 +107,8 @@ LinearSolution solve_normal(Accumulator& accumulator, Condition condition) {
   if (definite && condition == Condition::compute) {
     const VectorXd columns = product.diagonal().head(n).cwiseSqrt();
     const VectorXd rows = inverse_rows(MatrixXd(solved->lower.transpose()), MatrixXd::Identity(n, n));
-    bound_rounding({rows.cwiseProduct(scale), columns, std::sqrt(product(n, n))}, Reduction::normal,
-                   accumulator.rows_pushed(), out);
+    bound_rounding({rows.cwiseProduct(scale), columns, std::sqrt(product(n, n))}, Reduction::normal, accumulator.rows_pushed(),
+                   out);
   }
   return out;
 }

@@ -1,4 +1,3 @@
-#include <SuiteSparseQR.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,32 +9,21 @@
 #include "ident/algebra/null_space.hpp"
 #include "ident/algebra/rounding.hpp"
 #include "ident/algebra/solve_linear.hpp"
+#include "ident/algebra/sparse_qr.hpp"
 
 namespace jointid::ident {
 namespace {
 
-/// CHOLMOD's workspace for one solve.
-class Common {
- public:
-  Common() { cholmod_l_start(&common_); }
-  ~Common() { cholmod_l_finish(&common_); }
-  Common(const Common&) = delete;
-  Common& operator=(const Common&) = delete;
-  cholmod_common* get() { return &common_; }
-
- private:
-  cholmod_common common_;
-};
-
-/// The stacked triangles as scaled triplets, and their right-hand side.
+/// The stacked triangles with scaled columns, their right-hand side b, and what their columns were scaled by.
 struct StackedTriangles {
-  std::size_t rows = 0, entries = 0;
-  std::vector<double> scale, column_norm;
+  SparseEntries matrix;
+  std::vector<double> right, scale, column_norm;
 
   explicit StackedTriangles(const Accumulator& accumulator) {
-    std::vector<double> norm2(accumulator.columns(), 0.0);
+    matrix.columns = accumulator.columns();
+    std::vector<double> norm2(matrix.columns, 0.0);
+    std::size_t entries = 0;
     for (const auto& [columns, triangle] : accumulator.triangles()) {
-      rows += columns.size() + 1;
       entries += columns.size() * (columns.size() + 1) / 2;
       for (std::size_t j = 0; j < columns.size(); ++j) {
         for (std::size_t i = 0; i <= j; ++i) norm2[columns[j]] += triangle(i, j) * triangle(i, j);
@@ -45,42 +33,48 @@ struct StackedTriangles {
       scale.push_back(power_of_two_scale(std::sqrt(square)));
       column_norm.push_back(std::sqrt(square));
     }
+    matrix.row.reserve(entries);
+    matrix.column.reserve(entries);
+    matrix.value.reserve(entries);
+    for (const auto& [columns, triangle] : accumulator.triangles()) append(columns, triangle);
+  }
+
+ private:
+  void append(const std::vector<std::size_t>& columns, const Triangle& triangle) {
+    const std::size_t n = columns.size();
+    for (std::size_t i = 0; i <= n; ++i, ++matrix.rows) {
+      for (std::size_t j = i; j < n; ++j) {
+        matrix.row.push_back(static_cast<std::int64_t>(matrix.rows));
+        matrix.column.push_back(static_cast<std::int64_t>(columns[j]));
+        matrix.value.push_back(triangle(i, j) * scale[columns[j]]);
+      }
+      right.push_back(triangle(i, n));
+    }
   }
 };
 
-void fill(const Accumulator& accumulator, const std::vector<double>& scale, cholmod_triplet* triplet,
-          double* right_side) {
-  auto* row_index = static_cast<SuiteSparse_long*>(triplet->i);
-  auto* column_index = static_cast<SuiteSparse_long*>(triplet->j);
-  auto* value = static_cast<double*>(triplet->x);
-  std::size_t row = 0, entry = 0;
-  for (const auto& [columns, triangle] : accumulator.triangles()) {
-    const std::size_t n = columns.size();
-    for (std::size_t i = 0; i <= n; ++i, ++row) {
-      for (std::size_t j = i; j < n; ++j, ++entry) {
-        row_index[entry] = static_cast<SuiteSparse_long>(row);
-        column_index[entry] = static_cast<SuiteSparse_long>(columns[j]);
-        value[entry] = triangle(i, j) * scale[columns[j]];
-      }
-      right_side[row] = triangle(i, n);
-    }
+double norm(const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), at(v.size())).norm(); }
+
+/// b − A y.
+std::vector<double> residual(const StackedTriangles& stacked, const std::vector<double>& y) {
+  std::vector<double> out = stacked.right;
+  const SparseEntries& a = stacked.matrix;
+  for (std::size_t e = 0; e < a.value.size(); ++e) {
+    out[static_cast<std::size_t>(a.row[e])] -= a.value[e] * y[static_cast<std::size_t>(a.column[e])];
   }
-  triplet->nnz = entry;
+  return out;
 }
 
 /// The factor R of A(:,permutation) = QR as SPQR leaves it: upper trapezoidal, where a column that depends on those before
 /// it has no pivot of its own.
 class Staircase {
  public:
-  Staircase(const cholmod_sparse& r, const SuiteSparse_long* permutation, std::size_t rank)
-      : start_(static_cast<const SuiteSparse_long*>(r.p)),
-        row_(static_cast<const SuiteSparse_long*>(r.i)),
-        value_(static_cast<const double*>(r.x)) {
-    for (std::size_t k = 0; k < r.ncol; ++k) {
-      column_.push_back(permutation == nullptr ? k : static_cast<std::size_t>(permutation[k]));
+  explicit Staircase(const SparseQr& r) : r_(r) {
+    for (std::size_t k = 0; k + 1 < r.start.size(); ++k) {
+      column_.push_back(r.permutation.empty() ? k : static_cast<std::size_t>(r.permutation[k]));
       double pivot = 0.0;
       for_each(k, [&](std::size_t row, double value) { pivot = row == owner_.size() ? value : pivot; });
-      if (pivot != 0.0 && owner_.size() < rank) {
+      if (pivot != 0.0 && owner_.size() < r.rank) {
         owner_.push_back(k);
         pivot_.push_back(pivot);
       } else {
@@ -121,12 +115,12 @@ class Staircase {
  private:
   template <class Visit>
   void for_each(std::size_t k, const Visit& visit) const {
-    for (SuiteSparse_long e = start_[k]; e < start_[k + 1]; ++e) visit(static_cast<std::size_t>(row_[e]), value_[e]);
+    for (auto e = static_cast<std::size_t>(r_.start[k]); e < static_cast<std::size_t>(r_.start[k + 1]); ++e) {
+      visit(static_cast<std::size_t>(r_.row[e]), r_.value[e]);
+    }
   }
 
-  const SuiteSparse_long* start_;
-  const SuiteSparse_long* row_;
-  const double* value_;
+  const SparseQr& r_;
   std::vector<std::size_t> column_;     ///< permuted → original
   std::vector<std::size_t> owner_;      ///< row → permuted column with its pivot
   std::vector<std::size_t> dependent_;  ///< permuted columns without one
@@ -154,27 +148,13 @@ LinearSolution solve_sparse(Accumulator& accumulator, Condition asked) {
   accumulator.flush();
   const std::size_t n = accumulator.columns();
   const StackedTriangles stacked(accumulator);
-  Common common;
-  cholmod_common* cc = common.get();
-  cholmod_triplet* triplet = cholmod_l_allocate_triplet(stacked.rows, n, stacked.entries, 0, CHOLMOD_REAL, cc);
-  cholmod_dense* right = cholmod_l_zeros(stacked.rows, 1, CHOLMOD_REAL, cc);
-  fill(accumulator, stacked.scale, triplet, static_cast<double*>(right->x));
-  cholmod_sparse* matrix = cholmod_l_triplet_to_sparse(triplet, triplet->nnz, cc);
-  cholmod_l_free_triplet(&triplet, cc);
-
   // Columns have about unit length after scaling, so an absolute pivot threshold is a relative one.
   const double tolerance = 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
-  cholmod_sparse* r = nullptr;
-  cholmod_dense* q_right = nullptr;
-  SuiteSparse_long* permutation = nullptr;
-  const SuiteSparse_long rank =
-      SuiteSparseQR<double>(SPQR_ORDERING_DEFAULT, tolerance, static_cast<SuiteSparse_long>(n), matrix, right, &q_right,
-                            &r, &permutation, cc);
+  const SparseQr factors = sparse_qr(stacked.matrix, stacked.right, tolerance);
   LinearSolution out;
-  const Staircase staircase(*r, permutation, static_cast<std::size_t>(std::max<SuiteSparse_long>(rank, 0)));
+  const Staircase staircase(factors);
   out.rank = staircase.pivots().size();
-  const double* c = static_cast<const double*>(q_right->x);
-  out.y = staircase.solve({c, c + q_right->nrow});
+  out.y = staircase.solve(factors.rotated);
   if (out.rank < n) {
     const Eigen::MatrixXd basis = staircase.null_space();
     tell_null_space(basis, out);
@@ -186,27 +166,13 @@ LinearSolution solve_sparse(Accumulator& accumulator, Condition asked) {
   const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto [least, most] = std::minmax_element(staircase.pivots().begin(), staircase.pivots().end(), smaller);
   out.condition = out.rank < n ? std::numeric_limits<double>::infinity() : std::abs(*most / *least);
-  const double right_norm = cholmod_l_norm_dense(right, 2, cc);
-  cholmod_dense* solution = cholmod_l_zeros(n, 1, CHOLMOD_REAL, cc);
-  std::copy(out.y.begin(), out.y.end(), static_cast<double*>(solution->x));
-  double one[2] = {1.0, 0.0}, minus_one[2] = {-1.0, 0.0};
-  cholmod_l_sdmult(matrix, 0, one, minus_one, solution, right, cc);
-  out.residual_norm = cholmod_l_norm_dense(right, 2, cc);
+  out.residual_norm = norm(residual(stacked, out.y));
   for (std::size_t j = 0; j < n; ++j) out.y[j] *= stacked.scale[j];
   if (asked == Condition::compute && out.rank == n) {
-    const auto map = [n](const std::vector<double>& v) {
-      return Eigen::Map<const Eigen::VectorXd>(v.data(), at(n));
-    };
-    bound_rounding({inverse_rows(staircase, n).cwiseProduct(map(stacked.scale)), map(stacked.column_norm), right_norm},
+    const auto map = [n](const std::vector<double>& v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), at(n)); };
+    bound_rounding({inverse_rows(staircase, n).cwiseProduct(map(stacked.scale)), map(stacked.column_norm), norm(stacked.right)},
                    Reduction::orthogonal, accumulator.rows_pushed(), out);
   }
-
-  cholmod_l_free_dense(&solution, cc);
-  cholmod_l_free_dense(&q_right, cc);
-  cholmod_l_free_dense(&right, cc);
-  cholmod_l_free_sparse(&r, cc);
-  cholmod_l_free_sparse(&matrix, cc);
-  if (permutation != nullptr) cholmod_l_free(n, sizeof(SuiteSparse_long), permutation, cc);
   return out;
 }
 

@@ -6,9 +6,9 @@
 
 namespace jointid::ident {
 
-/// Starts of an iteration from a joint that somebody guessed. First the guess times 10^-4 to 10^4 in half decades, those that misfit
-/// least first, five of them: the shape of a joint is often better known than its size. Then random ones: the best size with every
-/// element changed by up to ±80 %.
+/// Starts of an iteration from a joint that somebody guessed. First the guess times 10^-4 to 10^4 in half decades, those that
+/// misfit least first, five of them: the shape of a joint is often better known than its size. Then random ones: the best size
+/// with every element changed by up to ±80 %.
 class StartPoints {
  public:
   using Misfit = std::function<double(const std::vector<double>& theta)>;

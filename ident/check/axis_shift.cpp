@@ -60,8 +60,9 @@ Eigen::VectorXcd factors_at_zero(const Eigen::Vector3cd& denominator, const Eige
   const Eigen::VectorXcd d = v * denominator;
   const Eigen::VectorXd weight = d.cwiseAbs2().cwiseMax(1e-300).cwiseInverse();
   const Eigen::MatrixXd normal = v.transpose() * weight.asDiagonal() * v;
-  const Eigen::RowVectorXd first = inverse_of(normal).row(0) * v.transpose() * weight.asDiagonal();
-  return first.transpose().cast<std::complex<double>>().cwiseProduct(d) / denominator(0);
+  const Eigen::Vector3d row = inverse_of(normal).row(0).transpose();
+  const Eigen::VectorXd first = (v * row).cwiseProduct(weight);
+  return first.cast<std::complex<double>>().cwiseProduct(d) / denominator(0);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ namespace jointid::ident {
 namespace {
 
 constexpr double longest = 2e-4;  ///< s
-constexpr int grid = 400;
+constexpr int delays = 400;
 constexpr int newton_steps = 5;
 
 }  // namespace
@@ -14,8 +14,8 @@ constexpr int newton_steps = 5;
 DelayFit fit_delay(const std::vector<PhaseSample>& samples) {
   DelayFit best;
   double largest = -1.0;
-  for (int i = -grid; i <= grid; ++i) {
-    const double delay = longest * i / grid;
+  for (int i = -delays; i <= delays; ++i) {
+    const double delay = longest * i / delays;
     double sum = 0.0;
     for (const PhaseSample& s : samples) sum += (s.value * std::polar(1.0, s.omega * delay)).real();
     if (sum > largest) {

@@ -26,7 +26,7 @@ std::string quoted_dof(const frf::Dof& dof) { return "\"" + dof.name() + "\""; }
 /// One role of a channel: sensor (response) or hammer (reference).
 enum class Role { response, reference };
 
-struct Channel {
+struct MeasuredChannel {
   std::size_t file;
   Role role;
   frf::Dof dof;
@@ -83,10 +83,10 @@ bool has_role(const CheckedFile& file, Role role, const frf::Dof& dof) { return 
 
 /// The rows that a span test would rather be without, and the coordinates whose pairs are least reciprocal.
 struct Candidates {
-  std::vector<Channel> channels;
+  std::vector<MeasuredChannel> channels;
 
   void add(const Files& files, std::size_t file, Role role, const frf::Dof& dof) {
-    const auto same = [&](const Channel& c) { return c.file == file && c.role == role && c.dof.same_coordinate(dof); };
+    const auto same = [&](const MeasuredChannel& c) { return c.file == file && c.role == role && c.dof.same_coordinate(dof); };
     if (has_role(files[file], role, dof) && std::ranges::none_of(channels, same)) channels.push_back({file, role, dof});
   }
 };
@@ -138,7 +138,7 @@ Candidates candidate_channels(const Files& files, const std::vector<SpanSetup>& 
 std::string channel_word(Role role) { return role == Role::response ? "sensor" : "hammer or shaker"; }
 std::string role_key(const char* key, Role role) { return std::string(key) + (role == Role::response ? "" : "_reference"); }
 
-MistakeTrial sign_trial(const Files& files, const Channel& c) {
+MistakeTrial sign_trial(const Files& files, const MeasuredChannel& c) {
   return {.kind = SuspectKind::sign,
           .files = {c.file},
           .dofs = {c.dof},
@@ -165,7 +165,7 @@ std::string swap_line(Role role, const frf::Dof& a, const frf::Dof& b) {
          quoted_dof(a) + " }";
 }
 
-MistakeTrial swap_trial(const Files& files, const Channel& c, const frf::Dof& other) {
+MistakeTrial swap_trial(const Files& files, const MeasuredChannel& c, const frf::Dof& other) {
   return {.kind = SuspectKind::swap,
           .files = {c.file},
           .dofs = {c.dof, other},
@@ -186,7 +186,7 @@ MistakeTrial both_swapped_trial(const Files& files, std::size_t file, const frf:
           }};
 }
 
-MistakeTrial gain_trial(const Files& files, const Channel& c, double factor) {
+MistakeTrial gain_trial(const Files& files, const MeasuredChannel& c, double factor) {
   return {.kind = SuspectKind::gain,
           .files = {c.file},
           .dofs = {c.dof},
@@ -198,13 +198,13 @@ MistakeTrial gain_trial(const Files& files, const Channel& c, double factor) {
 }
 
 void add_channel_trials(const Files& files, const Candidates& candidates, std::vector<MistakeTrial>& out) {
-  for (const Channel& c : candidates.channels) {
+  for (const MeasuredChannel& c : candidates.channels) {
     const Dofs& own = dofs_of(files[c.file], c.role);
     const bool both = c.role == Role::response && has_role(files[c.file], Role::reference, c.dof);
     out.push_back(sign_trial(files, c));
     if (both) out.push_back(both_signs_trial(files, c.file, c.dof));
     const auto is_candidate = [&](const frf::Dof& dof) {
-      return std::ranges::any_of(candidates.channels, [&](const Channel& o) {
+      return std::ranges::any_of(candidates.channels, [&](const MeasuredChannel& o) {
         return o.file == c.file && o.role == c.role && o.dof.same_coordinate(dof);
       });
     };
@@ -243,7 +243,7 @@ GainFinding gain_by_reciprocity(const ReciprocityTest& test, const frf::Dof& dof
 /// Which reciprocity factor a channel's own role makes of it.
 double in_role(double factor, Role role) { return role == Role::response ? factor : 1.0 / factor; }
 
-void add_gain_trial(const Files& files, const Channel& c, const GainFinding& of_span, const GainFinding& of_mirror,
+void add_gain_trial(const Files& files, const MeasuredChannel& c, const GainFinding& of_span, const GainFinding& of_mirror,
                     std::vector<MistakeTrial>& out) {
   const bool by_mirror = of_mirror.deviations >= significant_mirror;
   const double factor =

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
+#include "base/statistics.hpp"
 #include "ident/algebra/covariance.hpp"
 #include "ident/equations/row_expander.hpp"
 #include "ident/plan/scaling.hpp"
@@ -17,7 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Errors of FRFs below this part of them are not called a misfit: axes, units and single precision are no better.
 constexpr double least_relative_error = 1e-3;

@@ -143,10 +143,8 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
     return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual, doubtful);
   }
   LikelihoodFit fit = estimator.run_whitened(*starts(0), watch);
-  if constexpr (JOINTID_HAVE_CERES) {
-    if (plan.solver == "ceres") {
-      fit = adjust_bundle(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0, fit, watch);
-    }
+  if (plan.solver == "ceres") {
+    fit = adjust_bundle(*likelihood_plan(plan)->observations, plan.restriction, *plan.columns, plan.omega0, fit, watch);
   }
   // Brings the lines to this joint for what is said of them afterwards.
   if (control.detail == Detail::full || plan.scene.identify.bootstrap > 0 || plan.admissible) estimator.information_at(fit.theta);

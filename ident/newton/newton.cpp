@@ -190,7 +190,7 @@ void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, c
 }
 
 /// What the linearised problem at the end says of rank and condition.
-LinearSolution judge(ResponseProblem& problem, const Point& q) {
+LinearSolution linearised(ResponseProblem& problem, const Point& q) {
   Accumulator accumulator(problem.unknowns());
   Accumulator::Columns all(problem.unknowns());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
@@ -237,7 +237,7 @@ void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out
     out.message = "The FRFs are not defined at any start: H_bb and the start make I + Z H_bb singular on some line.";
     return;
   }
-  interpret(plan, judge(problem, found.best().q), out);
+  interpret(plan, linearised(problem, found.best().q), out);
   out.fit.iterations = found.iterations();
   if (!found.best().converged) {
     out.status = Status::not_converged;

@@ -6,7 +6,7 @@
 namespace jointid::ident {
 namespace {
 
-const std::vector<std::string> weightings = {"none", "relative"};
+const std::vector<std::string> weighting_words = {"none", "relative"};
 
 /// `names` gets the files as written.
 DisplacementLevel read_level(const SceneItem& item, const Path& folder, std::vector<std::string>& names) {
@@ -37,7 +37,7 @@ std::vector<std::string> read_equivalent(const SceneItem& item, const Path& fold
     scene.rigid = DataFile{folder / names.back(), {}};
   }
   if (const auto real = table.find("real")) scene.real = real->boolean();
-  if (const auto weighting = table.find("weighting")) scene.relative = weighting->word(weightings) == "relative";
+  if (const auto weighting = table.find("weighting")) scene.relative = weighting->word(weighting_words) == "relative";
   return names;
 }
 

@@ -1,18 +1,12 @@
 #include "ident/study/study_row.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::ident {
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 StudyColumns columns_of(const TrialData& data, bool intervals) {
   StudyColumns columns{.unknowns = data.unknowns.size(), .judged = {}, .intervals = intervals};
   for (const restrictions::Kind kind : data.judged) columns.judged.push_back(restrictions::key(kind));

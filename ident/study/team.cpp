@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/error.hpp"
+#include "base/module.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -27,7 +30,25 @@ std::size_t variable(const char* open_mpi, const char* mpich) {
   return 0;
 }
 
+const Module& mpi() {
+  static const Module module{"mpi", "a study under mpirun", "libopenmpi-dev"};
+  return module;
+}
+
 }  // namespace
+
+bool has_mpi() { return is_there(mpi()); }
+
+std::unique_ptr<Team> join_team() {
+  if (processes_started() == 1) return make_team_of_one();
+  if (has_mpi()) return interface_of<MpiModule>(mpi()).join();
+  if (process_number() > 0) throw ToldElsewhere();
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = {},
+                    .place = "mpirun",
+                    .problem = "this build has no MPI, and its processes cannot share a study",
+                    .remedy = "build with JOINTID_WITH_MPI, or run one process with --threads"});
+}
 
 std::unique_ptr<Team> make_team_of_one() { return std::make_unique<TeamOfOne>(); }
 

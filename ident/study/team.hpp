@@ -47,8 +47,18 @@ struct ToldElsewhere final : std::exception {
 /// first process where it did throws that failure and all others ToldElsewhere: an error is told once.
 void start_together(Team& team, const std::function<void()>& start);
 
+/// What the module mpi implements (base/module.hpp).
+class MpiModule {
+ public:
+  virtual ~MpiModule() = default;
+  virtual std::unique_ptr<Team> join() = 0;
+};
+
+/// Whether the module is there.
+bool has_mpi();
+
 /// The processes that mpirun started together; without mpirun a team of one, and MPI is not touched. Throws InputError when
-/// mpirun started several processes of a build without MPI.
+/// mpirun started several processes and the module mpi is missing.
 std::unique_ptr<Team> join_team();
 
 /// A team of one.

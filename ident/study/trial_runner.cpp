@@ -1,16 +1,15 @@
 #include "ident/study/trial_runner.hpp"
 
+#include "base/statistics.hpp"
 #include "ident/identify.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace jointid::ident {
 namespace {
 
 using SharedSets = std::vector<std::shared_ptr<frf::FrfSet>>;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Sources that read `sets` as they are at the time.
 std::unique_ptr<frf::FrfSystem> system_on(const char* name, std::vector<frf::FrfSet>& sets, frf::Composition composition,

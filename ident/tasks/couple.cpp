@@ -55,7 +55,7 @@ class Watch {
   std::size_t total_;
 };
 
-constexpr std::size_t survey_lines = 256, lines_at_once = 64;
+constexpr std::size_t survey_lines = 256, lines_per_pass = 64;
 
 /// The alphas of all conditions on all lines, from a single FRF of the result.
 std::vector<coupling::LineRecord> survey(coupling::AssemblyReader& reader, const std::vector<std::size_t>& lines, const Control& control) {
@@ -111,7 +111,7 @@ CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_
   records.resize(lines.size());
   const Watch watch(control, "couple", lines.size());
   // Whole chunks, at least as many lines as are coupled at a time.
-  const std::size_t chunk = writer.lines_per_chunk(), step = chunk * ((lines_at_once + chunk - 1) / chunk);
+  const std::size_t chunk = writer.lines_per_chunk(), step = chunk * ((lines_per_pass + chunk - 1) / chunk);
   for (std::size_t first = 0; first < lines.size(); first += step) {
     watch.at(first);
     const std::size_t count = std::min(step, lines.size() - first);

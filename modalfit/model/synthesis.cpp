@@ -3,15 +3,14 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <limits>
 
 #include "base/complex.hpp"
+#include "base/statistics.hpp"
 #include "modalfit/band/basis.hpp"
 
 namespace jointid::modalfit {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double cancelled = 0.1;
 constexpr double most_noise = 0.1;  ///< of the model: beyond it the difference is noise, 0.6 dB rms and more
 /// With fewer lines what is taken for their noise may be what the model misses.

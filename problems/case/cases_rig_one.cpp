@@ -6,7 +6,7 @@ namespace {
 
 constexpr BeamSection aluminium = {
     .width = 0.0254, .thickness = 0.0127, .youngs_modulus = 7.0e10, .density = 2710.0};
-constexpr double material_loss_factor = 0.0005;
+constexpr double aluminium_loss_factor = 0.0005;
 constexpr double gap = 0.03;                  ///< m between the beams, bridged by the joint
 constexpr double accelerometer_mass = 0.003;  ///< kg, B&K 8303
 
@@ -23,7 +23,7 @@ Structure long_beam() {
   for (int i = 0; i < 4; ++i) append_elements(x, 0.245, 6);
   append_elements(x, 0.04, 1);
   Structure result = beam(aluminium, {.first_node = 101, .x = x});
-  result.add_proportional_damping(material_loss_factor);
+  result.add_proportional_damping(aluminium_loss_factor);
   return result;
 }
 
@@ -32,7 +32,7 @@ Structure short_beam() {
   append_elements(x, 0.04, 1);
   for (int i = 0; i < 4; ++i) append_elements(x, 0.2175, 5);
   Structure result = beam(aluminium, {.first_node = 201, .x = x});
-  result.add_proportional_damping(material_loss_factor);
+  result.add_proportional_damping(aluminium_loss_factor);
   return result;
 }
 

@@ -24,7 +24,7 @@ constexpr BeamSection narrow = {.width = 0.0254, .thickness = 0.0127, .youngs_mo
 constexpr double rod_diameter = 0.004, rod_length = 0.091;  ///< m; the length between the beams
 constexpr double rod_place = 0.4475;                        ///< m from the middles: 1 cm from the ends of the shorter beam; ours
 constexpr double block_mass = 0.25;                         ///< kg, of each block with its aluminium piece; ours
-constexpr double material_loss_factor = 0.0005;
+constexpr double steel_loss_factor = 0.0005;
 constexpr double rigid_stiffness = 1e10;                    ///< N/m
 constexpr double gain_error = 0.017, phase_error = 0.01, random_error = 0.003;
 
@@ -69,7 +69,7 @@ Structure parts() {
   add_rod(result, 102, 202);
   add_rod(result, 116, 216);
   for (const frf::Dof& middle : {middle_1, middle_2}) result.add(Kind::mass, {middle}, {{block_mass}});
-  result.add_proportional_damping(material_loss_factor);
+  result.add_proportional_damping(steel_loss_factor);
   return result;
 }
 

@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "base/statistics.hpp"
 #include "frf/set/frf_source.hpp"
 #include "input_folder.hpp"
 #include "run_command.hpp"
@@ -96,7 +96,6 @@ const Spoil no_joint_at_all = [](const InputFolder& folder) {
   folder.replace("A1.toml", "equations = [\"nn\", \"nj\"]\nweighting = \"WA\"", "equations = [\"nn\"]\ndelta = 0.05");
 };
 
-const double nan = std::numeric_limits<double>::quiet_NaN();
 const Spoil one_line = scene("range = [400.0, 1000.0]", "range = [400.0, 401.0]");
 const Spoil with_mass = scene("[identify]", "[joint.mass]\npattern = \"symmetric\"\n[identify]");
 /// All FRFs of a part are zero: their matrix has no inverse.

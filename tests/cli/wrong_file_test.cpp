@@ -1,5 +1,5 @@
-#include <limits>
 
+#include "base/statistics.hpp"
 #include "hdf5_damage.hpp"
 #include "wrong_input.hpp"
 
@@ -10,7 +10,6 @@ Spoil holds(const std::string& file, const std::string& text) {
   return [=](const InputFolder& folder) { folder.write(file, text); };
 }
 
-const double nan = std::numeric_limits<double>::quiet_NaN();
 
 const Wrong any_files[] = {
     {"Absent", {}, {"info", "absent.h5"}, 3, {"absent.h5: ", "no such file", "check its path"}},

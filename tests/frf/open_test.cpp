@@ -2,6 +2,7 @@
 
 #include "file_fixture.hpp"
 #include "frf/file/write.hpp"
+#include "frf/mat/mat_module.hpp"
 #include "frf/set/frf_source.hpp"
 
 namespace jointid::frf {
@@ -20,7 +21,7 @@ TEST_F(Open, KnowsEveryFormatByItsContent) {
   std::mt19937 random(31);
   const FrfSet set = random_set(random, Quantity::accelerance, NoiseRecord::none);
   std::vector<std::string> formats = {"h5", "HDF5", ".csv"};
-  if (JOINTID_HAVE_MATIO) formats.push_back("mat");
+  if (has_matio()) formats.push_back("mat");
   for (const std::string& format : formats) {
     write(set, path("a.data"), format);
     expect_same(load(*open(path("a.data"))), set, 1e-15);
@@ -32,7 +33,7 @@ TEST_F(Open, ACoherenceOfUnknownAveragesIsKept) {
   FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::coherence);
   set.header.averages = 0.0;
   std::vector<std::string> formats = {"h5", "csv"};
-  if (JOINTID_HAVE_MATIO) formats.push_back("mat");
+  if (has_matio()) formats.push_back("mat");
   for (const std::string& format : formats) {
     write(set, path("a.data"), format);
     expect_same(load(*open(path("a.data"))), set, 0.0);
@@ -54,7 +55,7 @@ TEST_F(Open, AFullDiskLeavesTheOldFile) {
   const FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::variance);
   write_file("a.data", "old");
   std::vector<std::string> formats = {"h5", "csv"};
-  if (JOINTID_HAVE_MATIO) formats.push_back("mat");
+  if (has_matio()) formats.push_back("mat");
   for (const std::string& format : formats) {
     for (const rlim_t room : {1u, 100u, 300u, 600u, 1000u}) {
       const SmallDisk disk(room);
@@ -101,7 +102,7 @@ TEST_F(Open, AnotherFormatSaysWhatWasFound) {
   EXPECT_THAT(error("a.txt"), HasSubstr("give jointid-frf HDF5, UFF, MATLAB v5 to v7.3, CSV or the text export of an analyser"));
   write_file("old.mat", "MATLAB 5.0 MAT-file, and no more");
   EXPECT_THAT(error("old.mat"),
-              HasSubstr(JOINTID_HAVE_MATIO ? "old.mat: is damaged or truncated: it ends early" : "need matio"));
+              HasSubstr(has_matio() ? "old.mat: is damaged or truncated: it ends early" : "need matio"));
 }
 
 }  // namespace

@@ -4,16 +4,15 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "base/error.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::frf {
 namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 FrfSet run_of(const std::vector<Complex>& values) {
   FrfSet set;

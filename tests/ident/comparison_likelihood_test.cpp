@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "ident/tasks/comparison.hpp"
+#include "minimise/least_squares.hpp"
 #include "solver_case.hpp"
 
 namespace jointid::ident {
@@ -54,7 +55,7 @@ TEST(ComparisonOfLikelihood, HasCeresOrSaysThatTheBuildLacksIt) {
                                               .deltas = {},
                                               .solvers = {"auto", "ceres"}},
                                     2);
-  if (JOINTID_HAVE_CERES) {
+  if (minimise::has_ceres()) {
     ASSERT_EQ(found.combinations.size(), 2u);
     EXPECT_NEAR(found.combinations[1].matrices[0].arvf.median, found.combinations[0].matrices[0].arvf.median, 1e-4);
   } else {

@@ -14,12 +14,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// An information matrix, and a root of it: unknowns of different sizes.
-struct Sample {
+struct RandomInformation {
   std::mt19937_64 random;
   Eigen::Index size;
   MatrixXd root, information;
 
-  explicit Sample(unsigned seed) : random(seed), size(std::uniform_int_distribution<Eigen::Index>(1, 6)(random)) {
+  explicit RandomInformation(unsigned seed) : random(seed), size(std::uniform_int_distribution<Eigen::Index>(1, 6)(random)) {
     root = any() + 3.0 * MatrixXd::Identity(size, size);
     for (Eigen::Index c = 0; c < size; ++c) root.col(c) *= std::pow(10.0, std::uniform_real_distribution<double>(-3.0, 3.0)(random));
     information = root.transpose() * root;
@@ -40,7 +40,7 @@ struct Sample {
 };
 
 RC_GTEST_PROP(GodambeInformation, IsThatOfAQuadraticFunction, (unsigned seed)) {
-  Sample sample(seed);
+  RandomInformation sample(seed);
   const MatrixXd curvature = sample.curvature(0.3, 0.9);
   const MatrixXd found = godambe_information([&](const VectorXd& offset) { return VectorXd(-curvature * offset); }, sample.information);
   const MatrixXd expected = curvature * sample.information.ldlt().solve(curvature);
@@ -80,7 +80,7 @@ TEST(GodambeInformation, GivesTheVarianceOfALineThroughPointsWithErrorsInBothCoo
 }
 
 RC_GTEST_PROP(GodambeInformation, CostsSixGradientsWhereItIsTheInformation, (unsigned seed)) {
-  Sample sample(seed);
+  RandomInformation sample(seed);
   int gradients = 0;
   const auto gradient = [&](const VectorXd& offset) {
     ++gradients;
@@ -91,7 +91,7 @@ RC_GTEST_PROP(GodambeInformation, CostsSixGradientsWhereItIsTheInformation, (uns
 }
 
 RC_GTEST_PROP(GodambeInformation, IsTheInformationWhereDifferencesTellNoCurvature, (unsigned seed)) {
-  Sample sample(seed);
+  RandomInformation sample(seed);
   for (const double share : {-1.0, 5.0}) {
     const auto gradient = [&](const VectorXd& offset) { return VectorXd(-share * (sample.information * offset)); };
     RC_ASSERT(godambe_information(gradient, sample.information) == sample.information);

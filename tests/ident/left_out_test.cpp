@@ -25,6 +25,8 @@ using ::testing::Not;
 struct Asked {
   std::set<std::pair<std::string, std::string>> frfs;  ///< response, reference
   std::set<std::size_t> lines;
+  std::set<std::tuple<std::size_t, std::string, std::string>> values;  ///< line, response, reference
+  std::size_t again = 0;                                               ///< values that were asked for before
 };
 
 /// A set in memory that writes down which FRFs are read.
@@ -38,7 +40,9 @@ class Recorder final : public frf::FrfSource {
   void do_read(const frf::Block& block, std::span<Complex> out) override {
     for (const std::size_t r : block.responses) {
       for (const std::size_t c : block.references) {
-        asked_.frfs.emplace(header_.response[r].name(), header_.reference[c].name());
+        const std::string response = header_.response[r].name(), reference = header_.reference[c].name();
+        asked_.frfs.emplace(response, reference);
+        for (const std::size_t line : block.lines) asked_.again += asked_.values.emplace(line, response, reference).second ? 0 : 1;
       }
     }
     asked_.lines.insert(block.lines.begin(), block.lines.end());
@@ -56,12 +60,11 @@ struct Run {
   std::unique_ptr<Plan> plan;
 };
 
-/// Case A1 with some equations; both substructures write into one list.
-std::unique_ptr<Run> run(const std::vector<Equation>& equations, bool carry_out = true, Method method = Method::one) {
+/// Case A1; both substructures write into one list.
+std::unique_ptr<Run> run_section(const IdentifySection& identify, bool carry_out) {
   const problems::Problem a1 = problems::make("A1");
   Scene scene = problems::scene(a1);
-  scene.identify.method = method;
-  scene.identify.equations = equations;
+  scene.identify = identify;
   const frf::NoiseModel noise{.level = 0.01};
   scene.noise = NoiseSection{.model = frf::name(noise.kind), .level = noise.level, .frf_model = noise};
   auto run = std::make_unique<Run>();
@@ -74,6 +77,14 @@ std::unique_ptr<Run> run(const std::vector<Equation>& equations, bool carry_out 
       std::make_unique<frf::FrfSystem>("assembly", std::move(whole), frf::Composition::merged, false));
   if (carry_out) solve(*run->plan);
   return run;
+}
+
+/// With some equations.
+std::unique_ptr<Run> run(const std::vector<Equation>& equations, bool carry_out = true, Method method = Method::one) {
+  IdentifySection identify;
+  identify.method = method;
+  identify.equations = equations;
+  return run_section(identify, carry_out);
 }
 
 bool is_joint(const std::string& dof) { return dof[0] == '4' || dof[0] == '5'; }
@@ -148,6 +159,28 @@ TEST(LeftOut, TheLikelihoodReadsWhatItsEquationsRead) {
   EXPECT_FALSE(read(nj->assembly, false, false) || read(nj->assembly, true, true));
   const auto jj = run({Equation::jj}, true, Method::likelihood);
   EXPECT_FALSE(read(jj->assembly, false, false) || read(jj->assembly, false, true) || read(jj->assembly, true, false));
+}
+
+/// For the estimate, all linear estimates that it starts from, its prediction, and what is said of its data.
+TEST(LeftOut, EveryMethodReadsEveryFrfOnce) {
+  const auto all = [](double value) { return Matrix(4, std::vector<double>(4, value)); };
+  const std::map<Kind, Matrix> near = {{Kind::stiffness, all(1e5)}, {Kind::hysteretic_damping, all(1e3)}};
+  const auto section = [](Method method, std::size_t starts, const std::map<Kind, Matrix>& start) {
+    IdentifySection identify;
+    identify.method = method;
+    identify.starts = starts;
+    identify.start = start;
+    return identify;
+  };
+  for (const IdentifySection& identify :
+       {section(Method::one, 0, {}), section(Method::two, 0, {}), section(Method::direct, 0, {}), section(Method::newton, 2, {}),
+        section(Method::newton, 0, near), section(Method::likelihood, 6, {}), section(Method::likelihood, 0, near)}) {
+    const auto done = run_section(identify, true);
+    for (const Asked* asked : {&done->substructures, &done->assembly}) {
+      EXPECT_GT(asked->values.size(), 0u);
+      EXPECT_EQ(asked->again, 0u) << name(identify.method) << (identify.start.empty() ? "" : " from a start");
+    }
+  }
 }
 
 TEST(LeftOut, ThePlanSaysWhatItLeavesOutAndHasNoColumnsForIt) {

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/statistics.hpp"
 #include "memory_systems.hpp"
 
 namespace jointid::ident {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const LikelihoodBlocks everything{{true, true, true}, {true, true, true}};
 
 /// Two parts, others 1 and 9, joint 4 and 5, with everything measured at enough lines for some chunks.

@@ -44,8 +44,8 @@ RC_GTEST_PROP(NormalRows, AddUpToTheProductOfTheDenseMatrix, (unsigned seed)) {
 }
 
 /// A joint with all four matrices, some of their elements known, in two bands.
-struct Sample {
-  Sample() {
+struct FourMatrices {
+  FourMatrices() {
     spec = joint_of(dofs({"1:+X", "2:+X", "3:+X"}), Kind::stiffness, Pattern::symmetric);
     spec.matrices[Kind::mass] = restrictions::EntryMatrix{{2.0, 0.0, "-m"}, {0.0, "m", 0.5}, {"-m", 0.5, "n+2*m-1"}};
     spec.matrices[Kind::viscous_damping] = Pattern::diagonal;
@@ -71,7 +71,7 @@ ComplexMatrix impedance(const restrictions::Restriction& restriction, const std:
 }
 
 RC_GTEST_PROP(JointImpedance, IsThatOfTheMatrices, (unsigned seed)) {
-  const Sample sample;
+  const FourMatrices sample;
   const UnknownColumns columns(sample.restriction, {sample.spec});
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
@@ -100,7 +100,7 @@ RC_GTEST_PROP(JointImpedance, IsThatOfTheMatrices, (unsigned seed)) {
 }
 
 TEST(JointImpedance, HasNoColumnsOutsideOfTheBands) {
-  const Sample sample;
+  const FourMatrices sample;
   const UnknownColumns columns(sample.restriction, {sample.spec});
   EXPECT_TRUE(JointImpedance(sample.restriction, columns, 40.0, 2.0 * M_PI * 5.0).columns().empty());
 }

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "base/statistics.hpp"
 #include "memory_systems.hpp"
 
 namespace jointid::ident {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const Dofs both = dofs({"1:+X", "4:+X"});
 const Blocks all_blocks{.nn = true, .jn = true, .jj = true};
 

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <limits>
 #include <numeric>
 
+#include "base/statistics.hpp"
 #include "frf/hdf5/table_file.hpp"
 #include "ident/result/solution.hpp"
 #include "tests/test_folder.hpp"
@@ -15,7 +15,6 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double ok = static_cast<double>(Status::ok), failed = static_cast<double>(Status::rank_deficient);
 
 Path written(const TestFolder& folder, std::size_t rows, const std::vector<double>& numbers) {

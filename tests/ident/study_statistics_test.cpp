@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
+#include "base/statistics.hpp"
 #include "frf/hdf5/table_file.hpp"
 #include "ident/study/study.hpp"
 #include "ident/study/trial_runner.hpp"
@@ -15,8 +15,6 @@
 
 namespace jointid::ident {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(StudyStatistics, AreThoseOfTheUsableTrials) {
   const TestFolder folder;

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/error.hpp"
+#include "base/statistics.hpp"
 #include "frf/noise/repeats.hpp"
 #include "frf/set/h1.hpp"
 #include "ident/study/trial_runner.hpp"
@@ -18,7 +19,6 @@ using frf::Composition;
 using frf::NoiseRecord;
 using ::testing::HasSubstr;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::size_t> all_lines(const frf::FrfSystem& system) {
   std::vector<std::size_t> lines(system.frequency_hz().size());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "frf/mat/mat_module.hpp"
 #include "frf/set/frf_source.hpp"
 #include "modalfit/model/fit.hpp"
 #include "modalfit/model/synthesis.hpp"
@@ -84,7 +85,7 @@ TEST_F(MeasuredModes, OfALightlyDampedBeamAreFoundOnceInEveryRange) {
 }
 
 TEST_F(MeasuredModes, SisoFrf) {
-#if JOINTID_HAVE_MATIO
+  if (!frf::has_matio()) JOINTID_SKIP("this build lacks matio");
   const auto path = file("siso-coherence/case1.mat");
   if (!std::filesystem::exists(path)) JOINTID_SKIP(path << " is missing: no external data");
   const frf::Dof dof = frf::Dof::parse("1:+Z");
@@ -97,9 +98,6 @@ TEST_F(MeasuredModes, SisoFrf) {
     ASSERT_NE(mode, found.modes.end());
     EXPECT_NEAR(mode->pole.damping, 0.00087, 0.0002);
   }
-#else
-  JOINTID_SKIP("this build lacks matio");
-#endif
 }
 
 }  // namespace

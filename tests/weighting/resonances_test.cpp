@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <random>
 
 #include "base/complex.hpp"
+#include "base/statistics.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::weighting {
@@ -16,7 +16,6 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<double> axis(double first, double step, std::size_t lines) {
   std::vector<double> frequency(lines);

@@ -1,8 +1,5 @@
 #include "ident/likelihood/bundle/bundle.hpp"
 
-#include <ceres/ceres.h>
-#include <glog/logging.h>
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -21,14 +18,8 @@ namespace {
 /// A line with χ² above this multiple of its redundancy may be stuck.
 constexpr double suspicious = 4.0;
 
-ceres::Solver::Options tight_options() {
-  ceres::Solver::Options options;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  options.function_tolerance = 1e-14;
-  options.parameter_tolerance = 1e-10;
-  options.gradient_tolerance = 1e-8;
-  return options;
+minimise::BlockOptions tight_options(int iterations) {
+  return {.most_iterations = iterations, .function_tolerance = 1e-14, .parameter_tolerance = 1e-10, .gradient_tolerance = 1e-8};
 }
 
 class Bundle {
@@ -49,7 +40,6 @@ class Bundle {
     bool settled = false;  ///< the last time it was relaxed
   };
 
-  ceres::Problem::Options borrowing() const;
   void choose(Line& line, const LineState& state) const;
   void relax(Line& line, int iterations);
   bool relax_from(Line& line, const LineState& start, int iterations);
@@ -90,13 +80,6 @@ Bundle::Bundle(LikelihoodData& observations, const restrictions::Restriction& re
   fit_.iterations = start.iterations;
 }
 
-/// Lines and losses are kept by their owners.
-ceres::Problem::Options Bundle::borrowing() const {
-  ceres::Problem::Options options;
-  options.cost_function_ownership = options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  return options;
-}
-
 void Bundle::choose(Line& line, const LineState& state) const {
   line.explicit_line.set_centre(state.x, state.y);
   line.u.assign(line.explicit_line.own(), 0.0);
@@ -104,17 +87,12 @@ void Bundle::choose(Line& line, const LineState& state) const {
 
 /// Minimises the line's χ² over its FRFs for the current joint.
 void Bundle::relax(Line& line, int iterations) {
-  LineCost cost(line.explicit_line, scale_);
-  ceres::Problem problem(borrowing());
-  problem.AddResidualBlock(&cost, nullptr, t_.data(), line.u.data());
-  problem.SetParameterBlockConstant(t_.data());
-  ceres::Solver::Options options = tight_options();
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = iterations;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  line.cost = 2.0 * summary.final_cost;
-  line.settled = summary.termination_type == ceres::CONVERGENCE;
+  const LineCost cost(line.explicit_line, scale_);
+  minimise::BlockOptions options = tight_options(iterations);
+  options.constant = t_.data();
+  const minimise::BlockMinimum found = minimise::ceres_blocks({{.block = &cost, .parameters = {t_.data(), line.u.data()}}}, options);
+  line.cost = found.cost;
+  line.settled = found.converged;
 }
 
 /// Keeps what `start` leads to if it is better.
@@ -158,25 +136,18 @@ void Bundle::solve() {
   choose_tolerance();
   std::deque<LineCost> costs;
   std::deque<LineLoss> losses;
-  ceres::Problem problem(borrowing());
-  ceres::Solver::Options options = tight_options();
-  options.linear_solver_type = ceres::DENSE_SCHUR;
-  options.max_num_iterations = 150;
-  options.linear_solver_ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-  options.linear_solver_ordering->AddElementToGroup(t_.data(), 1);
+  std::vector<minimise::BlockTerm> terms;
   for (Line& line : lines_) {
-    problem.AddResidualBlock(&costs.emplace_back(line.explicit_line, scale_), &losses.emplace_back(limit(line)), t_.data(), line.u.data());
-    options.linear_solver_ordering->AddElementToGroup(line.u.data(), 0);
+    terms.push_back({&costs.emplace_back(line.explicit_line, scale_), &losses.emplace_back(limit(line)), {t_.data(), line.u.data()}});
   }
-  Watch watch(watch_, fit_.iterations);
-  options.callbacks.push_back(&watch);
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  watch.rethrow();
+  minimise::BlockOptions options = tight_options(150);
+  options.common = t_.data();
+  options.after_iteration = [&] { watch_(++fit_.iterations); };
+  minimise::ceres_blocks(terms, options);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const double* parameters[] = {t_.data(), lines_[i].u.data()};
     std::vector<double> residuals(lines_[i].explicit_line.residuals());
-    costs[i].Evaluate(parameters, residuals.data(), nullptr);
+    costs[i].evaluate(parameters, residuals.data(), nullptr);
     lines_[i].cost = Eigen::Map<const Eigen::VectorXd>(residuals.data(), at(residuals.size())).squaredNorm();
   }
 }
@@ -196,7 +167,7 @@ void Bundle::reduce() {
     const Eigen::VectorXd right = factors.rotated(residuals);
     const auto left = rotated.rows() - factors.rank();
     double rho[3];
-    LineLoss(limit(line)).Evaluate(line.cost, rho);
+    LineLoss(limit(line)).evaluate(line.cost, rho);
     fit_.information += rho[1] * rotated.bottomRows(left).transpose() * rotated.bottomRows(left);
     step_ -= rho[1] * rotated.bottomRows(left).transpose() * right.tail(left);
   }
@@ -209,7 +180,7 @@ double Bundle::total() const {
   double sum = 0.0;
   for (const Line& line : lines_) {
     double rho[3];
-    LineLoss(limit(line)).Evaluate(line.cost, rho);
+    LineLoss(limit(line)).evaluate(line.cost, rho);
     sum += rho[0];
   }
   return sum;
@@ -260,7 +231,7 @@ void Bundle::finish() {
   for (const Line& line : lines_) {
     const std::size_t rows = line.explicit_line.residuals(), own = line.u.size();
     double rho[3];
-    LineLoss(limit(line)).Evaluate(line.cost, rho);
+    LineLoss(limit(line)).evaluate(line.cost, rho);
     fit_.line_cost[line.number] = line.cost;
     fit_.line_weight[line.number] = rho[1];
     fit_.bytes += sizeof(double) * (rows * (1 + t_.size() + own) + own * own);
@@ -288,8 +259,6 @@ LikelihoodFit Bundle::run() {
 
 LikelihoodFit adjust_bundle(LikelihoodData& observations, const restrictions::Restriction& restriction,
                             const UnknownColumns& columns, double omega0, const LikelihoodFit& start, const FitWatcher& watch) {
-  FLAGS_logtostderr = true;
-  FLAGS_minloglevel = google::GLOG_FATAL;
   return Bundle(observations, restriction, columns, omega0, start, watch).run();
 }
 

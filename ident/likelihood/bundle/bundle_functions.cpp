@@ -13,13 +13,7 @@ std::vector<double> JointScale::theta(const double* t) const {
   return out;
 }
 
-LineCost::LineCost(const ExplicitLine& line, const JointScale& joint) : line_(line), joint_(joint) {
-  set_num_residuals(static_cast<int>(line.residuals()));
-  mutable_parameter_block_sizes()->push_back(static_cast<int>(joint.centre.size()));
-  mutable_parameter_block_sizes()->push_back(static_cast<int>(line.own()));
-}
-
-bool LineCost::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+bool LineCost::evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const std::vector<double> theta = joint_.theta(parameters[0]);
   RowMatrixXd by_theta, by_own;
   double* to_theta = jacobians ? jacobians[0] : nullptr;
@@ -34,25 +28,11 @@ bool LineCost::Evaluate(double const* const* parameters, double* residuals, doub
   return std::all_of(residuals, residuals + line_.residuals(), [](double r) { return std::isfinite(r); });
 }
 
-void LineLoss::Evaluate(double s, double rho[3]) const {
+void LineLoss::evaluate(double s, double rho[3]) const {
   const double share = s <= limit_ ? 1.0 : limit_ / s;
   rho[0] = s <= limit_ ? s : limit_ * (2.0 - share);
   rho[1] = share * share;
   rho[2] = s <= limit_ ? 0.0 : -2.0 * share * share / s;
-}
-
-ceres::CallbackReturnType Watch::operator()(const ceres::IterationSummary&) {
-  try {
-    watcher_(++iterations_);
-    return ceres::SOLVER_CONTINUE;
-  } catch (...) {
-    thrown_ = std::current_exception();
-    return ceres::SOLVER_ABORT;
-  }
-}
-
-void Watch::rethrow() const {
-  if (thrown_) std::rethrow_exception(thrown_);
 }
 
 }  // namespace jointid::ident

@@ -1,17 +1,11 @@
 #pragma once
 
-#include <ceres/cost_function.h>
-#include <ceres/iteration_callback.h>
-#include <ceres/loss_function.h>
-
-#include <exception>
-
-#include "ident/likelihood/fit/estimator.hpp"
 #include "ident/likelihood/line/explicit_line.hpp"
+#include "minimise/blocks.hpp"
 
 namespace jointid::ident {
 
-/// The joint's unknowns as Ceres has them: theta = centre + scale · t, with scale about their standard errors.
+/// The joint's unknowns as the search has them: theta = centre + scale · t, with scale about their standard errors.
 struct JointScale {
   std::vector<double> centre, scale;
 
@@ -19,10 +13,12 @@ struct JointScale {
 };
 
 /// Residuals of a line by t and u.
-class LineCost final : public ceres::CostFunction {
+class LineCost final : public minimise::ResidualBlock {
  public:
-  LineCost(const ExplicitLine& line, const JointScale& joint);
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+  LineCost(const ExplicitLine& line, const JointScale& joint) : line_(line), joint_(joint) {}
+  std::size_t residuals() const override { return line_.residuals(); }
+  std::vector<std::size_t> sizes() const override { return {joint_.centre.size(), line_.own()}; }
+  bool evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
  private:
   const ExplicitLine& line_;
@@ -30,26 +26,13 @@ class LineCost final : public ceres::CostFunction {
 };
 
 /// ρ(s) = s up to a limit l, beyond it l(2 − l/s). With l = 1.5² · redundancy the loss of LikelihoodEstimator.
-class LineLoss final : public ceres::LossFunction {
+class LineLoss final : public minimise::Loss {
  public:
   explicit LineLoss(double limit) : limit_(limit) {}
-  void Evaluate(double s, double rho[3]) const override;
+  void evaluate(double s, double rho[3]) const override;
 
  private:
   double limit_;
-};
-
-/// Passes iterations on to a watcher, whose exception must not fly through Ceres.
-class Watch final : public ceres::IterationCallback {
- public:
-  Watch(const FitWatcher& watcher, std::size_t& iterations) : watcher_(watcher), iterations_(iterations) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override;
-  void rethrow() const;
-
- private:
-  const FitWatcher& watcher_;
-  std::size_t& iterations_;
-  std::exception_ptr thrown_;
 };
 
 }  // namespace jointid::ident

@@ -1,13 +1,11 @@
 #include "ident/likelihood/data/estimated_frfs.hpp"
 
-#include <limits>
 
 #include "base/eigen.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::ident {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Values of the measured ones of some elements of a block, whose first row and column are those of `origin`.
 void put(const std::vector<Element>& elements, Element origin, const ComplexMatrix& values, const Symmetric<Measured>& measured,

@@ -8,7 +8,7 @@ namespace jointid::ident {
 namespace {
 
 constexpr std::size_t remembered = 8;
-constexpr double least_curvature = 0.1, most_curvature = 10.0;  // in that of the information
+constexpr double least_secant = 0.1, most_secant = 10.0;  // in that of the information
 
 }  // namespace
 
@@ -30,7 +30,7 @@ Eigen::VectorXd SecantSteps::step(const Eigen::MatrixXd& information, const Eige
 
 void SecantSteps::note(const Eigen::VectorXd& step, const Eigen::VectorXd& fall, const Eigen::MatrixXd& information) {
   const double curvature = step.dot(fall) / step.dot(information * step);
-  if (!(curvature > least_curvature && curvature < most_curvature)) return;
+  if (!(curvature > least_secant && curvature < most_secant)) return;
   if (pairs_.size() == remembered) pairs_.pop_front();
   pairs_.push_back({step, fall});
 }

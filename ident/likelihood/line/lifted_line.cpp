@@ -44,8 +44,6 @@ LiftedLine::LiftedLine(const LineLayout& layout, const LineData& data, const Com
     first += channel->value.size();
   }
   add_conditions(data, first);
-  set_num_residuals(static_cast<int>(rows_.size()));
-  mutable_parameter_block_sizes()->push_back(static_cast<int>(scale_.size()));
 }
 
 void LiftedLine::add_scales(const Channel& channel, double size) {
@@ -103,7 +101,7 @@ std::vector<Complex> LiftedLine::stacked(const LineState& state, const ComplexMa
   return all;
 }
 
-bool LiftedLine::Evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
+bool LiftedLine::evaluate(double const* const* parameters, double* residuals, double** jacobians) const {
   const LineState now = state(parameters[0]);
   const ComplexMatrix za = z_ * now.a, xz = now.x.transpose() * z_, yz = now.y * z_;
   const std::vector<Complex> values = stacked(now, now.x.transpose() * za, now.x - now.a - now.y * za);

@@ -1,23 +1,23 @@
 #pragma once
 
-#include <ceres/cost_function.h>
-
 #include "ident/likelihood/line/line_data.hpp"
 #include "ident/likelihood/line/line_state.hpp"
+#include "minimise/blocks.hpp"
 
 namespace jointid::ident {
 
 /// Residuals of lifted_start(). Parameters are X, Y and all of A as measured value + scale · u, with scale as in ExplicitLine.
-class LiftedLine final : public ceres::CostFunction {
+class LiftedLine final : public minimise::ResidualBlock {
  public:
   LiftedLine(const LineLayout& layout, const LineData& data, const ComplexMatrix& z);
 
-  std::size_t parameters() const { return scale_.size(); }
+  std::size_t residuals() const override { return rows_.size(); }
+  std::vector<std::size_t> sizes() const override { return {scale_.size()}; }
   void set_penalty(double penalty) { penalty_ = penalty; }
 
   LineState state(const double* u) const;
 
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
+  bool evaluate(double const* const* parameters, double* residuals, double** jacobians) const override;
 
  private:
   /// A real number that should be `target`; `at` in the order x, y, a, d, conditions of stacked().

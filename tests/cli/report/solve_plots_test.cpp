@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <limits>
 
+#include "base/statistics.hpp"
 #include "cli/report/plot_json.hpp"
 
 namespace jointid::cli::report {
@@ -13,7 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::Le;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ident::RegeneratedFrf frf(const char* response, const char* reference, std::vector<Complex> measured,
                           std::vector<Complex> predicted) {

@@ -1,0 +1,21 @@
+#include "frf/hdf5/table_file.hpp"
+
+namespace jointid::frf {
+
+TableWriter::TableWriter(const std::filesystem::path& path, const TableHeader& header, std::size_t rows)
+    : temporary_(path), file_(hdf5_module().create_table(temporary_, header, rows)) {}
+
+void TableWriter::append(std::span<const double> rows) { file_->append(rows); }
+
+void TableWriter::finish() {
+  file_->finish();
+  temporary_.commit();
+}
+
+TableReader::TableReader(const std::filesystem::path& path) : file_(hdf5_module().open_table(path)) {}
+
+const TableHeader& TableReader::header() const { return file_->header(); }
+std::size_t TableReader::rows() const { return file_->rows(); }
+void TableReader::read(std::size_t column, std::size_t first, std::span<double> out) const { file_->read(column, first, out); }
+
+}  // namespace jointid::frf

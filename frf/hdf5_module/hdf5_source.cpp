@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "frf/hdf5_module/files.hpp"
+#include "frf/hdf5_module/hdf5_line_reader.hpp"
+#include "frf/hdf5_module/hdf5_object.hpp"
+#include "frf/set/line_scale.hpp"
+#include "frf/set/units.hpp"
+#include "frf/text/located.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using hdf5::Dataset;
+using hdf5::Object;
+
+constexpr const char* layout_name = "jointid-frf";
+
+void require_layout(const Object& file) {
+  const auto format = hdf5::text_attribute(file, "format");
+  if (!format) fail(file, "has no root attribute format", "jointid-frf files carry format = \"jointid-frf\"");
+  if (*format != layout_name)
+    fail(file, "root attribute format is '" + *format + "', not 'jointid-frf'", "give a jointid-frf file, or UFF, MATLAB or CSV");
+  const auto version = hdf5::number_attribute(file, "version");
+  if (!version) fail(file, "has no root attribute version", "this program reads version 1");
+  if (*version != 1.0) {
+    fail(file, "is of jointid-frf version " + fmt::format("{}", *version), "this program reads version 1");
+  }
+}
+
+void require_rank(const Dataset& dataset, std::size_t rank) {
+  if (dataset.dims.size() == rank) return;
+  fail(dataset,
+       "has " + std::to_string(dataset.dims.size()) + " dimensions instead of " + std::to_string(rank));
+}
+
+std::vector<double> read_frequency(const Object& file) {
+  const Dataset dataset = open_dataset(file, "frequency");
+  require_rank(dataset, 1);
+  const std::string unit = hdf5::text_attribute(dataset, "unit").value_or("Hz");
+  if (unit != "Hz") fail(dataset, "is in '" + unit + "'", "store frequencies in Hz");
+  return hdf5::read_doubles(dataset);
+}
+
+std::vector<Dof> read_dofs(const Object& file, const char* name) {
+  const Dataset dataset = open_dataset(file, name);
+  require_rank(dataset, 1);
+  std::vector<Dof> dofs;
+  for (const std::string& text : hdf5::read_texts(dataset)) {
+    dofs.push_back(located(dataset.file, dataset.place, [&] { return Dof::parse(text); }));
+  }
+  return dofs;
+}
+
+std::vector<Node> read_nodes(const Object& file) {
+  if (!hdf5::has(file, "node_id")) return {};
+  const Dataset id_dataset = open_dataset(file, "node_id");
+  require_rank(id_dataset, 1);
+  const Dataset position_dataset = open_dataset(file, "node_position");
+  if (position_dataset.dims != std::vector<std::size_t>{id_dataset.dims[0], 3}) {
+    fail(position_dataset, "is not [" + std::to_string(id_dataset.dims[0]) + ",3] as node_id asks");
+  }
+  const std::vector<double> ids = hdf5::read_doubles(id_dataset);
+  const std::vector<double> positions = hdf5::read_doubles(position_dataset);
+  std::vector<Node> nodes;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!(ids[i] >= 0.0 && ids[i] <= 9'999'999'999.0) || ids[i] != std::floor(ids[i])) {
+      fail(id_dataset, fmt::format("{}", ids[i]) + " is not a node number");
+    }
+    nodes.push_back(
+        {static_cast<std::int64_t>(ids[i]), {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}});
+  }
+  return nodes;
+}
+
+std::string required_text(const Dataset& dataset, const char* name, const char* remedy) {
+  auto text = hdf5::text_attribute(dataset, name);
+  if (!text) fail(dataset, std::string("has no attribute ") + name, remedy);
+  return std::move(*text);
+}
+
+/// Blocks of an open jointid-frf file.
+class Hdf5Source final : public FrfSource {
+ public:
+  explicit Hdf5Source(const std::filesystem::path& path) {
+    const hdf5::Silence silence;
+    file_ = hdf5::open_file(path);
+    require_layout(file_);
+    header_.file = file_.file;
+    header_.frequency_hz = read_frequency(file_);
+    header_.response = read_dofs(file_, "response_dof");
+    header_.reference = read_dofs(file_, "reference_dof");
+    header_.nodes = read_nodes(file_);
+    validate(header_);
+    open_frf();
+    open_noise();
+  }
+
+ private:
+  void open_frf() {
+    frf_.emplace(file_, "frf", header_);
+    const Dataset dataset = open_dataset(file_, "frf");
+    const std::string quantity =
+        required_text(dataset, "quantity", "write receptance, mobility or accelerance");
+    header_.quantity = located(file_.file, dataset.place, [&] { return parse_quantity(quantity); });
+    const std::string label = required_text(dataset, "unit", "write it, e.g. m/N, as part of the layout");
+    si_ = located(file_.file, dataset.place, [&] { return si_factor(label, header_); });
+  }
+
+  void open_noise() {
+    const bool has_coherence = hdf5::has(file_, "coherence");
+    if (hdf5::has(file_, "variance")) {
+      if (has_coherence) fail(file_, "has both variance and coherence", "keep the one that was measured");
+      variance_.emplace(file_, "variance", header_);
+      header_.noise = NoiseRecord::variance;
+    } else if (has_coherence) {
+      coherence_.emplace(file_, "coherence", header_);
+      const Dataset dataset = open_dataset(file_, "coherence");
+      const std::optional<double> averages = hdf5::number_attribute(dataset, "averages");
+      if (averages && !(*averages >= 1.0)) {
+        fail(dataset, fmt::format("attribute averages is {}", *averages),
+             "write the number of averages behind the coherence, or leave it out");
+      }
+      header_.averages = averages.value_or(0.0);
+      header_.noise = NoiseRecord::coherence;
+    }
+  }
+
+  /// Applies `scale(line scale, value)` line by line.
+  template <class Scale>
+  void to_receptance(const Block& block, std::span<Complex> values, Scale scale) const {
+    const std::size_t entries = block.responses.size() * block.references.size();
+    for (std::size_t i = 0; i < block.lines.size(); ++i) {
+      const LineScale of_line =
+          LineScale::to_receptance(header_.quantity, si_, header_.frequency_hz[block.lines[i]]);
+      if (of_line.is_identity()) continue;
+      for (Complex& value : values.subspan(i * entries, entries)) value = scale(of_line, value);
+    }
+  }
+
+  void do_read(const Block& block, std::span<Complex> out) override {
+    frf_->read(block, out);
+    to_receptance(block, out, [](const LineScale& scale, Complex h) { return scale.value(h); });
+  }
+
+  void do_read_variance(const Block& block, std::span<Complex> out) override {
+    variance_->read(block, out);
+    to_receptance(block, out, [](const LineScale& scale, Complex v) { return scale.variance(v); });
+  }
+
+  void do_read_coherence(const Block& block, std::span<double> out) override { coherence_->read(block, out); }
+
+  Object file_;
+  double si_ = 1.0;
+  std::optional<hdf5::LineReader<Complex>> frf_;
+  std::optional<hdf5::LineReader<Complex>> variance_;
+  std::optional<hdf5::LineReader<double>> coherence_;
+};
+
+}  // namespace
+
+bool hdf5::has_format_attribute(const std::filesystem::path& path) {
+  const hdf5::Silence silence;
+  return hdf5::text_attribute(hdf5::open_file(path), "format").has_value();
+}
+
+std::unique_ptr<FrfSource> hdf5::open_source(const std::filesystem::path& path) {
+  return std::make_unique<Hdf5Source>(path);
+}
+
+}  // namespace jointid::frf

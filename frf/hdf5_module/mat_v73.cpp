@@ -1,0 +1,132 @@
+#include <hdf5.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "frf/hdf5_module/files.hpp"
+#include "frf/hdf5_module/hdf5_object.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using hdf5::Dataset;
+using hdf5::Handle;
+
+std::vector<std::string> dataset_names(const hdf5::Object& file) {
+  std::vector<std::string> names;
+  const auto keep = [](hid_t group, const char* name, const H5L_info_t* link, void* kept) -> herr_t {
+    H5O_info_t object;
+    if (link->type == H5L_TYPE_HARD && H5Oget_info_by_name(group, name, &object, H5P_DEFAULT) >= 0 &&
+        object.type == H5O_TYPE_DATASET) {
+      static_cast<std::vector<std::string>*>(kept)->emplace_back(name);
+    }
+    return 0;
+  };
+  H5Literate(file.id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep, &names);
+  return names;
+}
+
+std::string matlab_class(const Dataset& dataset) {
+  return hdf5::text_attribute(dataset, "MATLAB_class").value_or("");
+}
+
+H5T_class_t type_class(const Dataset& dataset) {
+  const Handle type(H5Dget_type(dataset.id.get()));
+  return H5Tget_class(type.get());
+}
+
+MatKind kind_of(const Dataset& dataset) {
+  const std::string name = matlab_class(dataset);
+  if (hdf5::number_attribute(dataset, "MATLAB_empty").value_or(0.0) != 0.0) return MatKind::other;
+  if (name == "char" || name == "cell" || type_class(dataset) == H5T_STRING) return MatKind::text;
+  if (hdf5::is_complex(dataset, "real", "imag")) return MatKind::complex;
+  return hdf5::is_real(dataset) ? MatKind::real : MatKind::other;
+}
+
+std::size_t size(const Dataset& dataset) {
+  return std::accumulate(dataset.dims.begin(), dataset.dims.end(), std::size_t{1}, std::multiplies<>());
+}
+
+std::vector<Complex> read_values(const Dataset& dataset, MatKind kind) {
+  if (kind == MatKind::real) {
+    const std::vector<double> reals = hdf5::read_doubles(dataset);
+    return {reals.begin(), reals.end()};
+  }
+  std::vector<Complex> values(size(dataset));
+  const Handle type = hdf5::complex_type("real", "imag");
+  if (H5Dread(dataset.id.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+    fail(dataset, "cannot be read: " + hdf5::last_failure());
+  }
+  return values;
+}
+
+/// Rows of a MATLAB character array [rows, columns], which HDF5 sees as [columns, rows]; codes beyond ASCII
+/// become '?'.
+std::vector<std::string> read_characters(const Dataset& dataset) {
+  const std::vector<double> codes = hdf5::read_doubles(dataset);
+  const std::size_t rows = dataset.dims.size() == 2 ? dataset.dims[1] : 1;
+  std::vector<std::string> texts(rows);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    texts[i % rows] += codes[i] > 0.0 && codes[i] < 128.0 ? static_cast<char>(codes[i]) : '?';
+  }
+  return texts;
+}
+
+std::vector<std::string> read_cells(const hdf5::Object& file, const Dataset& dataset) {
+  if (type_class(dataset) != H5T_REFERENCE) fail(dataset, "is a cell array that holds no references");
+  std::vector<hobj_ref_t> references(size(dataset));
+  if (H5Dread(dataset.id.get(), H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) < 0) {
+    fail(dataset, "cannot be read: " + hdf5::last_failure());
+  }
+  std::vector<std::string> texts;
+  for (const hobj_ref_t& reference : references) {
+    Handle id(H5Rdereference2(dataset.id.get(), H5P_DEFAULT, H5R_OBJECT, &reference));
+    const Dataset cell =
+        to_dataset(file, std::move(id), dataset.place + ", cell " + std::to_string(texts.size() + 1));
+    if (matlab_class(cell) != "char") fail(cell, "is not text");
+    std::vector<std::string> rows = read_characters(cell);
+    texts.push_back(rows.size() == 1 ? std::move(rows.front()) : std::string());
+  }
+  return texts;
+}
+
+std::vector<std::string> read_texts(const hdf5::Object& file, const Dataset& dataset) {
+  if (type_class(dataset) == H5T_STRING) return hdf5::read_texts(dataset);
+  return matlab_class(dataset) == "cell" ? read_cells(file, dataset) : read_characters(dataset);
+}
+
+class MatV73 final : public MatFile {
+ public:
+  explicit MatV73(const std::filesystem::path& path) : MatFile(path.string()) {
+    const hdf5::Silence silence;
+    hdf5_ = hdf5::open_file(path);
+    for (const std::string& name : dataset_names(hdf5_)) {
+      const Dataset dataset = open_dataset(hdf5_, name);
+      variables_.push_back({name, kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}});
+    }
+  }
+
+  MatVariable read(const MatInfo& info) override {
+    const hdf5::Silence silence;
+    const Dataset dataset = open_dataset(hdf5_, info.name);
+    MatVariable variable{.info = info, .values = {}, .texts = {}};
+    if (info.kind == MatKind::text) {
+      variable.texts = read_texts(hdf5_, dataset);
+    } else {
+      variable.values = read_values(dataset, info.kind);
+    }
+    return variable;
+  }
+
+ private:
+  hdf5::Object hdf5_;
+};
+
+}  // namespace
+
+std::unique_ptr<MatFile> hdf5::open_mat_v73(const std::filesystem::path& path) {
+  return std::make_unique<MatV73>(path);
+}
+
+}  // namespace jointid::frf

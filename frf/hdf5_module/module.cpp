@@ -1,0 +1,32 @@
+#include "frf/hdf5_module/files.hpp"
+
+namespace jointid::frf {
+namespace {
+
+class OwnHdf5 final : public Hdf5Module {
+ public:
+  bool has_format_attribute(const std::filesystem::path& path) override { return hdf5::has_format_attribute(path); }
+
+  std::unique_ptr<FrfSource> open(const std::filesystem::path& path) override { return hdf5::open_source(path); }
+
+  std::unique_ptr<LinesOutput> create(const TemporaryFile& file, const FrfHeader& header,
+                                      const Hdf5WriteOptions& options) override {
+    return hdf5::create_lines_file(file, header, options);
+  }
+
+  std::unique_ptr<TableInput> open_table(const std::filesystem::path& path) override { return hdf5::open_table(path); }
+
+  std::unique_ptr<TableOutput> create_table(const TemporaryFile& file, const TableHeader& header, std::size_t rows) override {
+    return hdf5::create_table(file, header, rows);
+  }
+
+  std::unique_ptr<MatFile> open_mat_v73(const std::filesystem::path& path) override { return hdf5::open_mat_v73(path); }
+};
+
+}  // namespace
+}  // namespace jointid::frf
+
+extern "C" void* jointid_module() {
+  static jointid::frf::OwnHdf5 module;
+  return static_cast<jointid::frf::Hdf5Module*>(&module);
+}

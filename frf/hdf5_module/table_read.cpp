@@ -1,0 +1,77 @@
+#include <hdf5.h>
+
+#include <array>
+#include <cassert>
+
+#include "frf/hdf5_module/files.hpp"
+#include "frf/hdf5_module/hdf5_object.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using hdf5::Handle;
+
+/// Root attributes that are text, but for the format.
+std::map<std::string, std::string> root_texts(const hdf5::Object& file) {
+  std::map<std::string, std::string> texts;
+  const auto visit = [](hid_t, const char* name, const H5A_info_t*, void* to) -> herr_t {
+    static_cast<std::vector<std::string>*>(to)->emplace_back(name);
+    return 0;
+  };
+  std::vector<std::string> names;
+  H5Aiterate2(file.id.get(), H5_INDEX_NAME, H5_ITER_INC, nullptr, visit, &names);
+  for (const std::string& name : names) {
+    if (name == "format" || name == "version") continue;
+    if (const auto text = hdf5::text_attribute(file, name.c_str())) texts[name] = *text;
+  }
+  return texts;
+}
+
+class Table final : public TableInput {
+ public:
+  explicit Table(const std::filesystem::path& path) : file_(hdf5::open_file(path)) {
+    if (hdf5::text_attribute(file_, "format") != "jointid-table") {
+      hdf5::fail(file_, "is no table of trials", "give the file that `jointid study` wrote");
+    }
+    hdf5::limit_metadata(file_.id);
+    header_.texts = root_texts(file_);
+    const auto names = hdf5::read_texts(hdf5::open_dataset(file_, "column"));
+    const auto units = hdf5::read_texts(hdf5::open_dataset(file_, "unit"));
+    const auto truths = hdf5::read_doubles(hdf5::open_dataset(file_, "truth"));
+    rows_ = hdf5::open_dataset(file_, "rows");
+    const bool fits = units.size() == names.size() && truths.size() == names.size() && rows_.dims.size() == 2 &&
+                      rows_.dims[1] == names.size() && hdf5::is_real(rows_);
+    if (!fits) hdf5::fail(file_, "its columns do not fit its rows");
+    for (std::size_t i = 0; i < names.size(); ++i) header_.columns.push_back({names[i], units[i], truths[i]});
+  }
+
+  const TableHeader& header() const override { return header_; }
+  std::size_t rows() const override { return rows_.dims[0]; }
+
+  void read(std::size_t column, std::size_t first, std::span<double> out) const override {
+    const hdf5::Silence silence;
+    assert(column < header_.columns.size() && first + out.size() <= rows());
+    if (out.empty()) return;
+    const std::array<hsize_t, 2> start = {first, column}, extent = {out.size(), 1};
+    const Handle in_file(H5Dget_space(rows_.id.get()));
+    const Handle in_memory(H5Screate_simple(2, extent.data(), nullptr));
+    const bool ok =
+        H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr) >= 0 &&
+        H5Dread(rows_.id.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(), H5P_DEFAULT, out.data()) >= 0;
+    if (!ok) hdf5::fail(rows_, "cannot be read: " + hdf5::last_failure());
+  }
+
+ private:
+  hdf5::Object file_;
+  hdf5::Dataset rows_;
+  TableHeader header_;
+};
+
+}  // namespace
+
+std::unique_ptr<TableInput> hdf5::open_table(const std::filesystem::path& path) {
+  const Silence silence;
+  return std::make_unique<Table>(path);
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+
+#include "frf/set/frf_source.hpp"
+
+namespace jointid::frf {
+
+/// A source that remembers what was read of another, so that whoever asks again is answered from memory: every FRF of a file is
+/// read once. It keeps nothing until it is told how much it may.
+class KeptSource final : public FrfSource {
+ public:
+  explicit KeptSource(std::unique_ptr<FrfSource> source);
+  ~KeptSource() override;
+
+  /// From now on up to so many bytes of values are kept; what is beyond is read again. The first call counts.
+  void keep(std::size_t bytes);
+
+  bool in_memory() const override { return source_->in_memory(); }
+
+ private:
+  template <class T>
+  class Values;
+
+  void do_read(const Block& block, std::span<Complex> out) override;
+  void do_read_variance(const Block& block, std::span<Complex> out) override;
+  void do_read_coherence(const Block& block, std::span<double> out) override;
+
+  std::unique_ptr<FrfSource> source_;
+  std::size_t room_ = 0;  ///< bytes
+  std::unique_ptr<Values<Complex>> frfs_, variances_;
+  std::unique_ptr<Values<double>> coherences_;
+};
+
+}  // namespace jointid::frf

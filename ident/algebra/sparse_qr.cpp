@@ -1,0 +1,21 @@
+#include "ident/algebra/sparse_qr.hpp"
+
+#include "base/module.hpp"
+
+namespace jointid::ident {
+namespace {
+
+const Module& spqr() {
+  static const Module module{"spqr", "solver spqr", "libsuitesparse-dev"};
+  return module;
+}
+
+}  // namespace
+
+SparseQr sparse_qr(const SparseEntries& a, const std::vector<double>& b, double tolerance) {
+  return interface_of<SpqrModule>(spqr()).factor(a, b, tolerance);
+}
+
+bool has_spqr() { return is_there(spqr()); }
+
+}  // namespace jointid::ident
