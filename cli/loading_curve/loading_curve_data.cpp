@@ -51,7 +51,7 @@ std::vector<double> si_values(const frf::Columns& columns, const frf::NumberColu
   std::vector<double> values = column.values;
   const std::string label = unit.given.empty() ? column.unit : unit.given;
   if (label.empty()) return values;
-  const auto parsed = frf::uff::parse_unit(label);
+  const auto parsed = frf::uff::parse_label(label);
   const auto same = [&](const Dimension& d) { return parsed->length == d.length && parsed->time == d.time && parsed->force == d.force; };
   if (!parsed || std::ranges::none_of(allowed, same)) {
     throw InputError({unit.given.empty() ? ErrorKind::data : ErrorKind::usage, unit.given.empty() ? columns.file : "",

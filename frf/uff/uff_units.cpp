@@ -1,7 +1,11 @@
 #include "frf/uff/uff_units.hpp"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 #include <string>
+
+#include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
 namespace {
@@ -22,10 +26,10 @@ LabelledUnits read_labels(const Header58& header) {
   LabelledUnits read;
   const int motion_length = header.response.is_rotation() ? 0 : 1;
   const int load_length = header.reference.is_rotation() ? 1 : 0;
-  const auto denominator = parse_unit(header.denominator.unit);
+  const auto denominator = parse_label(header.denominator.unit);
   if (denominator && denominator->same_dimension({1.0, load_length, 0, 1}))
     read.denominator = denominator->si;
-  const auto numerator = parse_unit(header.numerator.unit);
+  const auto numerator = parse_label(header.numerator.unit);
   if (!numerator) return read;
   const auto quantity = quantity_of_time_exponent(numerator->time);
   const bool motion = numerator->force == 0 && numerator->length == motion_length;
@@ -76,6 +80,16 @@ Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity>
 }
 
 }  // namespace
+
+std::optional<Unit> parse_label(std::string_view label) {
+  constexpr std::array<std::pair<char, std::string_view>, 4> spellings = {{{'\xB5', "u"}, {'\xB2', "^2"}, {'\xB3', "^3"}, {'\xB7', "*"}}};
+  std::string ascii;
+  for (const char c : one_byte_per_column(trim(label))) {
+    const auto found = std::ranges::find(spellings, c, &std::pair<char, std::string_view>::first);
+    ascii += found != spellings.end() ? std::string(found->second) : std::string(1, c);
+  }
+  return parse_unit(ascii);
+}
 
 Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given,
                             const Place& place) {

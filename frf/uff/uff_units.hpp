@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "frf/set/quantity.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/uff/uff58_header.hpp"
 
 namespace jointid::frf::uff {
@@ -14,23 +15,8 @@ struct UnitFactors {
   double force = 1.0;
 };
 
-/// A unit as a factor to SI and exponents of length, time and force; angles are pure numbers.
-struct Unit {
-  double si = 1.0;
-  int length = 0;
-  int time = 0;
-  int force = 0;
-
-  bool same_dimension(const Unit& other) const {
-    return length == other.length && time == other.time && force == other.force;
-  }
-};
-
-/// Parses a unit label. Symbols: m cm mm um µm nm in ft, s ms, N mN uN µN kN MN lbf kgf, g (9.80665 m/s²), rad mrad
-/// deg, Nm, 1; between them * · blank or /, from left to right, and parentheses; powers as ^2 ^-2 **2 ² ³ or
-/// a digit (s2). Empty when any of it is something else, so that a label is used only when all of it is
-/// understood.
-std::optional<Unit> parse_unit(std::string_view label);
+/// frf::parse_unit() of a label in Latin-1 or UTF-8, blanks around it left out.
+std::optional<Unit> parse_label(std::string_view label);
 
 /// What the values of an FRF record are and the factor that brings them to SI.
 struct Ordinate {

@@ -72,7 +72,7 @@ TEST(UffText, HeaderNumbersKeepTenDigits) {
 }
 
 void expect_unit(const char* label, double si, int length, int time, int force) {
-  const auto unit = parse_unit(label);
+  const auto unit = parse_label(label);
   ASSERT_TRUE(unit.has_value()) << label;
   EXPECT_NEAR(unit->si / si, 1.0, 1e-14) << label;
   EXPECT_EQ(unit->length, length) << label;
@@ -96,11 +96,12 @@ TEST(UffUnits, Labels) {
   expect_unit("deg/s", std::numbers::pi / 180.0, 0, -1, 0);
   expect_unit("N*m", 1.0, 1, 0, 1);
   expect_unit("Nm", 1.0, 1, 0, 1);
+  expect_unit("1/kg", 1.0, 1, -2, -1);
 }
 
 TEST(UffUnits, LabelsNotUnderstood) {
-  for (const char* label : {"", "NONE", "V", "dB", "m/", "m/s^", "(m/s^2", "m/s^2)", "g pk", "kg"}) {
-    EXPECT_FALSE(parse_unit(label).has_value()) << label;
+  for (const char* label : {"", "NONE", "V", "dB", "m/", "m/s^", "(m/s^2", "m/s^2)", "g pk", "2 m", "s 2"}) {
+    EXPECT_FALSE(parse_label(label).has_value()) << label;
   }
 }
 

@@ -35,7 +35,7 @@ TEST(Units, TheLabelsThatTheWriterUsesAreSi) {
 }
 
 TEST(Units, WhatIsNoUnitIsAnErrorThatNamesIt) {
-  for (const std::string label : {"", "V/N", "m//N", "m/N)", "(m/N", "m^/N", "m^99/N", "m N", "2*m/N"}) {
+  for (const std::string label : {"", "V/N", "m//N", "m/N)", "(m/N", "m^/N", "m^99/N", "m 2/N", "2*m/N"}) {
     const std::string message = message_of([&] { si_factor(label, Quantity::receptance); });
     EXPECT_NE(message.find("unknown unit '" + label + "'"), std::string::npos) << message;
   }
@@ -48,6 +48,8 @@ TEST(Units, AUnitOfAnotherQuantityIsAnError) {
   const std::string message = message_of([] { si_factor("m/N", Quantity::accelerance); });
   EXPECT_NE(message.find("unit 'm/N' is not a unit of accelerance; write m/(s^2*N)"), std::string::npos)
       << message;
+  const std::string product = message_of([] { si_factor("m N", Quantity::receptance); });
+  EXPECT_NE(product.find("unit 'm N' is not a unit of receptance"), std::string::npos) << product;
 }
 
 TEST(Units, ALabelOfTranslationsDoesNotScaleRotations) {

@@ -199,6 +199,47 @@ TEST(Lines, AreNotAbove140Characters) {
   EXPECT_GT(lines, 0U);
 }
 
+/// Headers of the table of docs/library.md.
+std::set<std::string> public_headers() {
+  std::ifstream docs(root / "docs/library.md");
+  std::set<std::string> out;
+  for (std::string line; std::getline(docs, line);) {
+    if (line.starts_with("| `")) out.insert(line.substr(3, line.find('`', 3) - 3));
+  }
+  return out;
+}
+
+/// Those of ours that a text includes.
+std::set<std::string> own_includes(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  std::set<std::string> out;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("#include \"")) out.insert(line.substr(10, line.rfind('"') - 10));
+  }
+  return out;
+}
+
+TEST(PublicHeaders, AreThereAndInstalled) {
+  EXPECT_GT(public_headers().size(), 50U);
+  EXPECT_LT(public_headers().size(), 70U);
+  for (const std::string& header : public_headers()) {
+    EXPECT_TRUE(std::filesystem::exists(root / header)) << header;
+    const std::string folder = header.substr(0, header.find('/'));
+    std::ifstream lists(root / folder / "CMakeLists.txt");
+    const std::string text{std::istreambuf_iterator<char>(lists), {}};
+    EXPECT_THAT(text, ::testing::HasSubstr(" " + header.substr(folder.size() + 1) + "\n")) << "not installed";
+  }
+}
+
+TEST(PublicHeaders, AreAllThatOutsidersUse) {
+  for (const char* outside : {"tests/install/outside/main.cpp", "README.md"}) {
+    EXPECT_FALSE(own_includes(root / outside).empty());
+    for (const std::string& header : own_includes(root / outside)) {
+      EXPECT_TRUE(public_headers().contains(header)) << outside << ": " << header;
+    }
+  }
+}
+
 TEST(Base, HasAtMostTwelveUnits) { EXPECT_LE(units(root, {"base"}).size(), 12U); }
 
 }  // namespace
