@@ -25,7 +25,7 @@ struct VarianceLaw {
 };
 
 /// The law of a noise model without its gross errors. With p = level: uniform and gaussian p²/3 by part, circular p²/2,
-/// hammer half of h1_variance(); the floor adds floor²/2·`mean_square`, the mean of |stored FRF|² over the lines in use.
+/// hammer half of h1_variance(); the floor adds floor²/2·`mean_square`, the mean of |stored FRF|² over the lines of the file.
 VarianceLaw variance_law(const NoiseModel& model, double mean_square);
 
 /// |receptance/stored|² at a frequency; NaN at 0 Hz for mobility and accelerance.

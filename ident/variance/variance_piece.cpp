@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "frf/set/h1.hpp"
 #include "ident/variance/scatter.hpp"
@@ -47,7 +48,7 @@ bool VariancePiece::needs_prepare() const {
 void VariancePiece::prepare(std::span<const std::size_t> lines) {
   if (!needs_prepare()) return;
   if (origin_ == VarianceOrigin::noise_model) {
-    laws_ = laws_with_floor(lines);
+    laws_ = laws_with_floor();
   } else if (origin_ == VarianceOrigin::scatter) {
     Scatter found = estimate_scatter(source_, piece_, lines);
     laws_ = std::move(found.laws);
@@ -61,8 +62,12 @@ void VariancePiece::prepare(std::span<const std::size_t> lines) {
   }
 }
 
-std::vector<frf::VarianceLaw> VariancePiece::laws_with_floor(std::span<const std::size_t> lines) {
+/// The floor is a share of the rms over all lines of the file: those that a scene leaves out do not change its noise.
+std::vector<frf::VarianceLaw> VariancePiece::laws_with_floor() {
   const frf::FrfHeader& header = source_.header();
+  std::vector<std::size_t> all(header.lines());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::span<const std::size_t> lines = all;
   const std::size_t entries = piece_.size();
   std::vector<double> squares(entries, 0.0), counts(entries, 0.0);
   std::vector<Complex> values;

@@ -40,7 +40,7 @@ class VariancePiece {
  private:
   frf::Block block(std::span<const std::size_t> lines) const { return {lines, piece_.responses, piece_.references}; }
   bool is_recorded() const;
-  std::vector<frf::VarianceLaw> laws_with_floor(std::span<const std::size_t> lines);
+  std::vector<frf::VarianceLaw> laws_with_floor();
   void from_coherence(std::span<const std::size_t> lines, std::span<const Complex> values, std::span<Complex> out);
   void from_law(std::span<const std::size_t> lines, std::span<const Complex> values, std::span<Complex> out) const;
 

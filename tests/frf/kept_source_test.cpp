@@ -57,7 +57,9 @@ std::vector<std::size_t> some_of(std::size_t n, std::mt19937& random, bool ascen
 
 template <class T>
 void expect_equal(const std::vector<T>& a, const std::vector<T>& b) {
-  EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof(T)), 0);  // NaN included
+  ASSERT_EQ(a.size(), b.size());
+  const bool equal = a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;  // NaN included
+  EXPECT_TRUE(equal);
 }
 
 /// What two sources answer to twenty random blocks each.

@@ -166,6 +166,19 @@ TEST(Variances, OfAFloorAreConstantInTheQuantityOfTheFile) {
   }
 }
 
+TEST(Variances, OfAFloorDoNotDependOnTheLinesInUse) {
+  const frf::FrfSet set = sample("a", dofs({"1:+X"}), dofs({"1:+X"}));
+  const auto system = memory_system("assembly", {set}, Composition::merged);
+  const Scene scene = with_noise({.kind = frf::NoiseKind::circular, .level = 0.01, .floor = 0.1});
+  const auto all = read_all(*system, set.header.response, set.header.reference, scene);
+  Variances some(*system, set.header.response, set.header.reference, scene);
+  const std::array<std::size_t, 1> third = {2};
+  some.prepare(third);
+  std::vector<Complex> variance(1);
+  some.read(third, std::span(all.frf).subspan(2, 1), variance);
+  EXPECT_EQ(variance[0], all.variance[2]);
+}
+
 TEST(Variances, AutoTakesTheFileThenTheNoiseAndAChoiceIsAChoice) {
   const frf::FrfSet with = with_coherence(sample("with", dofs({"1:+X"}), dofs({"1:+X"})), 0.9, 5.0);
   const frf::FrfSet without = sample("without", dofs({"2:+X"}), dofs({"2:+X"}));
