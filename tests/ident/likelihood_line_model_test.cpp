@@ -137,6 +137,30 @@ std::optional<LineState> settled(const LineSample& s, const std::vector<double>&
 }
 
 /// The cost with the FRFs at their best falls along θ by twice the reduced gradient (variable projection).
+/// Circular errors: the complex equations are the real ones.
+RC_GTEST_PROP(LikelihoodLine, ComplexEquationsAreTheRealOnes, (unsigned seed)) {
+  std::mt19937_64 random(seed);
+  LineSample s(any_shape(random), random);
+  for (Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+    for (Complex& weight : channel->weight) weight.imag(weight.real());
+  }
+  const LineState state = nearby(s);
+  LineModel real(s.layout, LineModel::Numbers::real), complex(s.layout, LineModel::Numbers::complex);
+  for (const bool with_joint : {true, false}) {
+    for (LineModel* model : {&real, &complex}) model->linearise(s.data, s.joint, s.joint.at(s.theta), state, with_joint);
+    for (const double damping : {0.0, 0.1}) {
+      const auto one = real.reduce(damping), other = complex.reduce(damping);
+      RC_ASSERT(one.has_value() == other.has_value());
+      if (!one) continue;
+      expect_close(other->information, one->information, 1e-9);
+      expect_close(other->gradient, one->gradient, 1e-9);
+      expect_close(other->back, one->back, 1e-9);
+      expect_close(other->own, one->own, 1e-9);
+      RC_ASSERT(std::abs(other->cost - one->cost) <= 1e-9 * (1.0 + one->cost));
+    }
+  }
+}
+
 RC_GTEST_PROP(LikelihoodLine, GradientIsThatOfTheMinimisedCost, (unsigned seed)) {
   constexpr double h = 1e-5;
   std::mt19937_64 random(seed);

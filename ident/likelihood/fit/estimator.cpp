@@ -30,6 +30,7 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
 /// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
+constexpr double rough = 0.1;  // while weights may still change; FRFs need not be optimised to the end then
 constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
 constexpr std::size_t most_iterations = 60;
@@ -152,9 +153,11 @@ bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
 }
 
 bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
-  lines_.relax(fit.theta);
+  const Relaxation until = tolerance < rough ? Relaxation::end : Relaxation::beginning;
+  lines_.settle(fit.theta, until);
   if (admissible_ == nullptr) lines_.choose_tolerance();
   lines_.weigh_robustly();
+  bool is_linearised = true;
   double loss = total(fit.theta);
   double last = 0.0, ratio = shrinks_;
   int crawling = 0;  // steps in a row of which next to nothing helped
@@ -162,7 +165,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   Eigen::VectorXd gradient, taken;
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
-    lines_.linearise(fit.theta);
+    if (!std::exchange(is_linearised, false)) lines_.linearise(fit.theta);
     const Eigen::VectorXd before_taken = std::exchange(gradient, {});
     sum(fit.theta, fit.information, gradient);
     if (taken.size() > 0) secants_.note(taken, before_taken - gradient, fit.information);
@@ -176,7 +179,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
         return size < tolerance;
       }
       const std::vector<double> next = added(fit.theta, step, scale);
-      lines_.follow(before, next, scale * step);
+      lines_.follow(before, next, scale * step, until);
       const double reached = total(next);
       if (!(reached <= loss * (1.0 + 1e-9))) continue;
       loss = reached;
@@ -209,18 +212,18 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   if (!lines_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
   implicit_stage(fit, watch);
   if (lines_.variances_by_law()) {
-    lines_.relax(fit.theta);
+    lines_.settle(fit.theta, Relaxation::beginning);
     lines_.take_variances_here(fit.theta);
   }
-  fit.converged = project(fit, 0.1, watch);
+  fit.converged = project(fit, rough, watch);
   for (double before = 2.0 * lines_.tolerance(); fit.converged && lines_.tolerance() > 1.0 && lines_.tolerance() < 0.9 * before;) {
     before = lines_.tolerance();  // lines that fit better now may tell others as outlying
-    fit.converged = project(fit, 0.1, watch);
+    fit.converged = project(fit, rough, watch);
   }
   while (fit.converged && lines_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
     lines_.take_variances_here(fit.theta);
-    fit.converged = project(fit, 0.1, watch);
+    fit.converged = project(fit, rough, watch);
     Eigen::VectorXd moved(at(unknowns_));
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
@@ -360,17 +363,25 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& t
 
 Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit& fit) {
   const std::vector<FittedLine> there = lines_.places();
-  const auto gradient_at = [&](const Eigen::VectorXd& offset) {
-    lines_.go_back(there);
-    const std::vector<double> theta = added(fit.theta, offset, 1.0);
-    lines_.relax(theta);
+  const auto gradient_of = [&](const std::vector<double>& theta) {
     lines_.linearise(theta);
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;
     sum(theta, information, gradient);
     return gradient;
   };
-  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information);
+  const auto gradient_at = [&](const Eigen::VectorXd& offset) {
+    lines_.go_back(there);
+    const std::vector<double> theta = added(fit.theta, offset, 1.0);
+    lines_.relax(theta);
+    return gradient_of(theta);
+  };
+  const auto quick = [&](const Eigen::VectorXd& offset) {
+    const std::vector<double> theta = added(fit.theta, offset, 1.0);
+    lines_.answer(there, theta, offset);
+    return gradient_of(theta);
+  };
+  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information, quick);
   lines_.go_back(there);
   return curvature;
 }

@@ -75,27 +75,73 @@ void FittedLines::advance(const std::vector<double>& theta, const std::vector<do
   });
 }
 
+void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
+  for_all([&](std::size_t i, LineModel& model) {
+    FittedLine& line = lines_[i];
+    const LineData& data = data_->lines()[i];
+    const ComplexMatrix z = line.joint.at(theta);
+    put_on_constraint(layout(), z, line.state);
+    line.cost = line_cost(layout(), data, z, line.state.x, line.state.y);
+    if (until == Relaxation::beginning) {
+      line.reduced = linearised(data, z, model, line);
+      if (line.is_as_predicted(line.cost, line.reduced.cost)) return;
+    }
+    ident::relax(data, z, model, line, until);
+    line.reduced = linearised(data, z, model, line);
+  });
+}
+
 void FittedLines::relax(const std::vector<double>& theta) {
   for_all([&](std::size_t i, LineModel& model) { ident::relax(data_->lines()[i], impedance(i, theta), model, lines_[i]); });
+  relax_stuck(theta);
+}
+
+void FittedLines::relax_stuck(const std::vector<double>& theta) {
   const auto far = std::ranges::count_if(lines_, &FittedLine::far_from_fitting);
   // A few lines far from fitting may be stuck. Where there are many it is the joint.
   if (far == 0 || 4 * static_cast<std::size_t>(far) > lines_.size()) return;
   for_all([&](std::size_t i, LineModel& model) { relax_again(data_->lines()[i], impedance(i, theta), model, lines_[i]); });
 }
 
-void FittedLines::follow(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step) {
+void FittedLines::answer(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step) {
   for_all([&](std::size_t i, LineModel&) {
     FittedLine& line = lines_[i];
     line.state = before[i].state;
-    const ComplexMatrix z = line.joint.at(theta);
-    ComplexMatrix x = line.state.x, y = line.state.y;
-    move(layout(), -(before[i].reduced.back * pick(step, line.joint.columns())), 1.0, x, y);
-    const LineData& data = data_->lines()[i];
-    if (line_cost(layout(), data, z, x, y) > line_cost(layout(), data, z, line.state.x, line.state.y)) return;
-    line.state.x = std::move(x);
-    line.state.y = std::move(y);
+    move(layout(), -(before[i].reduced.back * pick(step, line.joint.columns())), 1.0, line.state.x, line.state.y);
+    put_on_constraint(layout(), line.joint.at(theta), line.state);
   });
-  relax(theta);
+}
+
+void FittedLines::follow(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step,
+                         Relaxation until) {
+  std::atomic<bool> relaxed = false;
+  for_all([&](std::size_t i, LineModel& model) {
+    FittedLine& line = lines_[i];
+    const LineData& data = data_->lines()[i];
+    const ReducedLine& reduced = before[i].reduced;
+    const Eigen::VectorXd own_step = pick(step, line.joint.columns());
+    const ComplexMatrix z = line.joint.at(theta);
+    const LineStep answer = -(reduced.back * own_step);
+    const auto cost_after = [&](const LineStep& change) {
+      line.state = before[i].state;
+      move(layout(), change, 1.0, line.state.x, line.state.y);
+      return line_cost(layout(), data, z, line.state.x, line.state.y);
+    };
+    line.cost = cost_after(reduced.own + answer);
+    if (line.is_as_predicted(line.cost, reduced.cost_after(own_step))) {
+      put_on_constraint(layout(), z, line.state);
+      if (until == Relaxation::end) ident::relax(data, z, model, line);
+      return;
+    }
+    if (cost_after(answer) > cost_after(LineStep::Zero(answer.size()))) {
+      line.state = before[i].state;
+    } else {
+      cost_after(answer);
+    }
+    ident::relax(data, z, model, line, until);
+    relaxed = true;
+  });
+  if (relaxed) relax_stuck(theta);
 }
 
 void FittedLines::weigh_robustly() {

@@ -42,8 +42,17 @@ class FittedLines {
   /// The FRFs of every line optimised for a joint.
   void relax(const std::vector<double>& theta);
 
-  /// From `before`, where lines are linearised, with the FRFs after a step of the joint as far as that helps, and optimised there.
-  void follow(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
+  /// Puts every line on the constraint and linearises it there; its FRFs are optimised before where the linearised line promises that
+  /// this would help much, or to the end.
+  void settle(const std::vector<double>& theta, Relaxation until);
+
+  /// From `before`, where lines are linearised, with the FRFs as they answer to a step of the joint to `theta`.
+  void answer(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
+
+  /// From `before`, where lines are linearised, to a joint that is a step away: the FRFs of a line take their part of the common
+  /// Gauss–Newton step. Where χ² is not what the linearised line predicts, or to the end of all, they are optimised for the joint.
+  void follow(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step,
+              Relaxation until);
 
   /// Robust weights by χ², or all 1.
   void weigh_robustly();
@@ -79,6 +88,7 @@ class FittedLines {
   std::size_t bytes() const;
 
  private:
+  void relax_stuck(const std::vector<double>& theta);
   void for_all(const std::function<void(std::size_t, LineModel&)>& work) const;
 
   LikelihoodData* data_;

@@ -1,8 +1,10 @@
 #include "ident/likelihood/fit/godambe_information.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "dense/cholesky.hpp"
 #include "dense/eigen.hpp"
@@ -17,7 +19,7 @@ constexpr double least_curvature = 0.1, most_curvature = 3.0;  // of the informa
 
 }  // namespace
 
-Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information) {
+Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information, const GradientAt& quick) {
   if (null_space_of(information).cols() > 0) return information;
   const auto root = dense::cholesky(covariance_of(information));
   if (!root) return information;
@@ -28,14 +30,23 @@ Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::Mat
   };
   const Eigen::Index size = information.rows();
   std::mt19937_64 random(static_cast<std::uint64_t>(size));
-  bool differs = false;
-  for (int probe = 0; probe < 3 && !differs; ++probe) {
-    Eigen::VectorXd direction(size);
+  std::vector<Eigen::VectorXd> probes(3, Eigen::VectorXd(size));
+  for (Eigen::VectorXd& direction : probes) {
     for (double& value : direction) value = (random() & 1u) != 0 ? 1.0 : -1.0;
     direction /= std::sqrt(static_cast<double>(size));
-    differs = !(std::abs(direction.dot(along(direction)) - 1.0) < noticed);
   }
-  if (!differs) return information;
+  const auto differs = [&probes](double least, const auto& difference) {
+    return std::ranges::any_of(
+        probes, [&](const Eigen::VectorXd& probe) { return !(std::abs(probe.dot(difference(probe)) - 1.0) < least); });
+  };
+  if (quick) {
+    const Eigen::VectorXd here = quick(Eigen::VectorXd::Zero(size));
+    const auto to_one_side = [&](const Eigen::VectorXd& direction) {
+      return Eigen::VectorXd(unit.transpose() * (here - quick(unit * (way * direction))) / way);
+    };
+    if (!differs(0.5 * noticed, to_one_side)) return information;
+  }
+  if (!differs(noticed, along)) return information;
   Eigen::MatrixXd curvature(size, size);
   for (Eigen::Index c = 0; c < size; ++c) curvature.col(c) = along(Eigen::VectorXd::Unit(size, c));
   if (!curvature.allFinite()) return information;

@@ -50,7 +50,7 @@ ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& 
   return reduced ? std::move(*reduced) : nothing(model.layout(), line);
 }
 
-void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line) {
+void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
   const LineLayout& layout = model.layout();
   put_on_constraint(layout, z, line.state);
   line.cost = line_cost(layout, data, z, line.state.x, line.state.y);
@@ -75,7 +75,9 @@ void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitte
     }
     put_on_constraint(layout, z, line.state);
     damping = damping > 1e-2 ? 0.1 * damping : 0.0;
-    if (gain <= 1e-7 * std::max(line.cost, 1.0)) break;
+    const double enough =
+        until == Relaxation::end ? 1e-7 * std::max(line.cost, 1.0) : next_to_nothing * std::max(line.cost, line.redundancy);
+    if (gain <= enough) break;
   }
 }
 

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <algorithm>
+
 #include "ident/likelihood/line/line_model.hpp"
 
 namespace jointid::ident {
+
+/// Of the χ² of a line.
+constexpr double next_to_nothing = 0.01;
 
 /// A line of the likelihood: its true FRFs as they are estimated now, how well they fit, and the line linearised about them.
 struct FittedLine {
@@ -14,6 +19,11 @@ struct FittedLine {
   ReducedLine reduced;
 
   bool far_from_fitting() const { return redundancy > 0.0 && cost > 4.0 * redundancy; }
+
+  /// Whether χ² is above what was predicted by next to nothing.
+  bool is_as_predicted(double reached, double predicted) const {
+    return reached <= predicted + next_to_nothing * std::max(redundancy, predicted);
+  }
 };
 
 /// Measured values where there are, and for the rest what the joint makes of them.
@@ -23,8 +33,13 @@ LineState first_state(const LineLayout& layout, const LineData& data, const Comp
 /// a line that cannot be linearised there, such as one on an undamped resonance of the predicted assembly.
 ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& model, const FittedLine& line);
 
+enum class Relaxation {
+  end,       ///< to the minimum of χ²
+  beginning  ///< until another step would change χ² by next to nothing: where a common step with the joint follows
+};
+
 /// Levenberg–Marquardt of the line's FRFs for a given joint.
-void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line);
+void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until = Relaxation::end);
 
 /// The same for a line that is far from fitting, from other starts, and the best of all ends: from the measured values, and from where
 /// the implicit iteration gets from them.

@@ -1,9 +1,11 @@
 #include "ident/likelihood/line/line_model.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "dense/blas.hpp"
 #include "dense/cholesky.hpp"
 #include "dense/lu.hpp"
 
@@ -17,24 +19,17 @@ double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : 
 
 }  // namespace
 
+bool LineModel::are_circular(const LineData& data) const {
+  return std::ranges::all_of(std::array{&data.x, &data.y, &data.a, &data.b, &data.d}, [](const Channel* channel) {
+    return std::ranges::all_of(channel->weight, [](const Complex& weight) { return weight.real() == weight.imag(); });
+  });
+}
+
 NormalRows::Run LineModel::column(std::size_t other) const {
-  return {2 * layout_.x_first[other], 2 * (layout_.x_first[other + 1] - layout_.x_first[other])};
+  return {layout_.x_first[other], layout_.x_first[other + 1] - layout_.x_first[other]};
 }
 
-NormalRows::Run LineModel::tail() const {
-  const std::size_t first = 2 * layout_.x.size();
-  return {first, rows_.columns() - first};
-}
-
-void LineModel::put(Complex coefficient) {
-  double* re = rows_.real() + place_;
-  double* im = rows_.imaginary() + place_;
-  re[0] += coefficient.real();
-  re[1] -= coefficient.imag();
-  im[0] += coefficient.imag();
-  im[1] += coefficient.real();
-  place_ += 2;
-}
+void LineModel::put(Complex coefficient) { row_[place_++] += coefficient; }
 
 /// −left δY right
 void LineModel::put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index k) {
@@ -47,27 +42,36 @@ void LineModel::put_y(const Complex* left, const ComplexMatrix& right, Eigen::In
 
 void LineModel::put_joint(const JointImpedance& joint, const Complex* left, const Complex* right) {
   if (unknowns_ == 0) return;
-  joint.sensitivity(left, right, sensitivity_.data());
-  for (std::size_t t = 0; t < unknowns_; ++t) {
-    rows_.real()[place_ + t] = sensitivity_[t].real();
-    rows_.imaginary()[place_ + t] = sensitivity_[t].imag();
-  }
+  joint.sensitivity(left, right, row_.data() + place_);
   place_ += unknowns_;
 }
 
 void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first,
                      NormalRows::Run second) {
   const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
-  double* re = rows_.real();
-  double* im = rows_.imaginary();
-  re[place_] = weight.real() == 0.0 ? 0.0 : residual.real();
-  im[place_] = weight.imag() == 0.0 ? 0.0 : residual.imag();
-  ++place_;
-  for (std::size_t k = 0; k < place_; ++k) {
-    re[k] *= weight.real();
-    im[k] *= weight.imag();
+  row_[place_++] = {weight.real() == 0.0 ? 0.0 : residual.real(), weight.imag() == 0.0 ? 0.0 : residual.imag()};
+  if (complex_) {
+    for (std::size_t k = 0; k < place_; ++k) row_[k] *= weight.real();
+    complex_rows_.add(row_.data(), first, second);
+  } else {
+    const std::size_t frfs = place_ - unknowns_ - 1;
+    double* re = rows_.real();
+    double* im = rows_.imaginary();
+    for (std::size_t k = 0; k < frfs; ++k) {
+      *re++ = weight.real() * row_[k].real();
+      *re++ = weight.real() * -row_[k].imag();
+      *im++ = weight.imag() * row_[k].imag();
+      *im++ = weight.imag() * row_[k].real();
+    }
+    for (std::size_t k = frfs; k < place_; ++k) {
+      *re++ = weight.real() * row_[k].real();
+      *im++ = weight.imag() * row_[k].imag();
+    }
+    const auto doubled = [](NormalRows::Run run) { return NormalRows::Run{2 * run.first, 2 * run.count}; };
+    const std::size_t tail = 2 * layout_.x.size();
+    rows_.add({doubled(first), doubled(second), {tail, rows_.columns() - tail}});
   }
-  rows_.add({first, second, tail()});
+  std::fill_n(row_.begin(), place_, Complex(0.0));
 }
 
 void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
@@ -87,39 +91,58 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
                           bool with_joint) {
   prepare(z, state);
   unknowns_ = with_joint ? joint.columns().size() : 0;
-  sensitivity_.resize(unknowns_);
   h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
   yh_ = state.x - state.y.transpose() * h_;
-  rows_.reset(2 * layout_.variables() + unknowns_ + 1);
+  constexpr std::size_t many = 64;
+  const bool pays = numbers_ == Numbers::complex || (numbers_ == Numbers::chosen && layout_.variables() >= many);
+  complex_ = pays && are_circular(data);
+  const std::size_t others = unknowns_ + 1;
+  row_.assign(layout_.variables() + others, 0.0);
+  complex_ ? complex_rows_.reset(layout_.variables() + others, layout_.x.size()) : rows_.reset(2 * layout_.variables() + others);
   add_priors(data, state);
   add_a(data, joint, state);
   if (!layout_.b.empty()) add_b(data, joint, state);
   add_d(data, joint, state);
+  if (complex_) complex_rows_.finish();
+}
+
+void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight, double size) {
+  const double guess = 1.0 / (wide * size);
+  if (complex_) {
+    Eigen::MatrixXcd& normal = complex_rows_.normal();
+    const Eigen::Index last = normal.rows() - 1, v = at(variable);
+    const double used = weight.real() == 0.0 ? guess : weight.real();
+    prior_weight_.push_back(used);
+    normal(v, v) += used * used;
+    if (weight.real() == 0.0) return;
+    normal(last, v) += used * used * std::conj(residual);
+    normal(last, last) += used * used * std::norm(residual);
+    return;
+  }
+  const std::size_t last = rows_.columns() - 1;
+  double* normal = rows_.data();
+  for (const auto& [part_weight, part] :
+       {std::pair(weight.real(), residual.real()), std::pair(weight.imag(), residual.imag())}) {
+    const std::size_t v = prior_weight_.size();
+    const double used = part_weight == 0.0 ? guess : part_weight;
+    prior_weight_.push_back(used);
+    normal[v * rows_.columns() + v] += used * used;
+    if (part_weight == 0.0) continue;
+    normal[v * rows_.columns() + last] += part_weight * part_weight * part;
+    normal[last * rows_.columns() + last] += part_weight * part_weight * part * part;
+  }
 }
 
 void LineModel::add_priors(const LineData& data, const LineState& state) {
   prior_weight_.clear();
-  const std::size_t last = rows_.columns() - 1;
-  double* normal = rows_.data();
-  const auto add = [&](const Channel& channel, std::size_t i, Complex current, double size) {
-    const Complex residual = channel.value[i] - current;
-    for (const auto& [weight, part] : {std::pair(channel.weight[i].real(), residual.real()),
-                                       std::pair(channel.weight[i].imag(), residual.imag())}) {
-      const std::size_t v = prior_weight_.size();
-      const double used = weight == 0.0 ? 1.0 / (wide * size) : weight;
-      prior_weight_.push_back(used);
-      normal[v * rows_.columns() + v] += used * used;
-      if (weight == 0.0) continue;
-      normal[v * rows_.columns() + last] += weight * weight * part;
-      normal[last * rows_.columns() + last] += weight * weight * part * part;
-    }
-  };
   const double x_size = largest(state.x), y_size = largest(state.y);
   for (std::size_t i = 0; i < layout_.x.size(); ++i) {
-    add(data.x, i, state.x(at(layout_.x[i].row), at(layout_.x[i].column)), x_size);
+    const Complex current = state.x(at(layout_.x[i].row), at(layout_.x[i].column));
+    add_prior(i, data.x.value[i] - current, data.x.weight[i], x_size);
   }
   for (std::size_t i = 0; i < layout_.y.size(); ++i) {
-    add(data.y, i, state.y(at(layout_.y[i].row), at(layout_.y[i].column)), y_size);
+    const Complex current = state.y(at(layout_.y[i].row), at(layout_.y[i].column));
+    add_prior(layout_.x.size() + i, data.y.value[i] - current, data.y.weight[i], y_size);
   }
 }
 
@@ -172,7 +195,43 @@ void LineModel::add_d(const LineData& data, const JointImpedance& joint, const L
   }
 }
 
-std::optional<ReducedLine> LineModel::reduce(double damping) {
+std::optional<ReducedLine> LineModel::reduce(double damping) { return complex_ ? reduce_complex(damping) : reduce_real(damping); }
+
+/// U = L Lᴴ of the FRFs, and what is real in the Schur complement of the joint's unknowns, which are.
+std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
+  const auto v = at(layout_.variables()), p = at(unknowns_);
+  const Eigen::MatrixXcd& normal = complex_rows_.normal();
+  Eigen::MatrixXcd u = normal.topLeftCorner(v, v);
+  for (Eigen::Index i = 0; i < v; ++i) {
+    const double weight = prior_weight_[static_cast<std::size_t>(i)];
+    u(i, i) += damping * weight * weight;
+  }
+  const Eigen::VectorXd scale = u.diagonal().real().cwiseSqrt().cwiseInverse();
+  for (Eigen::Index j = 0; j < v; ++j) u.col(j).tail(v - j).array() *= scale.tail(v - j).array() * scale[j];
+  if (!dense::cholesky_in_place(u)) return std::nullopt;
+  Eigen::MatrixXcd right = scale.asDiagonal() * normal.bottomLeftCorner(p + 1, v).adjoint();
+  dense::solve_lower(u, right);
+  Eigen::MatrixXcd schur = normal.bottomRightCorner(p + 1, p + 1);
+  schur.triangularView<Eigen::Lower>() -= right.adjoint() * right;
+  dense::solve_lower_adjoint(u, right);
+  right = scale.asDiagonal() * right;
+  ReducedLine out;
+  const Eigen::MatrixXd real = schur.real();
+  out.information = real.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();
+  out.gradient = real.bottomLeftCorner(1, p).transpose();
+  out.cost = real(p, p);
+  Eigen::MatrixXd parts(2 * v, p + 1);  // real and imaginary part of every FRF in turn
+  for (Eigen::Index i = 0; i < v; ++i) {
+    parts.row(2 * i) = right.row(i).real();
+    parts.row(2 * i + 1) = right.row(i).imag();
+  }
+  out.back = parts.leftCols(p);
+  out.own = parts.col(p);
+  if (!std::isfinite(out.cost)) return std::nullopt;
+  return out;
+}
+
+std::optional<ReducedLine> LineModel::reduce_real(double damping) {
   const auto v = at(2 * layout_.variables()), p = at(unknowns_), size = at(rows_.columns());
   const Eigen::Map<const Eigen::MatrixXd> normal(rows_.data(), size, size);
   Eigen::MatrixXd u = normal.topLeftCorner(v, v);

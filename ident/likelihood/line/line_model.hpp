@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "ident/likelihood/line/complex_rows.hpp"
 #include "ident/likelihood/line/line_state.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
 
@@ -15,6 +16,9 @@ struct ReducedLine {
   Eigen::MatrixXd back;         ///< 2v×p, U⁻¹W
   LineStep own;                 ///< 2v, U⁻¹g: the step of the FRFs is own − back · δθ
   double cost = 0.0;            ///< χ² of the linearised problem at δθ = 0
+
+  /// χ² of the linearised problem after a step of the joint.
+  double cost_after(const Eigen::VectorXd& step) const { return cost - step.dot(2.0 * gradient - information * step); }
 };
 
 /// The linearised line (docs/formulas.md §11e). With P = (I + Y Z)⁻¹, G = Z A, R = X − A − Y Z A:
@@ -22,9 +26,18 @@ struct ReducedLine {
 /// h = Xᵀ Z P, and likewise for B. Eliminating δA, δB and H(n,n), which stands alone in its rows, leaves δX, δY and δθ: the
 /// step is that of the implicit errors-in-variables problem (Gauss–Helmert), and on the constraint, where R = 0, that of the
 /// explicit one (Gauss–Newton). Not thread-safe: one per thread.
+///
+/// All of it is linear in complex numbers. Where real and imaginary part of every FRF have the same weight (circular errors) the
+/// normal equations are complex, half as many, and taken so for lines of many FRFs.
 class LineModel {
  public:
-  explicit LineModel(const LineLayout& layout) : layout_(layout) {}
+  enum class Numbers {
+    chosen,
+    real,
+    complex  ///< where errors are circular
+  };
+
+  explicit LineModel(const LineLayout& layout, Numbers numbers = Numbers::chosen) : layout_(layout), numbers_(numbers) {}
 
   const LineLayout& layout() const { return layout_; }
 
@@ -43,25 +56,31 @@ class LineModel {
   void advance(const LineStep& step, const ComplexMatrix& dz, LineState& state) const;
 
  private:
+  bool are_circular(const LineData& data) const;
+  std::optional<ReducedLine> reduce_real(double damping);
+  std::optional<ReducedLine> reduce_complex(double damping);
   void add_priors(const LineData& data, const LineState& state);
+  void add_prior(std::size_t variable, Complex residual, Complex weight, double size);
   void add_a(const LineData& data, const JointImpedance& joint, const LineState& state);
   void add_b(const LineData& data, const JointImpedance& joint, const LineState& state);
   void add_d(const LineData& data, const JointImpedance& joint, const LineState& state);
   NormalRows::Run column(std::size_t other) const;
-  NormalRows::Run tail() const;
   void put(Complex coefficient);
   void put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index right_column);
   void put_joint(const JointImpedance& joint, const Complex* left, const Complex* right);
   void emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first, NormalRows::Run second);
 
   const LineLayout& layout_;
+  Numbers numbers_;
+  bool complex_ = false;      ///< the normal equations of the line
   std::size_t unknowns_ = 0;  ///< of the joint
   std::size_t place_ = 0;     ///< in the row that is being written
+  std::vector<Complex> row_;  ///< FRFs that it touches, the joint's unknowns, residual
   ComplexMatrix p_, py_, za_, h_, yh_, r_, pr_;
   ComplexMatrix c_, pr_b_;  ///< where B is measured: I − Z B, P·(Y − B − Y Z B)
-  std::vector<Complex> sensitivity_;
-  std::vector<double> prior_weight_;  ///< 2v
+  std::vector<double> prior_weight_;  ///< 2v, v of complex equations
   NormalRows rows_;
+  ComplexRows complex_rows_;
 };
 
 }  // namespace jointid::ident

@@ -1,0 +1,81 @@
+#include "dense/blas.hpp"
+
+#include <Eigen/Cholesky>
+
+#include "base/error.hpp"
+#include "base/module.hpp"
+#include "dense/blas_module.hpp"
+
+namespace jointid::dense {
+namespace {
+
+using Eigen::MatrixXcd;
+using Eigen::Ref;
+
+/// Below this size of a product's or factor's smaller sides Eigen is as fast.
+constexpr Eigen::Index large = 48;
+
+const Module& open_blas() {
+  static const Module module{"blas", "large complex products", "libopenblas-serial-dev"};
+  return module;
+}
+
+/// The module for matrices of that size; null: Eigen.
+BlasModule* blas_for(Eigen::Index size) {
+  if (size < large) return nullptr;
+  static BlasModule* const module = []() -> BlasModule* {
+    try {
+      return has_blas() ? &interface_of<BlasModule>(open_blas()) : nullptr;
+    } catch (const InputError&) {
+      return nullptr;  // its library is gone; Eigen does all that it does
+    }
+  }();
+  return module;
+}
+
+int whole(Eigen::Index i) { return static_cast<int>(i); }
+
+}  // namespace
+
+bool has_blas() { return is_there(open_blas()); }
+
+void add_square(const Ref<const MatrixXcd>& a, Ref<MatrixXcd> c) {
+  if (BlasModule* blas = blas_for(a.rows())) {
+    blas->add_square(whole(a.rows()), whole(a.cols()), a.data(), whole(a.outerStride()), c.data(), whole(c.outerStride()));
+  } else {
+    c.selfadjointView<Eigen::Lower>().rankUpdate(a);
+  }
+}
+
+void add_product(const Ref<const MatrixXcd>& a, const Ref<const MatrixXcd>& b, Ref<MatrixXcd> c) {
+  if (BlasModule* blas = blas_for(a.rows())) {
+    blas->add_product(whole(a.rows()), whole(b.rows()), whole(a.cols()), a.data(), whole(a.outerStride()), b.data(),
+                      whole(b.outerStride()), c.data(), whole(c.outerStride()));
+  } else {
+    c.noalias() += a * b.adjoint();
+  }
+}
+
+bool cholesky_in_place(Ref<MatrixXcd> a) {
+  if (BlasModule* blas = blas_for(a.rows())) return blas->cholesky(whole(a.rows()), a.data(), whole(a.outerStride()));
+  return Eigen::LLT<Ref<MatrixXcd>>(a).info() == Eigen::Success;
+}
+
+void solve_lower(const Ref<const MatrixXcd>& l, Ref<MatrixXcd> b) {
+  if (BlasModule* blas = blas_for(l.rows())) {
+    blas->solve_lower(false, whole(l.rows()), whole(b.cols()), l.data(), whole(l.outerStride()), b.data(),
+                      whole(b.outerStride()));
+  } else {
+    l.triangularView<Eigen::Lower>().solveInPlace(b);
+  }
+}
+
+void solve_lower_adjoint(const Ref<const MatrixXcd>& l, Ref<MatrixXcd> b) {
+  if (BlasModule* blas = blas_for(l.rows())) {
+    blas->solve_lower(true, whole(l.rows()), whole(b.cols()), l.data(), whole(l.outerStride()), b.data(), whole(b.outerStride()));
+  } else {
+    l.triangularView<Eigen::Lower>().adjoint().solveInPlace(b);
+  }
+}
+
+}  // namespace jointid::dense

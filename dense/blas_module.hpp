@@ -1,0 +1,25 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+
+namespace jointid::dense {
+
+/// What the module blas implements (base/module.hpp). Matrices lie column by column, with `…_step` numbers from one column to the
+/// next.
+class BlasModule {
+ public:
+  using Number = std::complex<double>;
+
+  virtual ~BlasModule() = default;
+  /// C += A Aᴴ, lower; A is size × depth.
+  virtual void add_square(int size, int depth, const Number* a, int a_step, Number* c, int c_step) = 0;
+  /// C += A Bᴴ; C is rows × columns.
+  virtual void add_product(int rows, int columns, int depth, const Number* a, int a_step, const Number* b, int b_step, Number* c,
+                           int c_step) = 0;
+  virtual bool cholesky(int size, Number* a, int a_step) = 0;
+  /// L⁻¹ B, with `adjoint` L⁻ᴴ B.
+  virtual void solve_lower(bool adjoint, int size, int columns, const Number* l, int l_step, Number* b, int b_step) = 0;
+};
+
+}  // namespace jointid::dense
