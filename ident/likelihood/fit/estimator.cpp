@@ -144,6 +144,11 @@ Eigen::VectorXd LikelihoodEstimator::joint_step(const std::vector<double>& theta
   return nearest_.theta - from;
 }
 
+/// Without H_jn of the assembly the problem is far from linear: the way is safer along optimised FRFs.
+Relaxation LikelihoodEstimator::relaxation(double tolerance) const {
+  return tolerance < rough || lines_.layout().a.empty() ? Relaxation::end : Relaxation::beginning;
+}
+
 bool LikelihoodEstimator::far_from_fitting() const { return lines_.tolerance() > far_misfit; }
 
 bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
@@ -153,7 +158,7 @@ bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
 }
 
 bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
-  const Relaxation until = tolerance < rough ? Relaxation::end : Relaxation::beginning;
+  const Relaxation until = relaxation(tolerance);
   lines_.settle(fit.theta, until);
   if (admissible_ == nullptr) lines_.choose_tolerance();
   lines_.weigh_robustly();
@@ -212,7 +217,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   if (!lines_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
   implicit_stage(fit, watch);
   if (lines_.variances_by_law()) {
-    lines_.settle(fit.theta, Relaxation::beginning);
+    lines_.settle(fit.theta, relaxation(rough));
     lines_.take_variances_here(fit.theta);
   }
   fit.converged = project(fit, rough, watch);
@@ -381,7 +386,7 @@ Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit&
     lines_.answer(there, theta, offset);
     return gradient_of(theta);
   };
-  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information, quick);
+  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information, lines_.layout().is_large() ? GradientAt(quick) : GradientAt());
   lines_.go_back(there);
   return curvature;
 }

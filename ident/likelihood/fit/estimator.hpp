@@ -61,8 +61,9 @@ using FitWatcher = std::function<void(std::size_t iteration)>;
 ///  1. a few steps of iterative quadratic maximum likelihood;
 ///  2. the implicit iteration (Gauss–Helmert), which corrects the FRFs of both systems off the constraint and so comes near from
 ///     poor starts;
-///  3. variable projection: per line the FRFs are optimised to the end for the current joint (Levenberg–Marquardt of each line
-///     on its own), then a Gauss–Newton step of the joint, shortened until Σ L falls. The cost never rises.
+///  3. Gauss–Newton steps of the joint and of the FRFs of every line, which are eliminated from the step, shortened until Σ L falls;
+///     where χ² of a line is not what was predicted, and in the end, its FRFs are optimised for the joint (Levenberg–Marquardt of
+///     the line on its own). The cost never rises.
 /// Where variances follow a law of the value they are then taken at the estimated values and stage 3 is repeated until the joint
 /// stays: weights at measured values bias the estimate.
 class LikelihoodEstimator {
@@ -128,6 +129,7 @@ class LikelihoodEstimator {
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
+  Relaxation relaxation(double tolerance) const;
   bool far_from_fitting() const;
   bool beyond_any_joint(const std::vector<double>& theta);
   LikelihoodFit begun(std::vector<double> start);

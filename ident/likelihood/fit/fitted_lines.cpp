@@ -76,6 +76,7 @@ void FittedLines::advance(const std::vector<double>& theta, const std::vector<do
 }
 
 void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
+  std::atomic<bool> relaxed = false;
   for_all([&](std::size_t i, LineModel& model) {
     FittedLine& line = lines_[i];
     const LineData& data = data_->lines()[i];
@@ -88,7 +89,9 @@ void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
     }
     ident::relax(data, z, model, line, until);
     line.reduced = linearised(data, z, model, line);
+    relaxed = true;
   });
+  if (relaxed && relax_stuck(theta)) linearise(theta);
 }
 
 void FittedLines::relax(const std::vector<double>& theta) {
@@ -96,11 +99,12 @@ void FittedLines::relax(const std::vector<double>& theta) {
   relax_stuck(theta);
 }
 
-void FittedLines::relax_stuck(const std::vector<double>& theta) {
+bool FittedLines::relax_stuck(const std::vector<double>& theta) {
   const auto far = std::ranges::count_if(lines_, &FittedLine::far_from_fitting);
   // A few lines far from fitting may be stuck. Where there are many it is the joint.
-  if (far == 0 || 4 * static_cast<std::size_t>(far) > lines_.size()) return;
+  if (far == 0 || 4 * static_cast<std::size_t>(far) > lines_.size()) return false;
   for_all([&](std::size_t i, LineModel& model) { relax_again(data_->lines()[i], impedance(i, theta), model, lines_[i]); });
+  return true;
 }
 
 void FittedLines::answer(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step) {

@@ -88,7 +88,8 @@ class FittedLines {
   std::size_t bytes() const;
 
  private:
-  void relax_stuck(const std::vector<double>& theta);
+  /// A few lines that are far from fitting once more from other starts; whether there were any.
+  bool relax_stuck(const std::vector<double>& theta);
   void for_all(const std::function<void(std::size_t, LineModel&)>& work) const;
 
   LikelihoodData* data_;

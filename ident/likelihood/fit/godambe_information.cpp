@@ -44,7 +44,7 @@ Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::Mat
     const auto to_one_side = [&](const Eigen::VectorXd& direction) {
       return Eigen::VectorXd(unit.transpose() * (here - quick(unit * (way * direction))) / way);
     };
-    if (!differs(0.5 * noticed, to_one_side)) return information;
+    if (!differs(0.25 * noticed, to_one_side)) return information;
   }
   if (!differs(noticed, along)) return information;
   Eigen::MatrixXd curvature(size, size);

@@ -7,7 +7,7 @@
 namespace jointid::ident {
 
 /// Of the χ² of a line.
-constexpr double next_to_nothing = 0.01;
+constexpr double next_to_nothing = 1e-5;
 
 /// A line of the likelihood: its true FRFs as they are estimated now, how well they fit, and the line linearised about them.
 struct FittedLine {

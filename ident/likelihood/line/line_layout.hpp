@@ -27,6 +27,9 @@ struct LineLayout {
   std::vector<Element> d;            ///< (r, k), r ≤ k, measured on both systems on some line
 
   std::size_t variables() const { return x.size() + y.size(); }  ///< complex
+
+  /// So many that a line costs more than what it takes to save some of its factorisations.
+  bool is_large() const { return variables() >= 64; }
 };
 
 }  // namespace jointid::ident

@@ -93,8 +93,7 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   unknowns_ = with_joint ? joint.columns().size() : 0;
   h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
   yh_ = state.x - state.y.transpose() * h_;
-  constexpr std::size_t many = 64;
-  const bool pays = numbers_ == Numbers::complex || (numbers_ == Numbers::chosen && layout_.variables() >= many);
+  const bool pays = numbers_ == Numbers::complex || (numbers_ == Numbers::chosen && layout_.is_large());
   complex_ = pays && are_circular(data);
   const std::size_t others = unknowns_ + 1;
   row_.assign(layout_.variables() + others, 0.0);
