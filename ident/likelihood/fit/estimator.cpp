@@ -386,7 +386,8 @@ Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit&
     lines_.answer(there, theta, offset);
     return gradient_of(theta);
   };
-  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information, lines_.layout().is_large() ? GradientAt(quick) : GradientAt());
+  const bool saves = lines_.layout().is_large();
+  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information, saves ? GradientAt(quick) : GradientAt());
   lines_.go_back(there);
   return curvature;
 }
