@@ -3,8 +3,10 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -12,7 +14,7 @@
 namespace jointid {
 namespace {
 
-std::string file_of(const Module& module) { return "jointid_" + module.name + ".so"; }
+std::string file_of(const Module& module) { return "jointid_" + std::string(module.name) + ".so"; }
 
 /// Folders in which dlopen() looks for what this program names, in their order.
 std::vector<std::filesystem::path> search_path() {
@@ -31,7 +33,7 @@ std::vector<std::filesystem::path> search_path() {
   throw InputError({.kind = ErrorKind::usage,
                     .file = {},
                     .place = "module " + file_of(module),
-                    .problem = module.purpose + " needs it: " + problem,
+                    .problem = std::string(module.purpose) + " needs it: " + problem,
                     .remedy = remedy});
 }
 
@@ -39,8 +41,8 @@ void* open(const Module& module) {
   void* const library = dlopen(file_of(module).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const std::string reason = dlerror();
-    if (!is_there(module)) fail(module, "this build lacks it", "build jointid with " + module.package);
-    fail(module, reason, "install the libraries of " + module.package + ", or build jointid anew");
+    if (!is_there(module)) fail(module, "this build lacks it", "build jointid with " + std::string(module.package));
+    fail(module, reason, "install the libraries of " + std::string(module.package) + ", or build jointid anew");
   }
   const auto address = reinterpret_cast<void* (*)()>(dlsym(library, "jointid_module"));
   if (address == nullptr) fail(module, "it has no function jointid_module", "build jointid anew");
@@ -59,10 +61,10 @@ bool is_there(const Module& module) {
 
 void* load(const Module& module) {
   static std::mutex mutex;
-  static std::map<std::string, void*> loaded;
+  static std::map<std::string, void*, std::less<>> loaded;
   const std::lock_guard lock(mutex);
   if (const auto found = loaded.find(module.name); found != loaded.end()) return found->second;
-  return loaded[module.name] = open(module);
+  return loaded[std::string(module.name)] = open(module);
 }
 
 }  // namespace jointid

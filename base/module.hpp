@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 
 namespace jointid {
 
@@ -8,9 +8,9 @@ namespace jointid {
 /// it is first used and kept until the end. It is looked for where the program's own libraries are (RUNPATH, then LD_LIBRARY_PATH
 /// and the system).
 struct Module {
-  std::string name;     ///< e.g. "ceres"
-  std::string purpose;  ///< what needs it, for messages: "solver ceres"
-  std::string package;  ///< Debian's, with which it is built
+  std::string_view name;     ///< e.g. "ceres"
+  std::string_view purpose;  ///< what needs it, for messages: "solver ceres"
+  std::string_view package;  ///< Debian's, with which it is built
 };
 
 /// Whether the module's file is there; it is not loaded. A build without the library has none.

@@ -2,8 +2,7 @@
 // coordinates, over 100 to 1,000 lines on all cores: time per iteration, exponent in the lines, memory; and solid blocks on four
 // bolts, 24 joint and 36 other coordinates, 24 unknowns, to the intervals.
 // Promised: A1 takes at most 300 ms, 1,000 lines two minutes, the bolts a minute with the module blas, time per iteration
-// grows like the lines, and no
-// estimate is more than 5 of its standard errors off the truth. The quick run takes 100 lines, and 8 of the bolts.
+// grows like the lines, and no estimate is more than 5 of its standard errors off the truth. The quick run takes 100 lines, and 8 of the bolts.
 #include <fmt/core.h>
 
 #include <Eigen/Core>

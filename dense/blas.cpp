@@ -15,17 +15,14 @@ using Eigen::Ref;
 /// Below this size of a product's or factor's smaller sides Eigen is as fast.
 constexpr Eigen::Index large = 48;
 
-const Module& open_blas() {
-  static const Module module{"blas", "large complex products", "libopenblas-serial-dev"};
-  return module;
-}
+constexpr Module open_blas{"blas", "large complex products", "libopenblas-serial-dev"};
 
 /// The module for matrices of that size; null: Eigen.
 BlasModule* blas_for(Eigen::Index size) {
   if (size < large) return nullptr;
   static BlasModule* const module = []() -> BlasModule* {
     try {
-      return has_blas() ? &interface_of<BlasModule>(open_blas()) : nullptr;
+      return has_blas() ? &interface_of<BlasModule>(open_blas) : nullptr;
     } catch (const InputError&) {
       return nullptr;  // its library is gone; Eigen does all that it does
     }
@@ -37,7 +34,7 @@ int whole(Eigen::Index i) { return static_cast<int>(i); }
 
 }  // namespace
 
-bool has_blas() { return is_there(open_blas()); }
+bool has_blas() { return is_there(open_blas); }
 
 void add_square(const Ref<const MatrixXcd>& a, Ref<MatrixXcd> c) {
   if (BlasModule* blas = blas_for(a.rows())) {

@@ -38,13 +38,13 @@ void require_solver(const Scene& scene, const std::vector<std::string>& own) {
     fail(scene, "[identify] solver", "method \"" + name(identify.method) + "\" has no solver \"" + identify.solver + "\"",
          "use " + listed(own));
   }
-  const auto require = [&](bool is_there, bool asked, const std::string& library, const std::string& package) {
-    if (asked && !is_there) fail(scene, "[identify] solver", "this build lacks " + library, "use auto, or build with " + package);
+  const auto require = [&](bool (*is_there)(), bool asked, const std::string& library, const std::string& package) {
+    if (asked && !is_there()) fail(scene, "[identify] solver", "this build lacks " + library, "use auto, or build with " + package);
   };
-  require(minimise::has_ceres(), identify.solver == "ceres", "Ceres", "libceres-dev");
-  require(minimise::has_nlopt(), identify.solver.starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
-  require(minimise::has_ipopt(), identify.solver == "ipopt", "Ipopt", "coinor-libipopt-dev");
-  require(has_spqr(), identify.solver == "spqr", "SPQR", "libsuitesparse-dev");
+  require(minimise::has_ceres, identify.solver == "ceres", "Ceres", "libceres-dev");
+  require(minimise::has_nlopt, identify.solver.starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
+  require(minimise::has_ipopt, identify.solver == "ipopt", "Ipopt", "coinor-libipopt-dev");
+  require(has_spqr, identify.solver == "spqr", "SPQR", "libsuitesparse-dev");
 }
 
 void require_method(const Scene& scene) {

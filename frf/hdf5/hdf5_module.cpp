@@ -5,15 +5,12 @@
 namespace jointid::frf {
 namespace {
 
-const Module& hdf5_library() {
-  static const Module module{"hdf5", "an HDF5 or MATLAB v7.3 file", "libhdf5-dev"};
-  return module;
-}
+constexpr Module hdf5_library{"hdf5", "an HDF5 or MATLAB v7.3 file", "libhdf5-dev"};
 
 }  // namespace
 
-Hdf5Module& hdf5_module() { return interface_of<Hdf5Module>(hdf5_library()); }
+Hdf5Module& hdf5_module() { return interface_of<Hdf5Module>(hdf5_library); }
 
-bool has_hdf5() { return is_there(hdf5_library()); }
+bool has_hdf5() { return is_there(hdf5_library); }
 
 }  // namespace jointid::frf

@@ -8,13 +8,10 @@
 namespace jointid::frf {
 namespace {
 
-const Module& matio() {
-  static const Module module{"matio", "a MATLAB v5 to v7 file", "libmatio-dev"};
-  return module;
-}
+constexpr Module matio{"matio", "a MATLAB v5 to v7 file", "libmatio-dev"};
 
 MatioModule& matio_for(const std::filesystem::path& path) {
-  if (has_matio()) return interface_of<MatioModule>(matio());
+  if (has_matio()) return interface_of<MatioModule>(matio);
   throw InputError({.kind = ErrorKind::data,
                     .file = path.string(),
                     .place = {},
@@ -24,7 +21,7 @@ MatioModule& matio_for(const std::filesystem::path& path) {
 
 }  // namespace
 
-bool has_matio() { return is_there(matio()); }
+bool has_matio() { return is_there(matio); }
 
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) { return matio_for(path).open(path); }
 

@@ -16,8 +16,6 @@ class KeptSource final : public FrfSource {
   /// From now on up to so many bytes of values are kept; what is beyond is read again. The first call counts.
   void keep(std::size_t bytes);
 
-  bool in_memory() const override { return source_->in_memory(); }
-
  private:
   template <class T>
   class Values;

@@ -5,17 +5,14 @@
 namespace jointid::ident {
 namespace {
 
-const Module& spqr() {
-  static const Module module{"spqr", "solver spqr", "libsuitesparse-dev"};
-  return module;
-}
+constexpr Module spqr{"spqr", "solver spqr", "libsuitesparse-dev"};
 
 }  // namespace
 
 SparseQr sparse_qr(const SparseEntries& a, const std::vector<double>& b, double tolerance) {
-  return interface_of<SpqrModule>(spqr()).factor(a, b, tolerance);
+  return interface_of<SpqrModule>(spqr).factor(a, b, tolerance);
 }
 
-bool has_spqr() { return is_there(spqr()); }
+bool has_spqr() { return is_there(spqr); }
 
 }  // namespace jointid::ident

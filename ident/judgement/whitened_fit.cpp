@@ -17,7 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 
-
 /// Errors of FRFs below this part of them are not called a misfit: axes, units and single precision are no better.
 constexpr double least_relative_error = 1e-3;
 

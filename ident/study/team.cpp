@@ -30,18 +30,15 @@ std::size_t variable(const char* open_mpi, const char* mpich) {
   return 0;
 }
 
-const Module& mpi() {
-  static const Module module{"mpi", "a study under mpirun", "libopenmpi-dev"};
-  return module;
-}
+constexpr Module mpi{"mpi", "a study under mpirun", "libopenmpi-dev"};
 
 }  // namespace
 
-bool has_mpi() { return is_there(mpi()); }
+bool has_mpi() { return is_there(mpi); }
 
 std::unique_ptr<Team> join_team() {
   if (processes_started() == 1) return make_team_of_one();
-  if (has_mpi()) return interface_of<MpiModule>(mpi()).join();
+  if (has_mpi()) return interface_of<MpiModule>(mpi).join();
   if (process_number() > 0) throw ToldElsewhere();
   throw InputError({.kind = ErrorKind::usage,
                     .file = {},

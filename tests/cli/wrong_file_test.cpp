@@ -1,4 +1,3 @@
-
 #include "base/statistics.hpp"
 #include "hdf5_damage.hpp"
 #include "wrong_input.hpp"
@@ -9,7 +8,6 @@ namespace {
 Spoil holds(const std::string& file, const std::string& text) {
   return [=](const InputFolder& folder) { folder.write(file, text); };
 }
-
 
 const Wrong any_files[] = {
     {"Absent", {}, {"info", "absent.h5"}, 3, {"absent.h5: ", "no such file", "check its path"}},

@@ -13,7 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-
 FrfSet run_of(const std::vector<Complex>& values) {
   FrfSet set;
   set.header.file = "run.h5";

@@ -1,6 +1,5 @@
 #include "ident/likelihood/data/estimated_frfs.hpp"
 
-
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
 

@@ -81,9 +81,9 @@ void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
     FittedLine& line = lines_[i];
     const LineData& data = data_->lines()[i];
     const ComplexMatrix z = line.joint.at(theta);
-    put_on_constraint(layout(), z, line.state);
-    line.cost = line_cost(layout(), data, z, line.state.x, line.state.y);
     if (until == Relaxation::beginning) {
+      put_on_constraint(layout(), z, line.state);
+      line.cost = line_cost(layout(), data, z, line.state.x, line.state.y);
       line.reduced = linearised(data, z, model, line);
       if (line.is_as_predicted(line.cost, line.reduced.cost)) return;
     }
@@ -137,11 +137,8 @@ void FittedLines::follow(const std::vector<FittedLine>& before, const std::vecto
       if (until == Relaxation::end) ident::relax(data, z, model, line);
       return;
     }
-    if (cost_after(answer) > cost_after(LineStep::Zero(answer.size()))) {
-      line.state = before[i].state;
-    } else {
-      cost_after(answer);
-    }
+    const double unmoved = cost_after(LineStep::Zero(answer.size()));
+    if (cost_after(answer) > unmoved) line.state = before[i].state;
     ident::relax(data, z, model, line, until);
     relaxed = true;
   });

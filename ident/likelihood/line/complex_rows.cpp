@@ -1,5 +1,7 @@
 #include "ident/likelihood/line/complex_rows.hpp"
 
+#include <map>
+
 #include "base/eigen.hpp"
 #include "dense/blas.hpp"
 
@@ -30,29 +32,36 @@ void ComplexRows::finish() {
   struct Part {
     std::size_t row, at;  // of a row that touches the run, and of its coefficients in heads_
   };
-  std::map<std::size_t, std::vector<Part>> parts;  // by the first column of a run
-  std::map<std::size_t, Eigen::Index> counts;
+  struct Touching {
+    Eigen::Index count = 0;  // of the run's columns
+    std::vector<Part> parts;
+  };
+  std::map<std::size_t, Touching> runs;  // by their first column
+  const auto touch = [&runs](Run run, const Part& part) {
+    if (run.count == 0) return;
+    Touching& of = runs[run.first];
+    of.count = at(run.count);
+    of.parts.push_back(part);
+  };
   const auto head = [this](std::size_t from, Eigen::Index count) {
     return Eigen::Map<const Eigen::VectorXcd>(heads_.data() + from, count);
   };
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const auto& [first, second, place] = rows_[r];
-    if (first.count > 0) parts[first.first].push_back({r, place});
-    if (second.count > 0) parts[second.first].push_back({r, place + first.count});
-    if (first.count > 0) counts[first.first] = at(first.count);
+    touch(first, {r, place});
+    touch(second, {r, place + first.count});
     if (second.count == 0) continue;
-    counts[second.first] = at(second.count);
     const auto one = head(place, at(first.count)), two = head(place + first.count, at(second.count));
     normal_.block(at(second.first), at(first.first), two.size(), one.size()).noalias() += two * one.adjoint();
   }
   MatrixXcd run, common;
-  for (const auto& [column, touching] : parts) {
-    const Eigen::Index count = counts[column];
-    run.resize(count, at(touching.size()));
-    common.resize(width, at(touching.size()));
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-      run.col(at(i)) = head(touching[i].at, count);
-      common.col(at(i)) = tails.col(at(touching[i].row));
+  for (const auto& [column, touching] : runs) {
+    const auto& [count, parts] = touching;
+    run.resize(count, at(parts.size()));
+    common.resize(width, at(parts.size()));
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      run.col(at(i)) = head(parts[i].at, count);
+      common.col(at(i)) = tails.col(at(parts[i].row));
     }
     dense::add_square(run, normal_.block(at(column), at(column), count, count));
     dense::add_product(common, run, normal_.block(tail, at(column), width, count));

@@ -13,7 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::Le;
 
-
 ident::RegeneratedFrf frf(const char* response, const char* reference, std::vector<Complex> measured,
                           std::vector<Complex> predicted) {
   return {{frf::Dof::parse(response), frf::Dof::parse(reference)}, std::move(measured), std::move(predicted)};
