@@ -1,5 +1,7 @@
-# Defines jointid::openblas: OpenBLAS, the build without threads where there is one (lines are what is shared among threads).
-find_library(JointidOpenBlas_LIBRARY NAMES openblas PATH_SUFFIXES openblas-serial openblas-pthread)
+# Defines jointid::openblas: OpenBLAS built with POSIX threads. The build without threads has no locks: threads that call it at once
+# get wrong products. Linked by its full path, so that the modules' RUNPATH leads to it whatever `update-alternatives` prefers.
+find_library(JointidOpenBlas_LIBRARY NAMES openblas PATH_SUFFIXES openblas-pthread NO_CMAKE_SYSTEM_PATH
+  PATHS "/usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}" /usr/lib /usr/lib64 /usr/local/lib)
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(JointidOpenBlas REQUIRED_VARS JointidOpenBlas_LIBRARY)
 if(JointidOpenBlas_FOUND AND NOT TARGET jointid::openblas)

@@ -15,14 +15,15 @@ using Eigen::Ref;
 /// Below this size of a product's or factor's smaller sides Eigen is as fast.
 constexpr Eigen::Index large = 48;
 
-constexpr Module open_blas{"blas", "large complex products", "libopenblas-serial-dev"};
+constexpr Module open_blas{"blas", "large complex products", "libopenblas-pthread-dev"};
 
 /// The module for matrices of that size; null: Eigen.
 BlasModule* blas_for(Eigen::Index size) {
   if (size < large) return nullptr;
   static BlasModule* const module = []() -> BlasModule* {
     try {
-      return has_blas() ? &interface_of<BlasModule>(open_blas) : nullptr;
+      BlasModule* const found = has_blas() ? &interface_of<BlasModule>(open_blas) : nullptr;
+      return found != nullptr && found->is_safe_beside_threads() ? found : nullptr;
     } catch (const InputError&) {
       return nullptr;  // its library is gone; Eigen does all that it does
     }

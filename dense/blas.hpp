@@ -18,8 +18,8 @@ bool cholesky_in_place(Eigen::Ref<Eigen::MatrixXcd> a);
 void solve_lower(const Eigen::Ref<const Eigen::MatrixXcd>& l, Eigen::Ref<Eigen::MatrixXcd> b);
 void solve_lower_adjoint(const Eigen::Ref<const Eigen::MatrixXcd>& l, Eigen::Ref<Eigen::MatrixXcd> b);
 
-/// Large ones are left to the module blas where it is there: OpenBLAS, which has kernels for the machine it runs on (four times
-/// as fast as Eigen's for every x86-64), on one thread.
+/// Large ones are left to the module blas where it is there: OpenBLAS built with POSIX threads, the only build that threads of the
+/// caller may share; it has kernels for the machine it runs on (four times as fast as Eigen's for every x86-64). It uses one thread.
 bool has_blas();
 
 }  // namespace jointid::dense

@@ -1,5 +1,7 @@
 #include "dense/blas_module.hpp"
 
+#include "dense/one_blas_thread.hpp"
+
 extern "C" {
 using jointid_number = std::complex<double>;
 void zherk_(const char*, const char*, const int*, const int*, const double*, const jointid_number*, const int*, const double*,
@@ -9,7 +11,7 @@ void zgemm_(const char*, const char*, const int*, const int*, const int*, const 
 void zpotrf_(const char*, const int*, jointid_number*, const int*, int*);
 void ztrsm_(const char*, const char*, const char*, const char*, const int*, const int*, const jointid_number*,
             const jointid_number*, const int*, jointid_number*, const int*);
-void openblas_set_num_threads(int);
+int openblas_get_parallel();
 }
 
 namespace jointid::dense {
@@ -17,7 +19,10 @@ namespace {
 
 class OpenBlas final : public BlasModule {
  public:
-  OpenBlas() { openblas_set_num_threads(1); }
+  bool is_safe_beside_threads() const override {
+    constexpr int pthreads = 1;
+    return openblas_get_parallel() == pthreads;
+  }
 
   void add_square(int size, int depth, const Number* a, int a_step, Number* c, int c_step) override {
     const double one = 1.0;
@@ -46,6 +51,7 @@ class OpenBlas final : public BlasModule {
 }  // namespace jointid::dense
 
 extern "C" void* jointid_module() {
+  jointid::dense::use_one_blas_thread();
   static jointid::dense::OpenBlas module;
   return static_cast<jointid::dense::BlasModule*>(&module);
 }

@@ -3,6 +3,7 @@
 
 #include <exception>
 
+#include "dense/one_blas_thread.hpp"
 #include "minimise/modules.hpp"
 
 namespace jointid::minimise {
@@ -153,6 +154,7 @@ class Ceres final : public CeresModule {
 }  // namespace jointid::minimise
 
 extern "C" void* jointid_module() {
+  jointid::dense::use_one_blas_thread();
   static jointid::minimise::Ceres module;
   return static_cast<jointid::minimise::CeresModule*>(&module);
 }

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "dense/one_blas_thread.hpp"
 #include "minimise/modules.hpp"
 
 namespace jointid::minimise {
@@ -146,6 +147,7 @@ class OwnIpopt final : public IpoptModule {
 }  // namespace jointid::minimise
 
 extern "C" void* jointid_module() {
+  jointid::dense::use_one_blas_thread();
   static jointid::minimise::OwnIpopt module;
   return static_cast<jointid::minimise::IpoptModule*>(&module);
 }

@@ -1,6 +1,7 @@
 #include <SuiteSparseQR.hpp>
 #include <algorithm>
 
+#include "dense/one_blas_thread.hpp"
 #include "ident/algebra/sparse_qr.hpp"
 
 namespace jointid::ident {
@@ -65,6 +66,7 @@ class Spqr final : public SpqrModule {
 }  // namespace jointid::ident
 
 extern "C" void* jointid_module() {
+  jointid::dense::use_one_blas_thread();
   static jointid::ident::Spqr module;
   return static_cast<jointid::ident::SpqrModule*>(&module);
 }
