@@ -70,7 +70,7 @@ TEST(Blas, TellsThatAMatrixIsNotPositiveDefinite) {
   }
 }
 
-/// A build of OpenBLAS without locks has some 15 of these wrong.
+/// A build of OpenBLAS without locks has thousands of these wrong.
 TEST(Blas, IsTheSameForThreadsAtOnce) {
   std::atomic<int> wrong = 0;
   std::vector<std::jthread> threads;
