@@ -38,15 +38,20 @@ void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& wo
     if (watch_) watch_(begun++, lines_.size());
     work(i, model);
   };
+  const auto model_of = [&](std::size_t worker) -> LineModel& {
+    if (!models_[worker]) models_[worker] = std::make_unique<LineModel>(layout());
+    return *models_[worker];
+  };
   if (threads_ == 1) {
-    LineModel model(layout());
-    for (std::size_t i = 0; i < lines_.size(); ++i) work_on(i, model);
+    models_.resize(std::max<std::size_t>(1, models_.size()));
+    for (std::size_t i = 0; i < lines_.size(); ++i) work_on(i, model_of(0));
     return;
   }
   oneapi::tbb::task_arena arena(threads_ == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads_));
+  models_.resize(std::max(models_.size(), static_cast<std::size_t>(arena.max_concurrency())));
   arena.execute([&] {
     oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, lines_.size()), [&](const auto& range) {
-      LineModel model(layout());
+      LineModel& model = model_of(static_cast<std::size_t>(oneapi::tbb::this_task_arena::current_thread_index()));
       for (std::size_t i = range.begin(); i != range.end(); ++i) work_on(i, model);
     });
   });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "ident/likelihood/data/likelihood_data.hpp"
@@ -96,6 +97,7 @@ class FittedLines {
   std::size_t threads_;
   std::function<void(std::size_t, std::size_t)> watch_;
   std::vector<FittedLine> lines_;
+  mutable std::vector<std::unique_ptr<LineModel>> models_;  ///< one per thread, kept: their matrices are large
   double tolerance_ = 1.0;
 };
 

@@ -1,5 +1,6 @@
 #include "ident/likelihood/line/complex_rows.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "base/eigen.hpp"
@@ -20,8 +21,12 @@ void ComplexRows::reset(std::size_t columns, std::size_t tail) {
 void ComplexRows::add(const Complex* row, Run first, Run second) {
   const std::size_t head = first.count + second.count;
   rows_.push_back({first, second, heads_.size()});
-  for (std::size_t i = 0; i < head; ++i) heads_.push_back(std::conj(row[i]));
-  for (std::size_t i = 0; i < columns() - tail_; ++i) tails_.push_back(std::conj(row[head + i]));
+  const auto append = [](std::vector<Complex>& to, const Complex* from, std::size_t count) {
+    to.resize(to.size() + count);
+    std::transform(from, from + count, to.end() - static_cast<std::ptrdiff_t>(count), [](const Complex& z) { return std::conj(z); });
+  };
+  append(heads_, row, head);
+  append(tails_, row + head, columns() - tail_);
 }
 
 void ComplexRows::finish() {

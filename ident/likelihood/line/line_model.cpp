@@ -33,11 +33,12 @@ void LineModel::put(Complex coefficient) { row_[place_++] += coefficient; }
 
 /// −left δY right
 void LineModel::put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index k) {
-  for (const Element& e : layout_.y) {
-    Complex sum = left[e.row] * right(at(e.column), k);
-    if (e.row != e.column) sum += left[e.column] * right(at(e.row), k);
-    put(-sum);
+  const Complex* const r = right.col(k).data();
+  Complex* out = row_.data() + place_;
+  for (const auto [row, column] : layout_.y) {
+    *out++ -= row == column ? left[row] * r[row] : left[row] * r[column] + left[column] * r[row];
   }
+  place_ += layout_.y.size();
 }
 
 void LineModel::put_joint(const JointImpedance& joint, const Complex* left, const Complex* right) {
@@ -200,20 +201,20 @@ std::optional<ReducedLine> LineModel::reduce(double damping) { return complex_ ?
 std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
   const auto v = at(layout_.variables()), p = at(unknowns_);
   const Eigen::MatrixXcd& normal = complex_rows_.normal();
-  Eigen::MatrixXcd u = normal.topLeftCorner(v, v);
+  factor_ = normal.topLeftCorner(v, v);
   for (Eigen::Index i = 0; i < v; ++i) {
     const double weight = prior_weight_[static_cast<std::size_t>(i)];
-    u(i, i) += damping * weight * weight;
+    factor_(i, i) += damping * weight * weight;
   }
-  const Eigen::VectorXd scale = u.diagonal().real().cwiseSqrt().cwiseInverse();
-  for (Eigen::Index j = 0; j < v; ++j) u.col(j).tail(v - j).array() *= scale.tail(v - j).array() * scale[j];
-  if (!dense::cholesky_in_place(u)) return std::nullopt;
-  Eigen::MatrixXcd right = scale.asDiagonal() * normal.bottomLeftCorner(p + 1, v).adjoint();
-  dense::solve_lower(u, right);
+  const Eigen::VectorXd scale = factor_.diagonal().real().cwiseSqrt().cwiseInverse();
+  for (Eigen::Index j = 0; j < v; ++j) factor_.col(j).tail(v - j).array() *= scale.tail(v - j).array() * scale[j];
+  if (!dense::cholesky_in_place(factor_)) return std::nullopt;
+  right_ = scale.asDiagonal() * normal.bottomLeftCorner(p + 1, v).adjoint();
+  dense::solve_lower(factor_, right_);
   Eigen::MatrixXcd schur = normal.bottomRightCorner(p + 1, p + 1);
-  schur.triangularView<Eigen::Lower>() -= right.adjoint() * right;
-  dense::solve_lower_adjoint(u, right);
-  right = scale.asDiagonal() * right;
+  schur.triangularView<Eigen::Lower>() -= right_.adjoint() * right_;
+  dense::solve_lower_adjoint(factor_, right_);
+  right_ = scale.asDiagonal() * right_;
   ReducedLine out;
   const Eigen::MatrixXd real = schur.real();
   out.information = real.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();
@@ -221,8 +222,8 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
   out.cost = real(p, p);
   Eigen::MatrixXd parts(2 * v, p + 1);  // real and imaginary part of every FRF in turn
   for (Eigen::Index i = 0; i < v; ++i) {
-    parts.row(2 * i) = right.row(i).real();
-    parts.row(2 * i + 1) = right.row(i).imag();
+    parts.row(2 * i) = right_.row(i).real();
+    parts.row(2 * i + 1) = right_.row(i).imag();
   }
   out.back = parts.leftCols(p);
   out.own = parts.col(p);

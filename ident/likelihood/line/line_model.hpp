@@ -81,6 +81,7 @@ class LineModel {
   std::vector<double> prior_weight_;  ///< 2v, v of complex equations
   NormalRows rows_;
   ComplexRows complex_rows_;
+  ComplexMatrix factor_, right_;  ///< of reduce_complex()
 };
 
 }  // namespace jointid::ident
