@@ -1,9 +1,8 @@
 #include "ident/identify.hpp"
 
-#include <chrono>
-
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
+#include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/likelihood/likelihood.hpp"
@@ -67,6 +66,7 @@ void warn_of_shared_errors(const Plan& plan, Solution& out) {
 /// What the short check of the data finds, in status and message.
 void check_briefly(Plan& plan, const Control& control, Solution& out) {
   if (control.detail != Detail::full || control.judgement != Judgement::data) return;
+  const Stopwatch watch(out.runtime_s.check);
   out.check = quick_check(plan, control);
   tell_check(*out.check, out);
 }
@@ -92,6 +92,10 @@ std::unique_ptr<Plan> make_plan(const Scene& scene) {
 
 std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures,
                                 std::shared_ptr<frf::FrfSystem> assembly) {
+  if (scene.identify.automatic) {
+    return plan_automatically(scene, *substructures, *assembly,
+                              [&](const Scene& chosen) { return make_plan(chosen, substructures, assembly); });
+  }
   auto plan = prepare_plan(scene, std::move(substructures), std::move(assembly));
   plan->method = plan_method(*plan);
   complete_plan(*plan);
@@ -115,12 +119,13 @@ Solution solve(Plan& plan, const Control& control) {
     if (!each.harm.empty()) out.warnings.push_back(note(each));
   }
   warn_of_shared_errors(plan, out);
+  choose_weighting(plan, control);
   out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
-              plan.scene.identify.delta,  plan.solver,    0};
+              plan.scene.identify.delta,  plan.solver,    plan.chosen};
   plan.method->solve(plan, control, out);
   check_briefly(plan, control, out);
-  out.runtime_s.total = std::chrono::duration<double>(Clock::now() - start).count();
+  out.runtime_s.total = seconds_since(start);
   return out;
 }
 

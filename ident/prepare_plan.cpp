@@ -128,6 +128,7 @@ void keep_frfs(Plan& plan) {
   if (with_noise * plan.entries_per_line * plan.lines.size() * sizeof(Complex) > most) return;
   plan.substructures->keep(most / 2);
   plan.assembly->keep(most / 2);
+  plan.keeps_frfs = true;
 }
 
 void complete_plan(Plan& plan) {

@@ -9,6 +9,7 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/whole_number.hpp"
 #include "cli/text/table.hpp"
+#include "ident/scene/method_traits.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/case/modal_set.hpp"
 #include "problems/case/rig_two.hpp"
@@ -16,6 +17,16 @@
 #include "problems/thesis/loading_curves.hpp"
 
 namespace jointid::cli {
+
+namespace {
+
+std::vector<std::string> methods_and_auto() {
+  std::vector<std::string> words = ident::method_names();
+  words.emplace_back("auto");
+  return words;
+}
+
+}  // namespace
 
 void add_problem(CLI::App& app, Chosen& chosen) {
   CLI::App* problem = app.add_subcommand("problem", "Built-in problems with known answers");
@@ -33,6 +44,8 @@ void add_problem(CLI::App& app, Chosen& chosen) {
       ->check(CLI::IsMember({"h5", "uff"}))
       ->capture_default_str();
   add_whole_number(write, "--seed", arguments->options.seed, "Of the noise", {});
+  write->add_option("--method", arguments->options.method, "Of the scene, instead of that of the problem")
+      ->check(CLI::IsMember(methods_and_auto()));
   write->add_flag("--clean", arguments->options.clean, "Leave the noise out");
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
 }

@@ -12,6 +12,7 @@
 #include "cli/text/words.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
+#include "ident/plan/expected_time.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -34,13 +35,23 @@ std::string unknowns_text(const ident::Plan& plan) {
   return fmt::format("{}{}: {}", names.size(), columns, fmt::join(names, " "));
 }
 
+double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }
+
+/// On all cores of this machine.
 std::string cost_text(const ident::Cost& cost) {
   Table table({{"", Align::left}, {""}});
-  table.add({"FRFs to read, MB", number(static_cast<double>(cost.bytes_read) / 1e6)});
+  table.add({"FRFs to read, MB", number(megabytes(cost.bytes_read))});
   table.add({"equations per line", fmt::format("{}", cost.equations_per_line)});
-  table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
-  table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
-  table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
+  if (const ident::Iteration& each = cost.iteration; each.expected > 0) {
+    table.add({"an iteration, Mflop", number(each.flops / 1e6)});
+    table.add({"iterations expected", fmt::format("{}", each.expected)});
+    table.add({"memory, MB", number(megabytes(each.memory_bytes))});
+    table.add({"time of the iterations expected here, s", fmt::format("{:.2g}", ident::expected_seconds(cost))});
+  } else {
+    table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
+    table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
+    table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
+  }
   return "\ncost\n" + table.text();
 }
 
@@ -70,7 +81,11 @@ Json cost_json(const ident::Cost& cost) {
           {"columns", cost.columns},
           {"bytes_read", cost.bytes_read},
           {"assemble_flops", cost.assemble_flops},
-          {"stacked_flops", cost.stacked_flops}};
+          {"stacked_flops", cost.stacked_flops},
+          {"iteration_flops", cost.iteration.flops},
+          {"iterations", cost.iteration.expected},
+          {"memory_bytes", cost.iteration.memory_bytes},
+          {"expected_s", ident::expected_seconds(cost)}};
 }
 
 }  // namespace
@@ -78,6 +93,7 @@ Json cost_json(const ident::Cost& cost) {
 std::string plan_text(const ident::Plan& plan) {
   Table table({{"", Align::left}, {"", Align::left}});
   const auto& identify = plan.scene.identify;
+  if (!plan.chosen.empty()) table.add({"chosen", plan.chosen});
   table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
   table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
   table.add({"other responses", dof_list(plan.coordinates.responses)});
@@ -96,6 +112,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundR
   const bool weighs = ident::weighs_equations(identify.method);
   Json json = {{"title", plan.scene.title},
                {"method", ident::name(identify.method)},
+               {"chosen", plan.chosen.empty() ? Json(nullptr) : Json(plan.chosen)},
                {"equations", equation_names(plan)},
                {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
                {"delta", weighs ? Json(identify.delta) : Json(nullptr)},

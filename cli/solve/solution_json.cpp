@@ -98,11 +98,13 @@ Json used(const ident::Used& used) {
   const bool weighs = ident::weighs_equations(used.method);
   Json equations = Json::array();
   for (const auto equation : used.equations) equations.push_back(ident::name(equation));
-  return {{"method", ident::name(used.method)},
-          {"equations", equations},
-          {"weighting", weighs ? Json(weighting::name(used.weighting)) : Json(nullptr)},
-          {"delta", weighs ? value(used.delta) : Json(nullptr)},
-          {"solver", used.solver}};
+  Json json = {{"method", ident::name(used.method)},
+               {"equations", equations},
+               {"weighting", weighs ? Json(weighting::name(used.weighting)) : Json(nullptr)},
+               {"delta", weighs ? value(used.delta) : Json(nullptr)},
+               {"solver", used.solver}};
+  if (!used.chosen.empty()) json["chosen"] = used.chosen;
+  return json;
 }
 
 }  // namespace
@@ -121,8 +123,10 @@ std::string solution_json(const ident::Solution& solution) {
   if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);
   const auto& time = solution.runtime_s;
-  json["runtime_s"] = {
-      {"read", time.read}, {"assemble", time.assemble}, {"solve", time.solve}, {"total", time.total}};
+  json["runtime_s"] = {{"read", time.read}, {"assemble", time.assemble}, {"solve", time.solve}, {"total", time.total}};
+  for (const auto& [phase, seconds] : ident::run_time_phases) {
+    if (time.*seconds > 0.0) json["runtime_s"][phase] = time.*seconds;
+  }
   json["used"] = used(solution.used);
   json["variances"] = variances(solution.variances);
   json["warnings"] = solution.warnings;

@@ -35,6 +35,7 @@ std::string head(const ident::Solution& solution, const std::string& title) {
   if (!solution.message.empty()) table.add({"message", solution.message});
   for (const std::string& warning : solution.warnings) table.add({"warning", warning});
   if (solution.check && solution.check->verdict != ident::Verdict::clean) add_suspects(solution.check->suspects, table);
+  if (!used.chosen.empty()) table.add({"chosen", used.chosen});
   table.add({"method", method_text(used.method, used.equations, used.weighting, used.delta, used.solver)});
   return (title.empty() ? "" : title + "\n") + table.text();
 }
@@ -169,8 +170,11 @@ std::string quality_text(const std::map<restrictions::Kind, ident::Quality>& by_
 }
 
 std::string time_text(const ident::RunTime& time) {
-  return fmt::format("\nrun time {:.3g} s (read {:.3g}, assemble {:.3g}, solve {:.3g})\n", time.total, time.read,
-                     time.assemble, time.solve);
+  std::string phases;
+  for (const auto& [phase, seconds] : ident::run_time_phases) {
+    if (time.*seconds > 0.0) phases += fmt::format("{}{} {:.3g}", phases.empty() ? "" : ", ", phase, time.*seconds);
+  }
+  return fmt::format("\nrun time {:.3g} s ({})\n", time.total, phases);
 }
 
 }  // namespace

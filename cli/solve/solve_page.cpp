@@ -44,7 +44,7 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
   const ident::RunTime& time = solution.runtime_s;
   page.status(status_banner(ident::name(solution.status), solution.message, solution.warnings, suspect_lines(solution)));
   page.section("Summary");
-  page.add(Facts{{{"status", words(ident::name(solution.status))},
+  Facts facts{{{"status", words(ident::name(solution.status))},
                   {"method", ident::name(solution.used.method)},
                   {"equations", equations_text(solution.used.equations)},
                   {"weighting", weighting_text(solution.used.method, solution.used.weighting)},
@@ -61,10 +61,11 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
                   {"χ² / degrees of freedom", fit.chi_square ? chi_square_text(*fit.chi_square) : "–"},
                   {"outlying lines", fit.chi_square ? fmt::format("{}", fit.chi_square->outlying_lines) : "–"},
                   {"assembly FRF error", fit.asm_frf_error ? number(*fit.asm_frf_error) + " dB" : "–"},
-                  {"run time", duration(time.total)},
-                  {"reading", duration(time.read)},
-                  {"assembling", duration(time.assemble)},
-                  {"solving", duration(time.solve)}}});
+                  {"run time", duration(time.total)}}};
+  for (const auto& [phase, seconds] : ident::run_time_phases) {
+    if (time.*seconds > 0.0) facts.rows.push_back({fmt::format("run time, {}", phase), duration(time.*seconds)});
+  }
+  page.add(std::move(facts));
 }
 
 void add_unknowns(const ident::Solution& solution, ReportPage& page) {

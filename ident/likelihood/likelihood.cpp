@@ -130,12 +130,15 @@ class BestJoint {
   std::size_t steps_ = 0;
 };
 
-LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::string& stage) {
+LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::string& stage,
+                            double& start_time) {
   const FitWatcher watch = [&](std::size_t iteration) {
     stop_if(control.interrupted);
     stage = "iteration " + std::to_string(iteration);
   };
+  const Clock::time_point begun = Clock::now();
   const Starts starts = starts_of(plan, estimator, control);
+  start_time = seconds_since(begun);
   if (plan.solver == "gauss-helmert") {
     const bool several_minima = !likelihood_plan(plan)->start && likelihood_plan(plan)->observations->layout().a.empty();
     const Follow usual = several_minima ? Follow::until_reached_twice : Follow::until_it_fits;
@@ -260,7 +263,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   if (control.judgement == Judgement::data) {
     estimator.set_second_opinion([&plan](const std::vector<double>& theta) { return beyond_any_joint(plan, theta); });
   }
-  LikelihoodFit fit = fit_by_solver(plan, estimator, control, *stage);
+  LikelihoodFit fit = fit_by_solver(plan, estimator, control, *stage, out.runtime_s.start);
   estimator.set_listener(nullptr);
   if (plan.admissible) {
     *stage = "constraining";
@@ -270,14 +273,16 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     out.admissibility = outcome_of(*plan.admissible, admissible, 1.0);
     out.admissibility->from_variances = true;
   }
-  out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
+  out.runtime_s.solve = seconds_since(start) - out.runtime_s.read - out.runtime_s.start;
   interpret(plan, with_rank(plan, fit), out);
   *stage = "standard errors";
+  const Clock::time_point solved = Clock::now();
   const bool own_solver = plan.solver == "gauss-helmert" && fit.converged;
   const Eigen::MatrixXd covariance = covariance_under_ties(plan, own_solver ? estimator.godambe_information_at(fit) : fit.information);
   state_errors(plan, covariance, out);
   if (control.so_far) control.so_far(out);
   if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, estimator, fit, control, out);
+  out.runtime_s.intervals = seconds_since(solved);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);
   const bool finite = std::ranges::all_of(fit.theta, [](double value) { return std::isfinite(value); });
   if ((!fit.converged && !fit.hopeless) || !finite) {
@@ -301,10 +306,12 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   if (control.detail == Detail::full) {
     stop_if(control.interrupted);
     if (control.progress) control.progress("identifiability", 0, 0);
+    const Stopwatch watch(out.runtime_s.identifiability);
     out.identifiability = identifiability_of(plan, estimator, covariance, out);
   }
-  if (control.judgement != Judgement::none)
-    judge_likelihood(plan, {.theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless}, control, out);
+  if (control.judgement == Judgement::none) return;
+  const Stopwatch watch(out.runtime_s.check);
+  judge_likelihood(plan, {.theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless}, control, out);
 }
 
 class LikelihoodMethod final : public LikelihoodPlan {

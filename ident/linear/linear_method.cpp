@@ -42,7 +42,9 @@ void estimate(Plan& plan, Assembled& system, const Control& control, Solution& o
     out.message += "The constrained least-squares problem did not settle.";
   }
   tell_and_predict(plan, control, out);
-  if (control.detail == Detail::full && control.judgement == Judgement::data) judge_linear(plan, linear, control, out);
+  if (control.detail != Detail::full || control.judgement != Judgement::data) return;
+  const Stopwatch watch(out.runtime_s.check);
+  judge_linear(plan, linear, control, out);
 }
 
 /// Assembles all lines, solves and judges, which all linear methods have in common.

@@ -172,11 +172,15 @@ class Search {
 };
 
 /// From the start that fits best by its size, then from others until one settles; as many as the scene asks for.
-void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, const Control& control, Search& found) {
+void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, const Control& control, Search& found,
+            RunTime& time) {
+  const Clock::time_point begun = Clock::now();
   const std::size_t wanted = plan.scene.identify.starts;
   const Point given = own.start
                           ? problem.scaled(started(plan, *own.start, control))
                           : problem.scaled(scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start")));
+  time.start = seconds_since(begun);
+  const Stopwatch watch(time.solve);
   if (plan.solver == "newton" && wanted == 0) {
     found.from(given, 0);  // the thesis's scheme as it is
     return;
@@ -230,8 +234,7 @@ void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out
     return;
   }
   Search found(plan, problem, out, control);
-  search(plan, own, problem, control, found);
-  out.runtime_s.solve = seconds_since(start) - out.runtime_s.read;
+  search(plan, own, problem, control, found, out.runtime_s);
   if (found.best().q.empty()) {
     out.status = Status::no_equations;
     out.message = "The FRFs are not defined at any start: H_bb and the start make I + Z H_bb singular on some line.";

@@ -1,10 +1,30 @@
 #include "ident/newton/newton_plan.hpp"
 
+#include <algorithm>
+
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "ident/algebra/eigen_view.hpp"
 
 namespace jointid::ident {
+namespace {
+
+/// Flops of the residuals and their derivatives of a line, and of its rows in the triangle.
+Iteration iteration_cost(const Plan& plan) {
+  constexpr std::size_t usual = 20;
+  const auto number = [](std::size_t i) { return static_cast<double>(i); };
+  const double n = number(plan.coordinates.joint.size()), p = number(plan.columns->size());
+  const double m = number(plan.coordinates.responses.size()), l = number(plan.coordinates.references.size());
+  const double line = 8.0 * (4.0 / 3.0 * n * n * n + n * n * (m + l) + m * l * n) + m * l * p * (8.0 + 4.0 * p);
+  const std::size_t lines = plan.lines.size();
+  return {.expected = usual,
+          .flops = number(lines) * line,
+          .matrix = std::max<std::size_t>(8, plan.coordinates.joint.size()),
+          .complex = false,
+          .memory_bytes = lines * plan.entries_per_line * sizeof(Complex)};
+}
+
+}  // namespace
 
 void plan_responses(Plan& plan, const StartPlanner& plan_start, NewtonPlan& own) {
   const Coordinates& at = plan.coordinates;
@@ -19,6 +39,7 @@ void plan_responses(Plan& plan, const StartPlanner& plan_start, NewtonPlan& own)
   plan.cost.columns = plan.columns->size();
   plan.cost.equations_per_line = at.responses.size() * at.references.size();
   plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
+  plan.cost.iteration = iteration_cost(plan);
   plan.predicted_responses = at.responses;
   plan.predicted_references = at.references;
 }

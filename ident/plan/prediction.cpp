@@ -1,6 +1,8 @@
 #include "ident/plan/prediction.hpp"
 
 #include <cmath>
+
+#include "base/stopwatch.hpp"
 #include "ident/plan/joint_effect.hpp"
 #include "ident/plan/rectangle.hpp"
 #include "ident/result/chunk_pipeline.hpp"
@@ -91,7 +93,9 @@ std::optional<double> assembly_error(Plan& plan, const Solution& solution, const
 
 void tell_and_predict(Plan& plan, const Control& control, Solution& out) {
   if (control.so_far) control.so_far(out);
-  if (control.detail == Detail::full) out.fit.asm_frf_error = assembly_error(plan, out, control);
+  if (control.detail != Detail::full) return;
+  const Stopwatch watch(out.runtime_s.regenerate);
+  out.fit.asm_frf_error = assembly_error(plan, out, control);
 }
 
 }  // namespace jointid::ident

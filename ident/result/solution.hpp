@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ident/result/admissibility.hpp"
@@ -91,10 +92,27 @@ struct Quality {
   double rms_relative_error = 0.0;  ///< sqrt(mean((u_i − 1)²)) over the same elements
 };
 
-/// Reading overlaps with the rest when several threads work: `assemble` is the time of that stage not spent reading.
+/// Where the time went, s. Reading overlaps with the rest when several threads work: `assemble` is the time of that stage not spent
+/// reading. Phases add up to the total but for what takes no time worth a name.
 struct RunTime {
-  double read = 0.0, assemble = 0.0, solve = 0.0, total = 0.0;  ///< s
+  double read = 0.0, assemble = 0.0;
+  double start = 0.0;  ///< linear estimates that an iteration starts from
+  double solve = 0.0, intervals = 0.0, identifiability = 0.0;
+  double regenerate = 0.0;  ///< the assembly's FRFs, and comparing them
+  double check = 0.0;       ///< of the data: figures of misfit, quick_check()
+  double total = 0.0;
 };
+
+/// Its phases by name, in the order in which they are taken.
+inline constexpr std::array<std::pair<const char*, double RunTime::*>, 8> run_time_phases = {
+    {{"read", &RunTime::read},
+     {"assemble", &RunTime::assemble},
+     {"start", &RunTime::start},
+     {"solve", &RunTime::solve},
+     {"intervals", &RunTime::intervals},
+     {"identifiability", &RunTime::identifiability},
+     {"regenerate", &RunTime::regenerate},
+     {"check", &RunTime::check}}};
 
 /// Where the variances of a file's FRFs came from, in words for the user.
 struct VarianceSource {
@@ -110,6 +128,7 @@ struct Used {
   weighting::Weighting weighting = weighting::Weighting::none;
   double delta = 0.0;
   std::string solver;
+  std::string chosen = {};  ///< "method …: why", where the scene left it open; else empty
   std::size_t accumulator_bytes = 0;  ///< of the reduced system and its row buffers; of the likelihood, of its data and states
 };
 

@@ -19,6 +19,7 @@ Scene parse_scene(const std::string& text, const Path& file) {
   scene.data = read_data(table.require("data"), file.parent_path());
   if (const auto frequency = table.find("frequency")) scene.frequency = read_frequency(*frequency);
   scene.joints = read_joints(table);
+  scene.identify.automatic = scene.identify.any_weighting = true;
   if (const auto identify = table.find("identify")) scene.identify = read_identify(*identify, scene.joints);
   if (const auto noise = table.find("noise")) scene.noise = read_noise(*noise);
   if (scene.identify.variance == VarianceChoice::noise) require_noise_law(scene);

@@ -96,6 +96,8 @@ struct Bound {
 
 struct IdentifySection {
   Method method = Method::one;
+  bool automatic = false;     ///< the plan chooses the method (automatic_method.hpp): scene files that name none, or "auto"
+  bool any_weighting = false;  ///< the scene names neither weighting nor delta
   std::vector<Equation> equations;  ///< no duplicates; empty: all that the data allow
   weighting::Weighting weighting = weighting::Weighting::wb;
   double delta = 0.0;  ///< 0 ≤ Δ < 2

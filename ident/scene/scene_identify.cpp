@@ -83,7 +83,15 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "starts", "variance",
                                        "smooth_variance", "priors", "bounds", "ties", "bootstrap", "bootstrap_seed"});
   IdentifySection identify;
-  if (const auto method = table.find("method")) identify.method = read_enum<Method>(*method, method_names());
+  identify.automatic = true;
+  if (const auto method = table.find("method")) {
+    std::vector<std::string> words = method_names();
+    words.emplace_back("auto");
+    const std::string word = method->word(words);
+    identify.automatic = word == "auto";
+    if (!identify.automatic) identify.method = parse_method(word);
+  }
+  identify.any_weighting = !table.find("weighting") && !table.find("delta");
   if (const auto list = table.find("equations")) identify.equations = read_equations(*list);
   if (const auto word = table.find("weighting")) identify.weighting = read_enum<weighting::Weighting>(*word, weightings);
   if (const auto delta = table.find("delta")) identify.delta = read_delta(*delta);

@@ -64,6 +64,7 @@ class Baseline {
 /// The plan of a scene with method "likelihood", on files that are open.
 std::unique_ptr<Plan> likelihood_plan(const Plan& plan, Scene scene) {
   scene.identify.method = Method::likelihood;
+  scene.identify.automatic = false;
   scene.identify.solver = "auto";
   // A start that is not used saves planning a linear estimate.
   if (scene.identify.start.empty()) scene.identify.start = scene.truth;

@@ -19,6 +19,7 @@ void require_truth(const Scene& scene) {
 
 Scene scene_for(Scene scene, const Way& way) {
   scene.identify.method = way.method;
+  scene.identify.automatic = false;
   scene.identify.equations = way.equations;
   scene.identify.weighting = way.weighting;
   scene.identify.delta = way.delta;

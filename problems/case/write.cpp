@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/temporary_file.hpp"
 #include "problems/case/identification_problem.hpp"
@@ -51,6 +52,18 @@ std::string scene_in_format(const Problem& problem, const SetFormat& format) {
   return scene;
 }
 
+/// A scene with another method, without what the problem says of its own: weighting, delta, solver, start.
+std::string with_method(std::string scene, const std::string& method) {
+  const std::string title = "[identify]\n";
+  const std::size_t begin = scene.find(title) + title.size(), end = scene.find("\n[", begin) + 1;
+  std::istringstream section(scene.substr(begin, end - begin));
+  std::string text = "method = \"" + method + "\"\n";
+  for (std::string line; std::getline(section, line);) {
+    if (line.starts_with("equations") || line.empty()) text += line + "\n";
+  }
+  return scene.replace(begin, end - begin, text);
+}
+
 std::string truth_text(const Problem& problem) {
   Json truth = {{"name", problem.name}, {"description", problem.description}};
   for (const frf::Dof& dof : problem.joint_dofs) truth["dofs"].push_back(dof.name());
@@ -77,7 +90,8 @@ std::filesystem::path write(const Problem& problem, const std::filesystem::path&
   format.write(data.assembly, directory / file_name(data.assembly, format));
   write_text(directory / "truth.json", truth_text(problem));
   const std::filesystem::path scene = directory / (problem.name + ".toml");
-  write_text(scene, scene_in_format(problem, format));
+  const std::string text = scene_in_format(problem, format);
+  write_text(scene, options.method.empty() ? text : with_method(text, options.method));
   return scene;
 }
 

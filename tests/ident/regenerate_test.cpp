@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ident/identify.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
 

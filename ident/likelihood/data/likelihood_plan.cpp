@@ -90,6 +90,29 @@ void plan_prediction(Plan& plan, const LikelihoodPlan& own) {
   plan.predicted_references = joined(only_if(blocks.nn, own.others), only_if(blocks.jn || blocks.jj, plan.coordinates.joint));
 }
 
+/// Flops of linearising a line and eliminating its FRFs (line/line_model.hpp): normal equations of what was measured, Cholesky factors,
+/// back substitution for every unknown of the joint. Large lines are counted as those of circular errors, in complex numbers.
+Iteration iteration_cost(const LineLayout& layout, std::size_t unknowns, std::size_t lines) {
+  constexpr std::size_t usual = 25;  // with those of the intervals
+  const auto number = [](std::size_t i) { return static_cast<double>(i); };
+  const double v = number(layout.variables()), p = number(unknowns + 1), common = number(layout.y.size()) + p;
+  const double column = layout.others > 0 ? number(layout.x.size()) / number(layout.others) : 0.0;
+  const auto rows = [](double count, double width) { return 4.0 * count * width * width; };
+  const double normal = rows(number(layout.a.size()), column + common) + rows(number(layout.b.size()), common) +
+                        rows(number(layout.d.size()), 2.0 * column + common);
+  const double complex_flops = normal + 4.0 / 3.0 * v * v * v + 8.0 * v * v * p + 4.0 * v * p * p;
+  Iteration out;
+  out.expected = usual;
+  out.complex = layout.is_large();
+  out.flops = number(lines) * (out.complex ? 1.0 : 2.0) * complex_flops;
+  out.matrix = (out.complex ? 1 : 2) * layout.variables();
+  const double width = (out.complex ? 1.0 : 2.0) * v + p;
+  const double measured = 2.0 * v + number(layout.a.size() + layout.b.size() + layout.d.size());
+  out.memory_bytes = static_cast<std::size_t>(16.0 * 3.0 * measured * number(lines) + 2.0 * (out.complex ? 16.0 : 8.0) * width * width +
+                                              8.0 * 2.0 * v * p * number(lines));
+  return out;
+}
+
 }  // namespace
 
 void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPlan& own) {
@@ -120,6 +143,7 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   plan.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
                                  (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
   plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
+  plan.cost.iteration = iteration_cost(own.observations->layout(), plan.columns->size(), plan.lines.size());
   plan_prediction(plan, own);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/complex.hpp"
+#include "base/statistics.hpp"
 #include "ident/likelihood/data/choose_layout.hpp"
 #include "ident/likelihood/line/frf_weight.hpp"
 #include "ident/result/chunk_pipeline.hpp"
@@ -21,6 +22,21 @@ std::size_t count_measured(const Channel& channel) {
   return count;
 }
 
+/// What the headers of a system's files promise of the blocks that are read: 1 where an FRF or its transpose is there, else unknown.
+Symmetric<Measured> promised_frfs(const frf::FrfSystem& system, const Dofs& coordinates, std::size_t others, const Blocks& blocks) {
+  Symmetric<Measured> out(coordinates.size(), {nan, nan});
+  const auto has = [&](std::size_t response, std::size_t reference) {
+    return frf::has(system.responses(), coordinates[response]) && frf::has(system.references(), coordinates[reference]);
+  };
+  for (std::size_t row = 0; row < coordinates.size(); ++row) {
+    for (std::size_t column = 0; column <= row; ++column) {
+      const bool is_read = row < others ? blocks.nn : column < others ? blocks.jn : blocks.jj;
+      if (is_read && (has(row, column) || has(column, row))) out.at(row, column) = {1.0, 1.0};
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Observations::Observations(const Scene& scene, const Dofs& coordinates, std::size_t others, const LikelihoodBlocks& blocks,
@@ -28,9 +44,13 @@ Observations::Observations(const Scene& scene, const Dofs& coordinates, std::siz
     : substructures_(substructures, scene, coordinates, others, blocks.substructures),
       assembly_(assembly, scene, coordinates, others, blocks.assembly),
       background_(substructures.background(coordinates, coordinates)) {
-  layout_.coordinates = coordinates;
-  layout_.others = others;
-  layout_.joint = coordinates.size() - others;
+  const std::size_t size = coordinates.size();
+  Raw promised{promised_frfs(substructures, coordinates, others, blocks.substructures),
+               promised_frfs(assembly, coordinates, others, blocks.assembly)};
+  for (std::size_t at = 0; at < size * size; ++at) {
+    if (background_[at] == Complex(0.0)) promised.substructures.at(at / size, at % size) = {0.0, 0.0};
+  }
+  layout_ = choose_layout(coordinates, others, {promised});
 }
 
 std::vector<FileVariances> Observations::origins() const {

@@ -17,6 +17,7 @@ struct LikelihoodBlocks {
 /// All measured FRFs of a problem with their variances, brought into the form of the likelihood.
 class Observations final : public LikelihoodData {
  public:
+  /// The layout is first that which the headers promise, then that of what was read.
   Observations(const Scene& scene, const Dofs& coordinates, std::size_t others, const LikelihoodBlocks& blocks,
                frf::FrfSystem& substructures, frf::FrfSystem& assembly);
 

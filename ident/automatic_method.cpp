@@ -1,0 +1,115 @@
+#include "ident/automatic_method.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "ident/equations/linear_plan.hpp"
+#include "ident/plan/expected_time.hpp"
+#include "ident/plan/prediction.hpp"
+#include "ident/scene/variance_origin.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double longest = 60.0;  // s
+
+bool has_solver(Method method, const std::string& solver) {
+  const std::vector<std::string>& own = traits(method).solvers;
+  return std::find(own.begin(), own.end(), solver) != own.end();
+}
+
+bool knows_variances(const Scene& scene, const frf::FrfSystem& system) {
+  for (std::size_t s = 0; s < system.source_count(); ++s) {
+    try {
+      if (variance_origin(scene, system.source(s).header()) == VarianceOrigin::scatter) return false;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+  return true;
+}
+
+struct Choice {
+  Method method = Method::one;
+  std::string why;
+  bool is_certain = true;  ///< whatever the likelihood would cost
+};
+
+Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
+  const IdentifySection& identify = scene.identify;
+  if (!identify.any_weighting) return {Method::one, "the scene names a weighting or a delta"};
+  if (identify.solver != "auto") {
+    for (const Method method : {Method::likelihood, Method::one, Method::newton}) {
+      if (has_solver(method, identify.solver)) return {method, "it has the solver " + identify.solver};
+    }
+  }
+  if (!identify.priors.empty() || identify.bootstrap > 0) return {Method::likelihood, "the scene has priors or a bootstrap"};
+  if (!identify.start.empty() || identify.starts > 0) return {Method::likelihood, "the scene gives a start"};
+  if (scene.data.regenerate.any()) return {Method::one, "errors of regenerated FRFs are not independent"};
+  if (!knows_variances(scene, substructures) || !knows_variances(scene, assembly)) {
+    return {Method::one, "the variances of the FRFs are not known (of the files, [noise] or repeats)"};
+  }
+  return {Method::likelihood, "the variances of the FRFs are known", false};
+}
+
+std::string rounded(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g s", seconds);
+  return text.data();
+}
+
+std::unique_ptr<Plan> planned(Scene scene, const Choice& choice, const Planner& planner) {
+  scene.identify.method = choice.method;
+  scene.identify.automatic = false;
+  auto plan = planner(scene);
+  plan->chosen = "method " + name(choice.method) + ": " + choice.why;
+  return plan;
+}
+
+}  // namespace
+
+std::unique_ptr<Plan> plan_automatically(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly,
+                                         const Planner& planner) {
+  Choice choice = wish(scene, substructures, assembly);
+  if (choice.is_certain) return planned(scene, choice, planner);
+  try {
+    auto plan = planned(scene, choice, planner);
+    const double seconds = expected_seconds(plan->cost);
+    if (seconds < longest) return plan;
+    choice.why = "the likelihood would take about " + rounded(seconds) + " here";
+  } catch (const InputError& error) {
+    choice.why = "the data do not allow the likelihood: " + error.parts().problem;
+  }
+  choice.method = Method::one;
+  return planned(scene, choice, planner);
+}
+
+void choose_weighting(Plan& plan, const Control& control) {
+  LinearPlan* const linear = linear_plan(plan);
+  const bool may_try = !plan.chosen.empty() && plan.scene.identify.any_weighting && linear != nullptr;
+  if (!may_try || !plan.keeps_frfs || plan.predicted_responses.empty()) return;
+  using enum weighting::Weighting;
+  Control quick = control;
+  quick.detail = Detail::estimates;
+  quick.judgement = Judgement::none;
+  quick.so_far = {};
+  weighting::Weighting best = linear->spec.weighting;
+  double least = std::numeric_limits<double>::infinity();
+  for (const weighting::Weighting each : {wb, wbg, wbs, wa}) {
+    linear->spec.weighting = each;
+    Solution trial;
+    plan.method->solve(plan, quick, trial);
+    if (trial.bands.empty() || trial.status == Status::no_equations) continue;
+    const DecibelError error = predict(plan, trial.bands, quick);
+    const double rms = error.entries > 0 ? std::sqrt(error.sum_of_squares / static_cast<double>(error.entries)) : least;
+    if (rms < least) std::tie(best, least) = std::pair(each, rms);
+  }
+  linear->spec.weighting = plan.scene.identify.weighting = best;
+}
+
+}  // namespace jointid::ident

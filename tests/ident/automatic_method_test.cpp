@@ -1,0 +1,130 @@
+#include "ident/automatic_method.hpp"
+
+#include <gmock/gmock.h>
+
+#include "ident/identify.hpp"
+#include "ident/plan/expected_time.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+/// Case A1 with 5 % noise and a scene that leaves the method open.
+class Automatic : public ::testing::Test {
+ protected:
+  Automatic() {
+    scene.identify = {};
+    scene.identify.automatic = scene.identify.any_weighting = true;
+  }
+
+  std::unique_ptr<Plan> plan() const { return problems::plan(scene, problems::polluted(problem, 1, 0)); }
+
+  Solution solution() const { return solve(*plan(), {}); }
+
+  Solution named(Method method, weighting::Weighting weighting) const {
+    Scene other = scene;
+    other.identify.automatic = false;
+    other.identify.method = method;
+    other.identify.weighting = weighting;
+    return solve(*problems::plan(other, problems::polluted(problem, 1, 0)), {});
+  }
+
+  problems::Problem problem = problems::make("A1");
+  Scene scene = problems::scene(problem);
+};
+
+std::vector<double> values(const Solution& solution) {
+  std::vector<double> out;
+  for (const Estimate& estimate : solution.unknowns) out.push_back(estimate.value);
+  return out;
+}
+
+TEST_F(Automatic, TakesTheLikelihoodWhereVariancesAreKnown) {
+  const Solution found = solution();
+  EXPECT_EQ(found.used.method, Method::likelihood);
+  EXPECT_THAT(found.used.chosen, StartsWith("method likelihood: the variances"));
+  EXPECT_EQ(values(found), values(named(Method::likelihood, weighting::Weighting::wb)));
+}
+
+TEST_F(Automatic, TakesMethodOneWhereVariancesAreNotKnownAndTheWeightingThatPredictsBest) {
+  using enum weighting::Weighting;
+  scene.noise.reset();
+  const Solution found = solution();
+  EXPECT_EQ(found.used.method, Method::one);
+  EXPECT_THAT(found.used.chosen, HasSubstr("not known"));
+  double least = 1e300;
+  for (const auto each : {wb, wbg, wbs, wa}) {
+    const Solution one = named(Method::one, each);
+    least = std::min(least, *one.fit.asm_frf_error);
+    if (each == found.used.weighting) {
+      EXPECT_EQ(values(found), values(one));
+    }
+  }
+  EXPECT_EQ(*found.fit.asm_frf_error, least);
+}
+
+TEST_F(Automatic, AWeightingAsksForMethodOne) {
+  scene.identify.any_weighting = false;
+  scene.identify.weighting = weighting::Weighting::wa;
+  const Solution found = solution();
+  EXPECT_EQ(found.used.method, Method::one);
+  EXPECT_EQ(found.used.weighting, weighting::Weighting::wa);
+  EXPECT_THAT(found.used.chosen, HasSubstr("names a weighting"));
+}
+
+TEST_F(Automatic, ASolverAsksForTheMethodThatHasIt) {
+  for (const auto& [solver, method] : {std::pair("iqml", Method::likelihood), std::pair("normal", Method::one),
+                                       std::pair("levenberg-marquardt", Method::newton)}) {
+    scene.identify.solver = solver;
+    const auto planned = plan();
+    EXPECT_EQ(planned->scene.identify.method, method) << solver;
+    EXPECT_THAT(planned->chosen, HasSubstr(solver));
+  }
+}
+
+TEST_F(Automatic, PriorsAskForTheLikelihood) {
+  scene.noise.reset();
+  scene.identify.priors = {{"K(1,1)", 1e6, 1e5}};
+  EXPECT_EQ(plan()->scene.identify.method, Method::likelihood);
+}
+
+TEST_F(Automatic, TakesMethodOneWhereTheDataDoNotAllowTheLikelihood) {
+  for (auto& [kind, spec] : scene.joints.front().matrices) spec = restrictions::Pattern::full;
+  const auto planned = plan();
+  EXPECT_EQ(planned->scene.identify.method, Method::one);
+  EXPECT_THAT(planned->chosen, HasSubstr("reciprocal"));
+}
+
+TEST_F(Automatic, ASceneThatNamesItsMethodIsLeftAlone) {
+  EXPECT_THAT(named(Method::one, weighting::Weighting::wb).used.chosen, IsEmpty());
+}
+
+TEST_F(Automatic, PlansTheCostOfWhatIterates) {
+  const auto planned = plan();
+  const Cost& cost = planned->cost;
+  const std::size_t own_side = 6 * 2 + 4 * 2, joint = 3 + 3;  // FRFs of the parts between others and joint, at the joint
+  EXPECT_EQ(cost.iteration.matrix, 2 * (own_side + joint));
+  EXPECT_GT(cost.iteration.memory_bytes, cost.bytes_read);
+  EXPECT_GT(expected_seconds(cost), 0.0);
+  scene.identify.any_weighting = false;
+  EXPECT_EQ(expected_seconds(plan()->cost), 0.0);
+}
+
+TEST_F(Automatic, TimesOfThePhasesAddUpToTheTotal) {
+  const RunTime time = solution().runtime_s;
+  double sum = 0.0;
+  for (const auto& [phase, seconds] : run_time_phases) {
+    EXPECT_GE(time.*seconds, 0.0) << phase;
+    sum += time.*seconds;
+  }
+  EXPECT_LE(sum, time.total);
+  EXPECT_GT(sum, 0.8 * time.total);
+}
+
+}  // namespace
+}  // namespace jointid::ident
