@@ -6,7 +6,7 @@ namespace jointid::ident {
 
 /// Seconds that the iterations of a plan and their intervals should take on this machine: its counted flops over what this machine does
 /// in a tenth of a second of Cholesky factors of the same size, and bookkeeping, on so many threads (0: all cores). 0 where nothing
-/// iterates. Good to a factor of three (docs/cost.md); reading, linear starts and a bootstrap are not in it.
+/// iterates. Good to a factor of four (docs/cost.md); reading, linear starts and a bootstrap are not in it.
 double expected_seconds(const Cost& cost, std::size_t threads = 0);
 
 }  // namespace jointid::ident
