@@ -1,9 +1,9 @@
-// Cost of method "likelihood": case A1 from scene to result on one core; random modal structures, 20 non-joint and 4 joint
-// coordinates, over 100 to 1,000 lines on all cores: time per iteration, exponent in the lines, memory; the same beside numpy with dense
-// matrices (bench/peer/likelihood.py), one thread each; and solid blocks on four bolts, 24 joint and 36 other coordinates, 24 unknowns, to the
+// Cost of method "likelihood": case A1 from scene to result on one core; random modal structures, 20 non-joint and 4 joint coordinates, over
+// 100 to 1,000 lines on all cores: time per iteration, exponent in the lines, memory; the same beside numpy with dense matrices
+// (bench/peer/likelihood.py), one thread each; and solid blocks on four bolts, 24 joint and 36 other coordinates, 24 unknowns, to the
 // intervals. Promised: A1 takes at most 300 ms, 1,000 lines two minutes, the bolts a minute with the module blas, time per iteration
-// grows like the lines, numpy takes five times as long and ends within 0.01 standard errors, and no estimate is more than 5 of its standard
-// errors off the truth. The quick run takes 100 lines, 30 beside numpy, and 8 of the bolts.
+// grows like the lines, numpy takes five times as long and ends within 0.01 standard errors, and no estimate is more than 5 of its
+// standard errors off the truth. The quick run takes 100 lines, 30 beside numpy, and 8 of the bolts.
 #include <fmt/core.h>
 
 #include <Eigen/Core>

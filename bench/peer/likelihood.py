@@ -2,7 +2,7 @@
 halved where they do not help, a dense QR per line.
 
 likelihood.py FILE LINES COORDINATES JOINT: FILE holds float64 frequencies [line], then complex128 [system, line, C, C], system 0 the
-substructures, 1 the assembly, then float64 variances of either part, likewise; reciprocal, and 0 with variance 0 across the parts. JOINT names
+substructures, 1 the assembly, then float64 variances of either part; reciprocal, and 0 with variance 0 across the parts. JOINT names
 the joint coordinates, 0,1,14,15. K and D are symmetric and start from 0.8 of those that the file ends with. Prints the seconds it took, the
 iterations, and the unknowns, upper triangles of K and D, in a line.
 """
