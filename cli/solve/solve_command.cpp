@@ -45,6 +45,7 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
   SoFar<ident::Solution> best;
   Progress progress;
   ident::Control control = progress.control();
+  control.threads = arguments.threads;
   control.judgement = ident::Judgement::data;
   control.so_far = [&](const ident::Solution& solution) { best.put(solution); };
   return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, out); }, [&] { return ident::solve(plan, control); });
@@ -85,6 +86,7 @@ void add_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
+  add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
   command->footer(
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | "
       "jq .unknowns\n"

@@ -19,6 +19,7 @@ struct SolveArguments {
   Target json, csv;
   Target report;  ///< HTML
   std::optional<std::string> plot;  ///< RESPONSE/REFERENCE of an assembly FRF
+  std::size_t threads = 0;
 };
 
 /// Declares `solve`; choosing it stores it.

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <random>
 
 #include "base/error.hpp"
+#include "dense/eigen.hpp"
 #include "ident/admissible/definite_block.hpp"
 #include "ident/admissible/semidefinite_least_squares.hpp"
 #include "ident/admissible/tie.hpp"
@@ -87,10 +87,10 @@ TEST(SemidefiniteLeastSquares, InTheFrobeniusNormNegativeEigenvaluesAreCutOff) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const Sample sample(seed, 5);
     const SemidefiniteFit fit = solve_semidefinite({whole_matrix(5)}, sample.theta, frobenius(5).inverse());
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(sample.matrix);
-    const MatrixXd cut = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
+    const dense::SymmetricEigen eigen = dense::symmetric_eigen(sample.matrix);
+    const MatrixXd cut = eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
     EXPECT_LT((fit.value[0] - cut).norm(), 1e-5);
-    EXPECT_EQ(fit.at_limit[0], (eigen.eigenvalues().array() < 0.0).count());
+    EXPECT_EQ(fit.at_limit[0], (eigen.values.array() < 0.0).count());
   }
 }
 
@@ -104,8 +104,8 @@ VectorXd by_alternating_directions(const Sample& sample) {
   const SymmetricBlock block = whole_matrix(sample.size);
   for (int iteration = 0; iteration < 20000; ++iteration) {
     theta = system.solve(normal * sample.theta + weight * (z - dual));
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(block.at(theta + dual));
-    z = upper(eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose());
+    const dense::SymmetricEigen eigen = dense::symmetric_eigen(block.at(theta + dual));
+    z = upper(eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose());
     dual += theta - z;
   }
   return z;

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <Eigen/LU>
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include "base/eigen.hpp"
+#include "dense/lu.hpp"
+#include "dense/svd.hpp"
 #include "ident/likelihood/line/line_model.hpp"
 #include "likelihood_line_sample.hpp"
 
@@ -20,7 +20,7 @@ Eigen::VectorXd residuals(const LineSample& s, const std::vector<double>& theta,
   h.topRightCorner(n, j) = x.transpose();
   h.bottomRightCorner(j, j) = y;
   z.bottomRightCorner(j, j) = s.joint.at(theta);
-  const ComplexMatrix coupled = (ComplexMatrix::Identity(n + j, n + j) + h * z).inverse() * h, difference = h - coupled;
+  const ComplexMatrix coupled = dense::inverse(ComplexMatrix::Identity(n + j, n + j) + h * z) * h, difference = h - coupled;
   std::vector<double> all;
   const auto add = [&](const std::vector<Element>& elements, const Channel& channel, const ComplexMatrix& predicted) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -157,7 +157,7 @@ RC_GTEST_PROP(LikelihoodLine, ComplexEquationsAreTheRealOnes, (unsigned seed)) {
   const Eigen::MatrixXd rows = equations(s, state, -jacobian(s, state));
   Eigen::MatrixXd of_frfs = rows.leftCols(at(2 * s.layout.variables()));
   of_frfs.array().rowwise() /= of_frfs.colwise().norm().array().eval();
-  const Eigen::VectorXd stretch = Eigen::JacobiSVD<Eigen::MatrixXd>(of_frfs).singularValues();
+  const Eigen::VectorXd stretch = dense::svd(of_frfs, dense::Vectors::none, dense::Vectors::none).sigma;
   const double tolerance = 1e-12 + 1e-14 * std::pow(stretch[0] / stretch[stretch.size() - 1], 2);
   RC_PRE(tolerance < 1e-4);
   const double cancelled = 1e-3 + rows.squaredNorm();

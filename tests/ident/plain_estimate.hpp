@@ -1,11 +1,11 @@
 #pragma once
 
-#include <Eigen/QR>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <tuple>
 
+#include "dense/pivoted_qr.hpp"
 #include "ident/plan/plan.hpp"
 #include "memory_systems.hpp"
 
@@ -25,7 +25,7 @@ class PlainEstimate {
   std::vector<double> solve() const {
     Eigen::VectorXd scale = stacked_.colwise().norm().cwiseInverse().transpose();
     Eigen::VectorXd y = scale.asDiagonal() *
-                        Eigen::VectorXd((stacked_ * scale.asDiagonal()).colPivHouseholderQr().solve(right_));
+                        dense::RealPivotedQr(stacked_ * scale.asDiagonal()).solve(right_);
     std::vector<double> values;
     for (std::size_t u = 0; u < plan_.restriction.unknowns.size(); ++u) {
       const restrictions::Kind kind = plan_.restriction.unknowns[u].kind;

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "dense/lu.hpp"
 #include "ident/identify.hpp"
 #include "ident/result/quality.hpp"
 #include "memory_systems.hpp"
@@ -36,7 +36,7 @@ double plain_error(const Plan& plan, const problems::Measurement& measured, cons
   double sum = 0.0, count = 0.0;
   for (const Line& line : plan.lines) {
     const double omega = 2.0 * std::numbers::pi * line.frequency_hz;
-    MatrixXcd z = block(measured.substructures, line.substructures, all, all, 0.0).inverse();
+    MatrixXcd z = dense::inverse(block(measured.substructures, line.substructures, all, all, 0.0));
     for (const auto& [kind, matrix] : joint) {
       const Complex factor = kind == Kind::stiffness ? Complex(1.0) : kind == Kind::mass ? Complex(-omega * omega) : Complex(0.0, 1.0);
       for (std::size_t i = 0; i < 4; ++i) {
@@ -46,7 +46,7 @@ double plain_error(const Plan& plan, const problems::Measurement& measured, cons
         }
       }
     }
-    const MatrixXcd predicted = z.inverse();
+    const MatrixXcd predicted = dense::inverse(z);
     for (const frf::Dof& r : rows) {
       for (const frf::Dof& c : columns) {
         const Complex here = predicted(static_cast<Index>(frf::find_coordinate(all, r)), static_cast<Index>(frf::find_coordinate(all, c)));

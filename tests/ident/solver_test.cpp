@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "dense/svd.hpp"
 #include "ident/algebra/column_scaling.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/equations/linear_plan.hpp"
@@ -96,7 +96,7 @@ Eigen::MatrixXd stacked_triangles(const MemoryScene& parts) {
 }
 
 double condition(const Eigen::MatrixXd& system) {
-  const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(system).singularValues();
+  const Eigen::VectorXd sigma = dense::jacobi_svd(system, dense::Vectors::none, dense::Vectors::none).sigma;
   return sigma[0] / sigma[sigma.size() - 1];
 }
 

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
+#include "dense/cholesky.hpp"
+#include "dense/pivoted_qr.hpp"
 #include "frf/set/frf_source.hpp"
 #include "modalfit/band/basis.hpp"
 #include "modalfit/band/normal_block.hpp"
@@ -55,7 +57,7 @@ Dense dense(const Sample& sample, const ModelKind& kind, const std::vector<Pole>
     const VectorXd weight = Eigen::Map<const VectorXd>(sample.band.weights(entry), rows);
     const VectorXd y = Eigen::Map<const VectorXd>(reinterpret_cast<const double*>(sample.band.value(entry)), rows);
     const MatrixXd x = weight.asDiagonal() * basis.columns;
-    const VectorXd c = x.colPivHouseholderQr().solve(weight.cwiseProduct(y));
+    const VectorXd c = dense::RealPivotedQr(x).solve(weight.cwiseProduct(y));
     out.residual.segment(k * rows, rows) = weight.cwiseProduct(y) - x * c;
     out.jacobian.block(k * rows, parameters + k * columns, rows, columns) = x;
     for (Index mode = 0; mode < basis.modes; ++mode) {
@@ -77,7 +79,7 @@ TEST(Refine, CovarianceIsThePoleBlockOfTheInverseFisherInformation) {
     const Dense problem = dense(at, kind, at.refined.poles);
     const VectorXd scale = problem.jacobian.colwise().norm().cwiseInverse();
     const MatrixXd scaled = problem.jacobian * scale.asDiagonal();
-    const MatrixXd inverse = (scaled.transpose() * scaled).inverse();
+    const MatrixXd inverse = dense::solve_positive(scaled.transpose() * scaled, MatrixXd::Identity(scaled.cols(), scaled.cols()));
     for (Index i = 0; i < 4; ++i) {
       for (Index j = 0; j < 4; ++j) {
         const double expected = scale(i) * inverse(i, j) * scale(j);
