@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "ident/equations/linear_plan.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "ident/plan/prediction.hpp"
@@ -79,9 +80,8 @@ std::unique_ptr<Plan> plan_automatically(const Scene& scene, const frf::FrfSyste
   if (choice.is_certain) return planned(scene, choice, planner);
   try {
     auto plan = planned(scene, choice, planner);
-    const double seconds = expected_seconds(plan->cost);
-    if (seconds < longest) return plan;
-    choice.why = "the likelihood would take about " + rounded(seconds) + " here";
+    if (are_expected_within(longest, plan->cost)) return plan;
+    choice.why = "the likelihood would take about " + rounded(expected_seconds(plan->cost)) + " here";
   } catch (const InputError& error) {
     choice.why = "the data do not allow the likelihood: " + error.parts().problem;
   }
@@ -89,10 +89,11 @@ std::unique_ptr<Plan> plan_automatically(const Scene& scene, const frf::FrfSyste
   return planned(scene, choice, planner);
 }
 
-void choose_weighting(Plan& plan, const Control& control) {
+void choose_weighting(Plan& plan, const Control& control, RunTime& time) {
   LinearPlan* const linear = linear_plan(plan);
   const bool may_try = !plan.chosen.empty() && plan.scene.identify.any_weighting && linear != nullptr;
   if (!may_try || !plan.keeps_frfs || plan.predicted_responses.empty()) return;
+  const Stopwatch watch(time.start);
   using enum weighting::Weighting;
   Control quick = control;
   quick.detail = Detail::estimates;

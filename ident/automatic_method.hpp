@@ -5,6 +5,7 @@
 
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
+#include "ident/result/solution.hpp"
 
 namespace jointid::ident {
 
@@ -20,6 +21,6 @@ std::unique_ptr<Plan> plan_automatically(const Scene& scene, const frf::FrfSyste
 
 /// For a linear method that was chosen so: the weighting of WB, WBG, WBS and WA whose joint predicts the assembly best. Where
 /// FRFs are too many to be kept, or nothing is predicted, it stays WB: they are not read again for it.
-void choose_weighting(Plan& plan, const Control& control);
+void choose_weighting(Plan& plan, const Control& control, RunTime& time);
 
 }  // namespace jointid::ident

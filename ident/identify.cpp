@@ -119,7 +119,7 @@ Solution solve(Plan& plan, const Control& control) {
     if (!each.harm.empty()) out.warnings.push_back(note(each));
   }
   warn_of_shared_errors(plan, out);
-  choose_weighting(plan, control);
+  choose_weighting(plan, control, out.runtime_s);
   out.warnings.insert(out.warnings.end(), plan.warnings.begin(), plan.warnings.end());
   out.used = {plan.scene.identify.method, plan.equations, plan.scene.identify.weighting,
               plan.scene.identify.delta,  plan.solver,    plan.chosen};

@@ -54,4 +54,10 @@ double expected_seconds(const Cost& cost, std::size_t threads) {
   return static_cast<double>(iteration.expected) * each / static_cast<double>(used);
 }
 
+bool are_expected_within(double seconds, const Cost& cost) {
+  constexpr double slow = 5e8;  // flop/s
+  const double each = cost.iteration.flops / slow + static_cast<double>(cost.lines) * bookkeeping_seconds;
+  return static_cast<double>(cost.iteration.expected) * each < seconds || expected_seconds(cost) < seconds;
+}
+
 }  // namespace jointid::ident

@@ -9,4 +9,7 @@ namespace jointid::ident {
 /// iterates. Good to a factor of four (docs/cost.md); reading, linear starts and a bootstrap are not in it.
 double expected_seconds(const Cost& cost, std::size_t threads = 0);
 
+/// Whether that is less than `seconds` on all cores; measured only where a slow machine's core alone would take longer.
+bool are_expected_within(double seconds, const Cost& cost);
+
 }  // namespace jointid::ident

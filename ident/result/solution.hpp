@@ -96,7 +96,7 @@ struct Quality {
 /// reading. Phases add up to the total but for what takes no time worth a name.
 struct RunTime {
   double read = 0.0, assemble = 0.0;
-  double start = 0.0;  ///< linear estimates that an iteration starts from
+  double start = 0.0;  ///< linear estimates that an iteration starts from, or a weighting is chosen by
   double solve = 0.0, intervals = 0.0, identifiability = 0.0;
   double regenerate = 0.0;  ///< the assembly's FRFs, and comparing them
   double check = 0.0;       ///< of the data: figures of misfit, quick_check()

@@ -165,6 +165,7 @@ std::shared_ptr<TrialData> prepare(const Scene& scene, Sources substructures, So
   data->pollution = with_regeneration(make_pollution(excerpts), scene);
   describe(*plan, *data);
   data->notes = plan->warnings;
+  if (!plan->chosen.empty()) data->notes.push_back("Chosen: " + plan->chosen + ".");
   return data;
 }
 

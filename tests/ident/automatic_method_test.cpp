@@ -111,6 +111,10 @@ TEST_F(Automatic, PlansTheCostOfWhatIterates) {
   EXPECT_EQ(cost.iteration.matrix, 2 * (own_side + joint));
   EXPECT_GT(cost.iteration.memory_bytes, cost.bytes_read);
   EXPECT_GT(expected_seconds(cost), 0.0);
+  EXPECT_TRUE(are_expected_within(60.0, cost));
+  Cost huge = cost;
+  huge.iteration.flops *= 1e9;
+  EXPECT_FALSE(are_expected_within(60.0, huge));
   scene.identify.any_weighting = false;
   EXPECT_EQ(expected_seconds(plan()->cost), 0.0);
 }
