@@ -131,6 +131,16 @@ std::vector<double> true_unknowns() {
   return out;
 }
 
+/// Of what was found off `expected`, in standard errors; NaN where there are none.
+double largest_error(const ident::Solution& solution, const std::vector<double>& expected) {
+  double largest = 0.0;
+  for (std::size_t u = 0; u < expected.size(); ++u) {
+    const double error = std::abs(solution.unknowns[u].value - expected[u]) / solution.unknowns[u].std_error.value_or(0.0);
+    if (!(error <= largest)) largest = error;
+  }
+  return largest;
+}
+
 Run random_problem(std::size_t lines) {
   const auto [a, b, both] = random_sets(lines);
   ident::Scene scene = random_scene();
@@ -145,13 +155,7 @@ Run random_problem(std::size_t lines) {
   ident::Control control;
   control.detail = ident::Detail::estimates;
   const ident::Solution solution = ident::solve(*plan, control);
-  Run run{solution.fit.iterations, solution.runtime_s.total, 0.0};
-  const std::vector<double> truth = true_unknowns();
-  for (std::size_t u = 0; u < truth.size(); ++u) {
-    const double error = std::abs(solution.unknowns[u].value - truth[u]) / solution.unknowns[u].std_error.value_or(0.0);
-    if (!(error <= run.largest_error)) run.largest_error = error;
-  }
-  return run;
+  return {solution.fit.iterations, solution.runtime_s.total, largest_error(solution, true_unknowns())};
 }
 
 /// Reciprocal circular errors, whose variances the set tells.
@@ -222,7 +226,7 @@ void compare_with_peer(std::size_t lines, bench::Promises& promises) {
       bench::peer_output(fmt::format("likelihood.py {} {} 24 0,1,14,15", (folder / "lines.bin").string(), lines), promises);
   if (!output) return;
   std::istringstream text(*output);
-  double seconds = 0.0, difference = 0.0;
+  double seconds = 0.0;
   std::size_t iterations = 0;
   text >> seconds >> iterations;
   const auto plan = ident::make_plan(random_scene(), std::vector{sets.a, sets.b}, std::vector{sets.both});
@@ -230,16 +234,12 @@ void compare_with_peer(std::size_t lines, bench::Promises& promises) {
   control.threads = 1;
   control.detail = ident::Detail::estimates;
   const ident::Solution solution = ident::solve(*plan, control);
-  for (const ident::Estimate& estimate : solution.unknowns) {
-    double peer = std::numeric_limits<double>::quiet_NaN();
-    text >> peer;
-    const double here = std::abs(estimate.value - peer) / estimate.std_error.value_or(0.0);
-    if (!(here <= difference)) difference = here;
-  }
+  std::vector<double> peer(solution.unknowns.size(), std::numeric_limits<double>::quiet_NaN());
+  for (double& value : peer) text >> value;
+  const double difference = largest_error(solution, peer);
   fmt::print(
       "{:5} lines x (20 + 4) coordinates, one thread: numpy {:.2f} s, {} iterations; jointid {:.2f} s, {} iterations; {:.1f} "
-      "times, at "
-      "least 5; largest difference {:.1g} standard errors\n",
+      "times, at least 5; largest difference {:.1g} standard errors\n",
       lines, seconds, iterations, solution.runtime_s.total, solution.fit.iterations, seconds / solution.runtime_s.total,
       difference);
   promises.speed_at_least("times faster than numpy", seconds / solution.runtime_s.total, 5.0);
@@ -268,13 +268,8 @@ Run bolts(bool few) {
   if (few) scene.frequency.range_hz = {{3000.0, 3280.0}};
   const auto plan = problems::plan(scene, problems::polluted(problem, 1, 0));
   const ident::Solution solution = ident::solve(*plan, {});
-  const std::vector<double> truth = ident::joint_values(*plan, scene.truth, "[truth]");
-  Run run{solution.fit.iterations, solution.runtime_s.total, 0.0};
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const double error = std::abs(solution.unknowns[i].value - truth[i]) / solution.unknowns[i].std_error.value_or(0.0);
-    if (!(error <= run.largest_error)) run.largest_error = error;
-  }
-  return run;
+  return {solution.fit.iterations, solution.runtime_s.total,
+          largest_error(solution, ident::joint_values(*plan, scene.truth, "[truth]"))};
 }
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {

@@ -1,14 +1,13 @@
 #include "ident/automatic_method.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <tuple>
 
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
 #include "ident/equations/linear_plan.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "ident/plan/prediction.hpp"
@@ -58,12 +57,6 @@ Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::
   return {Method::likelihood, "the variances of the FRFs are known", false};
 }
 
-std::string rounded(double seconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g s", seconds);
-  return text.data();
-}
-
 std::unique_ptr<Plan> planned(Scene scene, const Choice& choice, const Planner& planner) {
   scene.identify.method = choice.method;
   scene.identify.automatic = false;
@@ -81,7 +74,7 @@ std::unique_ptr<Plan> plan_automatically(const Scene& scene, const frf::FrfSyste
   try {
     auto plan = planned(scene, choice, planner);
     if (are_expected_within(longest, plan->cost)) return plan;
-    choice.why = "the likelihood would take about " + rounded(expected_seconds(plan->cost)) + " here";
+    choice.why = "the likelihood would take about " + digits(expected_seconds(plan->cost)) + " s here";
   } catch (const InputError& error) {
     choice.why = "the data do not allow the likelihood: " + error.parts().problem;
   }

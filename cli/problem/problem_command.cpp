@@ -18,16 +18,6 @@
 
 namespace jointid::cli {
 
-namespace {
-
-std::vector<std::string> methods_and_auto() {
-  std::vector<std::string> words = ident::method_names();
-  words.emplace_back("auto");
-  return words;
-}
-
-}  // namespace
-
 void add_problem(CLI::App& app, Chosen& chosen) {
   CLI::App* problem = app.add_subcommand("problem", "Built-in problems with known answers");
   problem->require_subcommand(1);
@@ -45,7 +35,7 @@ void add_problem(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   add_whole_number(write, "--seed", arguments->options.seed, "Of the noise", {});
   write->add_option("--method", arguments->options.method, "Of the scene, instead of that of the problem")
-      ->check(CLI::IsMember(methods_and_auto()));
+      ->check(CLI::IsMember(ident::method_words()));
   write->add_flag("--clean", arguments->options.clean, "Leave the noise out");
   write->footer("Example:\n  jointid problem write A1 a1 --seed 7");
 }

@@ -57,6 +57,12 @@ std::vector<std::string> method_names() {
   return names;
 }
 
+std::vector<std::string> method_words() {
+  std::vector<std::string> words = method_names();
+  words.emplace_back("auto");
+  return words;
+}
+
 std::vector<std::string> solver_names() {
   std::vector<std::string> names = {"auto"};
   for (const MethodTraits& each : all_methods()) {

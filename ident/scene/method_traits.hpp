@@ -39,8 +39,9 @@ Method parse_method(const std::string& text);
 /// Whether weighting and Δ apply: the likelihood weighs FRFs by their variances instead, newton lines by their sensitivity.
 bool weighs_equations(Method method);
 
-/// The names of all methods, and of all solvers of [identify] beginning with auto.
+/// The names of all methods; those and auto, as in [identify] method; of all solvers of [identify] beginning with auto.
 std::vector<std::string> method_names();
+std::vector<std::string> method_words();
 std::vector<std::string> solver_names();
 
 }  // namespace jointid::ident

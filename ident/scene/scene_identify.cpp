@@ -85,9 +85,7 @@ IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec
   IdentifySection identify;
   identify.automatic = true;
   if (const auto method = table.find("method")) {
-    std::vector<std::string> words = method_names();
-    words.emplace_back("auto");
-    const std::string word = method->word(words);
+    const std::string word = method->word(method_words());
     identify.automatic = word == "auto";
     if (!identify.automatic) identify.method = parse_method(word);
   }
