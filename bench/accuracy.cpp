@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ using enum ident::Equation;
 struct Case {
   std::string label, problem;
   std::vector<ident::Equation> equations;
+  std::optional<double> step_hz = {};  ///< of the lines, where all of them take minutes
+  std::vector<double> levels = {0.001, 0.01, 0.05};
 };
 
 const std::vector<Case> cases = {{"A1", "A1", {nn, nj}}, {"A1 all", "A1", {nn, nj, jj, jn}},
@@ -31,7 +34,8 @@ const std::vector<Case> cases = {{"A1", "A1", {nn, nj}}, {"A1 all", "A1", {nn, n
                                  {"E2", "E2", {nn, nj}}, {"E3", "E3", {nn, nj}},
                                  {"F1", "F1", {nn, nj}}, {"F2", "F2", {nn, nj}},
                                  {"F3", "F3", {nn, nj}}, {"G1", "G1", {nn, nj}},
-                                 {"H_nn", "H4", {nn}},   {"rig1", "rig1", {}}};
+                                 {"H_nn", "H4", {nn}},   {"rig1", "rig1", {}, {}, {0.0}},
+                                 {"bolts", "bolts", {}, 320.0, {0.01, 0.05}}};
 
 struct Figures {
   double mean = 0.0, worst = 0.0, bias = 0.0;
@@ -62,6 +66,7 @@ double run(const Case& which, double level, double gross, std::size_t trials, be
   ident::Scene scene = problems::scene(problem);
   scene.identify.method = ident::Method::likelihood;
   scene.identify.equations = which.equations;
+  if (which.step_hz) scene.frequency.step_hz = which.step_hz;
   scene.noise = ident::NoiseSection{.model = frf::name(noise.kind), .level = level, .frf_model = noise};
   std::vector<double> truth;
   for (const problems::ExactUnknown& unknown : problem.unknowns) truth.push_back(unknown.value);
@@ -117,7 +122,6 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
   std::vector<std::string> labels;
   for (const Case& each : cases) labels.push_back(each.label);
   const std::vector<std::string> wanted = line.choice(1, labels, {"A1", "E1", "F1"});
-  const std::vector<double> levels = line.quick() ? std::vector{0.01} : std::vector{0.001, 0.01, 0.05};
   fmt::print(
       "| case | noise | largest bound | K: rms / bound, mean / worst | M, D: the same | largest bias / bound | coverage | "
       "iterations, median / most | "
@@ -129,7 +133,7 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
   };
   for (const Case& which : cases) {
     if (std::ranges::find(wanted, which.label) == wanted.end()) continue;
-    for (const double level : which.problem == "rig1" ? std::vector{0.0} : levels) row(which, level, 0.0);
+    for (const double level : line.quick() && which.levels.size() > 1 ? std::vector{0.01} : which.levels) row(which, level, 0.0);
     if (which.label == "A1") row(which, 0.01, 0.05);
   }
   // Levels share their random numbers, and so do some pairs of cases: independent are about half as many trials as cases have.

@@ -1,23 +1,21 @@
-// Cost of method "likelihood": case A1 from scene to result on one core; random modal structures, 20 non-joint and 4 joint coordinates, over
-// 100 to 1,000 lines on all cores: time per iteration, exponent in the lines, memory; the same beside numpy with dense matrices
+// Cost of method "likelihood": case A1 from scene to result on one core; random modal structures, 20 non-joint and 4 joint coordinates,
+// over 100 to 1,000 lines on all cores: time per iteration, exponent in the lines, memory; the same beside numpy with dense matrices
 // (bench/peer/likelihood.py), one thread each; and solid blocks on four bolts, 24 joint and 36 other coordinates, 24 unknowns, to the
 // intervals. Promised: A1 takes at most 300 ms, 1,000 lines two minutes, the bolts a minute with the module blas, time per iteration
 // grows like the lines, numpy takes five times as long and ends within 0.01 standard errors, and no estimate is more than 5 of its
 // standard errors off the truth. The quick run takes 100 lines, 30 beside numpy, and 8 of the bolts.
 #include <fmt/core.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <numbers>
 #include <random>
 #include <sstream>
 
 #include "bench/bench.hpp"
+#include "bench/random_structures.hpp"
 #include "dense/blas.hpp"
-#include "dense/lu.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/joint_guess.hpp"
 #include "problems/case/in_memory.hpp"
@@ -27,108 +25,23 @@
 namespace {
 
 using namespace jointid;
-using Matrix = Eigen::MatrixXcd;
 
 constexpr double level = 0.01;
-
-/// Receptance of a free structure with random modes, and with residual flexibility.
-class RandomStructure {
- public:
-  RandomStructure(Eigen::Index coordinates, unsigned seed) {
-    std::mt19937 generator(seed);
-    std::normal_distribution<double> normal;
-    std::uniform_real_distribution<double> frequency(20.0, 1500.0);
-    shapes_ = Eigen::MatrixXd::NullaryExpr(coordinates, 14, [&] { return normal(generator); });
-    for (int mode = 0; mode < 14; ++mode) omega_.push_back(2.0 * std::numbers::pi * (mode < 2 ? 0.0 : frequency(generator)));
-  }
-
-  Matrix at(double omega) const {
-    Matrix h = 1e-8 * Matrix::Identity(shapes_.rows(), shapes_.rows());
-    for (std::size_t mode = 0; mode < omega_.size(); ++mode) {
-      const double square = omega_[mode] * omega_[mode];
-      const auto shape = shapes_.col(static_cast<Eigen::Index>(mode));
-      h += shape * shape.transpose() / std::complex<double>(square - omega * omega, 0.002 * square);
-    }
-    return h;
-  }
-
- private:
-  Eigen::MatrixXd shapes_;
-  std::vector<double> omega_;
-};
-
-frf::FrfSet empty_set(std::size_t lines, std::size_t first, std::size_t last) {
-  frf::FrfSet set;
-  for (std::size_t i = 0; i < lines; ++i)
-    set.header.frequency_hz.push_back(100.0 + 900.0 * static_cast<double>(i) / static_cast<double>(lines));
-  for (std::size_t i = first; i < last; ++i) set.header.response.push_back({static_cast<std::int64_t>(i), frf::Direction::y, +1});
-  set.header.reference = set.header.response;
-  return set;
-}
-
-void append(frf::FrfSet& set, const Matrix& h) {
-  for (Eigen::Index r = 0; r < h.rows(); ++r) {
-    for (Eigen::Index c = 0; c < h.cols(); ++c) set.values.push_back(h(r, c));
-  }
-}
 
 struct Run {
   std::size_t iterations = 0;
   double seconds = 0.0, largest_error = 0.0;  ///< error in standard errors
 };
 
-const std::vector<Eigen::Index> joint = {0, 1, 14, 15};
-
-Eigen::MatrixXd joint_stiffness() {
-  Eigen::MatrixXd k(4, 4);
-  k << 12, 6, -12, 6, 6, 4, -6, 2, -12, -6, 12, -6, 6, 2, -6, 4;
-  return 1e5 * k;
-}
-
-/// Substructures with 14 and 10 coordinates, the first two of each joined by a beam-like K and D.
-struct RandomSets {
-  frf::FrfSet a, b, both;
-};
-
-RandomSets random_sets(std::size_t lines) {
-  const RandomStructure one(14, 1), two(10, 2);
-  frf::FrfSet a = empty_set(lines, 0, 14), b = empty_set(lines, 14, 24), both = empty_set(lines, 0, 24);
-  const Eigen::MatrixXd k = joint_stiffness();
-  for (std::size_t i = 0; i < lines; ++i) {
-    const double omega = 2.0 * std::numbers::pi * a.header.frequency_hz[i];
-    Matrix h = Matrix::Zero(24, 24);
-    h.topLeftCorner(14, 14) = one.at(omega);
-    h.bottomRightCorner(10, 10) = two.at(omega);
-    const Matrix z = std::complex<double>(1.0, 0.01) * k.cast<std::complex<double>>();
-    const Matrix to_joint = h(joint, Eigen::all), at_joint = h(joint, joint);
-    append(a, h.topLeftCorner(14, 14));
-    append(b, h.bottomRightCorner(10, 10));
-    append(both, h - h(Eigen::all, joint) * dense::solve(Matrix::Identity(4, 4) + z * at_joint, z * to_joint));
-  }
-  return {std::move(a), std::move(b), std::move(both)};
-}
-
 ident::Scene random_scene() {
   ident::Scene scene;
   restrictions::JointSpec spec;
-  for (const Eigen::Index dof : joint) spec.dofs.push_back({static_cast<std::int64_t>(dof), frf::Direction::y, +1});
+  spec.dofs = bench::random_joint();
   spec.matrices[restrictions::Kind::stiffness] = restrictions::Pattern::symmetric;
   spec.matrices[restrictions::Kind::hysteretic_damping] = restrictions::Pattern::symmetric;
   scene.joints = {spec};
   scene.identify.method = ident::Method::likelihood;
   return scene;
-}
-
-/// Upper triangles of K and D.
-std::vector<double> true_unknowns() {
-  const Eigen::MatrixXd k = joint_stiffness();
-  std::vector<double> out;
-  for (const double factor : {1.0, 0.01}) {
-    for (Eigen::Index r = 0; r < 4; ++r) {
-      for (Eigen::Index c = r; c < 4; ++c) out.push_back(factor * k(r, c));
-    }
-  }
-  return out;
 }
 
 /// Of what was found off `expected`, in standard errors; NaN where there are none.
@@ -142,7 +55,7 @@ double largest_error(const ident::Solution& solution, const std::vector<double>&
 }
 
 Run random_problem(std::size_t lines) {
-  const auto [a, b, both] = random_sets(lines);
+  const auto [a, b, both] = bench::random_sets(lines);
   ident::Scene scene = random_scene();
   frf::NoiseModel noise{.kind = frf::NoiseKind::uniform, .level = level};
   scene.noise = ident::NoiseSection{.model = "uniform", .level = level, .frf_model = noise};
@@ -155,25 +68,7 @@ Run random_problem(std::size_t lines) {
   ident::Control control;
   control.detail = ident::Detail::estimates;
   const ident::Solution solution = ident::solve(*plan, control);
-  return {solution.fit.iterations, solution.runtime_s.total, largest_error(solution, true_unknowns())};
-}
-
-/// Reciprocal circular errors, whose variances the set tells.
-void pollute(frf::FrfSet& set, std::mt19937& generator) {
-  std::normal_distribution<double> normal;
-  set.variance.resize(set.values.size());
-  set.header.noise = frf::NoiseRecord::variance;
-  for (std::size_t line = 0; line < set.header.lines(); ++line) {
-    for (std::size_t r = 0; r < set.header.response.size(); ++r) {
-      for (std::size_t c = 0; c <= r; ++c) {
-        const std::size_t here = set.index(line, r, c), there = set.index(line, c, r);
-        const double sigma = level * std::abs(set.values[here]);
-        set.values[here] += sigma * Complex(normal(generator), normal(generator));
-        set.values[there] = set.values[here];
-        set.variance[here] = set.variance[there] = {sigma * sigma, sigma * sigma};
-      }
-    }
-  }
+  return {solution.fit.iterations, solution.runtime_s.total, largest_error(solution, bench::true_unknowns())};
 }
 
 /// Substructures side by side or the assembly, number by number of `get`(set, place).
@@ -197,7 +92,7 @@ void write_system(const std::vector<const frf::FrfSet*>& sets, const Get& get, s
 }
 
 /// What bench/peer/likelihood.py reads.
-void write_for_peer(const RandomSets& sets, const std::vector<double>& truth, const std::filesystem::path& file) {
+void write_for_peer(const bench::RandomSets& sets, const std::vector<double>& truth, const std::filesystem::path& file) {
   std::ofstream out(file, std::ios::binary);
   const auto write = [&out](const std::vector<double>& values) {
     out.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(double)));
@@ -217,11 +112,11 @@ void write_for_peer(const RandomSets& sets, const std::vector<double>& truth, co
 
 /// One thread each, the peer from 0.8 of the truth, ours from its own start.
 void compare_with_peer(std::size_t lines, bench::Promises& promises) {
-  RandomSets sets = random_sets(lines);
+  bench::RandomSets sets = bench::random_sets(lines);
   std::mt19937 generator(7);
-  for (frf::FrfSet* set : {&sets.a, &sets.b, &sets.both}) pollute(*set, generator);
+  for (frf::FrfSet* set : {&sets.a, &sets.b, &sets.both}) bench::pollute(*set, level, generator);
   const TestFolder folder;
-  write_for_peer(sets, true_unknowns(), folder / "lines.bin");
+  write_for_peer(sets, bench::true_unknowns(), folder / "lines.bin");
   const auto output =
       bench::peer_output(fmt::format("likelihood.py {} {} 24 0,1,14,15", (folder / "lines.bin").string(), lines), promises);
   if (!output) return;

@@ -5,7 +5,7 @@
 #include "cli/parser.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
-#include "ident/study/team.hpp"
+#include "ident/team/team.hpp"
 
 namespace jointid::cli {
 namespace {

@@ -1,5 +1,7 @@
 #include "ident/identify.hpp"
 
+#include <cstdint>
+
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "ident/automatic_method.hpp"
@@ -111,9 +113,42 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::vector<frf::FrfSet> sub
                    frf::memory_system("assembly", std::move(assembly), frf::Composition::merged, reciprocity));
 }
 
+std::unique_ptr<Plan> make_plan(const Scene& scene, Team& team) {
+  std::unique_ptr<Plan> plan;
+  const bool follows = scene.identify.automatic && team.rank() > 0;
+  start_together(team, [&] {
+    if (!follows) plan = make_plan(scene);
+  });
+  if (!scene.identify.automatic || team.size() == 1) return plan;
+  std::vector<std::uint64_t> choice = {plan ? static_cast<std::uint64_t>(plan->scene.identify.method) : 0};
+  team.share(choice);
+  start_together(team, [&] {
+    if (!follows) return;
+    Scene chosen = scene;
+    chosen.identify.method = static_cast<Method>(choice.front());
+    chosen.identify.automatic = false;
+    plan = make_plan(chosen);
+    plan->chosen = "as the leader does";
+  });
+  return plan;
+}
+
+namespace {
+
+void refuse_unshared(const Plan& plan, const Control& control) {
+  if (control.shares.size() == 1) return;
+  const std::string why = plan.method->not_shared(plan);
+  if (why.empty()) return;
+  fail(plan.scene, "mpirun", "several processes cannot share " + traits(plan.scene.identify.method).phrase + ": " + why,
+       "run one process; it uses all cores");
+}
+
+}  // namespace
+
 Solution solve(Plan& plan, const Control& control) {
   Solution out;
   const Clock::time_point start = Clock::now();
+  refuse_unshared(plan, control);
   out.dofs = plan.coordinates.joint;
   for (const ModalRegeneration& each : plan.regenerated) {
     if (!each.harm.empty()) out.warnings.push_back(note(each));

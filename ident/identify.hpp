@@ -18,8 +18,13 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
 /// The same on FRFs in memory; throws InputError for sets whose sizes do not agree (frf::validate()).
 std::unique_ptr<Plan> make_plan(const Scene& scene, std::vector<frf::FrfSet> substructures, std::vector<frf::FrfSet> assembly);
 
+/// The same in every process of a team, for all to solve together (Control::shares); what method = "auto" chooses is the leader's
+/// choice. An error is told once (start_together()).
+std::unique_ptr<Plan> make_plan(const Scene& scene, Team& team);
+
 /// Carries out a plan: reads what it names line by line, assembles, solves, predicts and judges. Throws InputError when the
-/// data break their promises; a numerical outcome is Solution::status.
+/// data break their promises; a numerical outcome is Solution::status. Processes that share the lines all get the same solution, to
+/// the last bit; where the method cannot share them InputError says why.
 Solution solve(Plan& plan, const Control& control = {});
 
 }  // namespace jointid::ident

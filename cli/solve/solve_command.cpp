@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <thread>
 
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
@@ -41,14 +43,25 @@ std::string save(const SolveArguments& arguments, std::optional<ident::Solution>
   return "interrupted; the best values so far are written" + std::string(arguments.report ? ", the page is not" : "");
 }
 
-ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, std::ostream& out) {
+/// All threads of this process: of all cores, its part of them where mpirun started several.
+std::size_t own_threads(const SolveArguments& arguments, const ident::Team& team) {
+  if (arguments.threads > 0 || team.size() == 1) return arguments.threads;
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency() / team.size());
+}
+
+ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, ident::Team& team, std::ostream& out) {
   SoFar<ident::Solution> best;
   Progress progress;
+  const bool leads = team.rank() == 0;
   ident::Control control = progress.control();
-  control.threads = arguments.threads;
+  if (!leads) control.progress = {};
+  control.threads = own_threads(arguments, team);
   control.judgement = ident::Judgement::data;
-  control.so_far = [&](const ident::Solution& solution) { best.put(solution); };
-  return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, out); }, [&] { return ident::solve(plan, control); });
+  if (leads) control.so_far = [&](const ident::Solution& solution) { best.put(solution); };
+  if (team.size() > 1) control.shares = ident::LineShares(team);
+  const auto work = [&] { return control.shares.together([&] { return ident::solve(plan, control); }); };
+  if (!leads) return work();
+  return with_last_words([&] { return save(arguments, best.get(), plan.scene.title, out); }, work);
 }
 
 void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
@@ -90,16 +103,24 @@ void add_solve(CLI::App& app, Chosen& chosen) {
   command->footer(
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | "
       "jq .unknowns\n"
-      "  jointid solve joint.toml --report joint.html");
+      "  jointid solve joint.toml --report joint.html\n  mpirun -n 4 jointid solve joint.toml");
 }
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
-  const ident::Scene scene = ident::read_scene(arguments.scene);
-  check_outputs(arguments, scene);
-  const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
+  const auto team = ident::join_team();
+  std::optional<ident::Scene> read;
+  ident::start_together(*team, [&] {
+    read = ident::read_scene(arguments.scene);
+    check_outputs(arguments, *read);
+  });
+  const ident::Scene& scene = *read;
+  const auto plan = with_progress("planning", [&] { return ident::make_plan(scene, *team); });
   std::optional<ident::FrfEntry> entry;
-  if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
-  const ident::Solution solution = solve_watched(arguments, *plan, out);
+  ident::start_together(*team, [&] {
+    if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
+  });
+  const ident::Solution solution = solve_watched(arguments, *plan, *team, out);
+  if (team->rank() > 0) return ExitCode::done;
   write_numbers(arguments, solution, scene.title, out);
   const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);

@@ -14,7 +14,7 @@
 #include "base/temporary_file.hpp"
 #include "cli/options/exit_code.hpp"
 #include "cli/text/failure.hpp"
-#include "ident/study/team.hpp"
+#include "ident/team/team.hpp"
 
 namespace jointid::cli {
 namespace {

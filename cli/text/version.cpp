@@ -4,7 +4,7 @@
 #include "frf/hdf5/hdf5_module.hpp"
 #include "frf/mat/mat_module.hpp"
 #include "ident/algebra/sparse_qr.hpp"
-#include "ident/study/team.hpp"
+#include "ident/team/team.hpp"
 #include "minimise/least_squares.hpp"
 
 namespace jointid::cli {

@@ -37,6 +37,29 @@ void Accumulator::merge(Accumulator& other) {
   for (auto& [columns, other_triangle] : other.triangles_) triangle(columns).merge(other_triangle);
 }
 
+std::vector<double> Accumulator::packed() {
+  flush();
+  std::vector<double> out;
+  for (const auto& [columns, triangle] : triangles_) {
+    out.push_back(static_cast<double>(columns.size()));
+    out.insert(out.end(), columns.begin(), columns.end());
+    triangle.pack(out);
+  }
+  return out;
+}
+
+void Accumulator::merge_packed(std::span<const double> packed) {
+  while (!packed.empty()) {
+    const auto count = static_cast<std::size_t>(packed.front());
+    Columns columns;
+    for (const double column : packed.subspan(1, count)) columns.push_back(static_cast<std::size_t>(column));
+    packed = packed.subspan(1 + count);
+    Triangle other = Triangle::unpacked(count, reduction_, packed);
+    triangle(columns).merge(other);
+    packed = packed.subspan(Triangle::packed_size(count));
+  }
+}
+
 void Accumulator::clear() {
   triangles_.clear();
   complex_.clear();

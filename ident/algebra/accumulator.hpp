@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "ident/algebra/complex_triangle.hpp"
@@ -34,6 +35,10 @@ class Accumulator {
   /// Reduces all buffers and moves complex rows into the real triangles; needed before the triangles are read.
   void flush();
   void merge(Accumulator& other);
+
+  /// All triangles as numbers, for another process; flushes before.
+  std::vector<double> packed();
+  void merge_packed(std::span<const double> packed);
   void clear();
 
  private:

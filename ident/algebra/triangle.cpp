@@ -134,4 +134,21 @@ void Triangle::merge(Triangle& other) {
   rows_pushed_ = pushed;
 }
 
+void Triangle::pack(std::vector<double>& out) const {
+  out.push_back(static_cast<double>(rows_pushed_));
+  for (std::size_t i = 0; i < width_; ++i) out.insert(out.end(), &triangle_[i * stride_ + i], &triangle_[i * stride_] + width_);
+}
+
+Triangle Triangle::unpacked(std::size_t unknowns, Reduction reduction, std::span<const double> packed) {
+  Triangle out(unknowns, reduction);
+  out.rows_pushed_ = static_cast<std::size_t>(packed.front());
+  auto from = packed.begin() + 1;
+  for (std::size_t i = 0; i < out.width_; ++i) {
+    const auto count = static_cast<std::ptrdiff_t>(out.width_ - i);
+    std::copy_n(from, count, &out.triangle_[i * out.stride_ + i]);
+    from += count;
+  }
+  return out;
+}
+
 }  // namespace jointid::ident

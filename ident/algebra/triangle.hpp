@@ -37,6 +37,13 @@ class Triangle {
   /// Adds the rows of another triangle over the same unknowns.
   void merge(Triangle& other);
 
+  /// How many numbers packed() gives.
+  static std::size_t packed_size(std::size_t unknowns) { return 1 + (unknowns + 1) * (unknowns + 2) / 2; }
+
+  /// Appends all that another process needs to merge this triangle after flush(): rows_pushed() and its elements row by row.
+  void pack(std::vector<double>& out) const;
+  static Triangle unpacked(std::size_t unknowns, Reduction reduction, std::span<const double> packed);
+
  private:
   Reduction reduction_;
   std::size_t unknowns_, width_, stride_, capacity_;

@@ -78,19 +78,43 @@ class Assembler final : public ChunkWorker {
 
 }  // namespace
 
+namespace {
+
+/// The systems of all processes, put together in their order as chunks are: a QR of tall and skinny parts.
+void put_together(const LineShares& shares, Assembled& system) {
+  const EquationCount& equations = system.equations;
+  std::vector<double> counts;
+  for (const std::size_t count : {equations.used, equations.dropped, equations.rows, system.lines})
+    counts.push_back(static_cast<double>(count));
+  shares.sum(counts);
+  const auto number = [&counts](std::size_t i) { return static_cast<std::size_t>(counts[i]); };
+  system.equations = {.used = number(0), .dropped = number(1), .rows = number(2)};
+  system.lines = number(3);
+  RoundingScale rounding;
+  for (const std::vector<double>& packed : shares.gathered(system.rounding.packed())) rounding.merge_packed(packed);
+  system.rounding = rounding;
+  Accumulator whole(system.accumulator.columns(), system.accumulator.reduction());
+  for (const std::vector<double>& packed : shares.gathered(system.accumulator.packed())) whole.merge_packed(packed);
+  system.accumulator = std::move(whole);
+}
+
+}  // namespace
+
 Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
   const Clock::time_point start = Clock::now();
   const Reduction reduction = plan.solver == "normal" ? Reduction::normal : Reduction::orthogonal;
   Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0, {}};
   const bool measures_rounding = control.detail == Detail::full;
   const std::size_t chunk = chunk_lines(linear_plan(plan)->builder->entries_per_line());
-  const std::size_t count = worker_count(plan.lines.size(), chunk, control.threads);
+  const LineShares::Range lines = control.shares.own(plan.lines.size());
+  const std::size_t count = worker_count(lines.size(), chunk, control.threads);
   double read_time = 0.0;
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   for (std::size_t i = 0; i < count; ++i) {
     workers.push_back(std::make_unique<Assembler>(plan, count == 1, measures_rounding, out, read_time));
   }
-  run_chunks(plan.lines.size(), chunk, "assembling", workers, control);
+  run_chunks(lines, chunk, "assembling", workers, control);
+  if (control.shares.size() > 1) put_together(control.shares, out);
   runtime.read += read_time;
   runtime.assemble += seconds_since(start) - read_time;
   return out;

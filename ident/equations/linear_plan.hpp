@@ -21,6 +21,8 @@ class LinearPlan : public MethodPlan {
   /// Whether a column of B has zeros at the joint DOFs of other substructures than its own.
   virtual bool keeps_parts_apart() const { return true; }
 
+  std::string not_shared(const Plan&) const override { return {}; }
+
   void read_first_line(Plan& plan) override;
 };
 

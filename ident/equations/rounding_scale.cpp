@@ -68,6 +68,20 @@ void RoundingScale::merge(const RoundingScale& other) {
   for (std::size_t i = 0; i < coefficient2_.size(); ++i) coefficient2_[i] += other.coefficient2_[i];
 }
 
+std::vector<double> RoundingScale::packed() const {
+  std::vector<double> out = {static_cast<double>(joint_), right2_};
+  out.insert(out.end(), coefficient2_.begin(), coefficient2_.end());
+  return out;
+}
+
+void RoundingScale::merge_packed(std::span<const double> packed) {
+  RoundingScale other;
+  other.joint_ = static_cast<std::size_t>(packed[0]);
+  other.right2_ = packed[1];
+  other.coefficient2_.assign(packed.begin() + 2, packed.end());
+  merge(other);
+}
+
 double RoundingScale::right() const { return std::sqrt(right2_); }
 
 double RoundingScale::coefficient(std::size_t p, std::size_t q) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "ident/algebra/line_product.hpp"
@@ -16,6 +17,10 @@ class RoundingScale {
   /// Adds the equations of one product, all weights times `factor`.
   void add(const LineProduct& line, const SubProduct& part, double factor);
   void merge(const RoundingScale& other);
+
+  /// As numbers, for another process.
+  std::vector<double> packed() const;
+  void merge_packed(std::span<const double> packed);
 
   double right() const;
   /// √Σ‖A_p‖²‖B_q‖² over all products; 0 for elements that no equation touches.

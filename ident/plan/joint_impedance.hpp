@@ -16,6 +16,9 @@ using ComplexMatrix = Eigen::MatrixXcd;
 /// Z_j(θ) = Z_known + Σ_t θ_t ∂Z/∂θ_t. Symmetric restrictions only.
 class JointImpedance {
  public:
+  /// Of a line that another process has: no unknowns.
+  JointImpedance() = default;
+
   JointImpedance(const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0, double omega);
 
   /// Which columns of the whole problem the unknowns of this line are; empty where the line lies in no band.

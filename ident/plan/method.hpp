@@ -29,6 +29,9 @@ class MethodPlan {
 
   /// What of its data the scene does not need, one phrase each.
   virtual std::vector<std::string> left_out(const Plan&) const { return {}; }
+
+  /// Why several processes cannot share the lines of a solution (Control::shares); empty where they can.
+  virtual std::string not_shared(const Plan&) const { return "the method works on all lines at once"; }
 };
 
 /// Linear estimates to start from: methods and equations, what needs most first.

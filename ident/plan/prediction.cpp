@@ -1,5 +1,6 @@
 #include "ident/plan/prediction.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "base/stopwatch.hpp"
@@ -73,11 +74,14 @@ DecibelError predict(Plan& plan, const std::vector<BandMatrices>& bands, const C
   DecibelError total;
   const std::size_t chunk = chunk_lines(plan.entries_per_line);
   std::vector<std::unique_ptr<ChunkWorker>> workers;
-  for (std::size_t i = worker_count(plan.lines.size(), chunk, control.threads); i-- > 0;) {
+  const LineShares::Range lines = control.shares.own(plan.lines.size());
+  for (std::size_t i = worker_count(lines.size(), chunk, control.threads); i-- > 0;) {
     workers.push_back(std::make_unique<Predictor>(plan, bands, total));
   }
-  run_chunks(plan.lines.size(), chunk, "predicting", workers, control);
-  return total;
+  run_chunks(lines, chunk, "predicting", workers, control);
+  std::array sums = {total.sum_of_squares, static_cast<double>(total.entries)};
+  control.shares.sum(sums);
+  return {sums[0], static_cast<std::size_t>(sums[1])};
 }
 
 namespace {

@@ -20,21 +20,22 @@ struct Chunk {
 /// Hands out chunks one after the other, reporting and stopping in between.
 class Source {
  public:
-  Source(std::size_t lines, std::size_t chunk, const char* stage, const Control& control)
-      : lines_(lines), chunk_(chunk), stage_(stage), control_(control) {}
+  Source(LineShares::Range lines, std::size_t chunk, const char* stage, const Control& control)
+      : lines_(lines), next_(lines.first), chunk_(chunk), stage_(stage), control_(control) {}
 
   bool next(Chunk& out) {
-    if (first_ >= lines_) return false;
+    if (next_ >= lines_.last) return false;
     stop_if(control_.interrupted);
-    if (control_.progress) control_.progress(stage_, first_, lines_);
-    out.first = first_;
-    out.last = std::min(first_ + chunk_, lines_);
-    first_ = out.last;
+    if (control_.progress) control_.progress(stage_, next_ - lines_.first, lines_.size());
+    out.first = next_;
+    out.last = std::min(next_ + chunk_, lines_.last);
+    next_ = out.last;
     return true;
   }
 
  private:
-  std::size_t lines_, chunk_, first_ = 0;
+  LineShares::Range lines_;
+  std::size_t next_, chunk_;
   const char* stage_;
   const Control& control_;
 };
@@ -72,7 +73,7 @@ void run_in_turn(Source& source, ChunkWorker& worker) {
 
 }  // namespace
 
-void run_chunks(std::size_t lines, std::size_t chunk, const char* stage,
+void run_chunks(LineShares::Range lines, std::size_t chunk, const char* stage,
                 const std::vector<std::unique_ptr<ChunkWorker>>& workers, const Control& control) {
   Source source(lines, chunk, stage, control);
   if (workers.size() == 1) {

@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "ident/team/line_shares.hpp"
+
 namespace jointid::ident {
 
 struct Control;
@@ -18,9 +20,9 @@ class ChunkWorker {
   virtual void merge() = 0;
 };
 
-/// Passes `lines` lines through the workers, `chunk` at a time; one worker runs in the calling thread without any other.
+/// Passes lines through the workers, `chunk` at a time; one worker runs in the calling thread without any other.
 /// Reports and stops between chunks as `control` says (throws Interrupted).
-void run_chunks(std::size_t lines, std::size_t chunk, const char* stage,
+void run_chunks(LineShares::Range lines, std::size_t chunk, const char* stage,
                 const std::vector<std::unique_ptr<ChunkWorker>>& workers, const Control& control);
 
 /// Lines per chunk, so that a chunk's FRFs take at most about 8 MB; independent of the number of threads.

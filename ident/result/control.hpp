@@ -4,6 +4,7 @@
 
 #include "base/control.hpp"
 #include "ident/result/solution.hpp"
+#include "ident/team/line_shares.hpp"
 
 namespace jointid::ident {
 
@@ -31,6 +32,7 @@ struct Control {
   /// Given the best estimate there is, to be kept should the run be interrupted: after every step of an iterative method (status
   /// not_converged), and when only judgements of the estimate are left to be worked out.
   std::function<void(const Solution&)> so_far = {};
+  LineShares shares = {};  ///< with other processes that solve the same
 };
 
 }  // namespace jointid::ident

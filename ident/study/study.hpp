@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ident/study/study_options.hpp"
-#include "ident/study/team.hpp"
+#include "ident/team/team.hpp"
 #include "ident/study/trial_data.hpp"
 
 namespace jointid::ident {

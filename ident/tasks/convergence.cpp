@@ -74,7 +74,7 @@ std::vector<LineQuality> quality_by_line(Plan& plan, std::size_t points, const C
   if (plan.scene.truth.empty() || linear_plan(plan) == nullptr) return out;
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   workers.push_back(std::make_unique<Follower>(plan, points, out));
-  run_chunks(plan.lines.size(), chunk_lines(plan.entries_per_line), "following lines", workers, control);
+  run_chunks({0, plan.lines.size()}, chunk_lines(plan.entries_per_line), "following lines", workers, control);
   return out;
 }
 

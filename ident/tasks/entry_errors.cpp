@@ -108,7 +108,7 @@ EntryErrors entry_errors(Plan& plan, const std::vector<BandMatrices>& bands, con
   workers.push_back(std::make_unique<EntryErrorWorker>(plan, bands, lines, out));
   const auto& worker = static_cast<const EntryErrorWorker&>(*workers.front());
   const std::size_t joint = plan.coordinates.joint.size();
-  run_chunks(lines.size(), chunk_lines((out.responses.size() + joint) * (out.references.size() + joint)), "comparing FRFs",
+  run_chunks({0, lines.size()}, chunk_lines((out.responses.size() + joint) * (out.references.size() + joint)), "comparing FRFs",
              workers, control);
   out.rms_db = worker.rms();
   return out;

@@ -160,7 +160,7 @@ Regenerated regenerate(Plan& plan, const std::vector<BandMatrices>& bands, const
   const std::size_t chunk = chunk_lines(rows.all().size() * columns.all().size());
   std::vector<std::unique_ptr<ChunkWorker>> workers;
   workers.push_back(std::make_unique<Regenerator>(plan, bands, rows, columns, lines, out));
-  run_chunks(lines.size(), chunk, "regenerating", workers, control);
+  run_chunks({0, lines.size()}, chunk, "regenerating", workers, control);
   return out;
 }
 

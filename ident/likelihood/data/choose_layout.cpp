@@ -1,11 +1,11 @@
 #include "ident/likelihood/data/choose_layout.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace jointid::ident {
 namespace {
-
-using Lines = std::vector<BothSystems<Measured>>;
 
 /// Column by column; one triangle of a square block.
 std::vector<Element> all_elements(std::size_t rows, std::size_t columns, bool triangle) {
@@ -16,30 +16,26 @@ std::vector<Element> all_elements(std::size_t rows, std::size_t columns, bool tr
   return all;
 }
 
-/// Those that are not zero on every line; `get`(line, element).
-template <class Get>
-std::vector<Element> without_zeros(std::vector<Element> elements, const Lines& lines, Get get) {
-  std::erase_if(elements, [&](const Element& e) {
-    return std::all_of(lines.begin(), lines.end(), [&](const auto& line) { return get(line, e).is_zero(); });
-  });
-  return elements;
+/// The blocks as they come in LineLayout: X, Y, A, B, D.
+std::array<std::vector<Element>, 5> all_blocks(std::size_t coordinates, std::size_t others) {
+  const std::size_t n = others, joint = coordinates - others;
+  const auto jn = all_elements(joint, n, false), jj = all_elements(joint, joint, true), nn = all_elements(n, n, true);
+  return {jn, jj, jn, jj, nn};
 }
 
-/// Those of them that some line knows.
-template <class Get>
-std::vector<Element> measured(const std::vector<Element>& elements, const Lines& lines, Get get) {
-  std::vector<Element> left = without_zeros(elements, lines, get);
-  std::erase_if(left, [&](const Element& e) {
-    return std::none_of(lines.begin(), lines.end(), [&](const auto& line) { return get(line, e).known(); });
-  });
-  return left;
-}
-
-/// Takes the elements of a block that begins at `origin` from one system.
-auto block(Symmetric<Measured> BothSystems<Measured>::*system, Element origin) {
-  return [=](const BothSystems<Measured>& line, const Element& e) {
-    return (line.*system).at(origin.row + e.row, origin.column + e.column);
-  };
+Measured element_of(const BothSystems<Measured>& line, std::size_t block, std::size_t n, const Element& e) {
+  switch (block) {
+    case 0:
+      return line.substructures.at(n + e.row, e.column);
+    case 1:
+      return line.substructures.at(n + e.row, n + e.column);
+    case 2:
+      return line.assembly.at(n + e.row, e.column);
+    case 3:
+      return line.assembly.at(n + e.row, n + e.column);
+    default:
+      return line.substructures.at(e.row, e.column) - line.assembly.at(e.row, e.column);
+  }
 }
 
 void count_columns(LineLayout& layout) {
@@ -50,22 +46,42 @@ void count_columns(LineLayout& layout) {
 
 }  // namespace
 
-LineLayout choose_layout(const Dofs& coordinates, std::size_t others, const Lines& lines) {
-  const std::size_t n = others, joint = coordinates.size() - others;
-  const auto jn = all_elements(joint, n, false), jj = all_elements(joint, joint, true), nn = all_elements(n, n, true);
-  const auto sub = &BothSystems<Measured>::substructures, whole = &BothSystems<Measured>::assembly;
-  const auto difference = [](const BothSystems<Measured>& line, const Element& e) {
-    return line.substructures.at(e.row, e.column) - line.assembly.at(e.row, e.column);
-  };
+std::vector<double> count_elements(std::size_t coordinates, std::size_t others, const std::vector<BothSystems<Measured>>& lines) {
+  std::vector<double> counts;
+  const auto blocks = all_blocks(coordinates, others);
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    for (const Element& e : blocks[block]) {
+      double not_zero = 0.0, known = 0.0;
+      for (const BothSystems<Measured>& line : lines) {
+        const Measured element = element_of(line, block, others, e);
+        not_zero += element.is_zero() ? 0.0 : 1.0;
+        known += element.known() ? 1.0 : 0.0;
+      }
+      counts.insert(counts.end(), {not_zero, known});
+    }
+  }
+  return counts;
+}
+
+LineLayout choose_layout(const Dofs& coordinates, std::size_t others, const std::vector<double>& counts) {
+  constexpr std::size_t measured = 2;  // blocks from A on have only what is known
+  auto blocks = all_blocks(coordinates.size(), others);
+  std::size_t at = 0;
+  for (std::size_t block = 0; block < blocks.size(); ++block) {
+    std::erase_if(blocks[block], [&](const Element&) {
+      const double not_zero = counts[at++], known = counts[at++];
+      return not_zero == 0.0 || (block >= measured && known == 0.0);
+    });
+  }
   LineLayout out{.coordinates = coordinates,
-                 .others = n,
-                 .joint = joint,
-                 .x = without_zeros(jn, lines, block(sub, {n, 0})),
+                 .others = others,
+                 .joint = coordinates.size() - others,
+                 .x = std::move(blocks[0]),
                  .x_first = {},
-                 .y = without_zeros(jj, lines, block(sub, {n, n})),
-                 .a = measured(jn, lines, block(whole, {n, 0})),
-                 .b = measured(jj, lines, block(whole, {n, n})),
-                 .d = measured(nn, lines, difference)};
+                 .y = std::move(blocks[1]),
+                 .a = std::move(blocks[2]),
+                 .b = std::move(blocks[3]),
+                 .d = std::move(blocks[4])};
   count_columns(out);
   return out;
 }

@@ -2,16 +2,19 @@
 
 #include "ident/likelihood/line/line_data.hpp"
 #include "ident/likelihood/line/line_state.hpp"
+#include "ident/team/line_shares.hpp"
 
 namespace jointid::ident {
 
-/// What the likelihood is estimated from: weighted values line by line.
+/// What the likelihood is estimated from: weighted values line by line. Of lines that another process has (shares()) only `omega` and
+/// `measured` are there.
 class LikelihoodData {
  public:
   virtual ~LikelihoodData() = default;
 
   const LineLayout& layout() const { return layout_; }
   const std::vector<LineData>& lines() const { return data_; }
+  const LineShares& shares() const { return shares_; }
 
   /// Whether some variances follow a law of the value.
   virtual bool variances_by_law() const = 0;
@@ -26,6 +29,7 @@ class LikelihoodData {
  protected:
   LineLayout layout_;
   std::vector<LineData> data_;
+  LineShares shares_;
 };
 
 }  // namespace jointid::ident

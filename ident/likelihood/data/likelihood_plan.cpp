@@ -152,6 +152,12 @@ void LikelihoodPlan::read_first_line(Plan& plan) {
   if (start) start->method->read_first_line(*start);
 }
 
+std::string LikelihoodPlan::not_shared(const Plan& plan) const {
+  if (plan.solver == "ceres") return "solver \"ceres\" works on all lines at once";
+  if (plan.scene.identify.bootstrap > 0) return "a bootstrap simulates all lines at once";
+  return observations->layout().a.empty() ? "with H_nn alone the start needs all lines at once" : "";
+}
+
 LikelihoodPlan* likelihood_plan(const Plan& plan) { return dynamic_cast<LikelihoodPlan*>(plan.method.get()); }
 
 }  // namespace jointid::ident

@@ -15,6 +15,8 @@ class LikelihoodPlan : public MethodPlan {
   std::unique_ptr<Observations> observations;
   std::unique_ptr<Plan> start;  ///< the linear estimate to start from; empty when the scene gives the start
 
+  std::string not_shared(const Plan& plan) const override;
+
   void read_first_line(Plan& plan) override;
 };
 

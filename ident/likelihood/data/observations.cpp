@@ -50,7 +50,7 @@ Observations::Observations(const Scene& scene, const Dofs& coordinates, std::siz
   for (std::size_t at = 0; at < size * size; ++at) {
     if (background_[at] == Complex(0.0)) promised.substructures.at(at / size, at % size) = {0.0, 0.0};
   }
-  layout_ = choose_layout(coordinates, others, {promised});
+  layout_ = choose_layout(coordinates, others, count_elements(size, others, {promised}));
 }
 
 std::vector<FileVariances> Observations::origins() const {
@@ -72,7 +72,9 @@ std::size_t Observations::bytes() const {
   return total;
 }
 
-void Observations::read(const std::vector<Line>& lines, const std::function<void(std::size_t)>& between) {
+void Observations::read(const std::vector<Line>& lines, const std::function<void(std::size_t)>& between, const LineShares& shares) {
+  shares_ = shares;
+  own_lines_ = shares.own(lines.size());
   plan_lines_ = lines;
   raw_.clear();
   data_.clear();
@@ -84,16 +86,18 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
   substructures_.prepare(substructure_lines);
   assembly_.prepare(assembly_lines);
   const std::size_t chunk = std::max<std::size_t>(1, chunk_lines(entries_per_line()) / 4);
-  for (std::size_t first = 0; first < lines.size(); first += chunk) {
+  for (std::size_t first = own_lines_.first; first < own_lines_.last; first += chunk) {
     between(first);
-    const std::size_t count = std::min(chunk, lines.size() - first);
+    const std::size_t count = std::min(chunk, own_lines_.last - first);
     read_chunk(std::span(substructure_lines).subspan(first, count), std::span(assembly_lines).subspan(first, count));
   }
   leave_out({});
 }
 
 void Observations::leave_out(const std::vector<std::size_t>& coordinates) {
-  layout_ = without(choose_layout(layout_.coordinates, layout_.others, raw_), coordinates);
+  std::vector<double> counts = count_elements(layout_.coordinates.size(), layout_.others, raw_);
+  shares_.sum(counts);
+  layout_ = without(choose_layout(layout_.coordinates, layout_.others, counts), coordinates);
   weigh_as_measured();
 }
 
@@ -129,13 +133,20 @@ LineData Observations::data_of(const Raw& raw, double omega) const {
 
 void Observations::weigh_as_measured() {
   data_.clear();
-  for (std::size_t i = 0; i < raw_.size(); ++i) {
-    data_.push_back(data_of(raw_[i], angular(plan_lines_[i].frequency_hz)));
+  std::vector<double> measured(plan_lines_.size(), 0.0);
+  for (std::size_t i = 0; i < plan_lines_.size(); ++i) {
+    LineData line;
+    line.omega = angular(plan_lines_[i].frequency_hz);
+    if (own_lines_.has(i)) line = data_of(raw_[i - own_lines_.first], line.omega);
+    measured[i] = static_cast<double>(line.measured);
+    data_.push_back(std::move(line));
   }
+  shares_.complete(measured, measured.size());
+  for (std::size_t i = 0; i < measured.size(); ++i) data_[i].measured = static_cast<std::size_t>(measured[i]);
 }
 
 void Observations::weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) {
-  const Raw& raw = raw_[line];
+  const Raw& raw = raw_[line - own_lines_.first];
   LineData& data = data_[line];
   data = data_of(raw, data.omega);
   const std::size_t n = layout_.others;

@@ -23,8 +23,9 @@ class Observations final : public LikelihoodData {
 
   std::size_t entries_per_line() const { return substructures_.entries_per_line() + assembly_.entries_per_line(); }
 
-  /// Reads the lines of a plan, replacing what was read before; `between` is called between chunks of lines.
-  void read(const std::vector<Line>& lines, const std::function<void(std::size_t done)>& between);
+  /// Reads the lines of a plan, those of this process where they are shared, replacing what was read before; `between` is called
+  /// between chunks of lines.
+  void read(const std::vector<Line>& lines, const std::function<void(std::size_t done)>& between, const LineShares& shares = {});
 
   /// Takes what was read as if some coordinates (numbers in LineLayout::coordinates) had not been measured: non-joint ones at
   /// all, joint ones on the assembly. Replaces what was left out before.
@@ -51,7 +52,8 @@ class Observations final : public LikelihoodData {
   SymmetricFrfs substructures_, assembly_;
   std::vector<Line> plan_lines_;
   std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
-  std::vector<Raw> raw_;
+  std::vector<Raw> raw_;  ///< of own_lines_
+  LineShares::Range own_lines_;
 };
 
 }  // namespace jointid::ident

@@ -25,10 +25,11 @@ std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& informatio
 }
 
 void read_observations(Plan& plan, const Control& control) {
-  likelihood_plan(plan)->observations->read(plan.lines, [&](std::size_t done) {
+  const auto between = [&](std::size_t done) {
     stop_if(control.interrupted);
     if (control.progress) control.progress("reading", done, plan.lines.size());
-  });
+  };
+  likelihood_plan(plan)->observations->read(plan.lines, between, control.shares);
 }
 
 LikelihoodEstimator make_estimator(Plan& plan, const Control& control, std::shared_ptr<const std::string> stage) {

@@ -50,7 +50,10 @@ void add_deformations(const LineState& state, const ComplexMatrix& dz, Numbers& 
   }
 }
 
-std::optional<double> median(std::vector<double> values) {
+/// Of the numbers of all processes.
+std::optional<double> median(const std::vector<double>& own, const LineShares& shares) {
+  std::vector<double> values;
+  for (const std::vector<double>& each : shares.gathered(own)) values.insert(values.end(), each.begin(), each.end());
   if (values.empty()) return std::nullopt;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -69,7 +72,7 @@ JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEst
     add_effects(data.layout(), data.lines()[i], effects);
     add_deformations(state, estimator.impedance_of(i, direction) - estimator.impedance_of(i, origin), deformations);
   }
-  return {median(std::move(effects)), median(std::move(deformations))};
+  return {median(effects, data.shares()), median(deformations, data.shares())};
 }
 
 namespace {
@@ -92,7 +95,7 @@ std::optional<double> relative_motion(const LikelihoodData& data, const Likeliho
       if (free > 0.0) ratios.push_back(std::abs(state.a(i, k) - sign * state.a(j, k)) / free);
     }
   }
-  return median(std::move(ratios));
+  return median(ratios, data.shares());
 }
 
 std::vector<Pair> held_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator, const Dofs& joint) {

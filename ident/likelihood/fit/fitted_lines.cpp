@@ -23,19 +23,21 @@ Eigen::VectorXd pick(const Eigen::VectorXd& all, const std::vector<std::size_t>&
 
 FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
                          std::size_t threads)
-    : data_(&data), threads_(threads) {
-  for (const LineData& each : data.lines()) {
+    : data_(&data), threads_(threads), own_(data.shares().own(data.lines().size())) {
+  for (std::size_t i = 0; i < data.lines().size(); ++i) {
+    const LineData& each = data.lines()[i];
     FittedLine line{JointImpedance(restriction, columns, omega0, each.omega), {}, 0.0, 0.0, 1.0, {}};
     if (!line.joint.columns().empty()) line.redundancy = each.redundancy(data.layout());
+    if (!own_.has(i)) line.joint = {};
     lines_.push_back(std::move(line));
   }
 }
 
-void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) const {
+void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) {
   std::atomic<std::size_t> begun = 0;
   const auto work_on = [&](std::size_t i, LineModel& model) {
     if (lines_[i].redundancy <= 0.0) return;
-    if (watch_) watch_(begun++, lines_.size());
+    if (watch_) watch_(begun++, own_.size());
     work(i, model);
   };
   const auto model_of = [&](std::size_t worker) -> LineModel& {
@@ -44,17 +46,30 @@ void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& wo
   };
   if (threads_ == 1) {
     models_.resize(std::max<std::size_t>(1, models_.size()));
-    for (std::size_t i = 0; i < lines_.size(); ++i) work_on(i, model_of(0));
+    for (std::size_t i = own_.first; i < own_.last; ++i) work_on(i, model_of(0));
+    exchange_costs();
     return;
   }
   oneapi::tbb::task_arena arena(threads_ == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(threads_));
   models_.resize(std::max(models_.size(), static_cast<std::size_t>(arena.max_concurrency())));
   arena.execute([&] {
-    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, lines_.size()), [&](const auto& range) {
+    oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(own_.first, own_.last), [&](const auto& range) {
       LineModel& model = model_of(static_cast<std::size_t>(oneapi::tbb::this_task_arena::current_thread_index()));
       for (std::size_t i = range.begin(); i != range.end(); ++i) work_on(i, model);
     });
   });
+  exchange_costs();
+}
+
+void FittedLines::exchange_costs() {
+  if (data_->shares().size() == 1) return;
+  std::vector<double> costs;
+  for (const FittedLine& line : lines_) costs.insert(costs.end(), {line.cost, line.reduced.cost});
+  data_->shares().complete(costs, lines_.size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].cost = costs[2 * i];
+    lines_[i].reduced.cost = costs[2 * i + 1];
+  }
 }
 
 void FittedLines::begin(const std::vector<double>& theta) {
@@ -96,7 +111,7 @@ void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
     line.reduced = linearised(data, z, model, line);
     relaxed = true;
   });
-  if (relaxed && relax_stuck(theta)) linearise(theta);
+  if (data_->shares().any(relaxed) && relax_stuck(theta)) linearise(theta);
 }
 
 void FittedLines::relax(const std::vector<double>& theta) {
@@ -147,7 +162,7 @@ void FittedLines::follow(const std::vector<FittedLine>& before, const std::vecto
     ident::relax(data, z, model, line, until);
     relaxed = true;
   });
-  if (relaxed) relax_stuck(theta);
+  if (data_->shares().any(relaxed)) relax_stuck(theta);
 }
 
 void FittedLines::weigh_robustly() {
@@ -168,7 +183,7 @@ void FittedLines::choose_tolerance() {
 
 void FittedLines::take_variances_here(const std::vector<double>& theta) {
   if (!variances_by_law()) return;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
+  for (std::size_t i = own_.first; i < own_.last; ++i) {
     if (lines_[i].redundancy > 0.0) data_->weigh_at(i, lines_[i].state, impedance(i, theta));
   }
 }
@@ -188,13 +203,18 @@ double FittedLines::expected() const {
 }
 
 void FittedLines::add_to(Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const {
-  for (std::size_t l = 0; l < lines_.size(); ++l) {
+  const Eigen::Index unknowns = gradient.size();
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(unknowns, unknowns + 1);
+  for (std::size_t l = own_.first; l < own_.last; ++l) {
     const FittedLine& line = lines_[l];
     if (line.redundancy <= 0.0) continue;
     const auto& columns = line.joint.columns();
-    for (std::size_t i = 0; i < columns.size(); ++i) gradient[at(columns[i])] += line.weight * line.reduced.gradient[at(i)];
-    add_information(l, line.weight, information);
+    for (std::size_t i = 0; i < columns.size(); ++i) sums(at(columns[i]), unknowns) += line.weight * line.reduced.gradient[at(i)];
+    add_information(l, line.weight, sums);
   }
+  data_->shares().sum({sums.data(), static_cast<std::size_t>(sums.size())});
+  information += sums.leftCols(unknowns);
+  gradient += sums.col(unknowns);
 }
 
 void FittedLines::add_information(std::size_t line, double weight, Eigen::MatrixXd& information) const {

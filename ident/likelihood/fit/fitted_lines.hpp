@@ -11,7 +11,7 @@ namespace jointid::ident {
 
 /// All lines of a likelihood, worked on in parallel, and Σ L over them: L is χ² of a line that fits, and bounded for one with gross
 /// errors (robust_loss()). The joint's unknowns θ are the caller's. Sums go from line to line in order: they do not depend on the
-/// number of threads.
+/// number of threads. Of lines that other processes have (LikelihoodData::shares()) χ² and weights are known here and nothing else.
 class FittedLines {
  public:
   FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
@@ -91,13 +91,16 @@ class FittedLines {
  private:
   /// A few lines that are far from fitting once more from other starts; whether there were any.
   bool relax_stuck(const std::vector<double>& theta);
-  void for_all(const std::function<void(std::size_t, LineModel&)>& work) const;
+  /// For this process's lines; then costs are known of all.
+  void for_all(const std::function<void(std::size_t, LineModel&)>& work);
+  void exchange_costs();
 
   LikelihoodData* data_;
   std::size_t threads_;
   std::function<void(std::size_t, std::size_t)> watch_;
   std::vector<FittedLine> lines_;
-  mutable std::vector<std::unique_ptr<LineModel>> models_;  ///< one per thread, kept: their matrices are large
+  LineShares::Range own_;
+  std::vector<std::unique_ptr<LineModel>> models_;  ///< one per thread, kept: their matrices are large
   double tolerance_ = 1.0;
 };
 

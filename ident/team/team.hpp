@@ -17,7 +17,7 @@ struct TeamEnd {
 };
 using TeamMessage = std::variant<std::vector<double>, TeamEnd>;
 
-/// The processes that share a study; number 0 leads and writes. To be used by the main thread only.
+/// The processes that share a study or a solution; number 0 leads and writes. To be used by the main thread only.
 class Team {
  public:
   virtual ~Team() = default;
@@ -28,6 +28,8 @@ class Team {
   virtual std::size_t first_failed(bool failed) = 0;
   /// Gives the leader's numbers to all.
   virtual void share(std::vector<std::uint64_t>& numbers) = 0;
+  /// The numbers of all, in the order of their ranks; everybody calls it, each with as many as it has.
+  virtual std::vector<std::vector<double>> gathered(const std::vector<double>& own) = 0;
   /// To the leader.
   virtual void send(const std::vector<double>& numbers) = 0;
   virtual void send_end(const std::string& failure) = 0;

@@ -1,4 +1,4 @@
-#include "ident/study/team.hpp"
+#include "ident/team/team.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,6 +15,7 @@ class TeamOfOne final : public Team {
   std::size_t size() const override { return 1; }
   std::size_t first_failed(bool failed) override { return failed ? 0 : 1; }
   void share(std::vector<std::uint64_t>&) override {}
+  std::vector<std::vector<double>> gathered(const std::vector<double>& own) override { return {own}; }
   void send(const std::vector<double>&) override {}
   void send_end(const std::string&) override {}
   std::optional<TeamMessage> receive() override { return std::nullopt; }
@@ -30,7 +31,7 @@ std::size_t variable(const char* open_mpi, const char* mpich) {
   return 0;
 }
 
-constexpr Module mpi{"mpi", "a study under mpirun", "libopenmpi-dev"};
+constexpr Module mpi{"mpi", "a study or a solution under mpirun", "libopenmpi-dev"};
 
 }  // namespace
 
@@ -43,7 +44,7 @@ std::unique_ptr<Team> join_team() {
   throw InputError({.kind = ErrorKind::usage,
                     .file = {},
                     .place = "mpirun",
-                    .problem = "this build has no MPI, and its processes cannot share a study",
+                    .problem = "this build has no MPI, and its processes cannot share their work",
                     .remedy = "build with JOINTID_WITH_MPI, or run one process with --threads"});
 }
 

@@ -1,7 +1,9 @@
 #define OMPI_SKIP_MPICXX 1
 #include <mpi.h>
 
-#include "ident/study/team.hpp"
+#include <numeric>
+
+#include "ident/team/team.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -44,6 +46,21 @@ class MpiTeam final : public Team {
     MPI_Bcast(&count, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
     numbers.resize(count);
     MPI_Bcast(numbers.data(), static_cast<int>(count), MPI_UINT64_T, 0, MPI_COMM_WORLD);
+  }
+
+  std::vector<std::vector<double>> gathered(const std::vector<double>& own) override {
+    std::vector<int> counts(size_), places(size_);
+    int count = static_cast<int>(own.size());
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    std::exclusive_scan(counts.begin(), counts.end(), places.begin(), 0);
+    std::vector<double> all(static_cast<std::size_t>(places.back() + counts.back()));
+    MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), places.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+    std::vector<std::vector<double>> out;
+    for (std::size_t rank = 0; rank < size_; ++rank) {
+      const auto first = all.begin() + places[rank];
+      out.emplace_back(first, first + counts[rank]);
+    }
+    return out;
   }
 
   void send(const std::vector<double>& numbers) override {
