@@ -102,7 +102,7 @@ TEST(Pod, OfFreeMotionIsTheNormalModesOnlyInTheirInnerProduct) {
   const Eigen::Vector3d amplitude(1.0, 0.5, 0.2);
   Samples x(200000, 3);
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
-    Eigen::Vector3d q;
+    Eigen::VectorXd q(3);
     for (int r = 0; r < 3; ++r) q(r) = amplitude(r) * std::cos(std::sqrt(normal.values(r)) * 0.05 * static_cast<double>(i));
     x.row(i) = (normal.vectors * q).transpose();
   }
