@@ -108,7 +108,7 @@ TEST(Orbits, MultipliersAreThoseOfDifferences) {
     return Eigen::VectorXd(round.state().head(motion));
   };
   Eigen::MatrixXd slope(motion - 2, motion - 2);
-  const double step = 3e-5;
+  const double step = 1e-5;
   for (Eigen::Index k = 0; k < motion - 2; ++k) {
     slope.col(k) = plane.transpose() * (image(step * plane.col(k)) - image(-step * plane.col(k))) / (2.0 * step);
   }
