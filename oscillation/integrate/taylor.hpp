@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "oscillation/system/contact_system.hpp"
@@ -31,18 +33,24 @@ class TaylorSeries {
   void expand_tangents(const Eigen::MatrixXd& tangents, std::vector<Eigen::MatrixXd>& coefficients);
 
  private:
-  struct Entry {
-    Eigen::Index row, column;
-    double value;
+  /// What of a matrix is not 0, row by row.
+  struct Sparse {
+    Sparse() = default;
+    explicit Sparse(const Eigen::MatrixXd& a);
+    std::vector<std::int32_t> row_start, column;
+    std::vector<double> value;
+    /// out = A·in times `factor`.
+    void multiply(const double* in, double* out, double factor) const;
   };
 
   const ContactSystem& system_;
-  std::array<std::vector<Entry>, 3> entries_;
+  std::array<Sparse, 3> drift_;
   std::vector<Eigen::Index> pushed_;  ///< rows where the force acts
   Mode mode_ = Mode::forward;
   bool falls_ = false;
-  double rate_ = 0.0, drop_ = 0.0;  ///< αs, s(μ_S − μ_K)
-  std::array<double, order + 1> velocity_{}, load_{}, decay_{}, product_{};
+  double rate_ = 0.0, drop_ = 0.0;                                                      ///< αs, s(μ_S − μ_K)
+  std::array<Sparse, 3> forms_;                                                         ///< V_r and N by mode
+  std::array<double, order + 1> rising_{}, load_{}, decay_{}, reversed_{}, product_{};  ///< j·V_j, N_j, E_j, E_{order−j}, G_j
 };
 
 /// The tangents at τ.
