@@ -50,6 +50,31 @@ void TaylorSeries::Sparse::multiply(const double* in, double* out, double factor
   }
 }
 
+/// Over which the last two terms stay below 1e-17 of the motion, and of the drive's sine and cosine: a body that sticks may not
+/// move at all while its drive does.
+double TaylorSeries::trusted_length(const MatrixXd& c, Index motion) {
+  const double size = std::max(c.col(0).head(motion).cwiseAbs().maxCoeff(), c.col(1).head(motion).cwiseAbs().maxCoeff() * 1e-3);
+  double length = std::numeric_limits<double>::infinity();
+  for (Index k = order - 1; k <= order; ++k) {
+    const double power = 1.0 / static_cast<double>(k);
+    const double moved = c.col(k).head(motion).cwiseAbs().maxCoeff(),
+                 driven = c.col(k).segment(motion + 1, 2).cwiseAbs().maxCoeff();
+    if (moved > 0.0) length = std::min(length, std::pow(1e-17 * size / moved, power));
+    if (driven > 0.0) length = std::min(length, std::pow(1e-17 / driven, power));
+  }
+  return length;
+}
+
+/// α|V_r| changes by 12 at most: the terms of e^{−αV_r} fall from the 12th on, so that the last two tell of those left out. Over
+/// longer steps a force that is nothing at the start would rise to all of it behind them.
+void TaylorSeries::limit_fall(double& length) const {
+  constexpr double most = 12.0;
+  double change = 0.0, power = length;
+  for (std::size_t k = 1; k < order; ++k, power *= length)
+    change += std::abs(rate_ * rising_[k]) / static_cast<double>(k) * power;
+  if (change > most) length *= most / change;  // the sum shrinks at least as fast
+}
+
 void TaylorSeries::expand(Mode mode, const VectorXd& z, Piece& piece) {
   mode_ = mode;
   falls_ = mode != Mode::stick && system_.is_falling();
@@ -81,14 +106,8 @@ void TaylorSeries::expand(Mode mode, const VectorXd& z, Piece& piece) {
       for (const Index row : pushed_) to[row] += factor * drop_ * product_[now] * system_.push(row);
     }
   }
-  const Index motion = 2 * system_.degrees();
-  const double size =
-      std::max(z.head(motion).cwiseAbs().maxCoeff(), piece.coefficients.col(1).head(motion).cwiseAbs().maxCoeff() * 1e-3);
-  piece.length = std::numeric_limits<double>::infinity();
-  for (Index k = order - 1; k <= order; ++k) {
-    const double last = piece.coefficients.col(k).head(motion).cwiseAbs().maxCoeff();
-    if (last > 0.0) piece.length = std::min(piece.length, std::pow(1e-17 * size / last, 1.0 / static_cast<double>(k)));
-  }
+  piece.length = trusted_length(piece.coefficients, 2 * system_.degrees());
+  if (falls_ && std::isfinite(piece.length)) limit_fall(piece.length);
 }
 
 void TaylorSeries::expand_tangents(const MatrixXd& tangents, std::vector<MatrixXd>& coefficients) {

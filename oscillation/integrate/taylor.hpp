@@ -27,7 +27,7 @@ class TaylorSeries {
 
   explicit TaylorSeries(const ContactSystem& system);
 
-  /// Coefficients about z, and the length over which the last two terms stay below 1e-17 of the motion.
+  /// Coefficients about z, and the length over which the last two terms stay below 1e-17 of the motion and of the drive.
   void expand(Mode mode, const Eigen::VectorXd& z, Piece& piece);
   /// Those of the columns of `tangents` along the piece expanded last: [k] is [size, columns].
   void expand_tangents(const Eigen::MatrixXd& tangents, std::vector<Eigen::MatrixXd>& coefficients);
@@ -42,6 +42,9 @@ class TaylorSeries {
     /// out = A·in times `factor`.
     void multiply(const double* in, double* out, double factor) const;
   };
+
+  static double trusted_length(const Eigen::MatrixXd& coefficients, Eigen::Index motion);
+  void limit_fall(double& length) const;
 
   const ContactSystem& system_;
   std::array<Sparse, 3> drift_;

@@ -24,29 +24,29 @@ struct Lorenz {
 
   /// Taylor series of order 20 over `time`, which is far within its radius of convergence; tangents by the same series.
   void advance(Eigen::VectorXd& z, Eigen::MatrixXd& tangents, double time) const {
-    constexpr int order = 20;
+    constexpr std::size_t order = 20;
     const Eigen::Index count = tangents.cols();
     std::vector<Eigen::Vector3d> c(order + 1);
     std::vector<Eigen::MatrixXd> w(order + 1, Eigen::MatrixXd::Zero(3, count));
     c[0] = z;
     w[0] = tangents;
-    for (int k = 0; k < order; ++k) {
+    for (std::size_t k = 0; k < order; ++k) {
       double xz = 0.0, xy = 0.0;
       Eigen::RowVectorXd wxz = Eigen::RowVectorXd::Zero(count), wxy = wxz;
-      for (int j = 0; j <= k; ++j) {
+      for (std::size_t j = 0; j <= k; ++j) {
         xz += c[j](0) * c[k - j](2);
         xy += c[j](0) * c[k - j](1);
         wxz += w[j].row(0) * c[k - j](2) + c[j](0) * w[k - j].row(2);
         wxy += w[j].row(0) * c[k - j](1) + c[j](0) * w[k - j].row(1);
       }
       c[k + 1] << sigma * (c[k](1) - c[k](0)), rho * c[k](0) - xz - c[k](1), xy - beta * c[k](2);
-      c[k + 1] /= k + 1.0;
-      w[k + 1].row(0) = sigma * (w[k].row(1) - w[k].row(0)) / (k + 1.0);
-      w[k + 1].row(1) = (rho * w[k].row(0) - wxz - w[k].row(1)) / (k + 1.0);
-      w[k + 1].row(2) = (wxy - beta * w[k].row(2)) / (k + 1.0);
+      c[k + 1] /= static_cast<double>(k + 1);
+      w[k + 1].row(0) = sigma * (w[k].row(1) - w[k].row(0)) / (static_cast<double>(k + 1));
+      w[k + 1].row(1) = (rho * w[k].row(0) - wxz - w[k].row(1)) / (static_cast<double>(k + 1));
+      w[k + 1].row(2) = (wxy - beta * w[k].row(2)) / (static_cast<double>(k + 1));
     }
     Eigen::Vector3d sum = c[order];
-    for (int k = order - 1; k >= 0; --k) {
+    for (std::size_t k = order; k-- > 0;) {
       sum = c[k] + time * sum;
       w[order] = w[k] + time * w[order];
     }
