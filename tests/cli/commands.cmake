@@ -74,6 +74,12 @@ command_test(compare_impossible CODE 2 ERR "nn" AFTER study_data ARGS compare a1
 command_test(curve_write CODE 0 OUT "next: jointid loading-curve curve/table2.1-1.csv --law ren" MAKES curve
   ARGS problem write table2.1-1 curve)
 command_test(curve_write_ring CODE 0 OUT "--law ren --ring 0.0255,0.038" MAKES ring_curve ARGS problem write table2.4-1 ring_curve)
+command_test(pod CODE 0 OUT "of 2 channels, mean removed.*Σσ².*modes for 99 %" AFTER curve MAKES pod_read ARGS pod curve/table2.1-1.csv)
+command_test(pod_json CODE 0 OUT "\"fractions_of_sigma_squared\"" AFTER curve ARGS pod curve/table2.1-1.csv --channels 2,1 --threads 2 --json -)
+command_test(pod_csv CODE 0 OUT "^channel,unit,mean,mode 1,mode 2" AFTER curve ARGS pod curve/table2.1-1.csv --csv -)
+command_test(pod_mass CODE 3 ERR "--mass needs a row for every channel" AFTER curve ARGS pod curve/table2.1-1.csv --mass curve/table2.1-1.csv)
+command_test(pod_channel CODE 3 ERR "table2.1-1.csv" AFTER curve ARGS pod curve/table2.1-1.csv --channels absent)
+command_test(pod_absent CODE 3 ERR "absent.csv" ARGS pod absent.csv)
 command_test(loading_curve CODE 0 OUT "best by AIC: ren.*friction limit +10[67].*equivalent stiffness" AFTER curve
   ARGS loading-curve curve/table2.1-1.csv)
 command_test(loading_curve_json CODE 0 OUT "^{\n  \"status\": \"ok\".*\"best_law\": \"ren\"" AFTER curve

@@ -127,6 +127,12 @@ const Reader readers[] = {
      three,
      {{"table2.1-1.csv", "FILES"}, {"table2.1-2.csv", "--specimen"}},
      add_curves},
+    {"Pod",
+     {"pod", "table2.1-1.csv", "--mass", "table2.1-2.csv"},
+     {"--json", "--csv"},
+     {{"table2.1-1.csv", "FILES"}, {"table2.1-2.csv", "--mass"}},
+     add_curves},
+    {"PodCompare", {"pod", "table2.1-1.csv", "--compare", "table2.1-2.csv"}, {"--json"}, {{"table2.1-2.csv", "--compare"}}, add_curves},
     {"Convert", {"convert", "a.h5"}, {""}, {{"a.h5", "IN"}}},
     {"ConvertText", {"convert", "a.uff"}, {""}, {{"a.uff", "IN"}}},
 };

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/pod/pod_record.hpp"
+#include "series/pod/mode_comparison.hpp"
+
+namespace jointid::cli {
+
+/// All that `pod` found.
+struct PodReport {
+  std::vector<std::string> names, units;
+  std::size_t cut = 0;
+  series::Pod pod;
+  bool weighted = false, mean_kept = false;
+  Eigen::MatrixXd cosines, assurance;  ///< [modes, modes of --compare]; empty without it
+};
+
+/// What one should know before one uses it: missing samples, cut channels, units that differ, too few samples.
+std::vector<std::string> pod_remarks(const PodReport& report);
+
+/// For people.
+std::string pod_text(const PodReport& report);
+/// The keys stay. Numbers that are not there are null.
+std::string pod_json(const PodReport& report);
+/// "channel,unit,mean,mode 1,mode 2 …", all modes.
+std::string pod_csv(const PodReport& report);
+
+}  // namespace jointid::cli

@@ -1,0 +1,95 @@
+#include "series/pod/record_triangle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "base/error.hpp"
+#include "dense/qr.hpp"
+
+namespace jointid::series {
+namespace {
+
+constexpr Eigen::Index block_rows = 4096;
+
+}  // namespace
+
+RecordTriangle::RecordTriangle(std::size_t channels) : triangle_(Eigen::MatrixXd::Zero(at(channels) + 1, at(channels) + 1)) {
+  if (channels == 0) throw InputError({ErrorKind::data, "", "record", "has no channels", ""});
+}
+
+void RecordTriangle::stack(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
+  Eigen::MatrixXd stacked(triangle_.rows() + rows.rows(), triangle_.cols());
+  stacked << triangle_, rows;
+  triangle_ = dense::triangle_of(stacked);
+}
+
+void RecordTriangle::add(const Eigen::Ref<const Samples>& block) {
+  if (block.cols() + 1 != triangle_.cols()) {
+    throw InputError({ErrorKind::data, "", "record",
+                      "has " + std::to_string(block.cols()) + " channels after blocks of " + std::to_string(channels()), ""});
+  }
+  for (Eigen::Index first = 0; first < block.rows(); first += block_rows) {
+    const Eigen::Index count = std::min(block_rows, block.rows() - first);
+    Eigen::MatrixXd rows(count, triangle_.cols());
+    Eigen::Index kept = 0;
+    for (Eigen::Index i = first; i < first + count; ++i) {
+      if (!block.row(i).allFinite()) continue;
+      rows(kept, 0) = 1.0;
+      rows.row(kept++).tail(block.cols()) = block.row(i);
+    }
+    samples_ += static_cast<std::size_t>(kept);
+    missing_ += static_cast<std::size_t>(count - kept);
+    if (kept > 0) stack(rows.topRows(kept));
+  }
+}
+
+void RecordTriangle::join(const RecordTriangle& other) {
+  if (other.triangle_.cols() != triangle_.cols()) throw InputError({ErrorKind::data, "", "records", "differ in channels", ""});
+  samples_ += other.samples_;
+  missing_ += other.missing_;
+  if (other.samples_ > 0) stack(other.triangle_);
+}
+
+Eigen::VectorXd RecordTriangle::mean() const {
+  if (samples_ == 0) return Eigen::VectorXd::Zero(at(channels()));
+  return triangle_.row(0).tail(at(channels())).transpose() / triangle_(0, 0);
+}
+
+Eigen::MatrixXd RecordTriangle::centred() const { return triangle_.bottomRightCorner(at(channels()), at(channels())); }
+
+Eigen::MatrixXd RecordTriangle::uncentred() const { return dense::triangle_of(triangle_.rightCols(at(channels()))); }
+
+RecordTriangle record_triangle(std::size_t channels, const NextSamples& next, std::size_t threads) {
+  RecordTriangle whole(channels);
+  threads = std::max<std::size_t>(threads, 1);
+  std::vector<Samples> blocks(threads, Samples(block_rows, at(channels)));
+  for (bool more = true; more;) {
+    std::vector<RecordTriangle> parts(threads, RecordTriangle(channels));
+    std::vector<std::jthread> workers;
+    std::size_t used = 0;
+    for (; used < threads && more; ++used) {
+      Eigen::Index rows = 0;
+      while (rows < block_rows) {  // whole blocks, whatever the reader hands out
+        Samples rest(block_rows - rows, at(channels));
+        const auto got = at(next(rest));
+        if (got == 0) break;
+        blocks[used].middleRows(rows, got) = rest.topRows(got);
+        rows += got;
+      }
+      more = rows == block_rows;
+      const auto work = [&parts, &blocks, used, rows] { parts[used].add(blocks[used].topRows(rows)); };
+      if (threads == 1) {
+        work();
+      } else {
+        workers.emplace_back(work);
+      }
+    }
+    workers.clear();
+    for (std::size_t k = 0; k < used; ++k) whole.join(parts[k]);
+  }
+  return whole;
+}
+
+}  // namespace jointid::series
