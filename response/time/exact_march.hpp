@@ -62,8 +62,10 @@ class ExactMarch {
   const JointedStructure& structure() const { return structure_; }
   const ForceHistory& force() const { return force_; }
   JointStates& joint_states() { return states_; }
+  const JointStates& joint_states() const { return states_; }
 
-  /// Sensitivities of (x, ẋ, f), one parameter a column, go along from here; through events by saltation (response.md §7).
+  /// Sensitivities of (x, ẋ, f), one parameter a column, go along from here; through events by saltation (response.md §7). Rows of f
+  /// count for bilinear joints; those of others follow from their memory.
   void follow(const Eigen::MatrixXd& slopes);
   const Eigen::MatrixXd& slopes() const { return slopes_; }
 

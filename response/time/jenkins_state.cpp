@@ -17,6 +17,7 @@ void JenkinsState::stick(double q, double force) {
 
 void JenkinsState::slip(int direction) {
   force_ = direction * limit_;
+  slipped_ = true;
   piece_ = {direction, -friction::infinity, friction::infinity, 0.0};
 }
 

@@ -16,9 +16,16 @@ class JenkinsState final : public JointState {
   void begin(double q, int direction, double force) override;
   double turn(double q, const Row& dq, Row& df) override;
   double reach(double q, const Row& dq, Row& df) override;
-  void forget_slopes(Eigen::Index parameters) override { parameters_ = parameters; }
+  void follow(Eigen::Index parameters) override { parameters_ = parameters; }
+  Row first_slope(double, const Row&, const Row& given) const override { return given; }
 
   bool slips() const { return piece_.direction != 0; }
+  /// Whether it slipped since watch().
+  bool slipped() const { return slipped_; }
+  void watch() { slipped_ = slips(); }
+
+  double stiffness() const { return stiffness_; }
+  double limit() const { return limit_; }
 
  private:
   void stick(double q, double force);
@@ -26,6 +33,7 @@ class JenkinsState final : public JointState {
 
   double stiffness_, limit_;
   double from_ = 0.0, force_ = 0.0;  ///< where the piece began
+  bool slipped_ = false;
   Eigen::Index parameters_ = 0;
 };
 

@@ -41,8 +41,11 @@ class JointState {
   virtual double turn(double q, const Row& dq, Row& df) = 0;
   virtual double reach(double q, const Row& dq, Row& df) = 0;
 
-  /// Sensitivities are 0 from here on, of m parameters.
-  virtual void forget_slopes(Eigen::Index parameters) = 0;
+  /// Sensitivities have m columns from here on: 0 where the memory had another number of them.
+  virtual void follow(Eigen::Index parameters) = 0;
+
+  /// df where the motion begins: `given` for a joint whose force is its memory, else what the memory owes to the parameters.
+  virtual Row first_slope(double q, const Row& dq, const Row& given) const = 0;
 
  protected:
   Piece piece_;

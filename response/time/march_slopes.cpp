@@ -9,7 +9,13 @@ using Eigen::MatrixXd;
 
 void ExactMarch::follow(const MatrixXd& slopes) {
   slopes_ = slopes;
-  for (auto& state : states_) state->forget_slopes(slopes.cols());
+  const Index n = structure_.coordinates();
+  for (Index j = 0; j < structure_.joints(); ++j) {
+    JointState& state = *states_[static_cast<std::size_t>(j)];
+    state.follow(slopes.cols());
+    const double q = structure_.incidence.col(j).dot(z_.head(n));
+    slopes_.row(2 * n + j) = state.first_slope(q, structure_.incidence.col(j).transpose() * slopes_.topRows(n), slopes_.row(2 * n + j));
+  }
 }
 
 /// At Gauss's points δf = T′δq + drift, δq = WᵀA^k δz (cᵢh)^k/k! + G δf.

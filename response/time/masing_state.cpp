@@ -84,7 +84,7 @@ double MasingState::turn(double q, const Row& dq, Row& df) {
 double MasingState::reach(double q, const Row& dq, Row& df) {
   pass(q);
   choose_piece(direction_);
-  df = piece_.stiffness.value_or(response(q).tangent) * dq + drift(q);
+  df = first_slope(q, dq, df);
   return path_.force();
 }
 
@@ -102,10 +102,30 @@ void MasingState::remember(const std::vector<Turn>& turns, double q) {
   choose_piece(path_.direction() < 0 ? -1 : 1);
 }
 
-void MasingState::forget_slopes(Eigen::Index parameters) {
+void MasingState::follow(Eigen::Index parameters) {
+  if (parameters == parameters_) return;
   parameters_ = parameters;
   for (CornerSlope& slope : slopes_) slope = {Row::Zero(parameters), Row::Zero(parameters)};
   for (Turn& turn : turns_) turn.slope = Row::Zero(parameters);
+}
+
+MasingState::Row MasingState::first_slope(double q, const Row& dq, const Row&) const {
+  return piece_.stiffness.value_or(response(q).tangent) * dq + drift(q);
+}
+
+std::vector<MasingState::Turn> MasingState::corners(double q) {
+  if (q != path_.displacement()) pass(q);
+  std::vector<Turn> corners;
+  for (std::size_t i = 0; i < path_.corners().size(); ++i) {
+    corners.push_back({path_.corners()[i].displacement, slopes_[i].displacement});
+  }
+  return corners;
+}
+
+bool MasingState::keeps_residual_force(double range) const {
+  const friction::Element& law = path_.element();
+  if (kinks_.empty()) return law.response(0.5 * range).tangent != law.response(0.0).tangent;  // only a spring has no memory
+  return !(0.5 * range >= kinks_.back());
 }
 
 }  // namespace jointid::response

@@ -17,9 +17,10 @@ class MasingState final : public JointState {
   void begin(double q, int direction, double force) override;
   double turn(double q, const Row& dq, Row& df) override;
   double reach(double q, const Row& dq, Row& df) override;
-  void forget_slopes(Eigen::Index parameters) override;
+  void follow(Eigen::Index parameters) override;
+  Row first_slope(double q, const Row& dq, const Row& given) const override;
 
-  /// Where the path turned, open corners and those that loops closed since, with their sensitivities.
+  /// Where the path turned, with its sensitivities: all of them since forget_turns().
   struct Turn {
     double displacement = 0.0;
     Row slope;
@@ -27,8 +28,14 @@ class MasingState final : public JointState {
   const std::vector<Turn>& turns() const { return turns_; }
   void forget_turns() { turns_.clear(); }
 
-  /// The memory of a path that began without force at the first of `turns`, which is the largest displacement, and passed the others.
+  /// The memory of a path that came without force to the first of `turns`, the largest displacement, and passed the others up to q.
   void remember(const std::vector<Turn>& turns, double q);
+
+  /// Open corners at q.
+  std::vector<Turn> corners(double q);
+
+  /// Whether a cycle between displacements `range` apart leaves the joint any force from before: it does unless all of it slips.
+  bool keeps_residual_force(double range) const;
 
  private:
   struct CornerSlope {

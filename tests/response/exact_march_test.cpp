@@ -43,5 +43,29 @@ TEST(ExactMarch, MeetsTheGoldenTransients) {
   });
 }
 
+TEST(ExactMarch, MeetsTheTransientsOfTheThesis) {
+  for_each_golden("thesis_18dof", [](const json& one) {
+    for (const std::string type : {"B", "E"}) {
+      SCOPED_TRACE(type);
+      JointedStructure structure = jointed(one);
+      structure.laws = {law(one.at("joint_types").at(type)), law(one.at("joint_types").at(type))};
+      const Eigen::VectorXcd amplitude = Complex(0.0, -1.0) * VectorXd::Unit(structure.coordinates(), 4);
+      ExactMarch march(structure, ForceHistory::periodic(one.at("omega"), {1}, amplitude));
+      const json& expected = one.at("type_" + type).at("transient");
+      const Eigen::MatrixXd rows = matrix(expected.at(type == "B" ? "x5_x7_f2" : "x5_x7"));
+      Eigen::MatrixXd found(rows.rows(), rows.cols());
+      for (std::size_t i = 0; i < expected.at("times").size(); ++i) {
+        ASSERT_EQ(march.march(expected.at("times")[i]), MarchStatus::reached);
+        const Motion motion = march.motion();
+        found(at(i), 0) = motion.x[4];
+        found(at(i), 1) = motion.x[6];
+        if (rows.cols() == 3) found(at(i), 2) = motion.f[1];
+      }
+      for (Eigen::Index k = 0; k < rows.cols(); ++k) EXPECT_LT(difference(found.col(k), rows.col(k)), 1e-9);
+    printf("%s %g %zu %zu\n", type.c_str(), difference(found.leftCols(2), rows.leftCols(2)), march.events(), march.steps());
+    }
+  });
+}
+
 }  // namespace
 }  // namespace jointid::response

@@ -1,0 +1,104 @@
+#include "response/orbit/periodic_orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "dense/minimum_norm.hpp"
+#include "response/orbit/period_map.hpp"
+
+namespace jointid::response {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// (I − Φ) ds = image − s, and no residual force where a joint sticks; of smallest norm should another multiplier be 1.
+VectorXd newton_step(const PeriodMap& map) {
+  const VectorXd scales = map.scales();
+  MatrixXd jacobian = MatrixXd::Identity(scales.size(), scales.size()) - map.derivative();
+  VectorXd right = map.image() - map.state();
+  const std::vector<bool> idle = map.idle_rows();
+  for (Index row = 0; row < right.size(); ++row) {
+    if (!idle[static_cast<std::size_t>(row)]) continue;
+    jacobian.row(row) = map.residual_derivative(row);
+    right[row] = -map.residual_force(row);
+  }
+  jacobian = scales.cwiseInverse().asDiagonal() * jacobian * scales.asDiagonal();
+  const VectorXd step = dense::RealMinimumNorm(jacobian, 1e-12).solve(right.cwiseQuotient(scales));
+  return scales.cwiseProduct(step);
+}
+
+/// What the equations of newton_step() lack.
+double lack(const PeriodMap& map) {
+  double lack = map.closure();
+  const VectorXd scales = map.scales();
+  const std::vector<bool> idle = map.idle_rows();
+  for (Index row = 0; row < scales.size(); ++row) {
+    if (idle[static_cast<std::size_t>(row)]) lack = std::max(lack, std::abs(map.residual_force(row)) / scales[row]);
+  }
+  return lack;
+}
+
+void describe(PeriodMap& map, PeriodicOrbit& orbit) {
+  const Index n = map.march().structure().coordinates(), joints = map.march().structure().joints();
+  orbit.closure = map.closure();
+  orbit.events = map.events();
+  for (Index j = 0; j < joints; ++j) orbit.residual_force_free.push_back(map.residual_force_free(j));
+  orbit.multipliers = map.multipliers();
+  std::sort(orbit.multipliers.begin(), orbit.multipliers.end(), [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
+  orbit.stable = orbit.multipliers.size() == 0 || std::abs(orbit.multipliers[0]) <= 1.0 + 1e-8;
+  map.place(0);
+  const Motion start = map.march().motion();
+  orbit.x = start.x.head(n);
+  orbit.v = start.v;
+  orbit.f = start.f;
+  for (const auto& joint : map.march().joint_states()) orbit.joints.push_back(joint->clone());
+}
+
+}  // namespace
+
+double PeriodicProblem::period() const { return 2.0 * std::numbers::pi / omega; }
+
+PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& options) {
+  PeriodMap map(problem, options.march);
+  PeriodicOrbit orbit;
+  const auto run = [&] {
+    ++orbit.periods;
+    return map.run();
+  };
+  int to_march = options.first_periods;
+  double last = std::numeric_limits<double>::infinity();
+  while (true) {
+    if (!run()) {
+      orbit.status = OrbitStatus::stalled;
+      return orbit;
+    }
+    const double now = lack(map);
+    if (now <= options.closure || (now <= 1e3 * options.closure && now > 0.3 * last)) {
+      orbit.status = OrbitStatus::closed;
+      break;
+    }
+    if (orbit.periods >= options.most_periods) break;
+    if (to_march > 0) {
+      --to_march;
+      map.accept_image();
+      last = std::numeric_limits<double>::infinity();
+      continue;
+    }
+    if (now > 2.0 * last) to_march = 2 + orbit.newton_steps / 3;  // let the motion settle nearer to the orbit
+    last = now;
+    if (to_march > 0) {
+      map.accept_image();
+    } else {
+      map.move(newton_step(map));
+      ++orbit.newton_steps;
+    }
+  }
+  describe(map, orbit);
+  return orbit;
+}
+
+}  // namespace jointid::response
