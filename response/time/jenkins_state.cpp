@@ -42,7 +42,7 @@ double JenkinsState::turn(double q, const Row&, Row&) {
 
 /// The slider forgets: S = I − e_f e_fᵀ.
 double JenkinsState::reach(double q, const Row&, Row& df) {
-  slip(q > from_ ? 1 : -1);
+  slip(2.0 * q > piece_.lower + piece_.upper ? 1 : -1);
   df.setZero();
   return force_;
 }
