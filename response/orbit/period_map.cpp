@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "dense/eigen.hpp"
 
 namespace jointid::response {
 
@@ -22,35 +19,24 @@ PeriodMap::PeriodMap(const PeriodicProblem& problem, const MarchOptions& options
   memory_.resize(joints);
   next_memory_.resize(joints);
   free_.resize(joints);
-  state_ = image_ = pack();
+  state_ = image_ = VectorXd::Zero(motion_size());
 }
 
-MasingState* PeriodMap::masing(std::size_t joint) { return dynamic_cast<MasingState*>(march_.joint_states()[joint].get()); }
+MasingState* PeriodMap::masing(std::size_t joint) const { return dynamic_cast<MasingState*>(march_.joint_states()[joint].get()); }
 
 JenkinsState& PeriodMap::jenkins(Index row) const {
   const Index joint = bilinear_[static_cast<std::size_t>(row - 2 * march_.structure().coordinates())];
   return static_cast<JenkinsState&>(*march_.joint_states()[static_cast<std::size_t>(joint)]);
 }
 
-VectorXd PeriodMap::pack() const {
-  const Motion motion = march_.motion();
-  const Index n = motion.x.size();
-  VectorXd state(2 * n + at(bilinear_.size()));
-  state << motion.x, motion.v, motion.f(bilinear_);
-  return state;
-}
+bool PeriodMap::bilinear(Index joint) const { return std::ranges::find(bilinear_, joint) != bilinear_.end(); }
 
-MatrixXd PeriodMap::rows_of_state() const {
-  const Index n = march_.structure().coordinates();
-  MatrixXd rows(2 * n + at(bilinear_.size()), march_.slopes().cols());
-  rows.topRows(2 * n) = march_.slopes().topRows(2 * n);
-  for (std::size_t b = 0; b < bilinear_.size(); ++b) rows.row(2 * n + at(b)) = march_.slopes().row(2 * n + bilinear_[b]);
-  return rows;
-}
+/// Of (x, ẋ, f of the bilinear joints).
+Index PeriodMap::motion_size() const { return 2 * march_.structure().coordinates() + at(bilinear_.size()); }
 
 void PeriodMap::place(Index columns) {
   const JointedStructure& structure = march_.structure();
-  const Index n = structure.coordinates(), size = state_.size();
+  const Index n = structure.coordinates();
   VectorXd forces = VectorXd::Zero(structure.joints());
   MatrixXd seed = MatrixXd::Zero(2 * n + structure.joints(), columns);
   if (columns > 0) seed.topLeftCorner(2 * n, 2 * n).setIdentity();
@@ -59,40 +45,65 @@ void PeriodMap::place(Index columns) {
     if (columns > 0) seed(2 * n + bilinear_[b], 2 * n + at(b)) = 1.0;
   }
   const VectorXd q = structure.incidence.transpose() * state_.head(n);
-  Index next = size;
+  Index next = motion_size();
   for (std::size_t j = 0; j < memory_.size(); ++j) {
     march_.joint_states()[j]->follow(columns);
     MasingState* joint = masing(j);
     if (joint == nullptr) continue;
-    if (!memory_[j].empty()) {
-      Turns turns = memory_[j];
-      for (auto& turn : turns) {
-        if (columns != turn.slope.size()) turn.slope = Row::Zero(columns);
-        if (columns > size) turn.slope = Row::Unit(columns, next++);  // corners as parameters of their own
-      }
-      joint->remember(turns, q[at(j)]);
-    }
+    Turns turns = memory_[j];
+    for (auto& turn : turns) turn.slope = columns > 0 ? Row(Row::Unit(columns, next++)) : Row();
+    if (!turns.empty()) joint->remember(turns, q[at(j)]);
     joint->forget_turns();
   }
   march_.place(0.0, state_.head(n), state_.segment(n, n), forces);
   march_.follow(seed);
-  for (Index row = 2 * n; row < size; ++row) jenkins(row).watch();
+  for (Index row = 2 * n; row < motion_size(); ++row) jenkins(row).watch();
 }
 
-/// Those from the largest |q| on; earlier ones are forgotten in a period that begins there.
+/// Those from the largest |q| on; earlier ones are forgotten in a period that begins there. Of extremes that are equal, as in every
+/// motion that is the same forwards and backwards, the last, so that their number settles: taking one a little smaller changes
+/// forces by the square of the difference.
 void PeriodMap::remember_turns() {
+  const auto displacement = [](const MasingState::Turn& turn) { return turn.displacement; };
   for (std::size_t j = 0; j < memory_.size(); ++j) {
     const MasingState* joint = masing(j);
     if (joint == nullptr) continue;
     const Turns& turns = joint->turns();
     next_memory_[j] = memory_[j];
     if (turns.empty()) continue;
-    const auto size = [](const MasingState::Turn& turn) { return std::abs(turn.displacement); };
-    const auto displacement = [](const MasingState::Turn& turn) { return turn.displacement; };
-    const auto largest = std::ranges::max_element(turns, {}, size);
-    next_memory_[j].assign(largest, turns.end());
     const auto [low, high] = std::ranges::minmax_element(turns, {}, displacement);
+    const double largest = std::max(std::abs(low->displacement), std::abs(high->displacement));
+    auto last = turns.end();
+    do --last;
+    while (std::abs(last->displacement) < (1.0 - 1e-7) * largest);
+    next_memory_[j].assign(last, turns.end());
     free_[j] = joint->keeps_residual_force(high->displacement - low->displacement);
+  }
+}
+
+void PeriodMap::collect_image() {
+  const Motion motion = march_.motion();
+  const Index n = motion.x.size(), moving = motion_size();
+  Index size = moving;
+  bool same = true;
+  for (std::size_t j = 0; j < memory_.size(); ++j) {
+    same = same && memory_[j].size() == next_memory_[j].size();
+    size += at(memory_[j].size());
+  }
+  if (!same) size = moving;
+  image_.resize(size);
+  derivative_.resize(size, size);
+  image_.head(moving) << motion.x, motion.v, motion.f(bilinear_);
+  derivative_.topRows(2 * n) = march_.slopes().topLeftCorner(2 * n, size);
+  for (std::size_t b = 0; b < bilinear_.size(); ++b) {
+    derivative_.row(2 * n + at(b)) = march_.slopes().row(2 * n + bilinear_[b]).head(size);
+  }
+  Index next = moving;
+  for (std::size_t j = 0; j < memory_.size() && next < size; ++j) {
+    for (const MasingState::Turn& turn : next_memory_[j]) {
+      image_[next] = turn.displacement;
+      derivative_.row(next++) = turn.slope;
+    }
   }
 }
 
@@ -101,92 +112,68 @@ bool PeriodMap::run() {
   const std::size_t before = march_.events();
   if (march_.march(period_) != MarchStatus::reached) return false;
   events_ = march_.events() - before;
-  image_ = pack();
-  derivative_ = rows_of_state();
   remember_turns();
-  const std::vector<bool> idle = idle_rows();
-  for (std::size_t b = 0; b < bilinear_.size(); ++b) {
-    free_[static_cast<std::size_t>(bilinear_[b])] = idle[idle.size() - bilinear_.size() + b];
+  collect_image();
+  for (Index row = 2 * march_.structure().coordinates(); row < motion_size(); ++row) {
+    const Index joint = bilinear_[static_cast<std::size_t>(row - 2 * march_.structure().coordinates())];
+    free_[static_cast<std::size_t>(joint)] = !jenkins(row).slipped();
   }
   return true;
 }
 
-void PeriodMap::accept_image() {
-  state_ = image_;
-  memory_ = next_memory_;
-}
+void PeriodMap::accept_image() { move(image_ - state_.head(image_.size())); }
 
 void PeriodMap::move(const VectorXd& ds) {
-  state_ += ds;
+  VectorXd moved(motion_size());
+  moved = state_.head(moved.size()) + ds.head(moved.size());
+  const bool with_memory = image_.size() > moved.size();
+  Index next = moved.size();
+  const VectorXd remembered = with_memory ? VectorXd(state_ + ds) : VectorXd();
   memory_ = next_memory_;
+  std::vector<double> all(moved.begin(), moved.end());
   for (Turns& turns : memory_) {
     for (MasingState::Turn& turn : turns) {
-      if (turn.slope.size() == ds.size()) turn.displacement += turn.slope.dot(ds);
+      if (with_memory) turn.displacement = remembered[next++];
+      all.push_back(turn.displacement);
     }
   }
+  state_ = Eigen::Map<const VectorXd>(all.data(), at(all.size()));
 }
 
 VectorXd PeriodMap::scales() const {
   const Index n = march_.structure().coordinates();
-  const VectorXd largest = state_.cwiseAbs().cwiseMax(image_.cwiseAbs());
-  const double motion = std::max(largest.head(n).maxCoeff(), largest.segment(n, n).maxCoeff() / omega_);
+  const VectorXd largest = state_.head(2 * n).cwiseAbs().cwiseMax(image_.head(2 * n).cwiseAbs());
+  const double motion = std::max(largest.head(n).maxCoeff(), largest.tail(n).maxCoeff() / omega_);
   const double size = motion > 0.0 ? motion : 1.0;  // without any motion all differences are 0
-  VectorXd scales(state_.size());
-  scales.head(n).setConstant(size);
+  VectorXd scales = VectorXd::Constant(image_.size(), size);
   scales.segment(n, n).setConstant(omega_ * size);
-  for (Index row = 2 * n; row < scales.size(); ++row) scales[row] = jenkins(row).limit();
+  for (Index row = 2 * n; row < motion_size(); ++row) scales[row] = jenkins(row).limit();
   return scales;
 }
 
 double PeriodMap::closure() const {
-  return (image_ - state_).cwiseQuotient(scales()).cwiseAbs().maxCoeff();
+  const Index size = motion_size();
+  return (image_ - state_.head(image_.size())).head(size).cwiseQuotient(scales().head(size)).cwiseAbs().maxCoeff();
 }
 
 std::vector<bool> PeriodMap::idle_rows() const {
-  const Index n = march_.structure().coordinates();
-  std::vector<bool> idle(static_cast<std::size_t>(state_.size()), false);
-  for (Index row = 2 * n; row < state_.size(); ++row) idle[static_cast<std::size_t>(row)] = !jenkins(row).slipped();
+  std::vector<bool> idle(static_cast<std::size_t>(image_.size()), false);
+  for (Index row = 2 * march_.structure().coordinates(); row < motion_size(); ++row) {
+    idle[static_cast<std::size_t>(row)] = !jenkins(row).slipped();
+  }
   return idle;
 }
 
-double PeriodMap::residual_force(Index row) const { return state_[row] + residual_derivative(row).dot(state_) - state_[row]; }
+double PeriodMap::residual_force(Index row) const { return residual_derivative(row).dot(state_.head(image_.size())); }
 
 Row PeriodMap::residual_derivative(Index row) const {
   const Index n = march_.structure().coordinates(), joint = bilinear_[static_cast<std::size_t>(row - 2 * n)];
-  Row derivative = Row::Zero(state_.size());
+  Row derivative = Row::Zero(image_.size());
   derivative.head(n) = -jenkins(row).stiffness() * march_.structure().incidence.col(joint).transpose();
   derivative[row] = 1.0;
   return derivative;
 }
 
 bool PeriodMap::residual_force_free(Index joint) const { return free_[static_cast<std::size_t>(joint)]; }
-
-Eigen::VectorXcd PeriodMap::multipliers() {
-  const Index size = state_.size();
-  Index corners = 0;
-  for (std::size_t j = 0; j < memory_.size(); ++j) {
-    if (MasingState* joint = masing(j); joint != nullptr && !memory_[j].empty()) {
-      joint->remember(memory_[j], march_.structure().incidence.col(at(j)).dot(state_.head(march_.structure().coordinates())));
-      Turns open = joint->corners(march_.structure().incidence.col(at(j)).dot(state_.head(march_.structure().coordinates())));
-      memory_[j] = open;
-      corners += at(open.size());
-    }
-  }
-  if (corners == 0) return dense::eigenvalues(derivative_);
-  place(size + corners);
-  if (march_.march(period_) != MarchStatus::reached) return dense::eigenvalues(derivative_);
-  MatrixXd all = MatrixXd::Zero(size + corners, size + corners);
-  all.topRows(size) = rows_of_state();
-  Index next = size;
-  const VectorXd q = march_.structure().incidence.transpose() * march_.motion().x;
-  for (std::size_t j = 0; j < memory_.size(); ++j) {
-    MasingState* joint = masing(j);
-    if (joint == nullptr) continue;
-    const Turns open = joint->corners(q[at(j)]);
-    if (open.size() != memory_[j].size()) return dense::eigenvalues(derivative_);
-    for (const auto& corner : open) all.row(next++) = corner.slope;
-  }
-  return dense::eigenvalues(all);
-}
 
 }  // namespace jointid::response

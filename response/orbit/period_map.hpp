@@ -8,53 +8,54 @@
 
 namespace jointid::response {
 
-/// One period of a problem, from state to state: s = (x, ẋ, f of the bilinear joints); the memory of the others is kept beside it as
-/// the turns of the last period from the largest |q| on, with their derivatives by s.
+/// One period of a problem, from state to state: s = (x, ẋ, f of the bilinear joints, memory of the others). That memory is the
+/// turns of the last period from the last largest |q| on, with which a joint's path begins without residual force.
 class PeriodMap {
  public:
   PeriodMap(const PeriodicProblem& problem, const MarchOptions& options);
 
-  const Eigen::VectorXd& state() const { return state_; }
-  /// Where a period leads to, and ∂/∂s of it.
-  const Eigen::VectorXd& image() const { return image_; }
-  const Eigen::MatrixXd& derivative() const { return derivative_; }
-
   /// Marches one period from state(). False when the march stalls.
   bool run();
 
-  /// The state becomes the image, or moves by ds and the memory with it.
+  const Eigen::VectorXd& state() const { return state_; }
+  /// Where the period leads to, and ∂/∂s of it. The image may remember another number of turns than the state: then both are cut
+  /// to what stands before the memory.
+  const Eigen::VectorXd& image() const { return image_; }
+  const Eigen::MatrixXd& derivative() const { return derivative_; }
+
+  /// The state becomes the image, or moves by ds as far as the image goes.
   void accept_image();
   void move(const Eigen::VectorXd& ds);
 
-  /// Of every element of s, the size of its kind: x and ẋ/ω of the largest, the limit of its joint.
+  /// Of every element of the image, the size of its kind: x and ẋ/ω of the largest, the limit of its joint.
   Eigen::VectorXd scales() const;
-  /// Largest |image − state| in parts of scales().
+  /// Largest |image − state| of x, ẋ, f in parts of scales().
   double closure() const;
 
-  /// Rows of s whose joint stuck all the last period: image = state there, whatever the state.
+  /// Rows of s whose bilinear joint stuck all the period: image = state there, whatever the state.
   std::vector<bool> idle_rows() const;
-  /// f − kq at the beginning of the period, of the joint of such a row, and its derivatives by s.
+  /// f − kq of such a row's joint at the beginning of the period, and its derivatives by s.
   double residual_force(Eigen::Index row) const;
   Eigen::RowVectorXd residual_derivative(Eigen::Index row) const;
 
+  /// Whether any residual force of the joint would stay.
   bool residual_force_free(Eigen::Index joint) const;
+  bool bilinear(Eigen::Index joint) const;
   std::size_t events() const { return events_; }
 
-  /// Eigenvalues of the monodromy matrix of s and of the open corners; a march more.
-  Eigen::VectorXcd multipliers();
-
-  /// t = 0 at state(), sensitivities by the `columns` first of which are s.
-  void place(Eigen::Index columns);
+  /// t = 0 at state(), without sensitivities.
+  void place() { place(0); }
   ExactMarch& march() { return march_; }
 
  private:
   using Turns = std::vector<MasingState::Turn>;
 
-  MasingState* masing(std::size_t joint);
+  MasingState* masing(std::size_t joint) const;
   JenkinsState& jenkins(Eigen::Index row) const;
-  Eigen::VectorXd pack() const;
-  Eigen::MatrixXd rows_of_state() const;
+  Eigen::Index motion_size() const;
+  void place(Eigen::Index columns);
   void remember_turns();
+  void collect_image();
 
   std::vector<Eigen::Index> bilinear_;
   double omega_, period_;

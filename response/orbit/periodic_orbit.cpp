@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "dense/eigen.hpp"
 #include "dense/minimum_norm.hpp"
 #include "response/orbit/period_map.hpp"
 
@@ -19,7 +20,7 @@ using Eigen::VectorXd;
 VectorXd newton_step(const PeriodMap& map) {
   const VectorXd scales = map.scales();
   MatrixXd jacobian = MatrixXd::Identity(scales.size(), scales.size()) - map.derivative();
-  VectorXd right = map.image() - map.state();
+  VectorXd right = map.image() - map.state().head(map.image().size());
   const std::vector<bool> idle = map.idle_rows();
   for (Index row = 0; row < right.size(); ++row) {
     if (!idle[static_cast<std::size_t>(row)]) continue;
@@ -46,11 +47,16 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
   const Index n = map.march().structure().coordinates(), joints = map.march().structure().joints();
   orbit.closure = map.closure();
   orbit.events = map.events();
-  for (Index j = 0; j < joints; ++j) orbit.residual_force_free.push_back(map.residual_force_free(j));
-  orbit.multipliers = map.multipliers();
+  const Eigen::VectorXcd eigenvalues = dense::eigenvalues(map.derivative());
+  std::vector<Complex> multipliers(eigenvalues.begin(), eigenvalues.end());
+  for (Index j = 0; j < joints; ++j) {
+    orbit.residual_force_free.push_back(map.residual_force_free(j));
+    if (map.residual_force_free(j) && !map.bilinear(j)) multipliers.emplace_back(1.0);  // the largest corner, were it larger
+  }
+  orbit.multipliers = Eigen::Map<const Eigen::VectorXcd>(multipliers.data(), at(multipliers.size()));
   std::sort(orbit.multipliers.begin(), orbit.multipliers.end(), [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
   orbit.stable = orbit.multipliers.size() == 0 || std::abs(orbit.multipliers[0]) <= 1.0 + 1e-8;
-  map.place(0);
+  map.place();
   const Motion start = map.march().motion();
   orbit.x = start.x.head(n);
   orbit.v = start.v;

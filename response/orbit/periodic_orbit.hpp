@@ -44,7 +44,8 @@ struct PeriodicOrbit {
   std::size_t events = 0;             ///< in a period
   Eigen::VectorXd x, v, f;            ///< at t = 0
   JointStates joints;                 ///< at t = 0
-  /// Eigenvalues of Φ by falling modulus: of (x, ẋ, f of the bilinear joints, open corners of the others).
+  /// Eigenvalues of Φ by falling modulus: of (x, ẋ, f of the bilinear joints, remembered turns of the others), and 1 for each other
+  /// joint whose residual force is free.
   Eigen::VectorXcd multipliers;
   bool stable = false;                ///< no modulus above 1
   std::vector<bool> residual_force_free;  ///< by joint: any of a family of forces stays; a multiplier is exactly 1

@@ -113,15 +113,6 @@ MasingState::Row MasingState::first_slope(double q, const Row& dq, const Row&) c
   return piece_.stiffness.value_or(response(q).tangent) * dq + drift(q);
 }
 
-std::vector<MasingState::Turn> MasingState::corners(double q) {
-  if (q != path_.displacement()) pass(q);
-  std::vector<Turn> corners;
-  for (std::size_t i = 0; i < path_.corners().size(); ++i) {
-    corners.push_back({path_.corners()[i].displacement, slopes_[i].displacement});
-  }
-  return corners;
-}
-
 bool MasingState::keeps_residual_force(double range) const {
   const friction::Element& law = path_.element();
   if (kinks_.empty()) return law.response(0.5 * range).tangent != law.response(0.0).tangent;  // only a spring has no memory

@@ -31,9 +31,6 @@ class MasingState final : public JointState {
   /// The memory of a path that came without force to the first of `turns`, the largest displacement, and passed the others up to q.
   void remember(const std::vector<Turn>& turns, double q);
 
-  /// Open corners at q.
-  std::vector<Turn> corners(double q);
-
   /// Whether a cycle between displacements `range` apart leaves the joint any force from before: it does unless all of it slips.
   bool keeps_residual_force(double range) const;
 
