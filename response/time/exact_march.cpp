@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "base/error.hpp"
 #include "response/time/collocation.hpp"
 
 namespace jointid::response {
@@ -26,14 +24,7 @@ Motion MarchStep::motion(double sigma) const {
 
 ExactMarch::ExactMarch(JointedStructure structure, ForceHistory force, MarchOptions options)
     : structure_(std::move(structure)), force_(std::move(force)), options_(options) {
-  check(structure_);
-  if (force_.load().rows() != structure_.coordinates()) {
-    throw InputError({.kind = ErrorKind::data,
-                      .file = {},
-                      .place = "force",
-                      .problem = "has " + std::to_string(force_.load().rows()) + " rows",
-                      .remedy = "give one for each of the " + std::to_string(structure_.coordinates()) + " coordinates"});
-  }
+  check(structure_, force_);
   for (const auto& law : structure_.laws) states_.push_back(virgin_joint(*law));
   const VectorXd rest = VectorXd::Zero(structure_.coordinates());
   place(0.0, rest, rest, VectorXd::Zero(structure_.joints()));

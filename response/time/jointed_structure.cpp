@@ -1,5 +1,6 @@
 #include "response/time/jointed_structure.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "base/error.hpp"
@@ -47,6 +48,18 @@ void check(const JointedStructure& structure) {
     refuse("laws of the joints", "are " + std::to_string(structure.laws.size()),
            "give one for each of the " + std::to_string(structure.joints()) + " joints");
   }
+}
+
+void check(const JointedStructure& structure, const ForceHistory& force) {
+  check(structure);
+  if (force.load().rows() != structure.coordinates()) {
+    refuse("force", "has " + std::to_string(force.load().rows()) + " rows",
+           "give one for each of the " + std::to_string(structure.coordinates()) + " coordinates");
+  }
+}
+
+void check_step(double delta) {
+  if (!(delta > 0.0) || !std::isfinite(delta)) refuse("time step", "is " + std::to_string(delta) + " s", "give one above 0");
 }
 
 }  // namespace jointid::response

@@ -5,6 +5,7 @@
 
 #include "friction/path/element.hpp"
 #include "response/structure/matrix_structure.hpp"
+#include "response/time/force_history.hpp"
 
 namespace jointid::response {
 
@@ -24,5 +25,11 @@ struct JointedStructure {
 
 /// Throws InputError unless sizes fit, every number is finite, and the mass matrix is positive definite.
 void check(const JointedStructure& structure);
+
+/// The same, and unless the force has a row for each coordinate.
+void check(const JointedStructure& structure, const ForceHistory& force);
+
+/// Throws InputError unless a time step is above 0 and finite.
+void check_step(double delta);
 
 }  // namespace jointid::response
