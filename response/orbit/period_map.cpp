@@ -52,7 +52,8 @@ void PeriodMap::place(Index columns) {
     if (joint == nullptr) continue;
     Turns turns = memory_[j];
     for (auto& turn : turns) turn.slope = columns > 0 ? Row(Row::Unit(columns, next++)) : Row();
-    if (!turns.empty()) joint->remember(turns, q[at(j)]);
+    const auto largest = std::ranges::max_element(turns, {}, [](const auto& turn) { return std::abs(turn.displacement); });
+    if (!turns.empty()) joint->remember({largest, turns.end()}, q[at(j)]);
     joint->forget_turns();
   }
   march_.place(0.0, state_.head(n), state_.segment(n, n), forces);
@@ -60,23 +61,15 @@ void PeriodMap::place(Index columns) {
   for (Index row = 2 * n; row < motion_size(); ++row) jenkins(row).watch();
 }
 
-/// Those from the largest |q| on; earlier ones are forgotten in a period that begins there. Of extremes that are equal, as in every
-/// motion that is the same forwards and backwards, the last, so that their number settles: taking one a little smaller changes
-/// forces by the square of the difference.
 void PeriodMap::remember_turns() {
   const auto displacement = [](const MasingState::Turn& turn) { return turn.displacement; };
   for (std::size_t j = 0; j < memory_.size(); ++j) {
     const MasingState* joint = masing(j);
     if (joint == nullptr) continue;
-    const Turns& turns = joint->turns();
     next_memory_[j] = memory_[j];
-    if (turns.empty()) continue;
-    const auto [low, high] = std::ranges::minmax_element(turns, {}, displacement);
-    const double largest = std::max(std::abs(low->displacement), std::abs(high->displacement));
-    auto last = turns.end();
-    do --last;
-    while (std::abs(last->displacement) < (1.0 - 1e-7) * largest);
-    next_memory_[j].assign(last, turns.end());
+    if (joint->turns().empty()) continue;
+    next_memory_[j] = joint->turns();
+    const auto [low, high] = std::ranges::minmax_element(next_memory_[j], {}, displacement);
     free_[j] = joint->keeps_residual_force(high->displacement - low->displacement);
   }
 }

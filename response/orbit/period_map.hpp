@@ -8,8 +8,8 @@
 
 namespace jointid::response {
 
-/// One period of a problem, from state to state: s = (x, ẋ, f of the bilinear joints, memory of the others). That memory is the
-/// turns of the last period from the last largest |q| on, with which a joint's path begins without residual force.
+/// One period of a problem, from state to state: s = (x, ẋ, f of the bilinear joints, memory of the others). That memory is where the
+/// joint turned in the last period; its path begins without residual force at the largest |q| of them.
 class PeriodMap {
  public:
   PeriodMap(const PeriodicProblem& problem, const MarchOptions& options);

@@ -75,28 +75,31 @@ PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& opt
     ++orbit.periods;
     return map.run();
   };
-  int to_march = options.first_periods;
-  double last = std::numeric_limits<double>::infinity();
+  // Newton's steps while they halve what is lacking within four; else the motion settles by itself for a while, ever longer.
+  int to_march = options.first_periods, patience = 4, rest = 4;
+  double best = std::numeric_limits<double>::infinity();
   while (true) {
     if (!run()) {
       orbit.status = OrbitStatus::stalled;
       return orbit;
     }
     const double now = lack(map);
-    if (now <= options.closure || (now <= 1e3 * options.closure && now > 0.3 * last)) {
+    if (now <= options.closure || (now <= 1e3 * options.closure && patience < 3)) {
       orbit.status = OrbitStatus::closed;
       break;
     }
     if (orbit.periods >= options.most_periods) break;
+    if (now <= 0.5 * best) {
+      best = now;
+      patience = 4;
+    } else if (to_march == 0 && --patience == 0) {
+      to_march = rest;
+      rest *= 2;
+      patience = 4;
+      best = std::numeric_limits<double>::infinity();
+    }
     if (to_march > 0) {
       --to_march;
-      map.accept_image();
-      last = std::numeric_limits<double>::infinity();
-      continue;
-    }
-    if (now > 2.0 * last) to_march = 2 + orbit.newton_steps / 3;  // let the motion settle nearer to the orbit
-    last = now;
-    if (to_march > 0) {
       map.accept_image();
     } else {
       map.move(newton_step(map));

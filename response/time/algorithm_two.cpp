@@ -75,7 +75,9 @@ void AlgorithmTwo::step() {
     return advance(first.motion().x);
   }
   const double a = options_.weight, time = static_cast<double>(steps_) * delta_;
-  VectorXd right = a * (force_.value(time + delta_) + force_.value(time - delta_)) + (1.0 - 2.0 * a) * force_.value(time) -
+  const VectorXd next = force_.value(time + delta_), now = force_.value(time);
+  const VectorXd before = steps_ == 0 ? VectorXd(2.0 * now - next) : force_.value(time - delta_);  // straight on before t = 0
+  VectorXd right = a * (next + before) + (1.0 - 2.0 * a) * now -
                    structure_.incidence * motion_.f + now_ * motion_.x + before_ * last_;
   dense::solve_lower(lower_, right);
   dense::solve_lower_transposed(lower_, right);

@@ -13,7 +13,7 @@ struct AlgorithmTwoOptions {
   double weight = 1.0 / 3.0;         ///< a of (3.34)
   /// k_r of every joint, N/m; empty: dT/du(0), the least that is safe.
   Eigen::VectorXd reference_stiffness = {};
-  bool starts_by_algorithm_one = true;  ///< else from x(−Δ) = 0 (thesis)
+  bool starts_by_algorithm_one = true;  ///< else from x(−Δ) = 0, p(−Δ) = 2p(0) − p(Δ)
 };
 
 /// Time marching without iteration (Ren 1992, 3.34, 3.47), explicit in the joints' forces:
