@@ -85,23 +85,26 @@ void PeriodMap::collect_image() {
   }
   if (!same) size = moving;
   image_.resize(size);
-  derivative_.resize(size, size);
   image_.head(moving) << motion.x, motion.v, motion.f(bilinear_);
+  Index next = moving;
+  for (std::size_t j = 0; j < memory_.size() && next < size; ++j) {
+    for (const MasingState::Turn& turn : next_memory_[j]) image_[next++] = turn.displacement;
+  }
+  derivative_.resize(0, 0);
+  if (march_.slopes().cols() == 0) return;
+  derivative_.resize(size, size);
   derivative_.topRows(2 * n) = march_.slopes().topLeftCorner(2 * n, size);
   for (std::size_t b = 0; b < bilinear_.size(); ++b) {
     derivative_.row(2 * n + at(b)) = march_.slopes().row(2 * n + bilinear_[b]).head(size);
   }
-  Index next = moving;
+  next = moving;
   for (std::size_t j = 0; j < memory_.size() && next < size; ++j) {
-    for (const MasingState::Turn& turn : next_memory_[j]) {
-      image_[next] = turn.displacement;
-      derivative_.row(next++) = turn.slope;
-    }
+    for (const MasingState::Turn& turn : next_memory_[j]) derivative_.row(next++) = turn.slope;
   }
 }
 
-bool PeriodMap::run() {
-  place(state_.size());
+bool PeriodMap::run(bool with_derivative) {
+  place(with_derivative ? state_.size() : 0);
   const std::size_t before = march_.events();
   if (march_.march(period_) != MarchStatus::reached) return false;
   events_ = march_.events() - before;

@@ -14,8 +14,8 @@ class PeriodMap {
  public:
   PeriodMap(const PeriodicProblem& problem, const MarchOptions& options);
 
-  /// Marches one period from state(). False when the march stalls.
-  bool run();
+  /// Marches one period from state(), with the derivative or without. False when the march stalls.
+  bool run(bool with_derivative);
 
   const Eigen::VectorXd& state() const { return state_; }
   /// Where the period leads to, and ∂/∂s of it. The image may remember another number of turns than the state: then both are cut

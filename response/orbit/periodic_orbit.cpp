@@ -71,19 +71,25 @@ double PeriodicProblem::period() const { return 2.0 * std::numbers::pi / omega; 
 PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& options) {
   PeriodMap map(problem, options.march);
   PeriodicOrbit orbit;
-  const auto run = [&] {
-    ++orbit.periods;
-    return map.run();
-  };
   // Newton's steps while they halve what is lacking within four; else the motion settles by itself for a while, ever longer.
   int to_march = options.first_periods, patience = 4, rest = 4;
   double best = std::numeric_limits<double>::infinity();
   while (true) {
-    if (!run()) {
+    ++orbit.periods;
+    if (!map.run(to_march == 0)) {
       orbit.status = OrbitStatus::stalled;
       return orbit;
     }
     const double now = lack(map);
+    if (to_march > 0 && now > options.closure) {
+      --to_march;
+      map.accept_image();
+      continue;
+    }
+    if (to_march > 0) {  // it is there already; once more for the multipliers
+      to_march = 0;
+      continue;
+    }
     if (now <= options.closure || (now <= 1e3 * options.closure && patience < 3)) {
       orbit.status = OrbitStatus::closed;
       break;
@@ -92,19 +98,16 @@ PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& opt
     if (now <= 0.5 * best) {
       best = now;
       patience = 4;
-    } else if (to_march == 0 && --patience == 0) {
+    } else if (--patience == 0) {
       to_march = rest;
       rest *= 2;
       patience = 4;
       best = std::numeric_limits<double>::infinity();
-    }
-    if (to_march > 0) {
-      --to_march;
       map.accept_image();
-    } else {
-      map.move(newton_step(map));
-      ++orbit.newton_steps;
+      continue;
     }
+    map.move(newton_step(map));
+    ++orbit.newton_steps;
   }
   describe(map, orbit);
   return orbit;

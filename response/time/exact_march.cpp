@@ -49,7 +49,7 @@ void ExactMarch::choose_directions() {
   std::optional<LinearFlow> soon;
   for (Index j = 0; j < q.size(); ++j) {
     if (velocity[j] != 0.0) continue;
-    if (!soon) soon.emplace(structure_, force_, tangents);
+    if (!soon) soon.emplace(structure_, force_, tangents, options_.longest_step);
     JointCourse course(*soon, z_, states_);
     course.solve(0.05 * soon->longest_step());
     velocity[j] = course.velocity()[j];
@@ -62,26 +62,16 @@ void ExactMarch::choose_directions() {
   }
 }
 
-ExactMarch::CachedFlow& ExactMarch::flow() {
+LinearFlow& ExactMarch::flow() {
   std::vector<double> key;
   std::vector<std::optional<double>> stiffness;
   for (const auto& state : states_) {
     stiffness.push_back(state->piece().stiffness);
     key.push_back(stiffness.back().value_or(-1.0));
   }
-  CachedFlow& cached = flows_[key];
-  if (!cached.flow) cached.flow = std::make_unique<LinearFlow>(structure_, force_, stiffness);
-  return cached;
-}
-
-/// Kept for the lengths that come again: the longest, and its halves.
-const StepMatrices& ExactMarch::matrices(CachedFlow& cached, double h, StepMatrices& own) {
-  const double longest = std::min(cached.flow->longest_step(), options_.longest_step);
-  int exponent = 0;
-  if (std::frexp(h / longest, &exponent) != 0.5) return own = cached.flow->step_matrices(h);
-  const auto found = cached.steps.find(h);
-  if (found != cached.steps.end()) return found->second;
-  return cached.steps.emplace(h, cached.flow->step_matrices(h)).first->second;
+  const auto found = flows_.find(key);
+  if (found != flows_.end()) return found->second;
+  return flows_.emplace(key, LinearFlow(structure_, force_, stiffness, options_.longest_step)).first->second;
 }
 
 Motion ExactMarch::motion() const {
@@ -99,10 +89,9 @@ MarchStatus ExactMarch::march(double until, const std::function<void(const March
 }
 
 /// The length of the step: up to the limit, the first event, or as far as the forces are polynomials.
-bool ExactMarch::find_length(CachedFlow& cached, JointCourse& course, double limit, Event& event) {
-  const double longest = std::min(cached.flow->longest_step(), options_.longest_step);
-  const bool curved = !cached.flow->curved().empty();
-  double h = longest;
+bool ExactMarch::find_length(const LinearFlow& flow, JointCourse& course, double limit, Event& event) {
+  const bool curved = !flow.curved().empty();
+  double h = flow.longest_step();
   if (curved) {
     while (h > trial_) h *= 0.5;
   }
@@ -120,38 +109,35 @@ bool ExactMarch::find_length(CachedFlow& cached, JointCourse& course, double lim
   return false;
 }
 
-void ExactMarch::go(CachedFlow& cached, const JointCourse& course) {
+void ExactMarch::go(LinearFlow& flow, const JointCourse& course) {
   const Index n = structure_.coordinates();
-  StepMatrices own;
-  int exponent = 0;
-  const double longest = std::min(cached.flow->longest_step(), options_.longest_step), h = course.length();
-  const bool kept = std::frexp(h / longest, &exponent) == 0.5;
-  if (kept || slopes_.cols() > 0) {
-    const StepMatrices& step = matrices(cached, h, own);
-    if (slopes_.cols() > 0) follow_slopes(cached, course, step);
-    z_ = step.transition * z_ + step.input * course.node_forces();
+  const double h = course.length();
+  if (flow.remembers(h) || slopes_.cols() > 0) {
+    const StepMatrices& step = flow.step_matrices(h);
+    if (slopes_.cols() > 0) follow_slopes(flow, course, step);
+    z_ = (step.transition * z_ + step.input * course.node_forces()).eval();
   } else {
-    z_ = sum_series(cached.flow->series(z_, h, course.force_series()), 1.0);
+    z_ = sum_series(flow.series(z_, h, course.force_series()), 1.0);
   }
-  for (const Index j : cached.flow->curved()) z_[2 * n + j] = states_[static_cast<std::size_t>(j)]->response(course.q()[j]).force;
+  for (const Index j : flow.curved()) z_[2 * n + j] = states_[static_cast<std::size_t>(j)]->response(course.q()[j]).force;
 }
 
 bool ExactMarch::step(double limit, const std::function<void(const MarchStep&)>& see) {
-  CachedFlow& cached = flow();
-  JointCourse course(*cached.flow, z_, states_);
+  LinearFlow& smooth = flow();
+  JointCourse course(smooth, z_, states_);
   Event event;
-  if (!find_length(cached, course, limit, event)) return false;
+  if (!find_length(smooth, course, limit, event)) return false;
   const double h = course.length(), from = time_;
   if (see && h > 0.0) {
     const MatrixXd forces = course.force_series();
-    see({from, h, structure_.coordinates(), structure_.joints(), cached.flow->series(z_, h, forces), cached.flow->curved(), forces});
+    see({from, h, structure_.coordinates(), structure_.joints(), smooth.series(z_, h, forces), smooth.curved(), forces});
   }
-  go(cached, course);
+  go(smooth, course);
   const bool arrives = event.joint < 0 && h == limit - from;
   time_ = arrives ? limit : from + h;
   z_.tail(force_.load().cols()) = force_.state(std::min(time_, std::nextafter(limit, from)));
   ++steps_;
-  events_here_ = h > 1e-12 * cached.flow->longest_step() ? 0 : events_here_ + 1;
+  events_here_ = h > 1e-12 * smooth.longest_step() ? 0 : events_here_ + 1;
   if (event.joint >= 0) pass(event);
   return events_here_ < 100;
 }
@@ -174,7 +160,7 @@ void ExactMarch::pass(const Event& event) {
   }
   if (slopes_.cols() > 0) slopes_.row(2 * n + j) = df;
   ++events_;
-  trial_ = std::min(trial_, flow().flow->longest_step() / 8.0);
+  trial_ = std::min(trial_, flow().longest_step() / 8.0);
 }
 
 }  // namespace jointid::response

@@ -75,18 +75,13 @@ class ExactMarch {
     bool turns = false;
     double at = 0.0;
   };
-  struct CachedFlow {
-    std::unique_ptr<LinearFlow> flow;
-    std::map<double, StepMatrices> steps;
-  };
 
-  CachedFlow& flow();
-  const StepMatrices& matrices(CachedFlow& cached, double h, StepMatrices& own);
+  LinearFlow& flow();
   bool step(double limit, const std::function<void(const MarchStep&)>& see);
-  bool find_length(CachedFlow& cached, JointCourse& course, double limit, Event& event);
+  bool find_length(const LinearFlow& flow, JointCourse& course, double limit, Event& event);
   Event first_event(JointCourse& course, double h) const;
-  void go(CachedFlow& cached, const JointCourse& course);
-  void follow_slopes(const CachedFlow& cached, const JointCourse& course, const StepMatrices& step);
+  void go(LinearFlow& flow, const JointCourse& course);
+  void follow_slopes(const LinearFlow& flow, const JointCourse& course, const StepMatrices& step);
   void pass(const Event& event);
   void choose_directions();
 
@@ -97,7 +92,7 @@ class ExactMarch {
   double time_ = 0.0, trial_ = friction::infinity;
   Eigen::VectorXd z_;
   Eigen::MatrixXd slopes_;
-  std::map<std::vector<double>, CachedFlow> flows_;
+  std::map<std::vector<double>, LinearFlow> flows_;
   std::size_t events_ = 0, steps_ = 0, events_here_ = 0;
 };
 

@@ -17,7 +17,7 @@ constexpr int points = Collocation::points;
 
 }  // namespace
 
-JointCourse::JointCourse(const LinearFlow& flow, const VectorXd& z, const JointStates& states) : flow_(&flow), states_(&states) {
+JointCourse::JointCourse(LinearFlow& flow, const VectorXd& z, const JointStates& states) : flow_(&flow), states_(&states) {
   double factorial = 1.0;
   for (int k = 0; k <= LinearFlow::terms; ++k) {
     if (k > 1) factorial *= k;
@@ -47,43 +47,14 @@ void JointCourse::free_motion(double h) {
   }
 }
 
-/// q (derivative 0), q̇ or q̈ at σh by the node forces: Σ_k WᵀA^kB h^{k+1−d} p!/(k+p+1−d)! σ^{k+p+1−d}.
-MatrixXd JointCourse::influence(double h, double sigma, int derivative) const {
-  const Index joints = taylor_[0].size(), curved = at(flow_->curved().size());
-  MatrixXd result(joints, curved * points);
-  std::vector<MatrixXd> moments(points, MatrixXd::Zero(joints, curved));
-  for (int p = 0; p < points; ++p) {
-    // h^{k+1−d} p!/(k+p+1−d)! σ^{k+p+1−d}, from k = 1 on: a force moves no joint at once.
-    double factor = std::pow(sigma, p);
-    double passed = 1.0;
-    for (int i = 1; i <= 2 - derivative; ++i) passed *= sigma * h / (p + i);
-    factor *= passed;
-    for (int k = 1; k < LinearFlow::terms; ++k) {
-      moments[static_cast<std::size_t>(p)] += factor * flow_->markov(k);
-      factor *= sigma * h / (k + p + 2 - derivative);
-    }
-  }
-  const MatrixXd& to_monomials = Collocation::rule().to_monomials;
-  for (Index c = 0; c < curved; ++c) {
-    for (int i = 0; i < points; ++i) {
-      VectorXd column = VectorXd::Zero(joints);
-      for (int p = 0; p < points; ++p) column += to_monomials(p, i) * moments[static_cast<std::size_t>(p)].col(c);
-      result.col(c * points + i) = column;
-    }
-  }
-  return result;
-}
-
 bool JointCourse::meet_laws(double h) {
   const Index curved = at(flow_->curved().size()), size = curved * points;
   const VectorXd& nodes = Collocation::rule().nodes;
-  influence_.resize(size, size);
+  influence_ = flow_->influence(h).nodes;
   VectorXd alone(size);
   for (int i = 0; i < points; ++i) {
-    const MatrixXd all = influence(h, nodes[i], 0);
     for (Index c = 0; c < curved; ++c) {
       const Index j = flow_->curved()[static_cast<std::size_t>(c)];
-      influence_.row(c * points + i) = all.row(j);
       double sum = 0.0;
       for (int k = LinearFlow::terms; k >= 0; --k) sum = sum * nodes[i] * h + taylor_[static_cast<std::size_t>(k)][j];
       alone[c * points + i] = sum;
@@ -119,7 +90,7 @@ bool JointCourse::solve(double h) {
   free_motion(h);
   if (flow_->curved().empty()) return true;
   if (!meet_laws(h)) return false;
-  for (int d = 0; d < 3; ++d) motion_[d] += influence(h, 1.0, d) * forces_;
+  for (std::size_t d = 0; d < 3; ++d) motion_[d] += flow_->influence(h).end[d] * forces_;
   return true;
 }
 

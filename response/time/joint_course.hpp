@@ -16,7 +16,7 @@ using JointStates = std::vector<std::unique_ptr<JointState>>;
 class JointCourse {
  public:
   /// `flow` and `states` must outlive it.
-  JointCourse(const LinearFlow& flow, const Eigen::VectorXd& z, const JointStates& states);
+  JointCourse(LinearFlow& flow, const Eigen::VectorXd& z, const JointStates& states);
 
   /// The motion up to h; false when the equations of the curved joints are not met.
   bool solve(double h);
@@ -45,9 +45,8 @@ class JointCourse {
  private:
   void free_motion(double h);
   bool meet_laws(double h);
-  Eigen::MatrixXd influence(double h, double sigma, int derivative) const;
 
-  const LinearFlow* flow_;
+  LinearFlow* flow_;
   const JointStates* states_;
   std::vector<Eigen::VectorXd> taylor_;  ///< WᵀA^k z/k!
   double length_ = 0.0;

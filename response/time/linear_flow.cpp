@@ -25,7 +25,7 @@ double highest_rate(const JointedStructure& s, const VectorXd& stiffness) {
 }  // namespace
 
 LinearFlow::LinearFlow(const JointedStructure& s, const ForceHistory& force,
-                       const std::vector<std::optional<double>>& stiffness) {
+                       const std::vector<std::optional<double>>& stiffness, double limit) {
   const Index n = s.coordinates(), joints = s.joints(), inputs = force.load().cols(), size = 2 * n + joints + inputs;
   MatrixXd right(n, 2 * n + joints + inputs);
   right << s.matrices.stiffness, s.matrices.damping, s.incidence, -force.load();
@@ -50,7 +50,7 @@ LinearFlow::LinearFlow(const JointedStructure& s, const ForceHistory& force,
     a_.col(2 * n + curved_[c]).setZero();
   }
   const double rate = highest_rate(s, steepest) + force.highest_frequency();
-  longest_step_ = rate > 0.0 ? 1.0 / rate : 1.0;
+  longest_step_ = std::min(rate > 0.0 ? 1.0 / rate : 1.0, limit);
 
   MatrixXd row = MatrixXd::Zero(joints, size);
   row.leftCols(n) = s.incidence.transpose();
@@ -72,7 +72,24 @@ MatrixXd LinearFlow::series(const VectorXd& z, double h, const MatrixXd& forces)
   return series;
 }
 
-StepMatrices LinearFlow::step_matrices(double h) const {
+bool LinearFlow::remembers(double h) const {
+  int exponent = 0;
+  return std::frexp(h / longest_step_, &exponent) == 0.5;
+}
+
+const StepMatrices& LinearFlow::step_matrices(double h) {
+  if (!remembers(h)) return other_step_ = make_step_matrices(h);
+  const auto found = steps_.find(h);
+  return found != steps_.end() ? found->second : steps_.emplace(h, make_step_matrices(h)).first->second;
+}
+
+const Influence& LinearFlow::influence(double h) {
+  if (!remembers(h)) return other_influence_ = make_influence(h);
+  const auto found = influences_.find(h);
+  return found != influences_.end() ? found->second : influences_.emplace(h, make_influence(h)).first->second;
+}
+
+StepMatrices LinearFlow::make_step_matrices(double h) const {
   StepMatrices step;
   const Index size = a_.rows();
   step.transition.setIdentity(size, size);
@@ -94,6 +111,41 @@ StepMatrices LinearFlow::step_matrices(double h) const {
     step.input.middleCols(c * points, points) = moments * Collocation::rule().to_monomials;
   }
   return step;
+}
+
+/// q (derivative 0), q̇ or q̈ of all joints at σh by the forces at Gauss's points: Σ_k WᵀA^kB h^{k+1−d} p!/(k+p+1−d)! σ^{k+p+1−d},
+/// from k = 1 on: a force moves no joint at once.
+MatrixXd LinearFlow::influence_at(double h, double sigma, int derivative) const {
+  constexpr int points = Collocation::points;
+  const Index joints = rows_[0].rows(), curved = at(curved_.size());
+  MatrixXd moments(joints * curved, points);
+  for (int p = 0; p < points; ++p) {
+    double factor = std::pow(sigma, p);
+    for (int i = 1; i <= 2 - derivative; ++i) factor *= sigma * h / (p + i);
+    MatrixXd sum = MatrixXd::Zero(joints, curved);
+    for (int k = 1; k < terms; ++k) {
+      sum += factor * markov(k);
+      factor *= sigma * h / (k + p + 2 - derivative);
+    }
+    moments.col(p) = sum.reshaped();
+  }
+  const MatrixXd by_node = moments * Collocation::rule().to_monomials;
+  MatrixXd result(joints, curved * points);
+  for (Index c = 0; c < curved; ++c) result.middleCols(c * points, points) = by_node.middleRows(c * joints, joints);
+  return result;
+}
+
+Influence LinearFlow::make_influence(double h) const {
+  constexpr int points = Collocation::points;
+  const Index curved = at(curved_.size());
+  Influence influence;
+  influence.nodes.resize(curved * points, curved * points);
+  for (int i = 0; i < points; ++i) {
+    const MatrixXd all = influence_at(h, Collocation::rule().nodes[i], 0);
+    for (Index c = 0; c < curved; ++c) influence.nodes.row(c * points + i) = all.row(curved_[static_cast<std::size_t>(c)]);
+  }
+  for (int d = 0; d < 3; ++d) influence.end[static_cast<std::size_t>(d)] = influence_at(h, 1.0, d);
+  return influence;
 }
 
 VectorXd sum_series(const MatrixXd& series, double sigma) {

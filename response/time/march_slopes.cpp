@@ -19,8 +19,7 @@ void ExactMarch::follow(const MatrixXd& slopes) {
 }
 
 /// At Gauss's points δf = T′δq + drift, δq = WᵀA^k δz (cᵢh)^k/k! + G δf.
-void ExactMarch::follow_slopes(const CachedFlow& cached, const JointCourse& course, const StepMatrices& step) {
-  const LinearFlow& flow = *cached.flow;
+void ExactMarch::follow_slopes(const LinearFlow& flow, const JointCourse& course, const StepMatrices& step) {
   const Index size = slopes_.rows(), parameters = slopes_.cols(), curved = at(flow.curved().size());
   constexpr int points = Collocation::points;
   const double h = course.length();

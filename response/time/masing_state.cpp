@@ -49,6 +49,7 @@ void MasingState::choose_piece(int direction) {
   const double far = std::isfinite(end) ? begin + (end - begin) * (1.0 - 1e-12) : 1e6 * std::max({begin, v, 1.0});
   const double tangent = path_.element().response(begin).tangent;
   if (tangent == path_.element().response(far).tangent) piece_.stiffness = tangent;
+  if (kinks_.empty() && piece_.stiffness) piece_ = {0, -friction::infinity, friction::infinity, tangent};  // a spring
 }
 
 void MasingState::pass(double q) {
