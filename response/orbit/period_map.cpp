@@ -50,7 +50,7 @@ void PeriodMap::place(Index columns) {
     march_.joint_states()[j]->follow(columns);
     MasingState* joint = masing(j);
     if (joint == nullptr) continue;
-    Turns turns = memory_[j];
+    Turns& turns = memory_[j];
     for (auto& turn : turns) turn.slope = columns > 0 ? Row(Row::Unit(columns, next++)) : Row();
     const auto largest = std::ranges::max_element(turns, {}, [](const auto& turn) { return std::abs(turn.displacement); });
     if (!turns.empty()) joint->remember({largest, turns.end()}, q[at(j)]);

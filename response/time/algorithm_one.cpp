@@ -32,6 +32,7 @@ AlgorithmOne::AlgorithmOne(JointedStructure structure, ForceHistory force, doubl
   dense::solve_lower(lower_, columns_);
   dense::solve_lower_transposed(lower_, columns_);
   flexibility_ = structure_.incidence.transpose() * columns_;
+  initial_stiffness_ = structure_.initial_stiffness();
   for (const auto& law : structure_.laws) paths_.emplace_back(*law);
   const VectorXd rest = VectorXd::Zero(structure_.coordinates());
   motion_ = {0.0, rest, rest, VectorXd::Zero(structure_.joints())};
@@ -79,7 +80,9 @@ VectorXd AlgorithmOne::solve_joints(const VectorXd& q_linear) {
     const VectorXd g = joints.force - lambda;
     const double scale = std::max(joints.force.cwiseAbs().maxCoeff(), lambda.cwiseAbs().maxCoeff());
     left = scale > 0.0 ? g.cwiseAbs().maxCoeff() / scale : 0.0;
-    if (left <= 1e-13) break;
+    // Rounding of q alone changes the forces by as much as T′(0) ε |q|.
+    const double rounding = 4e-16 * initial_stiffness_.cwiseProduct(q.cwiseAbs().cwiseMax(q_linear.cwiseAbs())).maxCoeff();
+    if (left <= 1e-13 || left * scale <= rounding) break;
     const MatrixXd jacobian = MatrixXd::Identity(q.size(), q.size()) + joints.tangent.asDiagonal() * flexibility_;
     const VectorXd dlambda = dense::RealLu(jacobian).solve(g);
     ++solutions;

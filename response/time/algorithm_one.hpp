@@ -44,7 +44,7 @@ class AlgorithmOne {
   Eigen::MatrixXd flexibility_;  ///< G
   std::vector<friction::MasingPath> paths_;
   Motion motion_;
-  Eigen::VectorXd acceleration_;
+  Eigen::VectorXd acceleration_, initial_stiffness_;
   std::size_t steps_ = 0, solutions_ = 0, most_solutions_ = 0;
   double residual_ = 0.0;
 };

@@ -84,7 +84,11 @@ const StepMatrices& LinearFlow::step_matrices(double h) {
 }
 
 const Influence& LinearFlow::influence(double h) {
-  if (!remembers(h)) return other_influence_ = make_influence(h);
+  if (!remembers(h)) {
+    if (h != other_length_) other_influence_ = make_influence(h);
+    other_length_ = h;
+    return other_influence_;
+  }
   const auto found = influences_.find(h);
   return found != influences_.end() ? found->second : influences_.emplace(h, make_influence(h)).first->second;
 }

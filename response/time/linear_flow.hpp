@@ -67,6 +67,7 @@ class LinearFlow {
   std::map<double, Influence> influences_;
   StepMatrices other_step_;
   Influence other_influence_;
+  double other_length_ = -1.0;
 };
 
 /// Σ_k c_k σ^k of the columns of `series`.

@@ -59,7 +59,7 @@ void MasingState::pass(double q) {
 
 void MasingState::begin(double q, int direction, double) {
   if (q != path_.displacement()) pass(q);
-  if (path_.direction() != 0 && direction == -path_.direction()) {
+  if (piece_.direction != 0 && path_.direction() != 0 && direction == -path_.direction()) {
     const Row none = Row::Zero(parameters_);
     Row force = none;
     direction_ = path_.direction();

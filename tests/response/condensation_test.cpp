@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "golden.hpp"
 #include "response/orbit/orbit_figures.hpp"
 
@@ -30,9 +31,28 @@ TEST(Condensation, MeetsTheGoldenErrors) {
       const Eigen::VectorXcd x5 = (basis.columns.row(4) * found.x).transpose(), q2 = found.q.row(1).transpose();
       EXPECT_LT(difference(x5, complex_vector(row.at("X5"))), 1e-9);
       EXPECT_LT(difference(q2, complex_vector(row.at("Q2"))), 1e-9);
-      printf("%s %ld+%ld: %g %g newton %d\n", kind.c_str(), basis.modes, basis.attachments, difference(x5, complex_vector(row.at("X5"))), difference(q2, complex_vector(row.at("Q2"))), orbit.newton_steps);
     }
   });
+}
+
+// Three masses in a chain that nothing holds: attachment columns are static deflections without rigid-body motion.
+TEST(Condensation, OfAFreeStructureHoldsItsStaticDeflection) {
+  JointedStructure chain;
+  chain.matrices.mass = Eigen::Vector4d(1.0, 2.0, 1.0, 3.0).asDiagonal();
+  chain.matrices.stiffness.setZero(4, 4);
+  for (int i = 0; i < 3; ++i) chain.matrices.stiffness.block<2, 2>(i, i) += 50.0 * (i + 1) * Eigen::Matrix2d{{1.0, -1.0}, {-1.0, 1.0}};
+  chain.matrices.damping = 0.01 * chain.matrices.stiffness;
+  chain.incidence = Eigen::Vector4d(1.0, 0.0, 0.0, -1.0);
+  chain.laws = {friction::make_element("spring", std::vector<double>{1.0})};
+  const Basis basis = free_and_attachment_modes(chain, 1);
+  ASSERT_EQ(basis.columns.cols(), 2);
+  const JointedStructure small = condense(chain, basis);
+  EXPECT_LT((small.matrices.mass - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff(), 1e-14);
+  // The joint's force stretches the chain by Wᵀ K⁺ W; the rigid-body mode does not move it.
+  const double flexibility = small.incidence(1, 0) * small.incidence(1, 0) / small.matrices.stiffness(1, 1);
+  EXPECT_NEAR(flexibility, 1.0 / 50.0 + 1.0 / 100.0 + 1.0 / 150.0, 1e-13);
+  EXPECT_EQ(free_and_attachment_modes(chain, 4).attachments, 0);
+  EXPECT_THROW(free_modes(chain, 5), InputError);
 }
 
 }  // namespace
