@@ -20,6 +20,8 @@ PeriodMap::PeriodMap(const PeriodicProblem& problem, const MarchOptions& options
   next_memory_.resize(joints);
   free_.resize(joints);
   state_ = image_ = VectorXd::Zero(motion_size());
+  was_idle_.resize(static_cast<std::size_t>(motion_size()));
+  bound_to_slip_.resize(static_cast<std::size_t>(motion_size()));
 }
 
 MasingState* PeriodMap::masing(std::size_t joint) const { return dynamic_cast<MasingState*>(march_.joint_states()[joint].get()); }
@@ -112,7 +114,11 @@ bool PeriodMap::run(bool with_derivative) {
   collect_image();
   for (Index row = 2 * march_.structure().coordinates(); row < motion_size(); ++row) {
     const Index joint = bilinear_[static_cast<std::size_t>(row - 2 * march_.structure().coordinates())];
-    free_[static_cast<std::size_t>(joint)] = !jenkins(row).slipped();
+    const auto which = static_cast<std::size_t>(row);
+    const bool slipped = jenkins(row).slipped();
+    free_[static_cast<std::size_t>(joint)] = !slipped;
+    if (with_derivative && slipped && was_idle_[which]) bound_to_slip_[which] = true;
+    was_idle_[which] = with_derivative && !slipped;
   }
   return true;
 }
@@ -155,7 +161,7 @@ double PeriodMap::closure() const {
 std::vector<bool> PeriodMap::idle_rows() const {
   std::vector<bool> idle(static_cast<std::size_t>(image_.size()), false);
   for (Index row = 2 * march_.structure().coordinates(); row < motion_size(); ++row) {
-    idle[static_cast<std::size_t>(row)] = !jenkins(row).slipped();
+    idle[static_cast<std::size_t>(row)] = !jenkins(row).slipped() && !bound_to_slip_[static_cast<std::size_t>(row)];
   }
   return idle;
 }

@@ -32,7 +32,8 @@ class PeriodMap {
   /// Largest |image − state| of x, ẋ, f in parts of scales().
   double closure() const;
 
-  /// Rows of s whose bilinear joint stuck all the period: image = state there, whatever the state.
+  /// Rows of s whose bilinear joint stuck all the period: image = state there, whatever the state. Not those that slipped when their
+  /// residual force was taken away, as it is more than the joint can hold.
   std::vector<bool> idle_rows() const;
   /// f − kq of such a row's joint at the beginning of the period, and its derivatives by s.
   double residual_force(Eigen::Index row) const;
@@ -64,6 +65,7 @@ class PeriodMap {
   Eigen::MatrixXd derivative_;
   std::vector<Turns> memory_, next_memory_;  ///< by joint, empty for bilinear ones
   std::vector<bool> free_;
+  std::vector<bool> was_idle_, bound_to_slip_;  ///< by row of s
   std::size_t events_ = 0;
 };
 

@@ -43,11 +43,32 @@ double lack(const PeriodMap& map) {
   return lack;
 }
 
+/// Of every element of the image, what it is where its energy is 1/2: eigenvalues keep their digits in such units.
+VectorXd energy_sizes(const JointedStructure& structure, const PeriodMap& map) {
+  const Index n = structure.coordinates();
+  const VectorXd joints = structure.initial_stiffness();
+  const MatrixXd stiffness =
+      structure.matrices.stiffness + structure.incidence * joints.asDiagonal() * structure.incidence.transpose();
+  VectorXd sizes = VectorXd::Ones(map.image().size());
+  const double softest = 1e-12 * stiffness.diagonal().maxCoeff();
+  for (Index i = 0; i < n; ++i) {
+    sizes[i] = softest > 0.0 ? 1.0 / std::sqrt(std::max(stiffness(i, i), softest)) : 1.0;
+    sizes[n + i] = 1.0 / std::sqrt(structure.matrices.mass(i, i));
+  }
+  Index row = 2 * n;
+  for (Index j = 0; j < structure.joints(); ++j) {
+    if (map.bilinear(j)) sizes[row++] = std::sqrt(joints[j]);
+  }
+  if (row < sizes.size() && joints.maxCoeff() > 0.0) sizes.tail(sizes.size() - row).setConstant(1.0 / std::sqrt(joints.maxCoeff()));
+  return sizes;
+}
+
 void describe(PeriodMap& map, PeriodicOrbit& orbit) {
   const Index n = map.march().structure().coordinates(), joints = map.march().structure().joints();
   orbit.closure = map.closure();
   orbit.events = map.events();
-  const Eigen::VectorXcd eigenvalues = dense::eigenvalues(map.derivative());
+  const VectorXd sizes = energy_sizes(map.march().structure(), map);
+  const Eigen::VectorXcd eigenvalues = dense::eigenvalues(sizes.cwiseInverse().asDiagonal() * map.derivative() * sizes.asDiagonal());
   std::vector<Complex> multipliers(eigenvalues.begin(), eigenvalues.end());
   for (Index j = 0; j < joints; ++j) {
     orbit.residual_force_free.push_back(map.residual_force_free(j));
@@ -73,7 +94,7 @@ PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& opt
   PeriodicOrbit orbit;
   // Newton's steps while they halve what is lacking within four; else the motion settles by itself for a while, ever longer.
   int to_march = options.first_periods, patience = 4, rest = 4;
-  double best = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity(), last = best;
   while (true) {
     ++orbit.periods;
     if (!map.run(to_march == 0)) {
@@ -90,11 +111,12 @@ PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& opt
       to_march = 0;
       continue;
     }
-    if (now <= options.closure || (now <= 1e3 * options.closure && patience < 3)) {
+    if (now <= options.closure || (now <= 1e4 * options.closure && now > 0.1 * last)) {
       orbit.status = OrbitStatus::closed;
       break;
     }
     if (orbit.periods >= options.most_periods) break;
+    last = now;
     if (now <= 0.5 * best) {
       best = now;
       patience = 4;
