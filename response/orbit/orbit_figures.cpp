@@ -21,7 +21,8 @@ double turn_inside(const MatrixXd& series, Index velocity) {
     return sum;
   };
   std::uintmax_t iterations = 60;
-  const auto found = boost::math::tools::toms748_solve(value, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(50), iterations);
+  const auto found =
+      boost::math::tools::toms748_solve(value, 0.0, 1.0, boost::math::tools::eps_tolerance<double>(50), iterations);
   return 0.5 * (found.first + found.second);
 }
 
@@ -41,7 +42,8 @@ OrbitFigures figures(const PeriodicProblem& problem, const PeriodicOrbit& orbit,
                      const MarchOptions& options) {
   const JointedStructure& structure = problem.structure;
   const Index n = structure.coordinates(), joints = structure.joints(), count = at(harmonics.size());
-  OrbitFigures out{Eigen::MatrixXcd::Zero(n, count), {}, Eigen::MatrixXcd::Zero(joints, count), VectorXd::Zero(n), VectorXd::Zero(joints)};
+  OrbitFigures out{
+      Eigen::MatrixXcd::Zero(n, count), {}, Eigen::MatrixXcd::Zero(joints, count), VectorXd::Zero(n), VectorXd::Zero(joints)};
   MarchOptions fine = options;
   const int highest = harmonics.empty() ? 1 : std::max(1, std::ranges::max(harmonics));
   fine.longest_step = std::min(fine.longest_step, 2.0 / (highest * problem.omega));  // e^{−inωt} turns by 2 rad in a step at most
@@ -56,7 +58,8 @@ OrbitFigures figures(const PeriodicProblem& problem, const PeriodicOrbit& orbit,
       const double weight = rule.weights[i] * step.length;
       for (Index h = 0; h < count; ++h) {
         const int order = harmonics[static_cast<std::size_t>(h)];
-        const Complex factor = (order == 0 ? 1.0 : 2.0) * weight / problem.period() * std::polar(1.0, -order * problem.omega * motion.time);
+        const Complex factor =
+            (order == 0 ? 1.0 : 2.0) * weight / problem.period() * std::polar(1.0, -order * problem.omega * motion.time);
         out.x.col(h) += factor * motion.x;
         out.f.col(h) += factor * motion.f;
       }

@@ -2,14 +2,15 @@
 
 #include <vector>
 
-#include "response/orbit/periodic_orbit.hpp"
+#include "response/orbit/periodic_problem.hpp"
+#include "response/time/exact_march.hpp"
 #include "response/time/jenkins_state.hpp"
 #include "response/time/masing_state.hpp"
 
 namespace jointid::response {
 
-/// One period of a problem, from state to state: s = (x, ẋ, f of the bilinear joints, memory of the others). That memory is where the
-/// joint turned in the last period; its path begins without residual force at the largest |q| of them.
+/// One period of a problem, from state to state: s = (x, ẋ, f of the bilinear joints, memory of the others). That memory is where
+/// the joint turned in the last period; its path begins without residual force at the largest |q| of them.
 class PeriodMap {
  public:
   PeriodMap(const PeriodicProblem& problem, const MarchOptions& options);
@@ -32,8 +33,8 @@ class PeriodMap {
   /// Largest |image − state| of x, ẋ, f in parts of scales().
   double closure() const;
 
-  /// Rows of s whose bilinear joint stuck all the period: image = state there, whatever the state. Not those that slipped when their
-  /// residual force was taken away, as it is more than the joint can hold.
+  /// Rows of s whose bilinear joint stuck all the period: image = state there, whatever the state. Not those that slipped when
+  /// their residual force was taken away, as it is more than the joint can hold.
   std::vector<bool> idle_rows() const;
   /// f − kq of such a row's joint at the beginning of the period, and its derivatives by s.
   double residual_force(Eigen::Index row) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "dense/eigen.hpp"
 #include "dense/minimum_norm.hpp"
@@ -59,7 +58,8 @@ VectorXd energy_sizes(const JointedStructure& structure, const PeriodMap& map) {
   for (Index j = 0; j < structure.joints(); ++j) {
     if (map.bilinear(j)) sizes[row++] = std::sqrt(joints[j]);
   }
-  if (row < sizes.size() && joints.maxCoeff() > 0.0) sizes.tail(sizes.size() - row).setConstant(1.0 / std::sqrt(joints.maxCoeff()));
+  if (row < sizes.size() && joints.maxCoeff() > 0.0)
+    sizes.tail(sizes.size() - row).setConstant(1.0 / std::sqrt(joints.maxCoeff()));
   return sizes;
 }
 
@@ -68,7 +68,8 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
   orbit.closure = map.closure();
   orbit.events = map.events();
   const VectorXd sizes = energy_sizes(map.march().structure(), map);
-  const Eigen::VectorXcd eigenvalues = dense::eigenvalues(sizes.cwiseInverse().asDiagonal() * map.derivative() * sizes.asDiagonal());
+  const Eigen::VectorXcd eigenvalues =
+      dense::eigenvalues(sizes.cwiseInverse().asDiagonal() * map.derivative() * sizes.asDiagonal());
   std::vector<Complex> multipliers(eigenvalues.begin(), eigenvalues.end());
   for (Index j = 0; j < joints; ++j) {
     orbit.residual_force_free.push_back(map.residual_force_free(j));
@@ -86,8 +87,6 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
 }
 
 }  // namespace
-
-double PeriodicProblem::period() const { return 2.0 * std::numbers::pi / omega; }
 
 PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& options) {
   PeriodMap map(problem, options.march);

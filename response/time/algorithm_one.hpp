@@ -39,8 +39,8 @@ class AlgorithmOne {
   JointedStructure structure_;
   ForceHistory force_;
   double delta_;
-  Eigen::MatrixXd lower_;      ///< Cholesky factor of S
-  Eigen::MatrixXd columns_;    ///< S⁻¹W
+  Eigen::MatrixXd lower_;        ///< Cholesky factor of S
+  Eigen::MatrixXd columns_;      ///< S⁻¹W
   Eigen::MatrixXd flexibility_;  ///< G
   std::vector<friction::MasingPath> paths_;
   Motion motion_;

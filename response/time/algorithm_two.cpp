@@ -20,7 +20,8 @@ struct StepSides {
 
 /// `now` without the joints' forces.
 StepSides sides(const JointedStructure& s, double delta, double a, const VectorXd& k_r) {
-  const MatrixXd reference = s.incidence * k_r.asDiagonal() * s.incidence.transpose(), stiffness = s.matrices.stiffness + reference;
+  const MatrixXd reference = s.incidence * k_r.asDiagonal() * s.incidence.transpose(),
+                 stiffness = s.matrices.stiffness + reference;
   const MatrixXd mass = s.matrices.mass / (delta * delta), damping = s.matrices.damping / (2.0 * delta);
   return {mass + damping + a * stiffness, 2.0 * mass - (1.0 - 2.0 * a) * stiffness + reference, damping - mass - a * stiffness};
 }
@@ -38,7 +39,8 @@ AlgorithmTwo::AlgorithmTwo(JointedStructure structure, ForceHistory force, doubl
   const VectorXd initial = structure_.initial_stiffness();
   if (options_.reference_stiffness.size() == 0) options_.reference_stiffness = initial;
   if (options_.reference_stiffness.size() != initial.size()) {
-    refuse_option("k_r", "has " + std::to_string(options_.reference_stiffness.size()) + " values", "give one for each joint, or none");
+    refuse_option("k_r", "has " + std::to_string(options_.reference_stiffness.size()) + " values",
+                  "give one for each joint, or none");
   }
   if (!(options_.weight >= 0.0 && options_.weight <= 0.5)) {
     refuse_option("weight a of Algorithm Two", "is " + std::to_string(options_.weight), "give one from 0 to 0.5");
@@ -48,7 +50,8 @@ AlgorithmTwo::AlgorithmTwo(JointedStructure structure, ForceHistory force, doubl
   }
   const StepSides step = sides(structure_, delta, options_.weight, options_.reference_stiffness);
   const auto factor = dense::cholesky(step.next);
-  if (!factor) refuse_option("time step", "M/Δ² + C/2Δ + aK̃ is not positive definite", "look for negative damping, stiffness or k_r");
+  if (!factor)
+    refuse_option("time step", "M/Δ² + C/2Δ + aK̃ is not positive definite", "look for negative damping, stiffness or k_r");
   lower_ = *factor;
   now_ = step.now;
   before_ = step.before;
@@ -77,8 +80,8 @@ void AlgorithmTwo::step() {
   const double a = options_.weight, time = static_cast<double>(steps_) * delta_;
   const VectorXd next = force_.value(time + delta_), now = force_.value(time);
   const VectorXd before = steps_ == 0 ? VectorXd(2.0 * now - next) : force_.value(time - delta_);  // straight on before t = 0
-  VectorXd right = a * (next + before) + (1.0 - 2.0 * a) * now -
-                   structure_.incidence * motion_.f + now_ * motion_.x + before_ * last_;
+  VectorXd right =
+      a * (next + before) + (1.0 - 2.0 * a) * now - structure_.incidence * motion_.f + now_ * motion_.x + before_ * last_;
   dense::solve_lower(lower_, right);
   dense::solve_lower_transposed(lower_, right);
   advance(right);

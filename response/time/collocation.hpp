@@ -8,8 +8,8 @@ namespace jointid::response {
 struct Collocation {
   static constexpr int points = 8;
 
-  Eigen::VectorXd nodes, weights;   ///< ascending; weights sum to 1
-  Eigen::MatrixXd to_monomials;     ///< a = V⁻¹ f, f(σ) = Σ a_p σ^p
+  Eigen::VectorXd nodes, weights;  ///< ascending; weights sum to 1
+  Eigen::MatrixXd to_monomials;    ///< a = V⁻¹ f, f(σ) = Σ a_p σ^p
 
   /// The one that all steps share.
   static const Collocation& rule();

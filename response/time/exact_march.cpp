@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "response/time/collocation.hpp"
+#include "response/time/virgin_joint.hpp"
 
 namespace jointid::response {
 
@@ -13,7 +13,8 @@ using Eigen::VectorXd;
 
 Motion MarchStep::motion(double sigma) const {
   const VectorXd z = sum_series(series, sigma);
-  Motion motion{start + sigma * length, z.head(coordinates), z.segment(coordinates, coordinates), z.segment(2 * coordinates, joints)};
+  Motion motion{start + sigma * length, z.head(coordinates), z.segment(coordinates, coordinates),
+                z.segment(2 * coordinates, joints)};
   for (Index c = 0; c < curved_forces.rows(); ++c) {
     double force = 0.0;
     for (Index p = curved_forces.cols(); p-- > 0;) force = force * sigma + curved_forces(c, p);

@@ -21,7 +21,7 @@ struct Motion {
 struct MarchStep {
   double start = 0.0, length = 0.0;
   Eigen::Index coordinates = 0, joints = 0;
-  Eigen::MatrixXd series;     ///< Taylor coefficients of z
+  Eigen::MatrixXd series;  ///< Taylor coefficients of z
   std::vector<Eigen::Index> curved;
   Eigen::MatrixXd curved_forces;  ///< their polynomials
 
@@ -41,8 +41,8 @@ struct MarchOptions {
   double mismatch = 1e-9;
 };
 
-/// Event-exact time marching (response.md §2): between events the exact flow; events (a joint turns, its force comes to a kink of the
-/// law or closes a loop) are found to rounding by stepping again to them, forces are never interpolated across one.
+/// Event-exact time marching (response.md §2): between events the exact flow; events (a joint turns, its force comes to a kink of
+/// the law or closes a loop) are found to rounding by stepping again to them, forces are never interpolated across one.
 class ExactMarch {
  public:
   /// From rest at t = 0, joints without force. Throws InputError (check()).
@@ -64,8 +64,8 @@ class ExactMarch {
   JointStates& joint_states() { return states_; }
   const JointStates& joint_states() const { return states_; }
 
-  /// Sensitivities of (x, ẋ, f), one parameter a column, go along from here; through events by saltation (response.md §7). Rows of f
-  /// count for bilinear joints; those of others follow from their memory.
+  /// Sensitivities of (x, ẋ, f), one parameter a column, go along from here; through events by saltation (response.md §7). Rows
+  /// of f count for bilinear joints; those of others follow from their memory.
   void follow(const Eigen::MatrixXd& slopes);
   const Eigen::MatrixXd& slopes() const { return slopes_; }
 

@@ -63,7 +63,8 @@ ForceHistory ForceHistory::sampled(const MatrixXd& directions, const std::vector
   if (times.front() > 0.0) force.pieces_.push_back({0.0, VectorXd::Zero(2 * lines)});
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
     const double width = times[i + 1] - times[i];
-    if (!(width > 0.0)) refuse("times do not increase at " + std::to_string(times[i + 1]) + " s", "sort them and leave out repeats");
+    if (!(width > 0.0))
+      refuse("times do not increase at " + std::to_string(times[i + 1]) + " s", "sort them and leave out repeats");
     VectorXd state(2 * lines);
     for (Index l = 0; l < lines; ++l) {
       state.segment(2 * l, 2) << values(at(i), l), (values(at(i + 1), l) - values(at(i), l)) / width;

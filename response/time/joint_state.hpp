@@ -13,11 +13,11 @@ namespace jointid::response {
 struct Piece {
   int direction = 0;  ///< +1 or −1: it ends where q̇ turns; 0: turning does not matter
   double lower = -friction::infinity, upper = friction::infinity;  ///< it ends where q comes there
-  std::optional<double> stiffness;  ///< df/dq where it is constant
+  std::optional<double> stiffness;                                 ///< df/dq where it is constant
 };
 
-/// The memory of a friction joint along its motion, and what that memory owes to parameters (columns of sensitivities, response.md §7).
-/// Rows of sensitivities are 1 × m; m = 0 where none are followed.
+/// The memory of a friction joint along its motion, and what that memory owes to parameters (columns of sensitivities,
+/// response.md §7). Rows of sensitivities are 1 × m; m = 0 where none are followed.
 class JointState {
  public:
   using Row = Eigen::RowVectorXd;
@@ -36,8 +36,8 @@ class JointState {
   /// The motion begins, or goes on, at q in this direction. `force` is that of a joint whose memory it is.
   virtual void begin(double q, int direction, double force) = 0;
 
-  /// The piece ends at q because the motion turns, or because q came to a bound of it; dq of q at that time, df of the force there,
-  /// which is put right for the piece that begins. Returns the force.
+  /// The piece ends at q because the motion turns, or because q came to a bound of it; dq of q at that time, df of the force
+  /// there, which is put right for the piece that begins. Returns the force.
   virtual double turn(double q, const Row& dq, Row& df) = 0;
   virtual double reach(double q, const Row& dq, Row& df) = 0;
 
@@ -50,8 +50,5 @@ class JointState {
  protected:
   Piece piece_;
 };
-
-/// A joint at rest that never moved. `law` must outlive it.
-std::unique_ptr<JointState> virgin_joint(const friction::Element& law);
 
 }  // namespace jointid::response

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
-#include "base/error.hpp"
 #include "base/eigen.hpp"
+#include "base/error.hpp"
 #include "dense/cholesky.hpp"
 
 namespace jointid::response {
@@ -43,7 +43,8 @@ void check(const JointedStructure& structure) {
     refuse("incidence matrix of the joints", "has " + std::to_string(structure.incidence.rows()) + " rows",
            "give one row for each of the " + std::to_string(size) + " coordinates");
   }
-  if (!structure.incidence.allFinite()) refuse("incidence matrix of the joints", "has a number that is not finite", "use +1 and −1");
+  if (!structure.incidence.allFinite())
+    refuse("incidence matrix of the joints", "has a number that is not finite", "use +1 and −1");
   if (at(structure.laws.size()) != structure.joints()) {
     refuse("laws of the joints", "are " + std::to_string(structure.laws.size()),
            "give one for each of the " + std::to_string(structure.joints()) + " joints");

@@ -9,11 +9,12 @@
 
 namespace jointid::response {
 
-/// A structure with friction joints: M ẍ + C ẋ + K x + W f(q) = p(t), q = Wᵀx. A column of W is the relative coordinate of a joint
+/// A structure with friction joints: M ẍ + C ẋ + K x + W f(q) = p(t), q = Wᵀx. A column of W is the relative coordinate of a
+/// joint
 /// (+1 and −1, or one ±1 for a joint to ground), f_j its force on the positive end.
 struct JointedStructure {
   MatrixStructure matrices;
-  Eigen::MatrixXd incidence;  ///< W, N × J
+  Eigen::MatrixXd incidence;                                   ///< W, N × J
   std::vector<std::shared_ptr<const friction::Element>> laws;  ///< J of them
 
   Eigen::Index coordinates() const { return matrices.mass.rows(); }

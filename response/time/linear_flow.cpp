@@ -24,8 +24,8 @@ double highest_rate(const JointedStructure& s, const VectorXd& stiffness) {
 
 }  // namespace
 
-LinearFlow::LinearFlow(const JointedStructure& s, const ForceHistory& force,
-                       const std::vector<std::optional<double>>& stiffness, double limit) {
+LinearFlow::LinearFlow(const JointedStructure& s, const ForceHistory& force, const std::vector<std::optional<double>>& stiffness,
+                       double limit) {
   const Index n = s.coordinates(), joints = s.joints(), inputs = force.load().cols(), size = 2 * n + joints + inputs;
   MatrixXd right(n, 2 * n + joints + inputs);
   right << s.matrices.stiffness, s.matrices.damping, s.incidence, -force.load();
@@ -117,8 +117,8 @@ StepMatrices LinearFlow::make_step_matrices(double h) const {
   return step;
 }
 
-/// q (derivative 0), q̇ or q̈ of all joints at σh by the forces at Gauss's points: Σ_k WᵀA^kB h^{k+1−d} p!/(k+p+1−d)! σ^{k+p+1−d},
-/// from k = 1 on: a force moves no joint at once.
+/// q (derivative 0), q̇ or q̈ of all joints at σh by the forces at Gauss's points:
+/// Σ_k WᵀA^kB h^{k+1−d} p!/(k+p+1−d)! σ^{k+p+1−d}, from k = 1 on: a force moves no joint at once.
 MatrixXd LinearFlow::influence_at(double h, double sigma, int derivative) const {
   constexpr int points = Collocation::points;
   const Index joints = rows_[0].rows(), curved = at(curved_.size());

@@ -18,9 +18,10 @@ struct StepMatrices {
   Eigen::MatrixXd input;       ///< R
 };
 
-/// What forces of the curved joints at Gauss's points of a step of length h, those of one joint after the other, do to the joints.
+/// What forces of the curved joints at Gauss's points of a step of length h, those of one joint after the other, do to the
+/// joints.
 struct Influence {
-  Eigen::MatrixXd nodes;              ///< to q of the curved joints at the same points
+  Eigen::MatrixXd nodes;               ///< to q of the curved joints at the same points
   std::array<Eigen::MatrixXd, 3> end;  ///< to q, q̇, q̈ of all joints at the end
 };
 

@@ -15,7 +15,8 @@ double root(const Function& g, double a, double b) {
   const double at_a = g(a), at_b = g(b);
   if (at_b == 0.0) return b;
   std::uintmax_t iterations = 100;
-  const auto found = boost::math::tools::toms748_solve(g, a, b, at_a, at_b, boost::math::tools::eps_tolerance<double>(52), iterations);
+  const auto found =
+      boost::math::tools::toms748_solve(g, a, b, at_a, at_b, boost::math::tools::eps_tolerance<double>(52), iterations);
   return 0.5 * (found.first + found.second);
 }
 

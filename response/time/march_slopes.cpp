@@ -14,7 +14,8 @@ void ExactMarch::follow(const MatrixXd& slopes) {
     JointState& state = *states_[static_cast<std::size_t>(j)];
     state.follow(slopes.cols());
     const double q = structure_.incidence.col(j).dot(z_.head(n));
-    slopes_.row(2 * n + j) = state.first_slope(q, structure_.incidence.col(j).transpose() * slopes_.topRows(n), slopes_.row(2 * n + j));
+    slopes_.row(2 * n + j) =
+        state.first_slope(q, structure_.incidence.col(j).transpose() * slopes_.topRows(n), slopes_.row(2 * n + j));
   }
 }
 
@@ -44,8 +45,9 @@ void ExactMarch::follow_slopes(const LinearFlow& flow, const JointCourse& course
   const Index n = structure_.coordinates();
   for (const Index j : flow.curved()) {
     const JointState& state = *states_[static_cast<std::size_t>(j)];
-    slopes_.row(2 * n + j) = state.response(course.q()[j]).tangent * structure_.incidence.col(j).transpose() * slopes_.topRows(n) +
-                             state.drift(course.q()[j]);
+    slopes_.row(2 * n + j) =
+        state.response(course.q()[j]).tangent * structure_.incidence.col(j).transpose() * slopes_.topRows(n) +
+        state.drift(course.q()[j]);
   }
 }
 

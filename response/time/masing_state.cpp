@@ -3,16 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "response/time/jenkins_state.hpp"
-
 namespace jointid::response {
 
 using friction::Response;
-
-std::unique_ptr<JointState> virgin_joint(const friction::Element& law) {
-  if (const auto* bilinear = dynamic_cast<const friction::Bilinear*>(&law)) return std::make_unique<JenkinsState>(*bilinear);
-  return std::make_unique<MasingState>(law);
-}
 
 MasingState::MasingState(const friction::Element& law) : path_(law), kinks_(law.kinks()) { choose_piece(1); }
 

@@ -28,7 +28,8 @@ class MasingState final : public JointState {
   const std::vector<Turn>& turns() const { return turns_; }
   void forget_turns() { turns_.clear(); }
 
-  /// The memory of a path that came without force to the first of `turns`, the largest displacement, and passed the others up to q.
+  /// The memory of a path that came without force to the first of `turns`, the largest displacement, and passed the others up to
+  /// q.
   void remember(const std::vector<Turn>& turns, double q);
 
   /// Whether a cycle between displacements `range` apart leaves the joint any force from before: it does unless all of it slips.

@@ -128,7 +128,8 @@ TEST(Algorithms, CharacterMatrixAndBoundedInstabilityAreTheThesiss) {
     structure.laws = {law(one.at("joint_types").at("A")), law(one.at("joint_types").at("A"))};
     for (const json& row : one.at("character_matrix_A")) {
       const VectorXd k_r = VectorXd::Constant(2, row.at("kr").get<double>());
-      const double radius = spectral_radius(character_matrix(structure, row.at("delta"), 1.0 / 3.0, k_r, structure.initial_stiffness()));
+      const double radius =
+          spectral_radius(character_matrix(structure, row.at("delta"), 1.0 / 3.0, k_r, structure.initial_stiffness()));
       EXPECT_NEAR(radius / row.at("largest_eigenvalue").get<double>(), 1.0, 1e-8);
     }
     structure.laws = {law(one.at("joint_types").at("B")), law(one.at("joint_types").at("B"))};

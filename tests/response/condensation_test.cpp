@@ -40,7 +40,8 @@ TEST(Condensation, OfAFreeStructureHoldsItsStaticDeflection) {
   JointedStructure chain;
   chain.matrices.mass = Eigen::Vector4d(1.0, 2.0, 1.0, 3.0).asDiagonal();
   chain.matrices.stiffness.setZero(4, 4);
-  for (int i = 0; i < 3; ++i) chain.matrices.stiffness.block<2, 2>(i, i) += 50.0 * (i + 1) * Eigen::Matrix2d{{1.0, -1.0}, {-1.0, 1.0}};
+  for (int i = 0; i < 3; ++i)
+    chain.matrices.stiffness.block<2, 2>(i, i) += 50.0 * (i + 1) * Eigen::Matrix2d{{1.0, -1.0}, {-1.0, 1.0}};
   chain.matrices.damping = 0.01 * chain.matrices.stiffness;
   chain.incidence = Eigen::Vector4d(1.0, 0.0, 0.0, -1.0);
   chain.laws = {friction::make_element("spring", std::vector<double>{1.0})};

@@ -136,7 +136,8 @@ TEST(ExactMarch, TakesForcesFromSamples) {
 }
 
 TEST(ExactMarch, SensitivitiesGoThroughEventsAsDifferencesDo) {
-  const std::vector<std::shared_ptr<const friction::Element>> laws = {make("bilinear", {0.01, 150.0}), make("ren", {0.004, 1.5, 80.0})};
+  const std::vector<std::shared_ptr<const friction::Element>> laws = {make("bilinear", {0.01, 150.0}),
+                                                                      make("ren", {0.004, 1.5, 80.0})};
   ExactMarch march(three_masses(laws), beating(9.0));
   march.follow(Eigen::MatrixXd::Identity(8, 7));  // x, v, f of the slider
   march.march(3.0);

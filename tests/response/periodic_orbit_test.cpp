@@ -40,7 +40,8 @@ PeriodicProblem problem_of(const json& one) {
 Eigen::MatrixXcd by_harmonic(const json& rows, Eigen::Index width) {
   Eigen::MatrixXcd out(width, rows.size());
   for (std::size_t h = 0; h < rows.size(); ++h) {
-    out.col(at(h)) = width == 1 && rows[h][0].is_number() ? Eigen::VectorXcd::Constant(1, complex_number(rows[h])) : complex_vector(rows[h]);
+    out.col(at(h)) =
+        width == 1 && rows[h][0].is_number() ? Eigen::VectorXcd::Constant(1, complex_number(rows[h])) : complex_vector(rows[h]);
   }
   return out;
 }
@@ -106,7 +107,8 @@ PeriodicProblem thesis(const std::string& type, double p) {
 
 // response.md §11; D has very stiff joints, which harmonic balance does not find.
 TEST(PeriodicOrbit, MeetsTheTableOfTheThesissJointTypes) {
-  const std::map<std::string, double> largest = {{"A", 2.472486e-6}, {"B", 1.859820e-6}, {"C", 1.150651e-6}, {"D", 1.159558e-6}, {"E", 1.80356e-6}};
+  const std::map<std::string, double> largest = {
+      {"A", 2.472486e-6}, {"B", 1.859820e-6}, {"C", 1.150651e-6}, {"D", 1.159558e-6}, {"E", 1.80356e-6}};
   for (const auto& [type, expected] : largest) {
     SCOPED_TRACE(type);
     const PeriodicProblem problem = thesis(type, 1.0);
@@ -154,7 +156,8 @@ TEST(PeriodicOrbit, MonodromyIsThatOfDifferences) {
     const double h = 2e-5 * (i < 3 ? 0.05 : 1.0);
     const VectorXd step = h * VectorXd::Unit(8, i);
     const VectorXd column = (8.0 * (after_a_period(start + step) - after_a_period(start - step)) -
-                             (after_a_period(start + 2.0 * step) - after_a_period(start - 2.0 * step))) / (12.0 * h);
+                             (after_a_period(start + 2.0 * step) - after_a_period(start - 2.0 * step))) /
+                            (12.0 * h);
     EXPECT_LT((march.slopes().col(i) - column).cwiseAbs().maxCoeff(), 1e-8 * march.slopes().cwiseAbs().maxCoeff());
   }
 }
