@@ -1,0 +1,13 @@
+#include "response/time/virgin_joint.hpp"
+
+#include "response/time/jenkins_state.hpp"
+#include "response/time/masing_state.hpp"
+
+namespace jointid::response {
+
+std::unique_ptr<JointState> virgin_joint(const friction::Element& law) {
+  if (const auto* bilinear = dynamic_cast<const friction::Bilinear*>(&law)) return std::make_unique<JenkinsState>(*bilinear);
+  return std::make_unique<MasingState>(law);
+}
+
+}  // namespace jointid::response

@@ -1,0 +1,60 @@
+#include "response/condensation/condensation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "golden.hpp"
+#include "response/orbit/orbit_figures.hpp"
+
+namespace jointid::response {
+namespace {
+
+using Eigen::VectorXd;
+using nlohmann::json;
+
+TEST(Condensation, MeetsTheGoldenErrors) {
+  for_each_golden("thesis_18dof", [](const json& one) {
+    JointedStructure whole = jointed(one);
+    whole.laws = {law(one.at("joint_types").at("B")), law(one.at("joint_types").at("B"))};
+    for (const json& row : one.at("condensation_B")) {
+      const std::string kind = row.at("kind");
+      const Eigen::Index modes = row.at("modes");
+      SCOPED_TRACE(kind + " " + std::to_string(modes));
+      const Basis basis = kind == "free"   ? free_modes(whole, modes)
+                          : kind == "lock" ? lock_modes(whole, modes, whole.initial_stiffness())
+                                           : free_and_attachment_modes(whole, modes);
+      PeriodicProblem problem{condense(whole, basis), one.at("omega"), {1}, {}};
+      problem.amplitudes = basis.columns.transpose() * (Complex(0.0, -1.0) * VectorXd::Unit(18, 4));
+      const PeriodicOrbit orbit = find_orbit(problem);
+      ASSERT_EQ(orbit.status, OrbitStatus::closed);
+      const OrbitFigures found = figures(problem, orbit, {1, 3});
+      const Eigen::VectorXcd x5 = (basis.columns.row(4) * found.x).transpose(), q2 = found.q.row(1).transpose();
+      EXPECT_LT(difference(x5, complex_vector(row.at("X5"))), 1e-9);
+      EXPECT_LT(difference(q2, complex_vector(row.at("Q2"))), 1e-9);
+    }
+  });
+}
+
+// Three masses in a chain that nothing holds: attachment columns are static deflections without rigid-body motion.
+TEST(Condensation, OfAFreeStructureHoldsItsStaticDeflection) {
+  JointedStructure chain;
+  chain.matrices.mass = Eigen::Vector4d(1.0, 2.0, 1.0, 3.0).asDiagonal();
+  chain.matrices.stiffness.setZero(4, 4);
+  for (int i = 0; i < 3; ++i)
+    chain.matrices.stiffness.block<2, 2>(i, i) += 50.0 * (i + 1) * Eigen::Matrix2d{{1.0, -1.0}, {-1.0, 1.0}};
+  chain.matrices.damping = 0.01 * chain.matrices.stiffness;
+  chain.incidence = Eigen::Vector4d(1.0, 0.0, 0.0, -1.0);
+  chain.laws = {friction::make_element("spring", std::vector<double>{1.0})};
+  const Basis basis = free_and_attachment_modes(chain, 1);
+  ASSERT_EQ(basis.columns.cols(), 2);
+  const JointedStructure small = condense(chain, basis);
+  EXPECT_LT((small.matrices.mass - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff(), 1e-14);
+  // The joint's force stretches the chain by Wᵀ K⁺ W; the rigid-body mode does not move it.
+  const double flexibility = small.incidence(1, 0) * small.incidence(1, 0) / small.matrices.stiffness(1, 1);
+  EXPECT_NEAR(flexibility, 1.0 / 50.0 + 1.0 / 100.0 + 1.0 / 150.0, 1e-13);
+  EXPECT_EQ(free_and_attachment_modes(chain, 4).attachments, 0);
+  EXPECT_THROW(free_modes(chain, 5), InputError);
+}
+
+}  // namespace
+}  // namespace jointid::response
