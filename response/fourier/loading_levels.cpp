@@ -6,7 +6,7 @@
 namespace jointid::response {
 namespace {
 
-constexpr double ratio = 4.0;            ///< of the ends of a piece: a law singular at 0 is analytic in a wide ellipse about it
+constexpr double level_ratio = 4.0;      ///< of the ends of a piece: a law singular at 0 is analytic in a wide ellipse about it
 constexpr double negligible = 1e-18;     ///< share of the initial tangent
 constexpr double least_share = 0x1p-32;  ///< of the scale: below it T is as good as linear
 constexpr int most_levels = 60;
@@ -30,7 +30,7 @@ LoadingLevels::LoadingLevels(const friction::Element& element) : scale_(half_tan
   if (!std::isfinite(scale_)) return;
   const double least = negligible * element.response(0.0).tangent;
   double u = scale_;
-  for (int i = 0; i < most_levels && u < end && element.response(u).tangent > least; ++i, u *= ratio) levels_.push_back(u);
+  for (int i = 0; i < most_levels && u < end && element.response(u).tangent > least; ++i, u *= level_ratio) levels_.push_back(u);
   std::ranges::sort(levels_);
   levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
 }
@@ -38,7 +38,8 @@ LoadingLevels::LoadingLevels(const friction::Element& element) : scale_(half_tan
 std::vector<double> LoadingLevels::between(double from, double to) const {
   std::vector<double> inside;
   if (from > 0.0 && std::isfinite(scale_)) {
-    for (double u = std::max(ratio * from, least_share * scale_); u < std::min(to, scale_); u *= ratio) inside.push_back(u);
+    for (double u = std::max(level_ratio * from, least_share * scale_); u < std::min(to, scale_); u *= level_ratio)
+      inside.push_back(u);
   }
   for (const double level : levels_) {
     if (level > from && level < to) inside.push_back(level);

@@ -9,8 +9,8 @@ namespace jointid::response {
 namespace {
 
 constexpr int samples_per_harmonic = 16;
-constexpr int most_halvings = 100;
-constexpr double resolution = 4.0 * std::numeric_limits<double>::epsilon();  ///< of θ, rad
+constexpr int most_angle_halvings = 100;
+constexpr double angle_resolution = 4.0 * std::numeric_limits<double>::epsilon();  ///< of θ, rad
 
 /// Re Σ c_k z^k by Horner's rule, written out as the compiler does not for std::complex.
 double real_polynomial(const std::vector<Complex>& coefficients, double cosine, double sine) {
@@ -28,13 +28,13 @@ double real_polynomial(const std::vector<Complex>& coefficients, double cosine, 
 template <class Function>
 double root(const Function& function, double from, double to, double value_from) {
   double theta = 0.5 * (from + to);
-  for (int i = 0; i < most_halvings; ++i) {
+  for (int i = 0; i < most_angle_halvings; ++i) {
     const auto [value, slope] = function(theta);
     if (value == 0.0) return theta;
     ((value > 0.0) == (value_from > 0.0) ? from : to) = theta;
     double next = theta - value / slope;
     if (!(next > from && next < to)) next = 0.5 * (from + to);
-    if (std::abs(next - theta) <= resolution) return next;
+    if (std::abs(next - theta) <= angle_resolution) return next;
     theta = next;
   }
   return theta;

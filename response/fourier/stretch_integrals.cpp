@@ -11,7 +11,7 @@ namespace {
 
 constexpr double longest_angle = 3.0;  ///< of the largest harmonic in a piece, rad
 constexpr double corner_angle = 0.5;   ///< in the piece at a corner
-constexpr int grading = 8;
+constexpr int grading = 4;
 
 struct Node {
   double place = 0.0, weight = 0.0;  ///< in [0, 1]

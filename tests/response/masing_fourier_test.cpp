@@ -86,7 +86,7 @@ RC_GTEST_PROP(MasingFourier, AgreesWithManySamplesOfAMasingPath, ()) {
 }
 
 RC_GTEST_PROP(MasingFourier, LossIsThatOfThePath, ()) {
-  const auto element = std::shared_ptr<const friction::Element>(friction::any_element());
+  const auto element = std::shared_ptr<const friction::Element>(friction::any_single());
   const Motion motion = any_motion(*element);
   const Harmonics& harmonics = motion.harmonics();
   const Eigen::VectorXcd force = MasingFourier(element).evaluate(motion, harmonics).force;
@@ -104,7 +104,7 @@ RC_GTEST_PROP(MasingFourier, LossIsThatOfThePath, ()) {
   for (std::size_t i = 1; i <= turns.size(); ++i) path.advance(motion.value(turns[i % turns.size()]));
   const double q = motion.amplitudes().cwiseAbs().maxCoeff(), size = force.cwiseAbs().maxCoeff() * q;
   RC_LOG() << friction::describe(*element);
-  RC_ASSERT(std::abs(loss - (path.loss() - before)) <= 1e-12 * size);
+  RC_ASSERT(std::abs(loss - (path.loss() - before)) <= 1e-13 * size);
 }
 
 RC_GTEST_PROP(MasingFourier, DerivativesByMotionAreThoseOfDifferences, ()) {
@@ -124,7 +124,7 @@ RC_GTEST_PROP(MasingFourier, DerivativesByMotionAreThoseOfDifferences, ()) {
     };
     const Eigen::VectorXcd difference = (moved(step) - moved(-step)) / (2.0 * step);
     RC_LOG() << friction::describe(*element);
-    RC_ASSERT((difference - at.by_motion.col(u)).cwiseAbs().maxCoeff() <= 1e-2 * stiffness);
+    RC_ASSERT((difference - at.by_motion.col(u)).cwiseAbs().maxCoeff() <= 5e-2 * stiffness);
   }
 }
 
