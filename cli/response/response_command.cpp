@@ -4,6 +4,7 @@
 
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
+#include "cli/response/read_response_scene.hpp"
 #include "cli/response/response_text.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"

@@ -13,8 +13,8 @@ namespace jointid::cli {
 struct LevelResponse {
   double level = 0.0;  ///< N
   std::vector<response::HarmonicSolution> points{};
-  std::optional<response::HarmonicSolution> peak{}; ///< largest |X| of the first response and lowest harmonic above 0
-  bool refined = false;                            ///< the peak lies between points
+  std::optional<response::HarmonicSolution> peak{};  ///< largest |X| of the first response and lowest harmonic above 0
+  bool refined = false;                              ///< the peak lies between points
   std::vector<response::HarmonicSolution> turning_points{};
   bool complete = true;  ///< every point converged, the curve reached its end
 };

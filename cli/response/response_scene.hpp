@@ -47,12 +47,6 @@ struct ResponseScene {
   CurveMethod method = CurveMethod::sweep;
 };
 
-/// Reads a scene and the matrices that it names. Throws InputError (usage; data for matrices).
-ResponseScene read_response_scene(const ident::Path& file);
-
-/// The same from text; `file` is used in messages and to resolve paths.
-ResponseScene parse_response_scene(const std::string& text, const ident::Path& file);
-
 /// The scene and every file that it names.
 std::vector<ident::NamedFile> files_of(const ResponseScene& scene);
 
