@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
+
+#include "friction/law/laws.hpp"
+#include "friction/path/series.hpp"
 
 namespace jointid::response {
 namespace {
 
 constexpr double lowest_share = 1e-3;  ///< of the level, where levels begin
 constexpr double smallest_growth = 1.005;
+constexpr double negligible_spring = 1e4;  ///< stiffness over that of the joint
 
 /// Levels from low to the one asked for, each from the last motion in proportion; their growth is halved when Newton fails.
 NewtonResult along_levels(const CondensedEquations& equations, const HarmonicLine& line, double level, int& steps) {
@@ -31,6 +36,48 @@ NewtonResult along_levels(const CondensedEquations& equations, const HarmonicLin
   }
   at.converged = at.converged && now >= level;
   return at;
+}
+
+/// The joints, each friction element with a spring in series.
+CondensedEquations softened(const CondensedEquations& equations, double spring) {
+  const double values[] = {spring};
+  const std::shared_ptr<const friction::Element> soft = friction::make_element("spring", values);
+  std::vector<Joint> joints;
+  for (const JointForce& force : equations.joints()) {
+    joints.push_back(force.joint());
+    auto& friction = joints.back().friction;
+    if (friction) friction = std::make_shared<friction::Series>(friction::Parts{friction, soft});
+  }
+  return {std::move(joints), equations.harmonics()};
+}
+
+/// Springs in series with the joints, from as soft as the structure to where they do not matter, each from the last motion; then
+/// none.
+NewtonResult along_stiffness(const CondensedEquations& equations, const HarmonicLine& line, double level, int& steps) {
+  double flexibility = 0.0, stiffest = 0.0;
+  for (const HarmonicLine::One& one : line.harmonics) flexibility = std::max(flexibility, one.joints.cwiseAbs().maxCoeff());
+  for (const JointForce& joint : equations.joints()) stiffest = std::max(stiffest, joint.joint().stuck_stiffness());
+  double spring = 1.0 / flexibility, growth = 4.0;
+  const auto attempt = [&](double stiffness, const Eigen::VectorXd& start) {
+    NewtonResult reached = newton(softened(equations, stiffness), line, level, start, {.most_steps = 25});
+    steps += reached.steps;
+    return reached;
+  };
+  NewtonResult at = attempt(spring, equations.free(line, level));
+  while (at.converged && spring < negligible_spring * stiffest && growth > smallest_growth) {
+    NewtonResult reached = attempt(spring * growth, at.motion);
+    if (reached.converged) {
+      at = std::move(reached);
+      spring *= growth;
+      growth = std::min(4.0, growth * growth);
+    } else {
+      growth = std::sqrt(growth);
+    }
+  }
+  if (!at.converged) return at;
+  NewtonResult last = newton(equations, line, level, at.motion);
+  steps += last.steps;
+  return last;
 }
 
 /// The lowest harmonic alone first, then one more each time (R4.7.3).
@@ -90,6 +137,10 @@ Attempt attempt_all(const CondensedEquations& equations, const HarmonicLine& lin
   if (converges(stuck_first ? Start::free : Start::stuck, from(stuck_first ? free : stuck))) return attempt;
   int steps = 0;
   if (converges(Start::levels, along_levels(equations, line, level, steps))) {
+    attempt.steps += steps;
+    return attempt;
+  }
+  if (converges(Start::stiffness, along_stiffness(equations, line, level, steps))) {
     attempt.steps += steps;
     return attempt;
   }

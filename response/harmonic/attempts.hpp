@@ -13,7 +13,8 @@ struct Attempt {
 };
 
 /// Newton's method from the neighbour's motion (if any), from joints that stick and from joints without force, whichever is left
-/// with the smaller residual first; then along levels from a small force to this one, and with harmonics added one by one.
+/// with the smaller residual first; then along levels from a small force to this one, along the
+/// stiffness of springs in series with the joints (a way to very stiff ones), and with harmonics added one by one.
 Attempt attempt_all(const CondensedEquations& equations, const HarmonicLine& line, double level,
                     const HarmonicSolution* neighbour);
 

@@ -37,6 +37,8 @@ std::string_view word(Start start) {
       return "free";
     case Start::levels:
       return "levels";
+    case Start::stiffness:
+      return "stiffness";
     case Start::harmonics:
       return "harmonics";
   }

@@ -9,7 +9,7 @@
 namespace jointid::response {
 
 /// What the solution was reached from.
-enum class Start { neighbour, stuck, free, levels, harmonics };
+enum class Start { neighbour, stuck, free, levels, stiffness, harmonics };
 std::string_view word(Start start);
 
 /// A harmonic nω at which the structure is not known: F_n acts, what it does is only estimated.
