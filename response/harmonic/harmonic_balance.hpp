@@ -24,7 +24,7 @@ class HarmonicBalance {
                   HarmonicChoice choice = {});
 
   /// At ω (rad/s) with the forces times `level`. Starts: the neighbour if given, joints that stick, joints without force; then
-  /// levels from low to this one, and harmonics one after the other.
+  /// levels from low to this one, springs in series with the joints from soft to rigid, and harmonics one after the other.
   HarmonicSolution solve(double omega, double level = 1.0, const HarmonicSolution* neighbour = nullptr) const;
 
   const Receptance& structure() const { return *structure_; }
