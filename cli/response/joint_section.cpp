@@ -70,8 +70,26 @@ SceneDof read_dof(const SceneItem& item, const ResponseScene& scene) {
   return found;
 }
 
+namespace {
+
+/// Standard deviations by parameter name; 0 for those that are not named.
+std::vector<double> read_deviations(const SceneItem& item, const response::Joint& joint) {
+  if (!joint.friction) item.fail("there are deviations and no law", "name the law");
+  std::vector<std::string> names;
+  for (const friction::Parameter& parameter : joint.friction->parameters()) names.push_back(parameter.name);
+  const SceneTable table = item.table(names);
+  std::vector<double> values;
+  for (const std::string& name : names) {
+    const auto value = table.find(name);
+    values.push_back(value ? value->not_negative() : 0.0);
+  }
+  return values;
+}
+
+}  // namespace
+
 SceneJoint read_joint(const SceneItem& item, const ResponseScene& scene, std::size_t number) {
-  const SceneTable table = item.table({"name", "dofs", "law", "parameters", "stiffness", "damping", "cubic"});
+  const SceneTable table = item.table({"name", "dofs", "law", "parameters", "deviations", "stiffness", "damping", "cubic"});
   SceneJoint joint;
   const SceneItem ends = table.require("dofs");
   const std::vector<SceneItem> list = ends.list_not_empty();
@@ -82,6 +100,7 @@ SceneJoint read_joint(const SceneItem& item, const ResponseScene& scene, std::si
   joint.joint.name = joint.positive.name + "–" + (joint.negative ? joint.negative->name : "ground");
   if (const auto name = table.find("name")) joint.joint.name = name->text_not_empty();
   read_law(table, joint.joint);
+  if (const auto deviations = table.find("deviations")) joint.deviations = read_deviations(*deviations, joint.joint);
   if (const auto stiffness = table.find("stiffness")) joint.joint.stiffness = stiffness->number();
   if (const auto damping = table.find("damping")) joint.joint.damping = damping->not_negative();
   if (const auto cubic = table.find("cubic")) joint.joint.cubic = cubic->number();

@@ -117,6 +117,25 @@ void find_peak(const response::HarmonicBalance& balance, const ResponseScene& sc
   level.refined = true;
 }
 
+/// Deviations of all points, if the scene or its files tell any error.
+void find_deviations(const response::HarmonicBalance& balance, const ResponseScene& scene, LevelResponse& level) {
+  std::vector<response::ParameterDeviation> parameters;
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const std::vector<double>& deviations = scene.joints[j].deviations;
+    for (std::size_t p = 0; p < deviations.size(); ++p) {
+      if (deviations[p] > 0.0) parameters.push_back({{j, p}, deviations[p]});
+    }
+  }
+  const bool structure = !level.points.empty() && !balance.structure().errors(level.points.front().omega).empty();
+  if (parameters.empty() && !structure) return;
+  for (const HarmonicSolution& point : level.points) {
+    level.deviations.push_back(point.converged ? response::deviations(balance, point, parameters)
+                                               : response::ResponseDeviations{});
+  }
+  if (level.peak)
+    level.peak_deviation = response::deviations(balance, *level.peak, parameters).amplitude(first_row(*level.peak), 0);
+}
+
 LevelResponse arc_length(const response::HarmonicBalance& balance, const ResponseScene& scene, double amplitude) {
   const auto [from, to] = *scene.range_hz;
   response::CurveRequest request = {.along = response::Along::frequency, .from = angular(from), .to = angular(to)};
@@ -161,6 +180,7 @@ ResponseRun run_response(const ResponseScene& scene, Progress& progress) {
     if (scene.method == CurveMethod::arc_length) {
       progress.show(stage);
       run.levels.push_back(arc_length(balance, scene, amplitude));
+      find_deviations(balance, scene, run.levels.back());
       continue;
     }
     LevelResponse level = {.level = amplitude};
@@ -169,6 +189,7 @@ ResponseRun run_response(const ResponseScene& scene, Progress& progress) {
       stop_if(interrupted);
     });
     find_peak(balance, scene, level);
+    find_deviations(balance, scene, level);
     run.levels.push_back(std::move(level));
   }
   return run;

@@ -6,6 +6,7 @@
 
 #include "cli/response/response_scene.hpp"
 #include "cli/text/progress.hpp"
+#include "response/harmonic/deviations.hpp"
 
 namespace jointid::cli {
 
@@ -13,8 +14,10 @@ namespace jointid::cli {
 struct LevelResponse {
   double level = 0.0;  ///< N
   std::vector<response::HarmonicSolution> points{};
-  std::optional<response::HarmonicSolution> peak{};  ///< largest |X| of the first response and lowest harmonic above 0
-  bool refined = false;                              ///< the peak lies between points
+  std::vector<response::ResponseDeviations> deviations{};  ///< of the points; none when nothing is known
+  std::optional<double> peak_deviation{};                  ///< of |X| at the peak
+  std::optional<response::HarmonicSolution> peak{};        ///< largest |X| of the first response and lowest harmonic above 0
+  bool refined = false;                                    ///< the peak lies between points
   std::vector<response::HarmonicSolution> turning_points{};
   bool complete = true;  ///< every point converged, the curve reached its end
 };

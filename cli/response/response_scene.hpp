@@ -23,6 +23,7 @@ struct SceneJoint {
   SceneDof positive;
   std::optional<SceneDof> negative;
   response::Joint joint;
+  std::vector<double> deviations{};  ///< of the law's parameters; none when nothing is said
 };
 
 enum class CurveMethod { sweep, arc_length };

@@ -32,40 +32,58 @@ double phase(const HarmonicSolution& solution, Eigen::Index dof) {
   return std::arg(solution.response(first_row(solution), dof)) * 180.0 / std::numbers::pi;
 }
 
+bool any_deviation(const ResponseRun& run) {
+  return std::ranges::any_of(run.levels, [](const LevelResponse& level) { return !level.deviations.empty(); });
+}
+
 std::string peaks_text(const ResponseRun& run) {
-  Table table(
-      {{"force N"}, {"peak Hz"}, {"|X| m"}, {"|X|/force m/N"}, {"loss J/period"}, {"harmonics", Align::left}, {"", Align::left}});
+  const bool known = any_deviation(run);
+  std::vector<Column> columns = {{"force N"}, {"peak Hz"}, {"|X| m"}};
+  if (known) columns.push_back({"std dev m"});
+  columns.insert(columns.end(), {{"|X|/force m/N"}, {"loss J/period"}, {"harmonics", Align::left}, {"", Align::left}});
+  Table table(columns);
   for (const LevelResponse& level : run.levels) {
-    if (!level.peak) {
-      table.add({number(level.level), "–", "–", "–", "–", "", "no peak found"});
-      continue;
+    std::vector<std::string> cells = {number(level.level)};
+    if (level.peak) {
+      const HarmonicSolution& peak = *level.peak;
+      const double size = amplitude(peak, first_row(peak), 0);
+      cells.push_back(number(hertz(peak)));
+      cells.push_back(number(size, level.peak_deviation));
+      if (known) cells.push_back(level.peak_deviation ? fmt::format("{:.2g}", *level.peak_deviation) : "–");
+      cells.insert(cells.end(), {number(size / level.level), number(peak.loss.sum()), numbers_text(peak.harmonics)});
+    } else {
+      cells.resize(columns.size() - 1, "–");
     }
-    const HarmonicSolution& peak = *level.peak;
-    const double size = amplitude(peak, first_row(peak), 0);
-    table.add({number(level.level), number(hertz(peak)), number(size), number(size / level.level), number(peak.loss.sum()),
-               numbers_text(peak.harmonics), level.refined ? "" : "largest of the points"});
+    cells.push_back(!level.peak ? "no peak found" : level.refined ? "" : "largest of the points");
+    table.add(cells);
   }
   return table.text();
 }
 
 std::string points_text(const ResponseRun& run) {
+  const bool known = any_deviation(run);
   std::vector<Column> columns = {{"force N"}, {"Hz"}};
   for (const std::string& dof : run.dofs) {
     columns.push_back({"|X(" + dof + ")| m"});
+    if (known) columns.push_back({"std dev"});
     columns.push_back({"phase °"});
   }
-  columns.push_back({"loss J/period"});
-  columns.push_back({"harmonics", Align::left});
-  columns.push_back({"", Align::left});
+  columns.insert(columns.end(), {{"loss J/period"}, {"harmonics", Align::left}, {"", Align::left}});
   Table table(columns);
   for (const LevelResponse& level : run.levels) {
-    for (const HarmonicSolution& point : level.points) {
+    for (std::size_t i = 0; i < level.points.size(); ++i) {
+      const HarmonicSolution& point = level.points[i];
       std::vector<std::string> cells = {number(level.level), number(hertz(point))};
-      for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
-        cells.push_back(point.converged ? number(amplitude(point, first_row(point), at(dof))) : "–");
-        cells.push_back(point.converged ? fmt::format("{:.2f}", phase(point, at(dof))) : "–");
+      if (point.converged) {
+        for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
+          cells.push_back(number(amplitude(point, first_row(point), at(dof))));
+          if (known) cells.push_back(fmt::format("{:.2g}", level.deviations[i].amplitude(first_row(point), at(dof))));
+          cells.push_back(fmt::format("{:.2f}", phase(point, at(dof))));
+        }
+        cells.push_back(number(point.loss.sum()));
+      } else {
+        cells.resize(columns.size() - 2, "–");
       }
-      cells.push_back(point.converged ? number(point.loss.sum()) : "–");
       cells.push_back(numbers_text(point.harmonics));
       cells.push_back(point.converged ? "" : "not converged");
       table.add(cells);
@@ -169,8 +187,17 @@ std::string response_json(const ResponseScene& scene, const ResponseRun& run) {
               {"doubts", run.doubts}};
   for (const LevelResponse& level : run.levels) {
     Json one = {{"force", level.level}, {"complete", level.complete}, {"points", Json::array()}};
-    for (const HarmonicSolution& point : level.points) one["points"].push_back(point_json(point, run));
+    for (std::size_t i = 0; i < level.points.size(); ++i) {
+      Json point = point_json(level.points[i], run);
+      if (!level.deviations.empty() && level.points[i].converged) {
+        for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
+          point["response_deviations"].push_back(harmonics_json(level.deviations[i].parts, at(dof)));
+        }
+      }
+      one["points"].push_back(std::move(point));
+    }
     one["peak"] = level.peak ? point_json(*level.peak, run) : Json();
+    one["peak_deviation"] = value(level.peak_deviation);
     one["turning_points"] = Json::array();
     for (const HarmonicSolution& turn : level.turning_points) one["turning_points"].push_back(point_json(turn, run));
     out["levels"].push_back(std::move(one));
@@ -179,16 +206,23 @@ std::string response_json(const ResponseScene& scene, const ResponseRun& run) {
 }
 
 std::string response_csv(const ResponseRun& run) {
-  std::string text = csv_line({"force [N]", "frequency [Hz]", "harmonic", "dof", "re [m]", "im [m]"});
+  std::string text =
+      csv_line({"force [N]", "frequency [Hz]", "harmonic", "dof", "re [m]", "im [m]", "std dev re [m]", "std dev im [m]"});
   for (const LevelResponse& level : run.levels) {
-    for (const HarmonicSolution& point : level.points) {
+    for (std::size_t i = 0; i < level.points.size(); ++i) {
+      const HarmonicSolution& point = level.points[i];
       if (!point.converged) continue;
       for (Eigen::Index n = 0; n < point.response.rows(); ++n) {
         for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
           const Complex x = point.response(n, at(dof));
+          std::optional<double> re, im;
+          if (!level.deviations.empty()) {
+            re = level.deviations[i].parts(n, at(dof)).real();
+            im = level.deviations[i].parts(n, at(dof)).imag();
+          }
           text += csv_line({csv_number(level.level), csv_number(hertz(point)),
                             fmt::format("{}", point.harmonics[static_cast<std::size_t>(n)]), run.dofs[dof], csv_number(x.real()),
-                            csv_number(x.imag())});
+                            csv_number(x.imag()), csv_number(re), csv_number(im)});
         }
       }
     }

@@ -9,17 +9,12 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "response/structure/frf_variances.hpp"
 
 namespace jointid::response {
 namespace {
 
 constexpr double same_line = 1e-3;  ///< of the spacing: two frequencies nearer than that are one line
-
-/// DOFs without repeats, and the sums of them that rows or columns are: joints first, then single DOFs.
-struct Combination {
-  std::vector<frf::Dof> dofs;
-  Eigen::MatrixXd weights;  ///< [dof, row or column]
-};
 
 std::size_t place_of(std::vector<frf::Dof>& dofs, const frf::Dof& dof) {
   const auto found = std::ranges::find(dofs, dof);
@@ -28,8 +23,8 @@ std::size_t place_of(std::vector<frf::Dof>& dofs, const frf::Dof& dof) {
   return dofs.size() - 1;
 }
 
-Combination combination(const std::vector<JointEnds>& joints, const std::vector<frf::Dof>& single) {
-  Combination all;
+FrfCombination combination(const std::vector<JointEnds>& joints, const std::vector<frf::Dof>& single) {
+  FrfCombination all;
   struct Entry {
     std::size_t dof, column;
     double weight;
@@ -64,6 +59,19 @@ void require_measured(const frf::FrfSystem& parts, const std::vector<frf::Dof>& 
   }
 }
 
+/// For each FRF of the rectangle, by column, the place of its transpose, or −1.
+std::vector<Eigen::Index> transposes(const std::vector<frf::Dof>& rows, const std::vector<frf::Dof>& columns) {
+  std::vector<Eigen::Index> places;
+  for (const frf::Dof& column : columns) {
+    for (const frf::Dof& row : rows) {
+      const std::size_t i = frf::find_coordinate(rows, column), j = frf::find_coordinate(columns, row);
+      const bool there = i != frf::npos && j != frf::npos && !row.same_coordinate(column);
+      places.push_back(there ? jointid::at(j * rows.size() + i) : -1);
+    }
+  }
+  return places;
+}
+
 }  // namespace
 
 FrfReceptance::FrfReceptance(frf::FrfSystem& parts, const std::vector<JointEnds>& joints, const std::vector<frf::Dof>& responses,
@@ -72,12 +80,14 @@ FrfReceptance::FrfReceptance(frf::FrfSystem& parts, const std::vector<JointEnds>
       responses_(jointid::at(responses.size())),
       forces_(jointid::at(forces.size())),
       frequency_hz_(parts.frequency_hz()) {
-  const Combination rows = combination(joints, responses), columns = combination(joints, forces);
-  require_measured(parts, rows.dofs, parts.responses(), "response");
-  require_measured(parts, columns.dofs, parts.references(), "reference");
-  frf::BlockReader reader(parts, rows.dofs, columns.dofs);
-  RowMatrixXc block(jointid::at(rows.dofs.size()), jointid::at(columns.dofs.size()));
+  rows_ = combination(joints, responses);
+  columns_ = combination(joints, forces);
+  require_measured(parts, rows_.dofs, parts.responses(), "response");
+  require_measured(parts, columns_.dofs, parts.references(), "reference");
+  frf::BlockReader reader(parts, rows_.dofs, columns_.dofs);
+  RowMatrixXc block(jointid::at(rows_.dofs.size()), jointid::at(columns_.dofs.size()));
   const std::span<Complex> values(block.data(), static_cast<std::size_t>(block.size()));
+  twin_ = transposes(rows_.dofs, columns_.dofs);
   for (std::size_t line = 0; line < frequency_hz_.size(); ++line) {
     reader.read(std::span(&line, 1), values);
     if (!block.allFinite()) {
@@ -85,8 +95,31 @@ FrfReceptance::FrfReceptance(frf::FrfSystem& parts, const std::vector<JointEnds>
            "an FRF between a joint, response or force coordinate is not measured",
            "measure the joint's rows and columns of every part, or leave the line out");
     }
-    lines_.emplace_back(rows.weights.transpose() * block * columns.weights);
+    lines_.emplace_back(rows_.weights.transpose() * block * columns_.weights);
+    const Eigen::MatrixXcd by_column = block;
+    for (Eigen::Index i = 0; i < by_column.size(); ++i) {
+      Eigen::Index& twin = twin_[static_cast<std::size_t>(i)];
+      if (twin >= 0 && by_column(i) != by_column(twin)) twin = -1;
+    }
   }
+  variances_ = read_variances(parts, rows_.dofs, columns_.dofs);
+}
+
+std::vector<ReceptanceError> FrfReceptance::errors(double omega) const {
+  std::vector<ReceptanceError> all;
+  if (variances_.empty() || !covers(omega)) return all;
+  const Eigen::MatrixXcd& variance = variances_[nearest_line(omega)];
+  const auto shape = [&](Eigen::Index place) -> Eigen::MatrixXd {
+    const Eigen::Index row = place % variance.rows(), column = place / variance.rows();
+    return rows_.weights.row(row).transpose() * columns_.weights.row(column);
+  };
+  for (Eigen::Index i = 0; i < variance.size(); ++i) {
+    const Eigen::Index twin = twin_[static_cast<std::size_t>(i)];
+    if (variance(i) == Complex(0.0) || (twin >= 0 && twin < i)) continue;
+    all.push_back({shape(i), variance(i)});
+    if (twin > i) all.back().shape += shape(twin);
+  }
+  return all;
 }
 
 std::size_t FrfReceptance::nearest_line(double omega) const {

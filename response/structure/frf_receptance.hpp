@@ -14,6 +14,12 @@ struct JointEnds {
   std::optional<frf::Dof> negative;
 };
 
+/// DOFs without repeats, and the sums of them that rows or columns are: joints first, then single DOFs.
+struct FrfCombination {
+  std::vector<frf::Dof> dofs;
+  Eigen::MatrixXd weights;  ///< [dof, row or column]
+};
+
 /// Receptances from FRFs of parts that are not coupled: WᵀHW = (H_a)_jj + (H_b)_jj for a joint between two of them (R4.33). Of
 /// the files only the rows joint and response and the columns joint and force are read, at all lines. No mass, stiffness or mode
 /// shapes.
@@ -31,6 +37,12 @@ class FrfReceptance final : public Receptance {
   std::optional<Eigen::MatrixXcd> derivative(double) const override { return std::nullopt; }
   double nearest(double omega) const override;
 
+  /// From the files' variances or coherences, an error for each FRF that was read; FRFs that are copies of their transposes share
+  /// theirs.
+  std::vector<ReceptanceError> errors(double omega) const override;
+  /// Whether every file says how exact it is.
+  bool knows_errors() const { return !variances_.empty(); }
+
   const std::vector<double>& frequency_hz() const { return frequency_hz_; }
 
  private:
@@ -39,6 +51,10 @@ class FrfReceptance final : public Receptance {
   Eigen::Index joints_, responses_, forces_;
   std::vector<double> frequency_hz_;
   std::vector<Eigen::MatrixXcd> lines_;
+  FrfCombination rows_, columns_;
+  std::vector<Eigen::MatrixXcd>
+      variances_;                   ///< [line] of the FRFs between the DOFs of rows_ and columns_; none when a file has none
+  std::vector<Eigen::Index> twin_;  ///< of each FRF, by column, the place of the transpose that is a copy of it, or −1
 };
 
 }  // namespace jointid::response

@@ -2,8 +2,18 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
+
+#include "base/complex.hpp"
 
 namespace jointid::response {
+
+/// One error e of a measured FRF: Lᵀ H E is off by e · shape. Errors are independent of each other, real and imaginary part as
+/// well.
+struct ReceptanceError {
+  Eigen::MatrixXd shape;  ///< as Lᵀ H E
+  Complex variance;       ///< of real and imaginary part
+};
 
 /// Lᵀ H(ω) E of a structure without the forces of its joints: the receptances that joints, responses and forces need, and no
 /// others. Rows: the J relative coordinates of the joints, then the responses asked for. Columns: the J joints, then the forces.
@@ -26,6 +36,9 @@ class Receptance {
 
   /// ω of the known line nearest to this one, for estimates of what is not covered.
   virtual double nearest(double omega) const { return omega; }
+
+  /// Errors of at(ω); none where nothing is known of them.
+  virtual std::vector<ReceptanceError> errors(double) const { return {}; }
 };
 
 }  // namespace jointid::response
