@@ -12,6 +12,7 @@
 #include "cli/modalfit/modalfit_command.hpp"
 #include "cli/pod/pod_command.hpp"
 #include "cli/problem/problem_command.hpp"
+#include "cli/response/response_command.hpp"
 #include "cli/solve/plan_command.hpp"
 #include "cli/solve/solve_command.hpp"
 #include "cli/stability/stability_command.hpp"
@@ -22,7 +23,11 @@ namespace {
 
 /// The one place that names them all, in the order of the help.
 constexpr std::array all_commands = {add_solve, add_plan, add_check, add_study, add_compare,
+<<<<<<< HEAD
                                      add_loading_curve, add_couple, add_equivalent, add_modalfit, add_pod, add_stability,
+=======
+                                     add_loading_curve, add_couple, add_equivalent, add_response, add_modalfit, add_stability,
+>>>>>>> response
                                      add_info, add_convert, add_problem};
 
 }  // namespace

@@ -140,6 +140,12 @@ command_test(equivalent_csv CODE 0 AFTER rig2_data MAKES rig2_csv ARGS equivalen
 command_test(equivalent_json CODE 0 OUT "\"equation\": \"7.18\"" AFTER rig2_data ARGS equivalent rig2/rig2.toml --json -)
 command_test(equivalent_fitted CODE 0 OUT "friction limit +1[3-5]\\.[0-9]+ +N" AFTER rig2_csv
   ARGS loading-curve rig2.csv --stiffness stiffness --damping damping --law ren)
+set(_fold "${CMAKE_CURRENT_SOURCE_DIR}/response/fold.toml")
+command_test(response CODE 0 OUT "0\\.45 +0\\.339596 +7\\.69047.*turns back at 0\\.339608 Hz" ARGS response ${_fold})
+command_test(response_json CODE 0 OUT "^{\n  \"status\": \"ok\"" ARGS response ${_fold} --json -)
+command_test(response_csv CODE 0 OUT "^force .N.,frequency .Hz.,harmonic,dof,re .m.,im .m.,std dev re .m.,std dev im .m.\n0.2,0.08," ARGS response ${_fold} --csv -)
+command_test(response_absent CODE 2 ERR "absent.toml" ARGS response absent.toml)
+command_test(response_unwritable CODE 3 ERR "absent/a.csv: cannot be written" ARGS response ${_fold} --csv absent/a.csv)
 command_test(equivalent_absent CODE 2 ERR "absent.toml" ARGS equivalent absent.toml)
 command_test(equivalent_other_scene CODE 2 ERR "equivalent" AFTER couple_data ARGS equivalent c/coupling-C.toml)
 command_test(equivalent_unwritable CODE 3 ERR "absent/a.csv: cannot be written" AFTER rig2_data ARGS equivalent rig2/rig2.toml --csv absent/a.csv)

@@ -1,0 +1,113 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "cli/response/response_sections.hpp"
+#include "friction/law/laws.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using ident::SceneItem;
+using ident::SceneTable;
+
+/// Parameters in the order of the law, from a list or a table by name.
+std::vector<double> read_parameters(const SceneItem& item, const friction::Law& law) {
+  std::vector<std::string> names;
+  for (const friction::LawParameter& parameter : law.parameters) names.emplace_back(parameter.name);
+  std::vector<double> values;
+  if (item.is_table()) {
+    const SceneTable table = item.table(names);
+    for (const std::string& name : names) values.push_back(table.require(name).number());
+    return values;
+  }
+  const std::vector<SceneItem> list = item.list();
+  if (list.size() != names.size()) {
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+    item.fail("law " + std::string(law.name) + " has " + std::to_string(names.size()) + " parameters, here are " +
+                  std::to_string(list.size()),
+              "give " + all);
+  }
+  for (const SceneItem& value : list) values.push_back(value.number());
+  return values;
+}
+
+void read_law(const SceneTable& table, response::Joint& joint) {
+  const auto law = table.find("law"), parameters = table.find("parameters");
+  if (!law) {
+    if (parameters) parameters->fail("there are parameters and no law", "name the law");
+    return;
+  }
+  try {
+    const friction::Law& chosen = friction::law(law->text_not_empty());
+    joint.friction = friction::make_element(chosen.name, read_parameters(table.require("parameters"), chosen));
+  } catch (const std::invalid_argument& error) {
+    law->fail(error.what());
+  }
+}
+
+}  // namespace
+
+double read_whole(const SceneItem& item, double least, double most) {
+  const double number = item.number();
+  if (number != std::floor(number) || number < least || number > most) {
+    item.fail(ident::number_text(number) + " is not a whole number from " + ident::number_text(least) + " to " +
+              ident::number_text(most));
+  }
+  return number;
+}
+
+SceneDof read_dof(const SceneItem& item, const ResponseScene& scene) {
+  SceneDof found;
+  if (scene.structure) {
+    const double number = read_whole(item, 1.0, static_cast<double>(scene.structure->mass.rows()));
+    found.coordinate = static_cast<Eigen::Index>(number) - 1;
+    found.name = ident::number_text(number);
+  } else {
+    found.dof = item.dof();
+    found.name = found.dof.name();
+  }
+  return found;
+}
+
+namespace {
+
+/// Standard deviations by parameter name; 0 for those that are not named.
+std::vector<double> read_deviations(const SceneItem& item, const response::Joint& joint) {
+  if (!joint.friction) item.fail("there are deviations and no law", "name the law");
+  std::vector<std::string> names;
+  for (const friction::Parameter& parameter : joint.friction->parameters()) names.push_back(parameter.name);
+  const SceneTable table = item.table(names);
+  std::vector<double> values;
+  for (const std::string& name : names) {
+    const auto value = table.find(name);
+    values.push_back(value ? value->not_negative() : 0.0);
+  }
+  return values;
+}
+
+}  // namespace
+
+SceneJoint read_joint(const SceneItem& item, const ResponseScene& scene, std::size_t number) {
+  const SceneTable table = item.table({"name", "dofs", "law", "parameters", "deviations", "stiffness", "damping", "cubic"});
+  SceneJoint joint;
+  const SceneItem ends = table.require("dofs");
+  const std::vector<SceneItem> list = ends.list_not_empty();
+  if (list.size() > 2) ends.fail("a joint has one end or two", "give each relative coordinate a joint of its own");
+  joint.positive = read_dof(list[0], scene);
+  if (list.size() == 2) joint.negative = read_dof(list[1], scene);
+  if (joint.negative && joint.negative->name == joint.positive.name) ends.fail("both ends are " + joint.positive.name);
+  joint.joint.name = joint.positive.name + "–" + (joint.negative ? joint.negative->name : "ground");
+  if (const auto name = table.find("name")) joint.joint.name = name->text_not_empty();
+  read_law(table, joint.joint);
+  if (const auto deviations = table.find("deviations")) joint.deviations = read_deviations(*deviations, joint.joint);
+  if (const auto stiffness = table.find("stiffness")) joint.joint.stiffness = stiffness->number();
+  if (const auto damping = table.find("damping")) joint.joint.damping = damping->not_negative();
+  if (const auto cubic = table.find("cubic")) joint.joint.cubic = cubic->number();
+  if (!joint.joint.friction && joint.joint.stiffness == 0.0 && joint.joint.damping == 0.0 && joint.joint.cubic == 0.0) {
+    item.fail("joint " + std::to_string(number) + " has no force", "give it law and parameters, stiffness, damping or cubic");
+  }
+  return joint;
+}
+
+}  // namespace jointid::cli

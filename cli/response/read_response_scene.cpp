@@ -1,0 +1,129 @@
+#include "cli/response/read_response_scene.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "cli/response/response_sections.hpp"
+#include "ident/scene/scene_sections.hpp"
+#include "ident/scene/scene_text.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using ident::SceneItem;
+using ident::SceneTable;
+
+const std::vector<std::string> methods = {"sweep", "arc_length"};
+
+/// [[harmonic, share, phase in degrees], …]: Re(share e^{i phase} e^{inωt}).
+response::Excitation read_components(const SceneItem& item) {
+  std::vector<std::pair<int, Complex>> parts;
+  for (const SceneItem& one : item.list_not_empty()) {
+    const std::vector<SceneItem> row = one.list();
+    if (row.size() != 3) one.fail("a component is [harmonic, share, phase in degrees]");
+    const int harmonic = static_cast<int>(read_whole(row[0], 0.0, 1000.0));
+    parts.emplace_back(harmonic, std::polar(1.0, row[2].number() * std::numbers::pi / 180.0) * row[1].number());
+  }
+  std::ranges::sort(parts, {}, &std::pair<int, Complex>::first);
+  response::Excitation force = {{}, Eigen::MatrixXcd(at(parts.size()), 1)};
+  for (const auto& [harmonic, share] : parts) {
+    if (!force.harmonics.empty() && force.harmonics.back() == harmonic)
+      item.fail("harmonic " + std::to_string(harmonic) + " stands there twice");
+    force.amplitudes(at(force.harmonics.size()), 0) = share;
+    force.harmonics.push_back(harmonic);
+  }
+  return force;
+}
+
+void read_force(const SceneItem& item, ResponseScene& scene) {
+  const SceneTable table = item.table({"dof", "amplitudes", "components"});
+  scene.force_dof = read_dof(table.require("dof"), scene);
+  for (const SceneItem& level : table.require("amplitudes").list_not_empty()) scene.levels.push_back(level.positive());
+  const auto components = table.find("components");
+  scene.force = components ? read_components(*components) : response::Excitation::single(1.0);
+}
+
+void read_frequencies(const SceneItem& item, ResponseScene& scene) {
+  const SceneTable table = item.table({"range", "values", "points"});
+  const auto range = table.find("range"), values = table.find("values"), points = table.find("points");
+  if (range && values) item.fail("there are both range and values", "remove one");
+  if (range) scene.range_hz = range->interval();
+  if (values) {
+    for (const SceneItem& value : values->list_not_empty()) scene.values_hz.push_back(value.positive());
+  }
+  if (points) {
+    if (!scene.structure || !range)
+      points->fail("points stand in a range of a structure with matrices", "remove it: the lines of the files count");
+    scene.points = static_cast<std::size_t>(read_whole(*points, 2.0, 1e6));
+  }
+  if (scene.structure && !range && !values) item.fail("there are neither range nor values");
+  if (scene.structure && range && (*scene.range_hz)[0] <= 0.0)
+    range->fail("the range begins at 0 Hz, where nothing vibrates", "begin above it");
+}
+
+void read_response(const SceneItem& item, ResponseScene& scene) {
+  const SceneTable table = item.table({"dofs", "harmonics", "tolerance", "largest_harmonic", "method"});
+  for (const SceneItem& dof : table.require("dofs").list_not_empty()) scene.responses.push_back(read_dof(dof, scene));
+  if (const auto harmonics = table.find("harmonics")) {
+    for (const SceneItem& number : harmonics->list_not_empty())
+      scene.harmonics.fixed.push_back(static_cast<int>(read_whole(number, 0.0, 1000.0)));
+    harmonics->here([&] { return response::Harmonics(scene.harmonics.fixed); });
+    for (const int n : scene.force.harmonics) {
+      if (std::ranges::find(scene.harmonics.fixed, n) == scene.harmonics.fixed.end()) {
+        harmonics->fail("harmonic " + std::to_string(n) + " of the force is not among them", "add it");
+      }
+    }
+  }
+  if (const auto tolerance = table.find("tolerance")) scene.harmonics.tolerance = tolerance->positive();
+  if (const auto largest = table.find("largest_harmonic"))
+    scene.harmonics.largest = static_cast<int>(read_whole(*largest, 1.0, 1000.0));
+  if (const auto method = table.find("method")) {
+    scene.method = method->word(methods) == "sweep" ? CurveMethod::sweep : CurveMethod::arc_length;
+    if (scene.method == CurveMethod::arc_length && (!scene.structure || !scene.range_hz)) {
+      method->fail("arc_length needs the structure between frequency lines, and a range",
+                   "give [structure] and [frequency] range, or use sweep");
+    }
+  }
+}
+
+}  // namespace
+
+ResponseScene parse_response_scene(const std::string& text, const ident::Path& file) {
+  const ident::Value document = ident::parse_toml(text, file);
+  const std::string file_name = file.string();
+  const SceneItem root(document, file_name, {}, {});
+  const SceneTable table = root.table({"title", "data", "structure", "joints", "force", "frequency", "response"});
+  ResponseScene scene;
+  scene.file = file;
+  if (const auto title = table.find("title")) scene.title = title->text();
+  const auto data = table.find("data"), structure = table.find("structure");
+  if (data.has_value() == structure.has_value()) {
+    throw InputError({.kind = ErrorKind::usage,
+                      .file = file_name,
+                      .place = "",
+                      .problem = data ? "there are both [data] and [structure]" : "there is no structure",
+                      .remedy = "give [data] parts (FRFs) or [structure] mass and stiffness (matrices)"});
+  }
+  if (structure) read_structure(*structure, file.parent_path(), scene);
+  if (data) {
+    std::vector<std::string> names;
+    const ident::DataSection parts = ident::read_parts_section(*data, file.parent_path(), names);
+    scene.parts = parts.substructures;
+    scene.reciprocity = parts.reciprocity;
+  }
+  for (const SceneItem& joint : table.require("joints").list_not_empty()) {
+    scene.joints.push_back(read_joint(joint, scene, scene.joints.size() + 1));
+  }
+  read_force(table.require("force"), scene);
+  if (const auto frequency = table.find("frequency")) {
+    read_frequencies(*frequency, scene);
+  } else if (scene.structure) {
+    read_frequencies(table.require("frequency"), scene);
+  }
+  read_response(table.require("response"), scene);
+  return scene;
+}
+
+ResponseScene read_response_scene(const ident::Path& file) { return parse_response_scene(ident::read_text(file), file); }
+
+}  // namespace jointid::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+
+#include "cli/options/chosen_command.hpp"
+#include "cli/options/target.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace jointid::cli {
+
+struct ResponseArguments {
+  std::filesystem::path scene;
+  Target json, csv;
+};
+
+/// Declares `response`; choosing it stores it.
+void add_response(CLI::App& app, Chosen& chosen);
+
+/// The report goes to `out`. Bad input throws InputError.
+ExitCode execute(const ResponseArguments& arguments, std::ostream& out);
+
+}  // namespace jointid::cli

@@ -1,0 +1,15 @@
+#include "cli/response/response_scene.hpp"
+
+namespace jointid::cli {
+
+std::vector<ident::NamedFile> files_of(const ResponseScene& scene) {
+  std::vector<ident::NamedFile> files = {{scene.file, "the scene"}};
+  for (const ident::DataFile& part : scene.parts) {
+    files.push_back({part.path, "[data] parts"});
+    for (const ident::DataFile& repeat : part.repeats) files.push_back({repeat.path, "[data] parts"});
+  }
+  files.insert(files.end(), scene.matrix_files.begin(), scene.matrix_files.end());
+  return files;
+}
+
+}  // namespace jointid::cli

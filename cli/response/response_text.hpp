@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "cli/response/response_run.hpp"
+
+namespace jointid::cli {
+
+/// Peaks by level, and where there are few points all of them, for people.
+std::string response_text(const ResponseScene& scene, const ResponseRun& run);
+
+/// Everything: harmonics of responses and joints, losses, what was dropped. The keys stay; numbers that are not there are null.
+std::string response_json(const ResponseScene& scene, const ResponseRun& run);
+
+/// A line for each level, frequency, harmonic and response: "force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re
+/// [m],std dev im [m]", the last two empty where nothing is known of errors; what did not converge is left out.
+std::string response_csv(const ResponseRun& run);
+
+}  // namespace jointid::cli

@@ -1,0 +1,159 @@
+#include "response/structure/matrix_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <vector>
+
+#include "base/eigen.hpp"
+#include "base/error.hpp"
+#include "frf/file/columns.hpp"
+
+namespace jointid::response {
+namespace {
+
+constexpr long most_rows = 20000;
+constexpr double symmetric_to = 1e-9;  ///< of the largest element
+
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string place, std::string problem, std::string remedy = {}) {
+  throw InputError({.kind = ErrorKind::data,
+                    .file = path.string(),
+                    .place = std::move(place),
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+/// Reads a Matrix Market file line by line, comments left out.
+class MarketReader {
+ public:
+  explicit MarketReader(const std::filesystem::path& path) : path_(path), in_(path) {
+    if (!in_) refuse(path_, "", "it cannot be read");
+  }
+
+  Eigen::MatrixXd read() {
+    std::string line;
+    std::getline(in_, line);
+    number_ = 1;
+    std::istringstream head(line);
+    std::string banner, object, format, field, symmetry;
+    head >> banner >> object >> format >> field >> symmetry;
+    for (std::string* word : {&object, &format, &field, &symmetry}) std::ranges::transform(*word, word->begin(), ::tolower);
+    if (banner != "%%MatrixMarket" || object != "matrix") fail("the first line is not that of a Matrix Market matrix");
+    if (field != "real" && field != "integer") fail("the matrix is " + field, "give a real one");
+    if (symmetry != "general" && symmetry != "symmetric") fail("the matrix is " + symmetry, "give a symmetric or general one");
+    symmetric_ = symmetry == "symmetric";
+    if (format == "coordinate") return coordinates();
+    if (format == "array") return array();
+    fail("format '" + format + "' is unknown", "use coordinate or array");
+  }
+
+ private:
+  [[noreturn]] void fail(std::string problem, std::string remedy = {}) const {
+    refuse(path_, "line " + std::to_string(number_), std::move(problem), std::move(remedy));
+  }
+
+  std::vector<double> numbers(std::size_t count) {
+    std::string line;
+    do {
+      if (!std::getline(in_, line)) fail("the file ends early");
+      ++number_;
+    } while (line.empty() || line[0] == '%' || line.find_first_not_of(" \t\r") == std::string::npos);
+    std::istringstream text(line);
+    std::vector<double> found(count);
+    for (double& value : found) {
+      if (!(text >> value) || !std::isfinite(value)) fail("'" + line + "' is not " + std::to_string(count) + " numbers");
+    }
+    return found;
+  }
+
+  Eigen::Index index(double value, Eigen::Index end) const {
+    if (!(value >= 1.0 && value <= static_cast<double>(end)) || value != std::floor(value))
+      fail("there is no such row or column");
+    return static_cast<Eigen::Index>(value) - 1;
+  }
+
+  Eigen::MatrixXd empty(double rows, double columns) const {
+    if (!(rows >= 1.0 && rows <= most_rows) || columns != rows || rows != std::floor(rows)) {
+      fail("the matrix is not square with 1 to " + std::to_string(most_rows) + " rows");
+    }
+    return Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(rows));
+  }
+
+  void set(Eigen::MatrixXd& m, Eigen::Index i, Eigen::Index j, double value) const {
+    m(i, j) += value;
+    if (symmetric_ && i != j) m(j, i) += value;
+  }
+
+  Eigen::MatrixXd coordinates() {
+    const std::vector<double> size = numbers(3);
+    Eigen::MatrixXd m = empty(size[0], size[1]);
+    for (double i = 0.0; i < size[2]; ++i) {
+      const std::vector<double> entry = numbers(3);
+      set(m, index(entry[0], m.rows()), index(entry[1], m.rows()), entry[2]);
+    }
+    return m;
+  }
+
+  Eigen::MatrixXd array() {
+    const std::vector<double> size = numbers(2);
+    Eigen::MatrixXd m = empty(size[0], size[1]);
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
+      for (Eigen::Index i = symmetric_ ? j : 0; i < m.rows(); ++i) set(m, i, j, numbers(1)[0]);
+    }
+    return m;
+  }
+
+  const std::filesystem::path& path_;
+  std::ifstream in_;
+  std::size_t number_ = 0;
+  bool symmetric_ = false;
+};
+
+/// Columns "NAME(1)", "NAME(2)", … of one matrix, or "1", "2", … of a text.
+Eigen::MatrixXd from_columns(const std::filesystem::path& path, const std::string& variable) {
+  std::map<std::string, std::vector<const std::vector<double>*>> matrices;
+  const frf::Columns read = frf::read_columns(path);
+  for (const frf::NumberColumn& column : read.columns) {
+    const std::size_t bracket = column.name.rfind('(');
+    const bool plain = std::ranges::all_of(column.name, [](unsigned char c) { return std::isdigit(c) != 0; });
+    matrices[plain ? "" : column.name.substr(0, bracket)].push_back(&column.values);
+  }
+  std::string names;
+  for (const auto& [name, columns] : matrices) names += (names.empty() ? "" : ", ") + (name.empty() ? "rows of numbers" : name);
+  const auto found = variable.empty() && matrices.size() == 1 ? matrices.begin() : matrices.find(variable);
+  if (found == matrices.end()) {
+    refuse(path, variable,
+           variable.empty() ? "the file holds several matrices: " + names : "there is no such matrix; there are: " + names,
+           variable.empty() ? "name one: \"" + path.filename().string() + ":NAME\"" : "");
+  }
+  const std::size_t size = found->second.size();
+  Eigen::MatrixXd m(at(size), at(size));
+  for (std::size_t j = 0; j < size; ++j) {
+    if (found->second[j]->size() != size) {
+      refuse(path, variable,
+             "the matrix is not square: " + std::to_string(found->second[j]->size()) + " × " + std::to_string(size));
+    }
+    for (std::size_t i = 0; i < size; ++i) m(at(i), at(j)) = (*found->second[j])[i];
+  }
+  return m;
+}
+
+}  // namespace
+
+Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const std::string& variable) {
+  const Eigen::MatrixXd m = path.extension() == ".mtx" ? MarketReader(path).read() : from_columns(path, variable);
+  const double largest = m.cwiseAbs().maxCoeff();
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (std::abs(m(i, j) - m(j, i)) <= symmetric_to * largest) continue;
+      refuse(path, "element (" + std::to_string(i + 1) + ", " + std::to_string(j + 1) + ")", "the matrix is not symmetric",
+             "mass, damping and stiffness are");
+    }
+  }
+  return 0.5 * (m + m.transpose());
+}
+
+}  // namespace jointid::response

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+
+namespace jointid::response {
+
+/// A real symmetric matrix from a file: Matrix Market (`.mtx`: coordinate or array, real or integer, general or symmetric; what
+/// is not listed is 0), or what frf::read_columns reads: MATLAB and HDF5 (`variable` names the matrix where there are several),
+/// or text, a row a line. Throws InputError (data) that names line or element of what is no such matrix.
+Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const std::string& variable = {});
+
+}  // namespace jointid::response

@@ -1,0 +1,230 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "cli/response/read_response_scene.hpp"
+#include "cli/response/response_command.hpp"
+#include "cli/response/response_run.hpp"
+#include "cli/response/response_text.hpp"
+#include "frf/file/write.hpp"
+#include "response/structure/matrix_file.hpp"
+#include "response/structure/matrix_receptance.hpp"
+#include "response/structure/modal_damping.hpp"
+#include "tests/test_folder.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string chain = R"(
+[structure]
+mass = [[1.0, 0.0, 0.0], [0.0, 1.2, 0.0], [0.0, 0.0, 0.9]]
+stiffness = [[500.0, -200.0, 0.0], [-200.0, 250.0, -50.0], [0.0, -50.0, 150.0]]
+damping = [[0.5, -0.16, 0.0], [-0.16, 0.32, -0.04], [0.0, -0.04, 0.21]]
+)";
+
+const std::string rest = R"(
+[[joints]]
+dofs = [2, 3]
+law = "ren"
+parameters = { a = 0.004, b = 1.5, k = 150.0 }
+
+[force]
+dof = 1
+amplitudes = [1.0, 3.0]
+
+[frequency]
+range = [2.0, 4.0]
+points = 41
+
+[response]
+dofs = [1, 3]
+harmonics = [1, 3, 5]
+)";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  const std::size_t place = text.find(what);
+  EXPECT_NE(place, std::string::npos) << what;
+  return text.replace(place, what.size(), by);
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_response_scene(text, "scene.toml");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(ResponseScene, ReadsAllThatItSays) {
+  const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
+  EXPECT_EQ(scene.joints.size(), 1u);
+  EXPECT_EQ(scene.joints[0].positive.coordinate, 1);
+  EXPECT_EQ(scene.joints[0].negative->coordinate, 2);
+  EXPECT_EQ(scene.joints[0].joint.name, "2–3");
+  EXPECT_EQ(scene.joints[0].joint.values(), (std::vector<double>{0.004, 1.5, 150.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(scene.levels, (std::vector<double>{1.0, 3.0}));
+  EXPECT_EQ(scene.harmonics.fixed, (std::vector<int>{1, 3, 5}));
+  EXPECT_EQ(scene.responses[1].coordinate, 2);
+}
+
+TEST(ResponseScene, SaysInOneLineWhatIsWrong) {
+  const std::string good = chain + rest;
+  const std::vector<std::array<std::string, 3>> wrong = {
+      {"law = \"ren\"", "law = \"rem\"", "rem"},
+      {"parameters = { a = 0.004, b = 1.5, k = 150.0 }", "", "'parameters' is missing"},
+      {"b = 1.5, ", "", "'b' is missing"},
+      {"b = 1.5", "c = 1.5", "'c' is not known here"},
+      {"{ a = 0.004, b = 1.5, k = 150.0 }", "[0.004, 1.5]", "law ren has 3 parameters, here are 2"},
+      {"a = 0.004", "a = -0.004", "a"},
+      {"dofs = [2, 3]", "dofs = [2, 4]", "4 is not a whole number from 1 to 3"},
+      {"dofs = [2, 3]", "dofs = [2, 2]", "both ends are 2"},
+      {"dofs = [2, 3]", "dofs = [1, 2, 3]", "one end or two"},
+      {"dof = 1", "dof = 1.5", "1.5 is not a whole number"},
+      {"amplitudes = [1.0, 3.0]", "amplitudes = [0.0]", "amplitudes[1]"},
+      {"harmonics = [1, 3, 5]", "harmonics = [3, 5]", "harmonic 1 of the force is not among them"},
+      {"harmonics = [1, 3, 5]", "harmonics = [1, 5, 3]", "harmonic 3 does not ascend"},
+      {"range = [2.0, 4.0]", "range = [0.0, 4.0]", "begins at 0 Hz"},
+      {"range = [2.0, 4.0]", "values = [2.0]", "points stand in a range"},
+      {"[frequency]\nrange = [2.0, 4.0]\npoints = 41", "", "'frequency' is missing"},
+      {"mass = [[1.0, 0.0, 0.0]", "mass = [[1.0, 0.1, 0.0]", "not symmetric"},
+      {"damping = [[0.5, -0.16, 0.0], [-0.16, 0.32, -0.04], [0.0, -0.04, 0.21]]", "damping = [[0.5]]", "the mass matrix 3"},
+      {"[structure]", "[data]\nparts = [\"a.h5\"]\n[structure]", "both [data] and [structure]"},
+      {"[response]", "[responses]", "did you mean response?"},
+  };
+  for (const auto& [what, by, message] : wrong) {
+    const std::string found = error_of(replaced(good, what, by));
+    EXPECT_THAT(found, HasSubstr(message)) << what << " → " << by;
+    EXPECT_EQ(found.find('\n'), std::string::npos);
+  }
+  EXPECT_THAT(error_of(rest), HasSubstr("there is no structure"));
+}
+
+TEST(ResponseScene, FindsPeaksOverLevels) {
+  Progress progress;
+  const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
+  const ResponseRun run = run_response(scene, progress);
+  ASSERT_EQ(run.levels.size(), 2u);
+  EXPECT_TRUE(all_converged(run));
+  for (const LevelResponse& level : run.levels) {
+    ASSERT_TRUE(level.peak && level.refined);
+    for (const auto& point : level.points) EXPECT_LE(std::abs(point.response(0, 0)), std::abs(level.peak->response(0, 0)));
+  }
+  EXPECT_LT(run.levels[1].peak->omega, run.levels[0].peak->omega);  // friction softens
+  EXPECT_THAT(response_text(scene, run), HasSubstr("peak Hz"));
+  const auto json = nlohmann::json::parse(response_json(scene, run));
+  EXPECT_EQ(json["status"], "ok");
+  EXPECT_EQ(json["levels"][0]["points"].size(), 41u);
+  EXPECT_EQ(json["levels"][0]["points"][0]["responses"][1].size(), 3u);
+  EXPECT_THAT(response_csv(run),
+              HasSubstr("force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re [m],std dev im [m]\n1,2,1,1,"));
+}
+
+/// FRFs of single coordinates of a structure, written as a file.
+void write_part(const std::filesystem::path& path, const response::MatrixStructure& structure, int first_node) {
+  const Eigen::Index n = structure.mass.rows();
+  const Eigen::MatrixXd none(n, 0), all = Eigen::MatrixXd::Identity(n, n);
+  const response::MatrixReceptance receptance(structure, none, all, all);
+  frf::FrfSet set;
+  for (int line = 1; line <= 400; ++line) set.header.frequency_hz.push_back(0.05 * line);
+  for (Eigen::Index i = 0; i < n; ++i) set.header.response.push_back({first_node + static_cast<int>(i), frf::Direction::x, 1});
+  set.header.reference = set.header.response;
+  for (const double hz : set.header.frequency_hz) {
+    const Eigen::MatrixXcd h = receptance.at(angular(hz));
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index j = 0; j < n; ++j) set.values.push_back(h(i, j));
+    }
+  }
+  frf::write(set, path);
+}
+
+/// The point of it all: two parts known by their FRFs alone respond as their matrices say.
+TEST(ResponseScene, FilesOfPartsGiveWhatMatricesGive) {
+  const TestFolder folder;
+  Eigen::MatrixXd k1(2, 2), k2(1, 1);
+  k1 << 500.0, -200.0, -200.0, 210.0;
+  k2 << 90.0;
+  const Eigen::MatrixXd m1 = Eigen::MatrixXd::Identity(2, 2), m2 = Eigen::MatrixXd::Identity(1, 1);
+  const response::MatrixStructure one = {m1, response::modal_damping(m1, k1, 0.02), k1},
+                                  two = {m2, response::modal_damping(m2, k2, 0.02), k2};
+  write_part(folder / "one.csv", one, 1);
+  write_part(folder / "two.csv", two, 3);
+  const std::string joint = "law = \"bilinear\"\nparameters = [0.01, 150.0]\n";
+  const std::string end = "amplitudes = [8.0]\n[frequency]\nrange = [2.0, 4.0]\n";
+  const std::string files = "[data]\nparts = [\"one.csv\", \"two.csv\"]\n[[joints]]\ndofs = [\"2:+X\", \"3:+X\"]\n" + joint +
+                            "[force]\ndof = \"1:+X\"\n" + end +
+                            "[response]\ndofs = [\"1:+X\", \"3:+X\"]\nharmonics = [1, 3, 5]\n";
+  const std::string matrices =
+      "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
+      "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
+      joint + "[force]\ndof = 1\n" + end + "points = 41\n[response]\ndofs = [1, 3]\nharmonics = [1, 3, 5]\n";
+  Progress progress;
+  const ResponseRun measured = run_response(parse_response_scene(files, folder / "scene.toml"), progress);
+  const ResponseRun computed = run_response(parse_response_scene(matrices, folder / "scene.toml"), progress);
+  ASSERT_EQ(measured.levels[0].points.size(), 41u);
+  EXPECT_TRUE(all_converged(measured));
+  EXPECT_TRUE(measured.doubts.empty());
+  for (std::size_t i = 0; i < 41; ++i) {
+    const Eigen::MatrixXcd& a = measured.levels[0].points[i].response;
+    const Eigen::MatrixXcd& b = computed.levels[0].points[i].response;
+    EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-8 * b.cwiseAbs().maxCoeff()) << i;
+  }
+  // The ninth harmonic of 4 Hz is beyond the last line.
+  const std::string more = replaced(files, "[1, 3, 5]", "[1, 3, 5, 7, 9]");
+  const ResponseScene beyond = parse_response_scene(more, folder / "scene.toml");
+  const ResponseRun dropped = run_response(beyond, progress);
+  EXPECT_EQ(dropped.levels[0].points.back().dropped.size(), 2u);
+  EXPECT_THAT(response_text(beyond, dropped), HasSubstr("harmonics beyond the lines of the files are dropped"));
+  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "\"1:+X\"\n", "\"1:+Y\"\n"), folder / "scene.toml"), progress),
+               InputError);
+  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "[2.0, 4.0]", "[50.0, 60.0]"), folder / "scene.toml"), progress),
+               InputError);
+}
+
+TEST(ResponseScene, NoOutputReplacesAnInput) {
+  const TestFolder folder;
+  std::ofstream(folder / "scene.toml") << replaced(chain, "mass = [[1.0, 0.0, 0.0], [0.0, 1.2, 0.0], [0.0, 0.0, 0.9]]",
+                                                   "mass = \"m.mtx\"")
+                                       << rest;
+  std::ofstream(folder / "m.mtx")
+      << "%%MatrixMarket matrix coordinate real symmetric\n% masses\n3 3 3\n1 1 1.0\n2 2 1.2\n3 3 0.9\n";
+  ResponseArguments arguments = {.scene = folder / "scene.toml", .json = (folder / "m.mtx").string(), .csv = {}};
+  std::ostringstream out;
+  EXPECT_THROW(execute(arguments, out), InputError);
+  arguments.json = (folder / "scene.toml").string();
+  EXPECT_THROW(execute(arguments, out), InputError);
+  arguments.json.reset();
+  EXPECT_EQ(execute(arguments, out), ExitCode::done);
+}
+
+TEST(MatrixFile, ReadsMatrixMarketAndText) {
+  const TestFolder folder;
+  const auto written = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  };
+  Eigen::MatrixXd expected(2, 2);
+  expected << 2.0, -1.0, -1.0, 3.0;
+  const std::string head = "%%MatrixMarket matrix ";
+  for (const auto& path :
+       {written("a.mtx", head + "coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -1\n2 2 3\n"),
+        written("b.mtx", head + "array real general\n2 2\n2\n-1\n-1\n3\n"), written("c.csv", "2,-1\n-1,3\n")}) {
+    EXPECT_EQ(response::read_symmetric_matrix(path), expected) << path;
+  }
+  for (const std::string text :
+       {"coordinate real symmetric\n2 2 3\n1 1 2\n", "coordinate real symmetric\n2 2 1\n3 1 2\n",
+        "coordinate complex symmetric\n1 1 1\n1 1 2 0\n", "array real general\n2 2\n2\n1\n-1\n3\n",
+        "coordinate real general\n2 3 0\n", "coordinate real general\n1e9 1e9 0\n", "array real general\n1 1\nnan\n"}) {
+    EXPECT_THROW(response::read_symmetric_matrix(written("d.mtx", head + text)), InputError) << text;
+  }
+  EXPECT_THROW(response::read_symmetric_matrix(folder / "absent.mtx"), InputError);
+}
+
+}  // namespace
+}  // namespace jointid::cli
