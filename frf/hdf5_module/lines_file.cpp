@@ -105,7 +105,8 @@ class Lines {
     return ok;
   }
 
-  /// Writes receptances, their variances or covariances, `rows` × references a line, in the stored quantity; `scale(line scale, value)` converts one.
+  /// Writes receptances, their variances or covariances, `rows` × references a line, in the stored quantity; `scale(line scale, value)`
+  /// converts one.
   template <class Scale>
   void write_scaled(const Handle& dataset, std::size_t rows, std::size_t first, std::size_t count,
                     std::span<const Complex> values, Scale scale) {

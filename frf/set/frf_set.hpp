@@ -74,7 +74,8 @@ struct FrfSet {
 constexpr std::size_t pair_count(std::size_t responses) { return responses * (responses + 1) / 2; }
 constexpr std::size_t pair_index(std::size_t r, std::size_t s) { return pair_count(r) + s; }
 
-/// Throws InputError (data) as validate() of the header, and where values, variance, coherence or covariance are not as long as the header says.
+/// Throws InputError (data) as validate() of the header, and where values, variance, coherence or covariance are not as long as
+/// the header says.
 void validate(const FrfSet& set);
 
 }  // namespace jointid::frf

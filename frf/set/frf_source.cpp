@@ -71,7 +71,8 @@ std::vector<std::size_t> indices(std::size_t count) {
 /// Throws InputError unless the covariance of an error with itself is real and not below 0, to rounding.
 void require_diagonal(const FrfHeader& header, std::size_t line, std::size_t r, std::size_t c, Complex value) {
   if (!(value.real() < 0.0) && !(std::abs(value.imag()) > rounding * value.real())) return;
-  fail(header, fmt::format("covariance of {}/{}, line {}", header.response[r].name(), header.reference[c].name(), line + 1), fmt::format("{:g} + {:g}i is no variance", value.real(), value.imag()),
+  fail(header, fmt::format("covariance of {}/{}, line {}", header.response[r].name(), header.reference[c].name(), line + 1),
+       fmt::format("{:g} + {:g}i is no variance", value.real(), value.imag()),
        "export the covariances again, or leave them out");
 }
 

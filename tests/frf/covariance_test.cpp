@@ -116,23 +116,25 @@ TEST_F(CovarianceFile, CostsNothingWhereItIsNotAskedFor) {
   const auto source = open_hdf5(path("a.h5"));
   set.covariance.clear();
   expect_same(load(*source), set, 0.0);
-  EXPECT_THAT(message_of([&] { load_with_covariance(*source); }), HasSubstr("covariance of 1:+X/1:+X, line 1: -1 + 0i is no variance"));
+  EXPECT_THAT(message_of([&] { load_with_covariance(*source); }),
+              HasSubstr("covariance of 1:+X/1:+X, line 1: -1 + 0i is no variance"));
 }
 
 TEST_F(CovarianceFile, ThatIsBrokenIsOneClearError) {
-  EXPECT_THAT(message_after([](hid_t file) {
-                H5Ldelete(file, "covariance", H5P_DEFAULT);
-                const hsize_t dims[3] = {4, 3, 2};
-                const hid_t space = H5Screate_simple(3, dims, nullptr), type = H5Tcreate(H5T_COMPOUND, 16);
-                H5Tinsert(type, "r", 0, H5T_NATIVE_DOUBLE);
-                H5Tinsert(type, "i", 8, H5T_NATIVE_DOUBLE);
-                const hid_t dataset = H5Dcreate2(file, "covariance", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-                const std::vector<double> zeros(48);
-                H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
-                H5Dclose(dataset);
-                H5Sclose(space);
-              }),
-              HasSubstr("dataset covariance: has dimensions [4,3,2] where frequency, response_dof and reference_dof make [4,6,2]"));
+  EXPECT_THAT(
+      message_after([](hid_t file) {
+        H5Ldelete(file, "covariance", H5P_DEFAULT);
+        const hsize_t dims[3] = {4, 3, 2};
+        const hid_t space = H5Screate_simple(3, dims, nullptr), type = H5Tcreate(H5T_COMPOUND, 16);
+        H5Tinsert(type, "r", 0, H5T_NATIVE_DOUBLE);
+        H5Tinsert(type, "i", 8, H5T_NATIVE_DOUBLE);
+        const hid_t dataset = H5Dcreate2(file, "covariance", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        const std::vector<double> zeros(48);
+        H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data());
+        H5Dclose(dataset);
+        H5Sclose(space);
+      }),
+      HasSubstr("dataset covariance: has dimensions [4,3,2] where frequency, response_dof and reference_dof make [4,6,2]"));
   EXPECT_THAT(message_after([](hid_t file) {
                 H5Adelete(file, "version");
                 const hid_t space = H5Screate(H5S_SCALAR);
@@ -164,7 +166,8 @@ TEST(Covariance, OfAnotherLengthIsAnError) {
   FrfSet set = correlated_set(Quantity::receptance);
   validate(set);
   set.covariance.pop_back();
-  EXPECT_THAT(message_of([&] { validate(set); }), HasSubstr("covariance: 47 numbers, where 4 lines, responses and references make 48"));
+  EXPECT_THAT(message_of([&] { validate(set); }),
+              HasSubstr("covariance: 47 numbers, where 4 lines, responses and references make 48"));
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+#include "records/file/record.hpp"
+
+#include "base/error.hpp"
+
+namespace jointid::records {
+
+std::string name(ChannelKind kind) {
+  switch (kind) {
+    case ChannelKind::force:
+      return "force";
+    case ChannelKind::displacement:
+      return "displacement";
+    case ChannelKind::velocity:
+      return "velocity";
+    case ChannelKind::acceleration:
+      break;
+  }
+  return "acceleration";
+}
+
+std::optional<ChannelKind> kind_of(const frf::Unit& unit, bool rotation) {
+  if (unit.force == 1 && unit.time == 0 && unit.length == (rotation ? 1 : 0)) return ChannelKind::force;
+  if (unit.force != 0 || unit.length != (rotation ? 0 : 1)) return std::nullopt;
+  if (unit.time == 0) return ChannelKind::displacement;
+  if (unit.time == -1) return ChannelKind::velocity;
+  return unit.time == -2 ? std::optional(ChannelKind::acceleration) : std::nullopt;
+}
+
+frf::Quantity quantity_of(ChannelKind motion) {
+  if (motion == ChannelKind::displacement) return frf::Quantity::receptance;
+  return motion == ChannelKind::velocity ? frf::Quantity::mobility : frf::Quantity::accelerance;
+}
+
+std::size_t force_channel(const Record& record) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < record.channels.size(); ++i) {
+    if (record.channels[i].kind != ChannelKind::force) continue;
+    if (found) {
+      throw InputError({ErrorKind::data,
+                        record.file,
+                        {},
+                        "has two forces, " + record.channels[*found].name + " and " + record.channels[i].name,
+                        "name the channels of one force with --channel; several forces at once are not read"});
+    }
+    found = i;
+  }
+  if (found) return *found;
+  throw InputError({ErrorKind::data, record.file, {}, "has no channel that is a force", "name it, e.g. --channel '2=1:+Z N'"});
+}
+
+}  // namespace jointid::records
