@@ -1,6 +1,10 @@
 #include <gmock/gmock.h>
 #include <matio.h>
 
+#include <fstream>
+
+#include "base/error.hpp"
+#include "frf/file/columns.hpp"
 #include "records/file/read_record.hpp"
 #include "tests/test_folder.hpp"
 
@@ -45,6 +49,27 @@ TEST(MatStruct, FieldsAreColumns) {
     EXPECT_THAT(records[0].channels[0].samples, ElementsAre(0, 5, 1));
     EXPECT_THAT(records[0].channels[1].samples, ElementsAre(0, 1, -2));
     EXPECT_EQ(records[0].channels[1].kind, ChannelKind::velocity);
+  }
+}
+
+/// Every byte of both files set to four values: an answer or an InputError.
+TEST(MatStruct, DamageAnywhereIsAnErrorOrAnAnswer) {
+  const TestFolder folder;
+  for (const matio_compression compression : {MAT_COMPRESSION_NONE, MAT_COMPRESSION_ZLIB}) {
+    write_structs(folder / "a.mat", compression);
+    std::ifstream in(folder / "a.mat", std::ios::binary);
+    const std::string whole{std::istreambuf_iterator<char>(in), {}};
+    for (std::size_t at = 124; at < whole.size(); ++at) {
+      for (const char change : {'\0', '\x02', '\x7f', '\xff'}) {
+        std::string damaged = whole;
+        damaged[at] = change;
+        std::ofstream(folder / "b.mat", std::ios::binary) << damaged;
+        try {
+          for (const auto& column : frf::read_columns(folder / "b.mat").columns) EXPECT_LE(column.values.size(), whole.size());
+        } catch (const InputError&) {
+        }
+      }
+    }
   }
 }
 
