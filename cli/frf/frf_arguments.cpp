@@ -12,7 +12,7 @@ namespace {
 
 void declare_reading(CLI::App& command, FrfArguments& arguments) {
   command.add_option("FILES", arguments.files, "Time records: .npy, CSV or text, MATLAB, HDF5, UFF 58")->required();
-  command.add_option_function<std::vector<std::string>>(
+  const auto channel = command.add_option_function<std::vector<std::string>>(
       "--channel",
       [&arguments](const std::vector<std::string>& texts) {
         for (const std::string& text : texts) {
@@ -21,6 +21,7 @@ void declare_reading(CLI::App& command, FrfArguments& arguments) {
       },
       "COLUMN=DOF [FACTOR] UNIT, e.g. 2=1:+Z N: a column by name or number, where its sensor stood, its unit; one per channel "
       "(not UFF)");
+  channel->allow_extra_args(false);  // what follows is the next word, not one more channel
   command.add_option("--time", arguments.read.time, "Column of the times, s; default: the one named time or t");
   command.add_option("--rate", arguments.read.rate_hz, "Samples per second, where there are no times or not to be trusted")
       ->check(CLI::PositiveNumber);
@@ -31,7 +32,8 @@ void declare_reading(CLI::App& command, FrfArguments& arguments) {
             arguments.references = of_option("--reference", [&] { return parse_dofs(texts); });
           },
           "DOF of the force, or one per file (roving hammer); default: as the channels say")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
 }
 
 void declare_stretches(CLI::App& command, FrfArguments& arguments) {
@@ -58,7 +60,8 @@ void declare_stretches(CLI::App& command, FrfArguments& arguments) {
       "Of segments: hann or rectangular; default: hann");
   command.add_flag("--remove-mean", arguments.options.remove_mean, "Take its mean off every stretch");
   command.add_option("--reject", arguments.options.reject, "Stretches to leave out, by their number in the table, e.g. 2,5")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command.add_flag("--keep-faulty", arguments.options.keep_faulty, "Average overloaded stretches and double blows too");
 }
 

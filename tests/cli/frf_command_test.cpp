@@ -106,6 +106,16 @@ TEST_F(FrfCommand, FilesMayHaveReferencesOfTheirOwn) {
               HasSubstr("--reference: 3 DOFs for 2 files; give one for all files, or one each"));
 }
 
+TEST_F(FrfCommand, FilesMayStandBehindTheOptions) {
+  std::vector<std::string> words = frf({});
+  words.erase(words.begin() + 1);
+  words.push_back("blows.csv");
+  words.insert(words.begin() + 1, {"--reject", "1"});
+  EXPECT_EQ(run_command(folder_.path(), words).code, 0);
+  EXPECT_EQ(run_command(folder_.path(), {"frf", "--channel", "hammer=1:+Z N", "--channel", "a=4:+Z g", "blows.csv"}).code,
+            3);  // two blows
+}
+
 TEST_F(FrfCommand, WhatIsWrongIsSaidInOneLine) {
   const auto says = [&](const std::vector<std::string>& more, int code) {
     const Outcome outcome = run_command(folder_.path(), frf(more));
