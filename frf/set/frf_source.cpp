@@ -116,7 +116,7 @@ void FrfSource::read_covariance(const Block& block, std::span<Complex> out) {
   }
   std::vector<std::size_t> stored = pairs;
   std::ranges::sort(stored);
-  stored.erase(std::ranges::unique(stored).begin(), stored.end());
+  stored.erase(std::unique(stored.begin(), stored.end()), stored.end());
   std::vector<Complex> values(block.lines.size() * stored.size() * columns);
   do_read_covariance({block.lines, stored, block.references}, values);
   for (std::size_t k = 0; k < pairs.size(); ++k) {

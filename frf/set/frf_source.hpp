@@ -50,7 +50,7 @@ class FrfSource {
   void read_coherence(const Block& block, std::span<double> out);
 
   /// Whether there are covariances between the FRFs of a line and reference. Nothing of them is read unless read_covariance() asks;
-  /// sources that hand out the FRFs of others (scaled, merged, of systems) have none.
+  /// sources that join files or take masses off have none.
   virtual bool has_covariance() const { return false; }
 
   /// For every line and reference of the block the Hermitian matrix E[e_i e_k*] of the errors of the receptances of

@@ -108,7 +108,7 @@ std::vector<Blow> find_blows(const Record& record, std::size_t index, const Hamm
 
 std::vector<Blow> find_segments(const Record& record, std::size_t index, std::size_t length, double overlap) {
   const std::size_t step = length - static_cast<std::size_t>(overlap * static_cast<double>(length));
-  const std::vector<double>& force = record.channels[force_channel(record)].samples;
+  const std::vector<double>& force = record.channels[force_channels(record).front()].samples;
   std::vector<Blow> segments;
   for (std::size_t first = 0; first + length <= record.samples(); first += step) {
     double sum = 0.0;

@@ -15,7 +15,7 @@ struct Blow {
   std::size_t first = 0;              ///< sample at which the stretch begins
   std::size_t length = 0;             ///< samples
   std::optional<std::size_t> peak{};  ///< sample of the record with the largest force; none of a segment
-  double force = 0.0;                 ///< N, there, with its sign; of a segment its rms
+  double force = 0.0;                 ///< N, there, with its sign; of a segment the rms of the first force
   std::string rejected{};             ///< why it is left out, or empty
 };
 

@@ -10,6 +10,7 @@
 #include "base/statistics.hpp"
 #include "frf/set/scaled_source.hpp"
 #include "records/estimate/decay_correction.hpp"
+#include "records/estimate/several_forces.hpp"
 #include "records/estimate/stretches.hpp"
 #include "records/estimate/transformer.hpp"
 #include "records/estimate/window.hpp"
@@ -19,9 +20,8 @@ namespace {
 
 std::vector<std::size_t> motions_of(const Record& record) {
   std::vector<std::size_t> out;
-  const std::size_t force = force_channel(record);
   for (std::size_t i = 0; i < record.channels.size(); ++i) {
-    if (i != force) out.push_back(i);
+    if (record.channels[i].kind != ChannelKind::force) out.push_back(i);
   }
   if (out.empty())
     throw InputError({ErrorKind::data, record.file, {}, "has no response beside the force", "name one more channel"});
@@ -39,10 +39,14 @@ void require_like(const Record& first, const Record& record) {
   }
   const auto text = [](const Record& of) {
     std::string out;
+    const std::vector<std::size_t> forces = force_channels(of);
+    if (forces.size() > 1) {
+      for (const std::size_t i : forces) out += " force " + of.channels[i].dof.name();
+    }
     for (const std::size_t i : motions_of(of)) out += " " + name(of.channels[i].kind) + " " + of.channels[i].dof.name();
     return out;
   };
-  if (text(first) != text(record)) fail("has the responses" + text(record) + "; " + first.file + " has" + text(first));
+  if (text(first) != text(record)) fail("has the channels" + text(record) + "; " + first.file + " has" + text(first));
 }
 
 /// FRFs and noise of one reference, as receptances into column c of the set.
@@ -72,6 +76,7 @@ class Run {
  public:
   Run(std::span<const Record> records, const FrfOptions& options) : records_(records), options_(options) {
     for (const Record& record : records_) require_like(records_[0], record);
+    if (several()) require_several_possible();
     made_.blows = find_stretches(records_, options_);
     length_ = made_.blows.empty() ? 0 : 2;
     for (const Blow& blow : made_.blows) length_ = blow.rejected.empty() ? std::max(length_, blow.length) : length_;
@@ -82,6 +87,14 @@ class Run {
   MeasuredFrfs run(const std::function<bool()>& interrupted) {
     const double spacing = records_[0].rate_hz / static_cast<double>(length_);
     Transformer transformer(options_, length_, records_[0].rate_hz);
+    if (several()) {
+      Spectra all = transform(transformer, 0, interrupted);
+      const SeveralForces spectra{all.lines, made_.averages.size(), all.responses,
+                                  all.count, std::move(all.force),  std::move(all.motion)};
+      const std::vector<Estimate> of_forces = estimate(spectra, made_.averages[0].effective);
+      for (std::size_t c = 0; c < of_forces.size(); ++c) store(of_forces[c], kinds_, c, made_);
+      return std::move(made_);
+    }
     for (std::size_t c = 0; c < made_.averages.size(); ++c) {
       const Spectra spectra = transform(transformer, c, interrupted);
       Estimate of_reference = estimate(spectra, options_.estimator, options_.noise, made_.averages[c].effective);
@@ -92,9 +105,20 @@ class Run {
   }
 
  private:
-  std::size_t reference_of(const Blow& blow) const {
-    const Record& record = records_[blow.record];
-    const frf::Dof& dof = record.channels[force_channel(record)].dof;
+  void require_several_possible() const {
+    if (!options_.segments) force_channel(records_[0]);
+    if (options_.estimator == Estimator::h1 && options_.noise == NoiseFrom::residuals) return;
+    throw InputError({ErrorKind::usage,
+                      {},
+                      {},
+                      "several forces at once are told apart by H1, with variances of the residuals",
+                      "leave --estimator and --variances out"});
+  }
+
+  bool several() const { return force_channels(records_[0]).size() > 1; }
+
+  /// The place of the force at `dof` among the references, or npos.
+  std::size_t reference_of(const Record& record, const frf::Dof& dof) const {
     for (std::size_t c = 0; c < made_.averages.size(); ++c) {
       if (!made_.averages[c].reference.same_coordinate(dof)) continue;
       if (made_.averages[c].reference == dof) return c;
@@ -107,34 +131,44 @@ class Run {
     return frf::npos;
   }
 
+  /// Whether a stretch is averaged for reference c.
+  bool counts_for(const Blow& blow, std::size_t c) const {
+    const Record& record = records_[blow.record];
+    const auto at_c = [&](std::size_t i) { return record.channels[i].dof == made_.averages[c].reference; };
+    return blow.rejected.empty() && std::ranges::any_of(force_channels(record), at_c);
+  }
+
   /// Of neighbouring lines under the exponential window, for the mean place of the blows.
   std::vector<Complex> correlation(std::size_t c) const {
     double peaks = 0.0;
     for (const Blow& blow : made_.blows) {
-      if (blow.rejected.empty() && reference_of(blow) == c) peaks += static_cast<double>(*blow.peak - blow.first);
+      if (counts_for(blow, c)) peaks += static_cast<double>(*blow.peak - blow.first);
     }
     return line_correlation(exponential_window(length_, *options_.decay_time_s, records_[0].rate_hz),
                             peaks / static_cast<double>(made_.averages[c].kept));
   }
 
+  void count(const Blow& blow, const frf::Dof& dof) {
+    const Record& record = records_[blow.record];
+    std::size_t c = reference_of(record, dof);
+    if (c == frf::npos) {
+      c = made_.averages.size();
+      made_.averages.push_back({dof});
+    }
+    ++made_.averages[c].found;
+    if (!blow.rejected.empty()) return;
+    ++made_.averages[c].kept;
+    if (blow.length == length_) return;
+    throw InputError({ErrorKind::data,
+                      record.file,
+                      {},
+                      fmt::format("has {} samples, another record {}", blow.length, length_),
+                      "give --block, the seconds after each trigger"});
+  }
+
   void count_averages() {
     for (const Blow& blow : made_.blows) {
-      std::size_t c = reference_of(blow);
-      if (c == frf::npos) {
-        const Record& record = records_[blow.record];
-        c = made_.averages.size();
-        made_.averages.push_back({record.channels[force_channel(record)].dof});
-      }
-      ++made_.averages[c].found;
-      if (!blow.rejected.empty()) continue;
-      ++made_.averages[c].kept;
-      if (blow.length != length_) {
-        throw InputError({ErrorKind::data,
-                          records_[blow.record].file,
-                          {},
-                          fmt::format("has {} samples, another record {}", blow.length, length_),
-                          "give --block, the seconds after each trigger"});
-      }
+      for (const std::size_t i : force_channels(records_[blow.record])) count(blow, records_[blow.record].channels[i].dof);
     }
     if (made_.averages.empty())
       throw InputError({ErrorKind::data,
@@ -191,10 +225,10 @@ class Run {
       to.insert(to.end(), lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(out.lines));
     };
     for (const Blow& blow : made_.blows) {
-      if (!blow.rejected.empty() || reference_of(blow) != c) continue;
+      if (!counts_for(blow, c)) continue;
       stop_if(interrupted);
       const Record& record = records_[blow.record];
-      append(transformer.transform(record.channels[force_channel(record)], blow), out.force);
+      for (const std::size_t i : force_channels(record)) append(transformer.transform(record.channels[i], blow), out.force);
       for (const std::size_t i : motions_of(record)) append(transformer.transform(record.channels[i], blow), out.motion);
       ++out.count;
     }

@@ -26,10 +26,11 @@ struct MeasuredFrfs {
   std::vector<double> coherence;   ///< [F,R,C]; NaN of one average
 };
 
-/// Averages the blows (or segments) of each reference, the DOF of the force, over all records that have it. The records must
-/// agree in rate and in responses (DOFs, kinds, order). FRFs are stored as what the responses measured, or as receptance where
-/// they measured different things. Throws InputError: records that do not agree, a reference of which no stretch is left, options
-/// out of range. `interrupted`, if any, is asked between stretches (Interrupted).
+/// Averages the blows (or segments) of each reference, the DOF of the force, over all records that have it. Segments may have
+/// several forces at once, the same in all records, which are told apart by H1 (several_forces.hpp). The records must agree in
+/// rate and in responses (DOFs, kinds, order). FRFs are stored as what the responses measured, or as receptance where they
+/// measured different things. Throws InputError: records that do not agree, a reference of which no stretch is left, options out
+/// of range. `interrupted`, if any, is asked between stretches (Interrupted).
 MeasuredFrfs make_frfs(std::span<const Record> records, const FrfOptions& options, const std::function<bool()>& interrupted = {});
 
 }  // namespace jointid::records

@@ -31,21 +31,23 @@ frf::Quantity quantity_of(ChannelKind motion) {
   return motion == ChannelKind::velocity ? frf::Quantity::mobility : frf::Quantity::accelerance;
 }
 
-std::size_t force_channel(const Record& record) {
-  std::optional<std::size_t> found;
+std::vector<std::size_t> force_channels(const Record& record) {
+  std::vector<std::size_t> found;
   for (std::size_t i = 0; i < record.channels.size(); ++i) {
-    if (record.channels[i].kind != ChannelKind::force) continue;
-    if (found) {
-      throw InputError({ErrorKind::data,
-                        record.file,
-                        {},
-                        "has two forces, " + record.channels[*found].name + " and " + record.channels[i].name,
-                        "name the channels of one force with --channel; several forces at once are not read"});
-    }
-    found = i;
+    if (record.channels[i].kind == ChannelKind::force) found.push_back(i);
   }
-  if (found) return *found;
+  if (!found.empty()) return found;
   throw InputError({ErrorKind::data, record.file, {}, "has no channel that is a force", "name it, e.g. --channel '2=1:+Z N'"});
+}
+
+std::size_t force_channel(const Record& record) {
+  const std::vector<std::size_t> found = force_channels(record);
+  if (found.size() == 1) return found.front();
+  throw InputError({ErrorKind::data,
+                    record.file,
+                    {},
+                    "has two forces, " + record.channels[found[0]].name + " and " + record.channels[found[1]].name,
+                    "name the channels of one force; several at once are for segments, with --shaker"});
 }
 
 }  // namespace jointid::records

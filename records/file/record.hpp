@@ -40,6 +40,9 @@ struct Record {
   std::size_t samples() const { return channels.empty() ? 0 : channels.front().samples.size(); }
 };
 
+/// The places of the channels that are forces, in their order.
+std::vector<std::size_t> force_channels(const Record& record);
+
 /// The place of the one force channel. Throws InputError (data) where there is none or several.
 std::size_t force_channel(const Record& record);
 

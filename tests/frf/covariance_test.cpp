@@ -6,6 +6,7 @@
 #include "file_fixture.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
+#include "frf/set/corrections.hpp"
 #include "frf/set/kept_source.hpp"
 
 namespace jointid::frf {
@@ -159,6 +160,44 @@ TEST_F(CovarianceFile, ThatIsCutShortIsAnErrorAtEveryLength) {
     std::filesystem::copy_file(path("a.h5"), path("b.h5"), std::filesystem::copy_options::overwrite_existing);
     std::filesystem::resize_file(path("b.h5"), keep);
     EXPECT_THAT(message_of([&] { load_with_covariance(*open_hdf5(path("b.h5"))); }), HasSubstr("b.h5")) << keep;
+  }
+}
+
+/// Corrections change FRFs and covariances alike: C = E[e e^H] of e scaled is that of the scaled error.
+TEST(Covariance, OfCorrectedFrfsIsThatOfTheirErrors) {
+  const FrfSet set = correlated_set(Quantity::receptance);
+  FrfSet error = set;  // one realisation e, with C = e e^H
+  for (std::size_t line = 0; line < 4; ++line) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t s = 0; s <= r; ++s) {
+          error.covariance[(line * 6 + pair_index(r, s)) * 2 + c] =
+              set.values[set.index(line, r, c)] * std::conj(set.values[set.index(line, s, c)]);
+        }
+      }
+    }
+  }
+  for (const bool conjugate : {false, true}) {
+    Corrections corrections;
+    corrections.conjugate = conjugate;
+    corrections.delay = 1e-3;
+    corrections.gain = 3.0;
+    corrections.flip = dofs({"2:+Y"});
+    corrections.response_gain = {{Dof::parse("3:+RZ"), 0.5}};
+    corrections.reference_gain = {{Dof::parse("9:+Z"), 2.0}};
+    const auto source = corrected(from_memory(error), corrections);
+    ASSERT_TRUE(source->has_covariance());
+    const FrfSet read = load_with_covariance(*source);
+    for (std::size_t line = 0; line < 4; ++line) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        for (std::size_t r = 0; r < 3; ++r) {
+          for (std::size_t s = 0; s <= r; ++s) {
+            const Complex expected = read.values[read.index(line, r, c)] * std::conj(read.values[read.index(line, s, c)]);
+            EXPECT_TRUE(near(read.covariance[(line * 6 + pair_index(r, s)) * 2 + c], expected, 1e-13));
+          }
+        }
+      }
+    }
   }
 }
 

@@ -141,12 +141,14 @@ TEST(MeasuredFrfs, RecordsThatDoNotAgreeAreAnError) {
   EXPECT_THAT(message_of([&] {
                 make_frfs(std::vector{good, other}, {});
               }),
-              HasSubstr("has the responses acceleration 9:+Z; a has acceleration 2:+Z"));
+              HasSubstr("has the channels acceleration 9:+Z; a has acceleration 2:+Z"));
   EXPECT_THAT(message_of([&] { make_frfs(std::vector{good, record_of(500, {{50, 50.0}})}, {}); }), HasSubstr("give --block"));
   other = good;
   other.channels[0].kind = ChannelKind::velocity;
   EXPECT_THAT(message_of([&] { make_frfs(std::vector{other}, {}); }), HasSubstr("has no channel that is a force"));
   other.channels[0].kind = other.channels[1].kind = ChannelKind::force;
+  EXPECT_THAT(message_of([&] { make_frfs(std::vector{other}, {}); }), HasSubstr("has no response beside the force"));
+  other.channels.push_back(good.channels[1]);
   EXPECT_THAT(message_of([&] { make_frfs(std::vector{other}, {}); }), HasSubstr("has two forces, F and a"));
   EXPECT_THAT(message_of([&] {
                 make_frfs(std::vector{record_of(512, {{50, 50.0}, {90, 40.0}})}, {});
