@@ -28,7 +28,7 @@ FrfRun run_frf(const FrfArguments& arguments) {
                       fmt::format("{} DOFs for {} files", arguments.references.size(), files),
                       "give one for all files, or one each"});
   }
-  FrfRun run{{}, {}, estimate_options(arguments), {}};
+  FrfRun run{{}, {}, 1, estimate_options(arguments), {}};
   std::vector<records::Record> records;
   Progress progress;
   for (std::size_t k = 0; k < files; ++k) {
@@ -42,6 +42,7 @@ FrfRun run_frf(const FrfArguments& arguments) {
     stop_if(interrupted);
   }
   progress.show("estimating");
+  run.forces = records::force_channels(records.front()).size();
   run.made = records::make_frfs(records, run.options, interrupted);
   return run;
 }

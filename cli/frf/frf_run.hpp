@@ -12,6 +12,7 @@ namespace jointid::cli {
 struct FrfRun {
   std::vector<std::string> record_files;  ///< by record
   std::vector<double> rate_hz;            ///< by record
+  std::size_t forces = 1;                 ///< at once
   records::FrfOptions options;
   records::MeasuredFrfs made;
 };

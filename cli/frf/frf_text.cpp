@@ -64,10 +64,10 @@ std::vector<std::string> notes(const FrfRun& run) {
   const std::size_t responses = run.made.set.header.response.size();
   for (const records::Averages& of : run.made.averages) {
     if (of.kept == 1) out.push_back("One average at " + of.reference.name() + ": it has no coherence, variances or covariances.");
-    if (of.kept > 1 && responses > 1 && of.kept - 1 < responses) {
+    if (of.kept > run.forces && responses > 1 && of.kept - run.forces < responses) {
       out.push_back(
           fmt::format("{} averages at {} of {} responses: their covariances have rank {} and cannot be inverted as they are.",
-                      of.kept, of.reference.name(), responses, of.kept - 1));
+                      of.kept, of.reference.name(), responses, of.kept - run.forces));
     }
   }
   return out;

@@ -18,37 +18,6 @@
 namespace jointid::records {
 namespace {
 
-std::vector<std::size_t> motions_of(const Record& record) {
-  std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < record.channels.size(); ++i) {
-    if (record.channels[i].kind != ChannelKind::force) out.push_back(i);
-  }
-  if (out.empty())
-    throw InputError({ErrorKind::data, record.file, {}, "has no response beside the force", "name one more channel"});
-  return out;
-}
-
-/// Throws unless a record has the rate and the responses of the first.
-void require_like(const Record& first, const Record& record) {
-  const auto fail = [&](std::string problem) {
-    throw InputError(
-        {ErrorKind::data, record.file, {}, std::move(problem), "make the FRFs of such records apart from each other"});
-  };
-  if (std::abs(record.rate_hz - first.rate_hz) > 1e-6 * first.rate_hz) {
-    fail(fmt::format("was sampled at {:.10g} Hz, {} at {:.10g} Hz", record.rate_hz, first.file, first.rate_hz));
-  }
-  const auto text = [](const Record& of) {
-    std::string out;
-    const std::vector<std::size_t> forces = force_channels(of);
-    if (forces.size() > 1) {
-      for (const std::size_t i : forces) out += " force " + of.channels[i].dof.name();
-    }
-    for (const std::size_t i : motions_of(of)) out += " " + name(of.channels[i].kind) + " " + of.channels[i].dof.name();
-    return out;
-  };
-  if (text(first) != text(record)) fail("has the channels" + text(record) + "; " + first.file + " has" + text(first));
-}
-
 /// FRFs and noise of one reference, as receptances into column c of the set.
 void store(const Estimate& estimate, const std::vector<ChannelKind>& kinds, std::size_t c, MeasuredFrfs& made) {
   frf::FrfSet& set = made.set;
@@ -75,7 +44,7 @@ void store(const Estimate& estimate, const std::vector<ChannelKind>& kinds, std:
 class Run {
  public:
   Run(std::span<const Record> records, const FrfOptions& options) : records_(records), options_(options) {
-    for (const Record& record : records_) require_like(records_[0], record);
+    require_alike(records_);
     if (several()) require_several_possible();
     made_.blows = find_stretches(records_, options_);
     length_ = made_.blows.empty() ? 0 : 2;
@@ -198,10 +167,10 @@ class Run {
 
   void make_header() {
     const Record& first = records_[0];
-    for (const std::size_t i : motions_of(first)) kinds_.push_back(first.channels[i].kind);
+    for (const std::size_t i : motion_channels(first)) kinds_.push_back(first.channels[i].kind);
     frf::FrfHeader& header = made_.set.header;
     header.file = first.file;
-    for (const std::size_t i : motions_of(first)) header.response.push_back(first.channels[i].dof);
+    for (const std::size_t i : motion_channels(first)) header.response.push_back(first.channels[i].dof);
     for (const Averages& of : made_.averages) header.reference.push_back(of.reference);
     const bool alike = std::ranges::all_of(kinds_, [&](ChannelKind kind) { return kind == kinds_[0]; });
     header.quantity = alike ? quantity_of(kinds_[0]) : frf::Quantity::receptance;
@@ -229,7 +198,7 @@ class Run {
       stop_if(interrupted);
       const Record& record = records_[blow.record];
       for (const std::size_t i : force_channels(record)) append(transformer.transform(record.channels[i], blow), out.force);
-      for (const std::size_t i : motions_of(record)) append(transformer.transform(record.channels[i], blow), out.motion);
+      for (const std::size_t i : motion_channels(record)) append(transformer.transform(record.channels[i], blow), out.motion);
       ++out.count;
     }
     return out;

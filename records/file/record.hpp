@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,12 @@ std::vector<std::size_t> force_channels(const Record& record);
 
 /// The place of the one force channel. Throws InputError (data) where there is none or several.
 std::size_t force_channel(const Record& record);
+
+/// The places of all others. Throws InputError (data) where there are none.
+std::vector<std::size_t> motion_channels(const Record& record);
+
+/// Throws InputError (data) unless all records have the rate and the motions (DOFs, kinds, order) of the first, and its forces
+/// where there are several.
+void require_alike(std::span<const Record> records);
 
 }  // namespace jointid::records

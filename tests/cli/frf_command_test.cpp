@@ -116,6 +116,23 @@ TEST_F(FrfCommand, FilesMayStandBehindTheOptions) {
             3);  // two blows
 }
 
+TEST_F(FrfCommand, TwoShakersAtOnceAreTwoReferences) {
+  std::string text = "t,f,g,x\n";
+  for (std::size_t t = 0; t < 1024; ++t) {
+    const auto f = normal_numbers({8, 0}, t);
+    text += fmt::format("{:.10f},{:.10g},{:.10g},{:.10g}\n", static_cast<double>(t) / 512.0, f[0], f[1], f[0] - 0.5 * f[1]);
+  }
+  folder_.write("two.csv", text);
+  const Outcome outcome = run_command(folder_.path(), {"frf", "two.csv", "--shaker", "--block", "0.25", "--channel", "f=1:+Z N",
+                                                       "--channel", "g=2:+Z N", "--channel", "x=3:+Z m", "--output", "new.h5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, testing::ContainsRegex("3:\\+Z / 2:\\+Z +1.0000 +1.0000 +1.0000"));
+  EXPECT_THAT(
+      run_command(folder_.path(), {"frf", "two.csv", "--channel", "f=1:+Z N", "--channel", "g=2:+Z N", "--channel", "x=3:+Z m"})
+          .err,
+      HasSubstr("has two forces, f and g; name the channels of one force; several at once are for segments, with --shaker"));
+}
+
 TEST_F(FrfCommand, WhatIsWrongIsSaidInOneLine) {
   const auto says = [&](const std::vector<std::string>& more, int code) {
     const Outcome outcome = run_command(folder_.path(), frf(more));

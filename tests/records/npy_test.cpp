@@ -105,7 +105,7 @@ TEST_F(Npy, WhatItIsNotIsSaid) {
 
 TEST_F(Npy, CutShortOrDamagedIsOneErrorOrTheArray) {
   const std::string whole = npy("<f8", "False", "(6,)", bytes_of(six));
-  for (std::size_t keep = 6; keep < whole.size(); ++keep)
+  for (std::size_t keep = 6; keep < whole.size(); keep += 3)
     EXPECT_THAT(message(whole.substr(0, keep)), HasSubstr("a.npy: npy header")) << keep;
   for (std::size_t at = 0; at < 80; ++at) {
     for (const char change : {'\0', '\x7f', '(', '9'}) {
