@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "base/error.hpp"
@@ -12,6 +13,7 @@ namespace jointid::records {
 namespace {
 
 constexpr std::size_t flat_samples = 3;
+constexpr double bits_of_slope = 4.0, coarsest_bit = 0.01;  ///< of the largest sample
 
 std::size_t samples_of(double seconds, double rate_hz) { return static_cast<std::size_t>(std::llround(seconds * rate_hz)); }
 
@@ -34,14 +36,28 @@ Blow blow_at(const Record& record, std::size_t index, std::size_t first, std::si
   return {index, first, length, peak, force[peak]};
 }
 
+/// The smallest step between samples: one bit of a converter.
+double finest_step(std::span<const double> x) {
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (x[i] != x[i - 1]) step = std::min(step, std::abs(x[i] - x[i - 1]));
+  }
+  return step;
+}
+
+/// A flat top that the signal enters or leaves by more than a few bits: the round top of a slow signal of few bits is none.
 bool is_flat(std::span<const double> x, double most) {
   const auto [low, high] = std::ranges::minmax(x);
+  const double slope = bits_of_slope * std::min(finest_step(x), coarsest_bit * most);
   for (const double extreme : {low, high}) {
     if (std::abs(extreme) < 0.5 * most) continue;
-    std::size_t run = 0;
-    for (const double sample : x) {
-      run = sample == extreme ? run + 1 : 0;
-      if (run == flat_samples) return true;
+    for (std::size_t i = 0; i < x.size();) {
+      std::size_t end = i;
+      while (end < x.size() && x[end] == extreme) ++end;
+      const bool steep =
+          (i > 0 && std::abs(x[i - 1] - extreme) > slope) || (end < x.size() && std::abs(x[end] - extreme) > slope);
+      if (end - i >= flat_samples && steep) return true;
+      i = std::max(end, i + 1);
     }
   }
   return false;

@@ -34,8 +34,10 @@ std::vector<Blow> find_blows(const Record& record, std::size_t index, const Hamm
 std::vector<Blow> find_segments(const Record& record, std::size_t index, std::size_t length, double overlap);
 
 /// Why a stretch should not be averaged, or empty: a sample that is no number; no force or no motion at all; a channel that was
-/// overloaded (three samples or more in a row that equal the largest or smallest of the stretch, at least half of the channel's
-/// largest, as a clipped signal has); a second blow.
+/// overloaded; a second blow. Overloaded is a channel with three samples or more in a row that equal the largest or smallest of
+/// the stretch, at least half of the channel's largest, as a clipped signal has, where the sample before or after differs by more
+/// than four times the smallest step of the stretch (of at most a hundredth of the largest sample), so that the round top of a
+/// signal of few bits is none.
 std::string fault_of(const Record& record, const Blow& blow, const HammerOptions& options);
 
 }  // namespace jointid::records

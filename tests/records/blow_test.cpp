@@ -77,6 +77,15 @@ TEST(Faults, AnOverloadIsAFlatTopOfAnyChannel) {
   EXPECT_THAT(fault(record), HasSubstr("overload of F at 40"));
 }
 
+TEST(Faults, TheRoundTopOfASignalOfFewBitsIsNoOverload) {
+  Record record = record_of(2000, {{50, 50.0}});
+  std::vector<double>& motion = record.channels[1].samples;
+  for (std::size_t t = 0; t < motion.size(); ++t) motion[t] = std::round(1000.0 * std::sin(0.02 * static_cast<double>(t)));
+  EXPECT_EQ(fault(record), "");
+  for (double& sample : motion) sample = std::min(sample, 900.0);
+  EXPECT_EQ(fault(record), "overload of a at 1000");
+}
+
 TEST(Faults, DeadAndBrokenChannelsAreNamed) {
   Record record = record_of(500, {{50, 50.0}});
   record.channels[1].samples.assign(500, 0.0);
