@@ -15,13 +15,14 @@ using hdf5::Dataset;
 using hdf5::Handle;
 
 constexpr int deepest_group = 8;
-constexpr std::size_t most_datasets = 100'000;
+constexpr std::size_t most_groups = 10'000;  ///< links may lead round in circles
 
 /// Paths of the datasets of a group and of the groups in it (structs of MATLAB), "S/field"; not of what MATLAB keeps to itself, "#refs#".
 struct Paths {
   std::vector<std::string> found;
   std::string group;
   int depth = 0;
+  std::size_t groups = 0;
 };
 
 void add_paths(hid_t group, Paths& paths) {
@@ -30,11 +31,12 @@ void add_paths(hid_t group, Paths& paths) {
     H5O_info_t object;
     if (link->type != H5L_TYPE_HARD || H5Oget_info_by_name(group, name, &object, H5P_DEFAULT) < 0) return 0;
     if (object.type == H5O_TYPE_DATASET) out.found.push_back(out.group + name);
-    if (object.type == H5O_TYPE_GROUP && name[0] != '#' && out.depth < deepest_group && out.found.size() < most_datasets) {
+    if (object.type == H5O_TYPE_GROUP && name[0] != '#' && out.depth < deepest_group && out.groups < most_groups) {
       const Handle inner(H5Gopen2(group, name, H5P_DEFAULT));
       const std::string outer = out.group;
       out.group += std::string(name) + "/";
       ++out.depth;
+      ++out.groups;
       if (inner.is_open()) add_paths(inner.get(), out);
       --out.depth;
       out.group = outer;

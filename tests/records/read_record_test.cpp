@@ -119,6 +119,17 @@ TEST_F(RecordFile, DatasetsOfHdf5InGroupsToo) {
   expect_the_record(read_records(folder_ / "a.h5", force_and_g("run.signals(1)", "run.signals(2)")));
 }
 
+/// A group that holds itself twenty times: what it says is found, and no more than a limited number of its names.
+TEST_F(RecordFile, GroupsThatHoldThemselvesComeToAnEnd) {
+  const hid_t file = H5Fcreate((folder_ / "a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t group = H5Gcreate2(file, "run", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  for (int i = 0; i < 20; ++i)
+    H5Lcreate_hard(file, "run", group, ("again" + std::to_string(i)).c_str(), H5P_DEFAULT, H5P_DEFAULT);
+  H5Gclose(group);
+  H5Fclose(file);
+  EXPECT_THAT(message(folder_ / "a.h5", force_and_g()), HasSubstr("has no real vector or matrix"));
+}
+
 /// A dataset 58 as text, one time response.
 std::string uff58(int node, int direction, int type, const std::string& unit, const std::vector<double>& samples,
                   double step = 0.001) {
