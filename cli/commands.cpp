@@ -8,6 +8,7 @@
 #include "cli/convert/info_command.hpp"
 #include "cli/couple/couple_command.hpp"
 #include "cli/equivalent/equivalent_command.hpp"
+#include "cli/frf/frf_command.hpp"
 #include "cli/loading_curve/loading_curve_command.hpp"
 #include "cli/modalfit/modalfit_command.hpp"
 #include "cli/pod/pod_command.hpp"
@@ -24,11 +25,16 @@ namespace {
 /// The one place that names them all, in the order of the help.
 constexpr std::array all_commands = {add_solve, add_plan, add_check, add_study, add_compare,
 <<<<<<< HEAD
+<<<<<<< HEAD
                                      add_loading_curve, add_couple, add_equivalent, add_modalfit, add_pod, add_stability,
 =======
                                      add_loading_curve, add_couple, add_equivalent, add_response, add_modalfit, add_stability,
 >>>>>>> response
                                      add_info, add_convert, add_problem};
+=======
+                                     add_loading_curve, add_couple, add_equivalent, add_modalfit, add_stability,
+                                     add_frf, add_info, add_convert, add_problem};
+>>>>>>> records
 
 }  // namespace
 

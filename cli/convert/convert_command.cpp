@@ -22,8 +22,8 @@ bool is_hdf5(const Path& path) { return path.extension() == ".h5" || path.extens
 /// Line by line, so that a file larger than the memory passes. False, and no file, when interrupted.
 bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
   const frf::FrfHeader& header = source.header();
-  frf::Hdf5Writer writer(path, header);
-  std::vector<Complex> values, variance;
+  frf::Hdf5Writer writer(path, header, {.covariance = source.has_covariance()});
+  std::vector<Complex> values, variance, covariance;
   std::vector<double> coherence;
   Progress progress;
   const bool complete = for_each_piece(header, writer.lines_per_chunk(), [&](const frf::Block& block) {
@@ -37,8 +37,12 @@ bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
       coherence.resize(block.size());
       source.read_coherence(block, coherence);
     }
+    if (source.has_covariance()) {
+      covariance.resize(block.lines.size() * frf::pair_count(header.response.size()) * header.reference.size());
+      source.read_covariance_pairs(block.lines, covariance);
+    }
     progress.count("converting", block.lines.front(), header.lines());
-    writer.write_lines(block.lines.front(), block.lines.size(), values, variance, coherence);
+    writer.write_lines(block.lines.front(), block.lines.size(), values, variance, coherence, covariance);
     return !interrupted();
   });
   if (complete) writer.finish();
@@ -79,7 +83,9 @@ ExitCode execute(const ConvertArguments& arguments, std::ostream& out) {
   }
   const frf::FrfHeader& header = source->header();
   out << "wrote " << arguments.out.string() << ": " << header.lines() << " lines, " << header.response.size() << " × "
-      << header.reference.size() << " FRFs\n";
+      << header.reference.size() << " FRFs";
+  if (source->has_covariance() && !is_hdf5(arguments.out)) out << ", without their covariances, which HDF5 alone holds";
+  out << '\n';
   return ExitCode::done;
 }
 

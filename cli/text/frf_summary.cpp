@@ -22,10 +22,10 @@ std::string lines_text(const std::vector<double>& hz) {
   return text + fmt::format(", step {:g} Hz", step);
 }
 
-std::string noise_text(const frf::FrfHeader& header) {
+std::string noise_text(const frf::FrfHeader& header, bool covariance) {
   switch (header.noise) {
     case frf::NoiseRecord::variance:
-      return "variance of real and imaginary part";
+      return std::string("variance of real and imaginary part") + (covariance ? ", covariance between responses" : "");
     case frf::NoiseRecord::coherence:
       return fmt::format("coherence, {:g} averages", header.averages);
     case frf::NoiseRecord::none:
@@ -47,6 +47,7 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
   std::vector<char> nonzero(header.entries(), 0);
   std::vector<Complex> values;
   FrfCensus census;
+  census.covariance = source.has_covariance();
   census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
     if (interrupted()) return false;
     values.resize(block.size());
@@ -70,7 +71,7 @@ std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census) 
   table.add({"responses", dof_list(header.response)});
   table.add({"references", dof_list(header.reference)});
   table.add({"node positions", fmt::format("{}", header.nodes.size())});
-  table.add({"noise record", noise_text(header)});
+  table.add({"noise record", noise_text(header, census.covariance)});
   table.add({"not measured", missing_text(census)});
   table.add({"FRFs without a value", fmt::format("{} of {}", census.zero_frfs, header.entries())});
   return table.text();

@@ -19,7 +19,8 @@ class LinesOutput {
   virtual ~LinesOutput() = default;
   virtual std::size_t lines_per_chunk() const = 0;
   virtual void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
-                           std::span<const Complex> variance, std::span<const double> coherence) = 0;
+                           std::span<const Complex> variance, std::span<const double> coherence,
+                           std::span<const Complex> covariance) = 0;
   virtual void finish() = 0;
 };
 

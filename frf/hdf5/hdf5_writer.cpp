@@ -20,8 +20,9 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const FrfHeader& heade
     : temporary_((validate(header), validate(options), path)), file_(hdf5_module().create(temporary_, header, options)) {}
 
 void Hdf5Writer::write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
-                             std::span<const Complex> variance, std::span<const double> coherence) {
-  if (count > 0) file_->write_lines(first, count, values, variance, coherence);
+                             std::span<const Complex> variance, std::span<const double> coherence,
+                             std::span<const Complex> covariance) {
+  if (count > 0) file_->write_lines(first, count, values, variance, coherence, covariance);
 }
 
 void Hdf5Writer::finish() {
@@ -32,8 +33,10 @@ void Hdf5Writer::finish() {
 std::size_t Hdf5Writer::lines_per_chunk() const { return file_->lines_per_chunk(); }
 
 void write_hdf5(const FrfSet& set, const std::filesystem::path& path, const Hdf5WriteOptions& options) {
-  Hdf5Writer writer(path, set.header, options);
-  writer.write_lines(0, set.header.lines(), set.values, set.variance, set.coherence);
+  Hdf5WriteOptions with = options;
+  with.covariance = !set.covariance.empty();
+  Hdf5Writer writer(path, set.header, with);
+  writer.write_lines(0, set.header.lines(), set.values, set.variance, set.coherence, set.covariance);
   writer.finish();
 }
 

@@ -47,8 +47,8 @@ void set_cache(const Object& file, const std::string& name, Dataset& dataset, st
   if (!dataset.id.is_open()) fail(dataset, "cannot be opened: " + last_failure());
 }
 
-void require_shape(const Dataset& dataset, const FrfHeader& header) {
-  const std::vector<std::size_t> expected = {header.lines(), header.response.size(), header.reference.size()};
+void require_shape(const Dataset& dataset, const std::array<std::size_t, 3>& dims) {
+  const std::vector<std::size_t> expected(dims.begin(), dims.end());
   if (dataset.dims == expected) return;
   const auto shown = [](const std::vector<std::size_t>& dims) {
     std::string text = "[";
@@ -57,7 +57,7 @@ void require_shape(const Dataset& dataset, const FrfHeader& header) {
   };
   fail(dataset, "has dimensions " + shown(dataset.dims) +
                     " where frequency, response_dof and reference_dof make " + shown(expected),
-       "store it as [lines, responses, references]");
+       "store it as [lines, responses, references]; a covariance has responses · (responses + 1) / 2 pairs in their place");
 }
 
 /// Chunks that were never written would read as zero, a value that nobody measured.
@@ -131,6 +131,10 @@ struct LineReader<T>::Window {
 
 template <class T>
 LineReader<T>::LineReader(const Object& file, const std::string& name, const FrfHeader& header)
+    : LineReader(file, name, std::array{header.lines(), header.response.size(), header.reference.size()}) {}
+
+template <class T>
+LineReader<T>::LineReader(const Object& file, const std::string& name, const std::array<std::size_t, 3>& dims)
     : dataset_(open_dataset(file, name)), memory_type_(memory_type<T>()) {
   if constexpr (std::is_same_v<T, double>) {
     if (!is_real(dataset_)) fail(dataset_, "does not hold real numbers");
@@ -138,7 +142,7 @@ LineReader<T>::LineReader(const Object& file, const std::string& name, const Frf
     if (!is_complex(dataset_))
       fail(dataset_, "does not hold complex numbers, compounds {r,i} of floating point");
   }
-  require_shape(dataset_, header);
+  require_shape(dataset_, dims);
   require_complete(dataset_);
   set_cache(file, name, dataset_, sizeof(T));
   map_ = LineMap::of(file, dataset_, memory_type_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -19,6 +20,9 @@ class LineReader {
   /// Opens `name` of `file`. Throws InputError unless it is [F,R,C] as in `header` and holds complex {r,i}
   /// (Complex) or real numbers (double).
   LineReader(const Object& file, const std::string& name, const FrfHeader& header);
+
+  /// The same of [F,rows,columns].
+  LineReader(const Object& file, const std::string& name, const std::array<std::size_t, 3>& dims);
 
   /// Values as stored, in the order [line, response, reference] of the block.
   void read(const Block& block, std::span<T> out);

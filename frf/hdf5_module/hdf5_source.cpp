@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -25,9 +26,9 @@ void require_layout(const Object& file) {
   if (*format != layout_name)
     fail(file, "root attribute format is '" + *format + "', not 'jointid-frf'", "give a jointid-frf file, or UFF, MATLAB or CSV");
   const auto version = hdf5::number_attribute(file, "version");
-  if (!version) fail(file, "has no root attribute version", "this program reads version 1");
-  if (*version != 1.0) {
-    fail(file, "is of jointid-frf version " + fmt::format("{}", *version), "this program reads version 1");
+  if (!version) fail(file, "has no root attribute version", "this program reads versions 1 and 2");
+  if (*version != 1.0 && *version != 2.0) {
+    fail(file, "is of jointid-frf version " + fmt::format("{}", *version), "this program reads versions 1 and 2");
   }
 }
 
@@ -116,6 +117,7 @@ class Hdf5Source final : public FrfSource {
       if (has_coherence) fail(file_, "has both variance and coherence", "keep the one that was measured");
       variance_.emplace(file_, "variance", header_);
       header_.noise = NoiseRecord::variance;
+      if (hdf5::has(file_, "covariance")) open_covariance();
     } else if (has_coherence) {
       coherence_.emplace(file_, "coherence", header_);
       const Dataset dataset = open_dataset(file_, "coherence");
@@ -127,6 +129,15 @@ class Hdf5Source final : public FrfSource {
       header_.averages = averages.value_or(0.0);
       header_.noise = NoiseRecord::coherence;
     }
+  }
+
+  /// Nothing of it is read before it is asked for.
+  void open_covariance() {
+    if (hdf5::number_attribute(file_, "version") != 2.0) {
+      fail(file_, "has a dataset covariance and is of version 1", "write version = 2 where there are covariances");
+    }
+    covariance_.emplace(file_, "covariance",
+                        std::array{header_.lines(), pair_count(header_.response.size()), header_.reference.size()});
   }
 
   /// Applies `scale(line scale, value)` line by line.
@@ -153,11 +164,19 @@ class Hdf5Source final : public FrfSource {
 
   void do_read_coherence(const Block& block, std::span<double> out) override { coherence_->read(block, out); }
 
+  bool has_covariance() const override { return covariance_.has_value(); }
+
+  void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
+    covariance_->read(pairs, out);
+    to_receptance(pairs, out, [](const LineScale& scale, Complex v) { return scale.covariance(v); });
+  }
+
   Object file_;
   double si_ = 1.0;
   std::optional<hdf5::LineReader<Complex>> frf_;
   std::optional<hdf5::LineReader<Complex>> variance_;
   std::optional<hdf5::LineReader<double>> coherence_;
+  std::optional<hdf5::LineReader<Complex>> covariance_;
 };
 
 }  // namespace

@@ -33,6 +33,7 @@ class Lines {
         header_(header),
         quantity_(options.quantity.value_or(header.quantity)),
         lines_per_chunk_(choose_lines_per_chunk(header, options.lines_per_chunk)),
+        with_covariance_(options.covariance),
         written_(header.lines(), false) {
     output_.require(write_header() && create_datasets(options.compression));
   }
@@ -40,17 +41,22 @@ class Lines {
   std::size_t lines_per_chunk() const { return lines_per_chunk_; }
 
   void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
-                   std::span<const Complex> variance, std::span<const double> coherence) {
+                   std::span<const Complex> variance, std::span<const double> coherence, std::span<const Complex> covariance) {
     assert(first + count <= header_.lines() && values.size() == count * header_.entries());
     assert(variance.size() == (header_.noise == NoiseRecord::variance ? values.size() : 0));
     assert(coherence.size() == (header_.noise == NoiseRecord::coherence ? values.size() : 0));
-    write_scaled(frf_, first, count, values, [](const LineScale& s, Complex h) { return s.value(h); });
+    assert(covariance.size() == (with_covariance_ ? count * pairs() * header_.reference.size() : 0));
+    const std::size_t rows = header_.response.size();
+    write_scaled(frf_, rows, first, count, values, [](const LineScale& s, Complex h) { return s.value(h); });
     if (!variance.empty()) {
-      write_scaled(noise_, first, count, variance,
-                   [](const LineScale& s, Complex v) { return s.variance(v); });
+      write_scaled(noise_, rows, first, count, variance, [](const LineScale& s, Complex v) { return s.variance(v); });
+    }
+    if (!covariance.empty()) {
+      write_scaled(covariance_, pairs(), first, count, covariance,
+                   [](const LineScale& s, Complex v) { return s.covariance(v); });
     }
     if (!coherence.empty()) {
-      output_.require(write_slab(noise_, Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), first, count, coherence.data()));
+      output_.require(write_slab(noise_, Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), rows, first, count, coherence.data()));
     }
     std::fill_n(written_.begin() + static_cast<std::ptrdiff_t>(first), count, true);
   }
@@ -60,14 +66,16 @@ class Lines {
     if (missing != written_.end()) {
       output_.fail("line " + std::to_string(missing - written_.begin() + 1) + " was never written");
     }
-    const bool closed = frf_.close() && noise_.close();
+    const bool closed = frf_.close() && noise_.close() && covariance_.close();
     output_.finish(closed);
   }
 
  private:
+  std::size_t pairs() const { return pair_count(header_.response.size()); }
+
   bool write_header() const {
     return hdf5::write_text_attribute(output_.file(), "format", "jointid-frf") &&
-           hdf5::write_integer_attribute(output_.file(), "version", 1) &&
+           hdf5::write_integer_attribute(output_.file(), "version", with_covariance_ ? 2 : 1) &&
            hdf5::write_axis(output_.file(), header_.frequency_hz) &&
            hdf5::write_dofs(output_.file(), "response_dof", header_.response) &&
            hdf5::write_dofs(output_.file(), "reference_dof", header_.reference) &&
@@ -90,31 +98,37 @@ class Lines {
       ok = noise_.is_open() &&
            (header_.averages == 0.0 || hdf5::write_number_attribute(noise_, "averages", header_.averages));
     }
+    if (ok && with_covariance_) {
+      covariance_ = hdf5::create_lines(output_.file(), "covariance", complex, {dims[0], pairs(), dims[2]}, lines_per_chunk_, compression);
+      ok = covariance_.is_open();
+    }
     return ok;
   }
 
-  /// Writes receptances (or their variances) in the stored quantity; `scale(line scale, value)` converts one.
+  /// Writes receptances, their variances or covariances, `rows` × references a line, in the stored quantity; `scale(line scale, value)`
+  /// converts one.
   template <class Scale>
-  void write_scaled(const Handle& dataset, std::size_t first, std::size_t count,
+  void write_scaled(const Handle& dataset, std::size_t rows, std::size_t first, std::size_t count,
                     std::span<const Complex> values, Scale scale) {
     const Complex* data = values.data();
     if (quantity_ != Quantity::receptance) {
       scaled_.clear();
       for (std::size_t line = 0; line < count; ++line) {
         const LineScale of_line = LineScale::from_receptance(quantity_, header_.frequency_hz[first + line]);
-        for (const Complex& value : values.subspan(line * header_.entries(), header_.entries())) {
+        const std::size_t entries = rows * header_.reference.size();
+        for (const Complex& value : values.subspan(line * entries, entries)) {
           scaled_.push_back(scale(of_line, value));
         }
       }
       data = scaled_.data();
     }
-    output_.require(write_slab(dataset, hdf5::complex_type(), first, count, data));
+    output_.require(write_slab(dataset, hdf5::complex_type(), rows, first, count, data));
   }
 
-  bool write_slab(const Handle& dataset, const Handle& type, std::size_t first, std::size_t count,
+  bool write_slab(const Handle& dataset, const Handle& type, std::size_t rows, std::size_t first, std::size_t count,
                   const void* data) const {
     const std::array<hsize_t, 3> start = {first, 0, 0};
-    const std::array<hsize_t, 3> extent = {count, header_.response.size(), header_.reference.size()};
+    const std::array<hsize_t, 3> extent = {count, rows, header_.reference.size()};
     const Handle in_file(H5Dget_space(dataset.get()));
     const Handle in_memory(H5Screate_simple(3, extent.data(), nullptr));
     return H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(),
@@ -126,9 +140,11 @@ class Lines {
   FrfHeader header_;
   Quantity quantity_;
   std::size_t lines_per_chunk_;
+  bool with_covariance_;
   std::vector<bool> written_;
   Handle frf_;
   Handle noise_;
+  Handle covariance_;
   std::vector<Complex> scaled_;
 };
 
@@ -147,9 +163,9 @@ class LinesFile final : public LinesOutput {
   std::size_t lines_per_chunk() const override { return lines_->lines_per_chunk(); }
 
   void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values, std::span<const Complex> variance,
-                   std::span<const double> coherence) override {
+                   std::span<const double> coherence, std::span<const Complex> covariance) override {
     const hdf5::Silence silence;
-    lines_->write_lines(first, count, values, variance, coherence);
+    lines_->write_lines(first, count, values, variance, coherence, covariance);
   }
 
   void finish() override {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <numeric>
 
 #include "frf/hdf5_module/files.hpp"
@@ -13,18 +14,41 @@ namespace {
 using hdf5::Dataset;
 using hdf5::Handle;
 
-std::vector<std::string> dataset_names(const hdf5::Object& file) {
-  std::vector<std::string> names;
+constexpr int deepest_group = 8;
+constexpr std::size_t most_groups = 10'000;  ///< links may lead round in circles
+
+/// Paths of the datasets of a group and of the groups in it (structs of MATLAB), "S/field"; not of what MATLAB keeps to itself, "#refs#".
+struct Paths {
+  std::vector<std::string> found;
+  std::string group;
+  int depth = 0;
+  std::size_t groups = 0;
+};
+
+void add_paths(hid_t group, Paths& paths) {
   const auto keep = [](hid_t group, const char* name, const H5L_info_t* link, void* kept) -> herr_t {
+    auto& out = *static_cast<Paths*>(kept);
     H5O_info_t object;
-    if (link->type == H5L_TYPE_HARD && H5Oget_info_by_name(group, name, &object, H5P_DEFAULT) >= 0 &&
-        object.type == H5O_TYPE_DATASET) {
-      static_cast<std::vector<std::string>*>(kept)->emplace_back(name);
+    if (link->type != H5L_TYPE_HARD || H5Oget_info_by_name(group, name, &object, H5P_DEFAULT) < 0) return 0;
+    if (object.type == H5O_TYPE_DATASET) out.found.push_back(out.group + name);
+    if (object.type == H5O_TYPE_GROUP && name[0] != '#' && out.depth < deepest_group && out.groups < most_groups) {
+      const Handle inner(H5Gopen2(group, name, H5P_DEFAULT));
+      const std::string outer = out.group;
+      out.group += std::string(name) + "/";
+      ++out.depth;
+      ++out.groups;
+      if (inner.is_open()) add_paths(inner.get(), out);
+      --out.depth;
+      out.group = outer;
     }
     return 0;
   };
-  H5Literate(file.id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep, &names);
-  return names;
+  H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep, &paths);
+}
+
+std::string dotted(std::string path) {
+  std::ranges::replace(path, '/', '.');
+  return path;
 }
 
 std::string matlab_class(const Dataset& dataset) {
@@ -101,15 +125,18 @@ class MatV73 final : public MatFile {
   explicit MatV73(const std::filesystem::path& path) : MatFile(path.string()) {
     const hdf5::Silence silence;
     hdf5_ = hdf5::open_file(path);
-    for (const std::string& name : dataset_names(hdf5_)) {
-      const Dataset dataset = open_dataset(hdf5_, name);
-      variables_.push_back({name, kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}});
+    Paths paths;
+    add_paths(hdf5_.id.get(), paths);
+    for (const std::string& path_inside : paths.found) {
+      const Dataset dataset = open_dataset(hdf5_, path_inside);
+      path_of_.emplace(dotted(path_inside), path_inside);
+      variables_.push_back({dotted(path_inside), kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}});
     }
   }
 
   MatVariable read(const MatInfo& info) override {
     const hdf5::Silence silence;
-    const Dataset dataset = open_dataset(hdf5_, info.name);
+    const Dataset dataset = open_dataset(hdf5_, path_of_.at(info.name));
     MatVariable variable{.info = info, .values = {}, .texts = {}};
     if (info.kind == MatKind::text) {
       variable.texts = read_texts(hdf5_, dataset);
@@ -121,6 +148,7 @@ class MatV73 final : public MatFile {
 
  private:
   hdf5::Object hdf5_;
+  std::map<std::string, std::string> path_of_;  ///< S/field of S.field
 };
 
 }  // namespace

@@ -87,7 +87,8 @@ const MatInfo& MatLookup::frf(const std::string& variable, std::size_t lines) co
   if (!variable.empty()) return named_frf(variable);
   if (find("frf") != nullptr) return named_frf("frf");
   const auto candidate = [&](const MatInfo& info) {
-    return info.kind == MatKind::complex && !same_name(info.name, "variance") &&
+    const bool field = info.name.find('.') != std::string::npos;  // of a struct: only by name
+    return info.kind == MatKind::complex && !field && !same_name(info.name, "variance") &&
            !same_name(info.name, "coherence") && std::ranges::find(info.dims, lines) != info.dims.end();
   };
   const auto& variables = file_.variables();

@@ -15,7 +15,7 @@ namespace jointid::frf {
 enum class MatKind : std::uint8_t { real, complex, text, other };
 
 struct MatInfo {
-  std::string name;
+  std::string name;  ///< of a field of a struct that stands alone (1x1): S.field, S.inner.field; so are datasets in groups of HDF5
   MatKind kind = MatKind::other;  ///< a cell array counts as text until it is read
   std::vector<std::size_t> dims;  ///< as MATLAB shows them
 };

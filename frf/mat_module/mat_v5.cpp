@@ -5,6 +5,7 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "frf/mat_module/files.hpp"
@@ -114,20 +115,45 @@ std::vector<std::string> characters(const matvar_t& variable) {
   return texts;
 }
 
+constexpr int deepest_struct = 8;
+
+/// The variable, and of a struct that stands alone its fields under S.field.
+void list(matvar_t& variable, const std::string& name, int depth, std::vector<MatInfo>& out) {
+  out.push_back({name, kind_of(variable), dims_of(variable)});
+  if (variable.class_type != MAT_C_STRUCT || size(variable) != 1 || depth == deepest_struct) return;
+  char* const* fields = Mat_VarGetStructFieldnames(&variable);
+  for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&variable); ++i) {
+    matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, i, 0);
+    if (field != nullptr && fields[i] != nullptr) list(*field, name + "." + fields[i], depth + 1, out);
+  }
+}
+
+/// A field by the rest of its name, "inner.field", or null.
+matvar_t* field_of(matvar_t* variable, std::string_view rest) {
+  while (variable != nullptr && !rest.empty()) {
+    const std::size_t dot = std::min(rest.find('.'), rest.size());
+    if (variable->class_type != MAT_C_STRUCT) return nullptr;
+    variable = Mat_VarGetStructFieldByName(variable, std::string(rest.substr(0, dot)).c_str(), 0);
+    rest.remove_prefix(std::min(dot + 1, rest.size()));
+  }
+  return variable;
+}
+
 class MatV5 final : public MatFile {
  public:
   explicit MatV5(const std::filesystem::path& path)
       : MatFile(path.string()), check_(path), mat_(Mat_Open(file_.c_str(), MAT_ACC_RDONLY)) {
     if (!mat_) fail({}, "cannot be opened as a MATLAB file; it is damaged or truncated");
     while (const Variable next{Mat_VarReadNextInfo(mat_.get())}) {
-      if (next->name != nullptr) variables_.push_back({next->name, kind_of(*next), dims_of(*next)});
+      if (next->name != nullptr) list(*next, next->name, 0, variables_);
     }
   }
 
   MatVariable read(const MatInfo& info) override {
-    check_.require_whole(info.name);
-    const Variable variable(Mat_VarRead(mat_.get(), info.name.c_str()));
-    if (!variable || kind_of(*variable) != info.kind || dims_of(*variable) != info.dims) {
+    const std::size_t dot = std::min(info.name.find('.'), info.name.size());
+    load(info.name.substr(0, dot));
+    matvar_t* variable = field_of(loaded_.get(), std::string_view(info.name).substr(std::min(dot + 1, info.name.size())));
+    if (variable == nullptr || kind_of(*variable) != info.kind || dims_of(*variable) != info.dims) {
       fail(info.name, "cannot be read; the file is damaged or truncated");
     }
     MatVariable out{.info = info, .values = {}, .texts = {}};
@@ -137,10 +163,18 @@ class MatV5 final : public MatFile {
       require_data(info, *variable);
       out.values = numbers(*variable);
     }
+    if (dot == info.name.size()) loaded_.reset();
     return out;
   }
 
  private:
+  /// The variable as a whole, in memory until another is wanted: fields of a struct are read with it, once.
+  void load(const std::string& name) {
+    if (loaded_ && name == loaded_->name) return;
+    check_.require_whole(name);
+    loaded_.reset(Mat_VarRead(mat_.get(), name.c_str()));
+  }
+
   void require_data(const MatInfo& info, const matvar_t& variable) const {
     const auto* split = static_cast<const mat_complex_split_t*>(variable.data);
     const bool complete = variable.data != nullptr &&
@@ -164,6 +198,7 @@ class MatV5 final : public MatFile {
 
   mat::V5Check check_;
   Mat mat_;
+  Variable loaded_;
 };
 
 }  // namespace

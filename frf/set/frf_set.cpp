@@ -58,7 +58,12 @@ std::size_t find_coordinate(const std::vector<Dof>& dofs, const Dof& dof) {
 void validate(const FrfSet& set) {
   validate(set.header);
   const std::size_t lines = set.header.lines(), responses = set.header.response.size(), references = set.header.reference.size();
-  const std::size_t wanted = lines * responses * references;
+  const std::size_t wanted = lines * responses * references, pairs = lines * pair_count(responses) * references;
+  if (!set.covariance.empty() && set.covariance.size() != pairs) {
+    fail(set.header, "covariance",
+         fmt::format("{} numbers, where {} lines, responses and references make {}", set.covariance.size(), lines, pairs),
+         "give one for each line, pair of responses (r, s ≤ r) and reference");
+  }
   const auto require = [&](const char* what, std::size_t count, bool optional) {
     if (count == wanted || (optional && count == 0)) return;
     fail(set.header, what,

@@ -54,19 +54,28 @@ inline bool has(const std::vector<Dof>& dofs, const Dof& dof) { return find_coor
 
 /// An FRF set in memory. Values are receptance in SI units, NaN where not measured; element (line, r, c) is at
 /// (line·R + r)·C + c. `variance` holds the variances of real and imaginary part as a complex number; it and
-/// `coherence` are empty or as long as `values`.
+/// `coherence` are empty or as long as `values`. `covariance` of the errors e of one line and reference over the responses,
+/// E[e_r e_s*] for s ≤ r at (line·P + pair_index(r, s))·C + c, P = pair_count(R): it stands beside `variance`, and says in what the
+/// errors of two FRFs have in common. The errors are taken as circular, E[e_r e_s] = 0; where `variance` tells real and imaginary part
+/// apart, its sum is the diagonal of the covariance.
 struct FrfSet {
   FrfHeader header;
   std::vector<Complex> values;     ///< [F,R,C]
   std::vector<Complex> variance;   ///< [F,R,C] or empty, of the receptance
   std::vector<double> coherence;   ///< [F,R,C] or empty
+  std::vector<Complex> covariance{};  ///< [F,P,C] or empty, of the receptance
 
   std::size_t index(std::size_t line, std::size_t r, std::size_t c) const {
     return (line * header.response.size() + r) * header.reference.size() + c;
   }
 };
 
-/// Throws InputError (data) as validate() of the header, and where values, variance or coherence are not as long as the header says.
+/// Pairs (r, s), s ≤ r, of so many responses, and the place of one: the lower triangle row by row.
+constexpr std::size_t pair_count(std::size_t responses) { return responses * (responses + 1) / 2; }
+constexpr std::size_t pair_index(std::size_t r, std::size_t s) { return pair_count(r) + s; }
+
+/// Throws InputError (data) as validate() of the header, and where values, variance, coherence or covariance are not as long as
+/// the header says.
 void validate(const FrfSet& set);
 
 }  // namespace jointid::frf

@@ -49,6 +49,18 @@ class FrfSource {
   /// Coherences; only when header().noise == coherence.
   void read_coherence(const Block& block, std::span<double> out);
 
+  /// Whether there are covariances between the FRFs of a line and reference. Nothing of them is read unless read_covariance() asks;
+  /// sources that join files or take masses off have none.
+  virtual bool has_covariance() const { return false; }
+
+  /// For every line and reference of the block the Hermitian matrix E[e_i e_k*] of the errors of the receptances of
+  /// block.responses: out[((line · C + c) · R + i) · R + k], block.size() · R values. NaN where not known. Only when
+  /// has_covariance(). Throws InputError where a diagonal element is below 0 or not real.
+  void read_covariance(const Block& block, std::span<Complex> out);
+
+  /// All of them of some lines as they are stored, [line, pair, reference], as FrfSet::covariance.
+  void read_covariance_pairs(std::span<const std::size_t> lines, std::span<Complex> out);
+
   /// Whether all values lie in memory already.
   virtual bool in_memory() const { return false; }
 
@@ -57,6 +69,10 @@ class FrfSource {
   virtual void do_read(const Block& block, std::span<Complex> out) = 0;
   virtual void do_read_variance(const Block& block, std::span<Complex> out) = 0;
   virtual void do_read_coherence(const Block& block, std::span<double> out) = 0;
+  /// `pairs` is a block whose responses are pair indices, each once and ascending.
+  virtual void do_read_covariance(const Block& pairs, std::span<Complex> out);
+  /// The same of another source, for one that hands it on.
+  static void read_pairs(FrfSource& of, const Block& pairs, std::span<Complex> out) { of.do_read_covariance(pairs, out); }
 
   FrfHeader header_;
 
@@ -83,8 +99,11 @@ std::unique_ptr<FrfSource> from_memory(FrfSet set);
 /// A set that the caller keeps: what is in it when a block is read is handed out. Its header must not change.
 std::unique_ptr<FrfSource> from_shared(std::shared_ptr<const FrfSet> set);
 
-/// The whole of a source in memory.
+/// The whole of a source in memory, but for covariances.
 FrfSet load(FrfSource& source);
+
+/// The same with them, where there are any.
+FrfSet load_with_covariance(FrfSource& source);
 
 /// A part of a source in memory, as a set of its own.
 FrfSet load(FrfSource& source, const Block& block);

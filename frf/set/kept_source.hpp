@@ -16,6 +16,9 @@ class KeptSource final : public FrfSource {
   /// From now on up to so many bytes of values are kept; what is beyond is read again. The first call counts.
   void keep(std::size_t bytes);
 
+  /// Covariances are handed on and never kept.
+  bool has_covariance() const override { return source_->has_covariance(); }
+
  private:
   template <class T>
   class Values;
@@ -23,6 +26,7 @@ class KeptSource final : public FrfSource {
   void do_read(const Block& block, std::span<Complex> out) override;
   void do_read_variance(const Block& block, std::span<Complex> out) override;
   void do_read_coherence(const Block& block, std::span<double> out) override;
+  void do_read_covariance(const Block& pairs, std::span<Complex> out) override { read_pairs(*source_, pairs, out); }
 
   std::unique_ptr<FrfSource> source_;
   std::size_t room_ = 0;  ///< bytes

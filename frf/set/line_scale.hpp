@@ -32,6 +32,8 @@ class LineScale {
     return imaginary_ ? std::complex<double>{squared * v.imag(), squared * v.real()}
                       : std::complex<double>{squared * v.real(), squared * v.imag()};
   }
+  /// Of two FRFs of the line: E[e f*].
+  std::complex<double> covariance(std::complex<double> v) const { return factor_ * factor_ * v; }
 
  private:
   LineScale(std::complex<double> factor, Quantity quantity)

@@ -15,6 +15,8 @@ class ScaledSource final : public FrfSource {
     header_ = std::move(header);
   }
 
+  bool has_covariance() const override { return source_->has_covariance(); }
+
  private:
   /// Calls change(factor, value) for every entry of a block.
   template <class Change>
@@ -40,6 +42,30 @@ class ScaledSource final : public FrfSource {
   }
 
   void do_read_coherence(const Block& block, std::span<double> out) override { source_->read_coherence(block, out); }
+
+  void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
+    read_pairs(*source_, pairs, out);
+    const std::vector<double> of_pair = pair_factors();
+    std::size_t next = 0;
+    for (const std::size_t line : pairs.lines) {
+      for (const std::size_t pair : pairs.responses) {
+        for (const std::size_t c : pairs.references) {
+          const double factor = std::norm(scale_.line[line] * scale_.reference[c]) * of_pair[pair];
+          out[next] = factor * (scale_.conjugate ? std::conj(out[next]) : out[next]);
+          ++next;
+        }
+      }
+    }
+  }
+
+  /// What the covariances of two responses are multiplied by, line and reference apart.
+  std::vector<double> pair_factors() const {
+    std::vector<double> factors;
+    for (std::size_t r = 0; r < scale_.response.size(); ++r) {
+      for (std::size_t s = 0; s <= r; ++s) factors.push_back(scale_.response[r] * scale_.response[s]);
+    }
+    return factors;
+  }
 
   std::unique_ptr<FrfSource> source_;
   EntryScale scale_;

@@ -33,7 +33,7 @@ std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets, const
                       .file = file,
                       .place = {},
                       .problem = "no frequency response functions; the file holds " + contents(datasets),
-                      .remedy = "export the FRFs as dataset 58 with function type 4"});
+                      .remedy = "export the FRFs as dataset 58 with function type 4; of time records `jointid frf` makes them"});
   }
   return records;
 }

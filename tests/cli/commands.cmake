@@ -152,6 +152,19 @@ command_test(equivalent_unwritable CODE 3 ERR "absent/a.csv: cannot be written" 
 command_test(couple_absent CODE 2 ERR "absent.toml" ARGS couple absent.toml)
 command_test(couple_other_scene CODE 2 ERR "couple" AFTER study_data ARGS couple a1/A1.toml)
 
+# Time records: the commands of docs/records.md.
+if(EXISTS "${JOINTID_EXTERNAL_DATA}/hammer-repeats")
+  set(_hits "${JOINTID_EXTERNAL_DATA}/hammer-repeats/measurements")
+  command_test(frf CODE 0 OUT "1:\\+Z +5 +5 +5.*12801 lines.*wrote hits.h5: accelerance with variances" MAKES hits
+    ARGS frf ${_hits}_1.npy ${_hits}_2.npy ${_hits}_3.npy ${_hits}_4.npy ${_hits}_5.npy --channel "2=1:+Z N" --channel "3=4:+Z m/s^2" --time 1
+      --output hits.h5 --report hits.html)
+  command_test(frf_info CODE 0 OUT "12801, 0 to 12800 Hz" AFTER hits ARGS info hits.h5)
+  command_test(frf_shaker CODE 0 OUT "7 +7 +6\\.682" ARGS frf ${JOINTID_EXTERNAL_DATA}/siso-coherence/case1.mat --shaker --block 0.8 --rate 1280
+    --remove-mean --channel "Time_chan_1=1:+Z N" --channel "Time_chan_2=1:+Z m/s^2")
+else()
+  jointid_missing(command.frf "${JOINTID_EXTERNAL_DATA}/hammer-repeats is missing: no external data")
+endif()
+
 # Modal models.
 command_test(modal_set CODE 0 OUT "next: jointid modalfit" MAKES modal_data ARGS problem write modes-pair pair --format h5)
 command_test(modalfit CODE 0 OUT "101\\.000.*fit of each FRF: +0\\.0.*symmetric model: +0\\.0" AFTER modal_data

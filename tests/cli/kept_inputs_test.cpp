@@ -91,6 +91,10 @@ void add_curves(const InputFolder& folder) {
   problems::write(*problems::find_loading_curve("table2.1-2"), folder.path(), {});
 }
 
+void add_blows(const InputFolder& folder) {
+  for (const char* name : {"blow.csv", "second.csv"}) folder.write(name, "time,F,a\n0,0,0\n0.1,9,1\n0.2,0,3\n0.3,0,-2\n");
+}
+
 const std::vector<std::string> three = {"--json", "--csv", "--report"};
 const std::vector<std::string> with_out = {"--out", "--json", "--csv", "--report"};
 
@@ -121,6 +125,11 @@ const Reader readers[] = {
      {"modalfit", "a.h5", "b.uff"},
      {"--regenerate", "--shapes", "--json", "--csv", "--report"},
      {{"a.h5", "FILES"}, {"b.uff", "FILES"}}},
+    {"Frf",
+     {"frf", "blow.csv", "second.csv", "--channel", "2=1:+Z N", "--channel", "3=2:+Z m/s^2"},
+     {"--output", "--json", "--csv", "--report"},
+     {{"blow.csv", "FILES"}, {"second.csv", "FILES"}},
+     add_blows},
     {"LoadingCurve", {"loading-curve", "table2.1-1.csv"}, three, {{"table2.1-1.csv", "FILES"}}, add_curves},
     {"LoadingCurveSpecimen",
      {"loading-curve", "table2.1-1.csv", "--specimen", "table2.1-2.csv"},

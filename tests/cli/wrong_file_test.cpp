@@ -34,7 +34,7 @@ const Wrong hdf5_files[] = {
      convert("a.h5"),
      3,
      {"a.h5: ", "attribute format is 'frf-jointid', not 'jointid-frf'", "give a jointid-frf file"}},
-    {"VersionTwo", hdf5_number_attribute("a.h5", "version", 2.0), convert("a.h5"), 3, {"a.h5: ", "version 2", "reads version 1"}},
+    {"VersionThree", hdf5_number_attribute("a.h5", "version", 3.0), convert("a.h5"), 3, {"a.h5: ", "version 3", "reads versions 1"}},
     {"NoFrequency",
      hdf5_without("a.h5", "frequency"),
      convert("a.h5"),

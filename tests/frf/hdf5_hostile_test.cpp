@@ -169,8 +169,8 @@ TEST_F(Hdf5Layout, ATruncatedFileIsAnError) {
 }
 
 TEST_F(Hdf5Layout, RootAttributesAreChecked) {
-  EXPECT_THAT(message_after([](hid_t f) { replace_number(f, "/", "version", {2.0}); }),
-              HasSubstr("is of jointid-frf version 2; this program reads version 1"));
+  EXPECT_THAT(message_after([](hid_t f) { replace_number(f, "/", "version", {3.0}); }),
+              HasSubstr("is of jointid-frf version 3; this program reads versions 1 and 2"));
   EXPECT_THAT(message_after([](hid_t f) {
                 replace_number(f, "/", "version", {1.0, 2.0});
               }),

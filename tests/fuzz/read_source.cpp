@@ -22,10 +22,15 @@ void read_lines(frf::FrfSource& source) {
   const auto references = first(std::min(header.reference.size(), most_dofs));
   std::vector<Complex> values(responses.size() * references.size());
   std::vector<double> coherences(values.size());
+  std::vector<Complex> covariances;
   for (std::size_t line = 0; line < std::min(header.lines(), most_lines); ++line) {
     const frf::Block block{std::span(&line, 1), responses, references};
     source.read(block, values);
     if (header.noise == frf::NoiseRecord::variance) source.read_variance(block, values);
+    if (source.has_covariance()) {
+      covariances.resize(values.size() * responses.size());
+      source.read_covariance(block, covariances);
+    }
     if (header.noise == frf::NoiseRecord::coherence) source.read_coherence(block, coherences);
   }
 }

@@ -1,0 +1,113 @@
+#include "cli/frf/frf_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.hpp"
+#include "cli/options/command_options.hpp"
+#include "cli/options/of_option.hpp"
+#include "cli/options/open_options.hpp"
+
+namespace jointid::cli {
+namespace {
+
+void declare_reading(CLI::App& command, FrfArguments& arguments) {
+  command.add_option("FILES", arguments.files, "Time records: .npy, CSV or text, MATLAB, HDF5, UFF 58")->required();
+  const auto channel = command.add_option_function<std::vector<std::string>>(
+      "--channel",
+      [&arguments](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) {
+          arguments.read.channels.push_back(of_option("--channel", [&] { return records::parse_channel(text); }));
+        }
+      },
+      "COLUMN=DOF [FACTOR] UNIT, e.g. 2=1:+Z N: a column by name or number, where its sensor stood, its unit; one per channel "
+      "(not UFF)");
+  channel->allow_extra_args(false);  // what follows is the next word, not one more channel
+  command.add_option("--time", arguments.read.time, "Column of the times, s; default: the one named time or t");
+  command.add_option("--rate", arguments.read.rate_hz, "Samples per second, where there are no times or not to be trusted")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--reference",
+          [&arguments](const std::vector<std::string>& texts) {
+            arguments.references = of_option("--reference", [&] { return parse_dofs(texts); });
+          },
+          "DOF of the force, or one per file (roving hammer); default: as the channels say")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+void declare_stretches(CLI::App& command, FrfArguments& arguments) {
+  records::HammerOptions& hammer = arguments.options.hammer;
+  command.add_flag("--shaker", arguments.shaker, "Segments of a long record instead of blows of a hammer");
+  command.add_option("--block", arguments.block_s, "Seconds of a stretch; default: every file is one blow, whole");
+  command.add_option("--pretrigger", hammer.pretrigger_s, "Seconds of a stretch that lie before the trigger")
+      ->capture_default_str();
+  command.add_option("--trigger", hammer.trigger, "A blow begins at this share of the record's largest force")
+      ->capture_default_str();
+  command.add_option("--second-blow", hammer.second_peak, "A force above this share of the peak is a second blow")
+      ->capture_default_str();
+  command.add_option("--force-window", arguments.options.force_window_s, "Seconds after its peak for which the force counts");
+  command.add_option("--exponential", arguments.options.decay_time_s,
+                     "Time constant, s, of an exponential window; the damping that it adds is taken out again");
+  command.add_option("--overlap", arguments.segments.overlap, "Share by which segments overlap")->capture_default_str();
+  command.add_option_function<std::string>(
+      "--window",
+      [&arguments](const std::string& text) {
+        arguments.segments.window = of_option("--window", [&] {
+          return static_cast<frf::Window>(find_word(text, {"rectangular", "hann"}, "window of segments"));
+        });
+      },
+      "Of segments: hann or rectangular; default: hann");
+  command.add_flag("--remove-mean", arguments.options.remove_mean, "Take its mean off every stretch");
+  command.add_option("--reject", arguments.options.reject, "Stretches to leave out, by their number in the table, e.g. 2,5")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  command.add_flag("--keep-faulty", arguments.options.keep_faulty, "Average overloaded stretches and double blows too");
+}
+
+void declare_estimate(CLI::App& command, FrfArguments& arguments) {
+  command.add_option_function<std::string>(
+      "--estimator",
+      [&arguments](const std::string& text) {
+        arguments.options.estimator = of_option("--estimator", [&] { return records::parse_estimator(text); });
+      },
+      "H1, H2 or Hv; default: H1");
+  command.add_option_function<std::string>(
+      "--variances",
+      [&arguments](const std::string& text) {
+        arguments.options.noise = of_option("--variances", [&] { return records::parse_noise_from(text); });
+      },
+      "residuals (those of the coherence) or scatter over the blows; default: residuals");
+  command.add_option("--highest", arguments.options.highest_hz, "Highest line to make, Hz; default: all")->default_str("");
+}
+
+}  // namespace
+
+void declare(CLI::App& command, FrfArguments& arguments) {
+  declare_reading(command, arguments);
+  declare_stretches(command, arguments);
+  declare_estimate(command, arguments);
+  command.add_option("--output", arguments.output,
+                     "Write the FRFs (h5 with covariances; uff, mat, csv without); default: only tell of them");
+  add_outputs(&command, arguments, "stretches, averages and coherences", "the stretches", "the FRFs and their coherence");
+  command.footer(
+      "Examples:\n  jointid frf hit_*.npy --channel '2=1:+Z N' --channel '3=4:+Z m/s^2' --time 1 --output beam.h5\n"
+      "  jointid frf hits.csv --channel 'hammer=1:+Z N' --channel 'a=4:+Z g' --block 2 --pretrigger 0.01 --exponential 0.4 "
+      "--output beam.h5\n"
+      "  jointid frf point_*.uff --reference 1:+Z,2:+Z,3:+Z --output beam.h5\n"
+      "  jointid frf random.mat --shaker --block 0.8 --rate 1280 --remove-mean --channel 'f=1:+Z N' --channel 'a=1:+Z m/s^2' "
+      "--output beam.h5");
+}
+
+records::FrfOptions estimate_options(const FrfArguments& arguments) {
+  records::FrfOptions options = arguments.options;
+  options.hammer.block_s = arguments.block_s;
+  if (!arguments.shaker) return options;
+  if (!arguments.block_s)
+    throw InputError({ErrorKind::usage, {}, "--shaker", "says no length of the segments", "give --block SECONDS"});
+  options.segments = arguments.segments;
+  options.segments->block_s = *arguments.block_s;
+  return options;
+}
+
+}  // namespace jointid::cli
