@@ -4,9 +4,9 @@
 
 #include "ident/result/suspect.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// {"verdict", "suspects": [{"kind", "file", "dofs", "evidence", "confidence", "remedy"}]}; "remedy" is null where there is none.
 nlohmann::ordered_json check_json(const ident::CheckResult& result);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

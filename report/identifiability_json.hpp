@@ -4,7 +4,7 @@
 
 #include "ident/result/solution.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// [{"worst": {"unknowns", "factors", "deviation"}, "best": … or null, "correlation"}]
 nlohmann::ordered_json weakest_json(const std::vector<ident::WeakCombination>& weakest);
@@ -13,4 +13,4 @@ nlohmann::ordered_json weakest_json(const std::vector<ident::WeakCombination>& w
 /// null for methods that know nothing of it.
 nlohmann::ordered_json identifiability_json(const ident::Solution& solution);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

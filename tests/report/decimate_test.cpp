@@ -1,4 +1,4 @@
-#include "cli/report/decimate.hpp"
+#include "report/decimate.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace jointid::cli::report {
+namespace jointid::report {
 namespace {
 
 using testing::Contains;
@@ -53,4 +53,4 @@ TEST(Decimate, ValuesThatAreNotThereAreNoPeaks) {
 }
 
 }  // namespace
-}  // namespace jointid::cli::report
+}  // namespace jointid::report

@@ -1,12 +1,12 @@
-#include "cli/solve/solution_json.hpp"
+#include "report/solution_json.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "cli/check/check_json.hpp"
-#include "cli/solve/identifiability_json.hpp"
-#include "cli/text/json_value.hpp"
+#include "report/check_json.hpp"
+#include "report/identifiability_json.hpp"
+#include "report/json_value.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 Json unknown(const ident::Estimate& estimate, bool constrained) {
@@ -134,4 +134,4 @@ std::string solution_json(const ident::Solution& solution) {
   return json_text(json);
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

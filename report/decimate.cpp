@@ -1,10 +1,10 @@
-#include "cli/report/decimate.hpp"
+#include "report/decimate.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace jointid::cli::report {
+namespace jointid::report {
 namespace {
 
 /// Appends the places of the least and the greatest of curve[first, last).
@@ -49,4 +49,4 @@ std::vector<double> picked(const std::vector<double>& values, std::span<const st
   return out;
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::report

@@ -1,9 +1,9 @@
-#include "cli/text/json_value.hpp"
+#include "report/json_value.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace jointid::cli {
+namespace jointid::report {
 
 Json value(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
 
@@ -25,4 +25,4 @@ Json values(const std::vector<std::vector<double>>& matrix) {
 
 std::string json_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,17 +1,20 @@
-#include "cli/solve/solution_json.hpp"
+#include "report/solution_json.hpp"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "solution_sample.hpp"
+#include "../cli/solution_sample.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using cli::sample_constrained;
+using cli::sample_likelihood;
+using cli::sample_solution;
 
 std::vector<std::string> keys(const Json& object) {
   std::vector<std::string> names;
@@ -92,4 +95,4 @@ TEST(SolutionJson, NamesThatAreNotUtf8DoNotBreakIt) {
 }
 
 }  // namespace
-}  // namespace jointid::cli
+}  // namespace jointid::report

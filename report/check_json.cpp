@@ -1,10 +1,10 @@
-#include "cli/check/check_json.hpp"
+#include "report/check_json.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "cli/text/json_value.hpp"
+#include "report/json_value.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 Json check_json(const ident::CheckResult& result) {
   Json json = {{"verdict", ident::name(result.verdict)}, {"suspects", Json::array()}};
@@ -19,4 +19,4 @@ Json check_json(const ident::CheckResult& result) {
   return json;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,10 +1,10 @@
-#include "cli/solve/identifiability_json.hpp"
+#include "report/identifiability_json.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "cli/text/json_value.hpp"
+#include "report/json_value.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 Json combination(const ident::LinearCombination& of) {
@@ -37,4 +37,4 @@ Json identifiability_json(const ident::Solution& solution) {
   return json;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,4 +1,4 @@
-#include "cli/report/frf_curves.hpp"
+#include "report/frf_curves.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace jointid::cli::report {
+namespace jointid::report {
 
 std::vector<double> magnitudes(std::span<const std::complex<double>> frf) {
   std::vector<double> out;
@@ -29,4 +29,4 @@ std::string drawn_text(std::size_t drawn, std::size_t all) {
   return drawn < all ? fmt::format("{} of {} FRFs are drawn, those that are met worst among them.", drawn, all) : "";
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::report
