@@ -16,9 +16,12 @@
 #include "gui/look/dialogs.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
+#include "gui/look/paths.hpp"
 #include "gui/project.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
+#include "gui/work/worker.hpp"
+#include "ident/tasks/propose_scene.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -71,6 +74,8 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   column->addWidget(messages_);
   column->addWidget(stack_, 1);
   setCentralWidget(all);
+  worker_ = new Worker(this);
+  connect(worker_, &Worker::failed, this, [this](const InputError& error) { messages_->warn(QString::fromUtf8(error.what())); });
   connect(tabs_, &QTabWidget::tabCloseRequested, this, &MainWindow::close_project);
   connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::show_titles);
   add_menus();
@@ -114,7 +119,25 @@ void MainWindow::open(const QStringList& files) {
     else
       others << file;
   }
-  if (!others.isEmpty()) messages_->warn(tr("%1 is no scene (.toml)").arg(others.join(QStringLiteral(", "))));
+  if (!others.isEmpty()) propose_scene(others);
+}
+
+void MainWindow::propose_scene(const QStringList& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files) paths.push_back(as_path(QFileInfo(file).absoluteFilePath()));
+  const QString folder = QFileInfo(files.front()).absolutePath();
+  messages_->say(tr("Looking at %n file(s) …", nullptr, static_cast<int>(files.size())));
+  worker_->add([this, paths, folder](const Worker::Watch& watch) -> Worker::Deliver {
+    const std::string text = ident::scene_text(ident::propose_scene(paths, watch.interrupted), as_path(folder));
+    return [this, text, folder] {
+      messages_->hide();
+      Project* const project = add_project();
+      project->start(text, folder);
+      show_titles();
+      project->messages()->say(tr("This scene was proposed from the files; why stands above it. Look at it, then save it."));
+      project->editor()->setFocus();
+    };
+  });
 }
 
 void MainWindow::new_scene() {

@@ -11,6 +11,7 @@ namespace jointid::gui {
 
 class MessageBar;
 class Project;
+class Worker;
 
 /// Projects in tabs, the menus, and what is kept from one start to the next.
 class MainWindow : public QMainWindow {
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
   Project* add_project();
   void open_scene(const QString& file);
   void new_scene();
+  void propose_scene(const QStringList& files);
   void choose_files();
   bool save(Project& project);
   bool save_as(Project& project);
@@ -54,6 +56,7 @@ class MainWindow : public QMainWindow {
   MessageBar* messages_;
   QStackedWidget* stack_;
   QTabWidget* tabs_;
+  Worker* worker_;
 };
 
 }  // namespace jointid::gui

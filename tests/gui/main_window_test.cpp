@@ -94,6 +94,25 @@ TEST(MainWindow, AFileThatIsNotThereLeavesNoTab) {
   EXPECT_THAT(shown.window.messages()->text().toStdString(), testing::HasSubstr("/no/such/scene.toml"));
 }
 
+TEST(MainWindow, DroppedFrfFilesAreANewScene) {
+  Shown shown;
+  const Measured rig("A1");
+  shown.drop(rig.files());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown.window.count() == 1; }, 20000));
+  const CheckedScene& checked = shown.window.current()->checked();
+  ASSERT_TRUE(checked.scene) << checked.error->problem;
+  EXPECT_EQ(checked.scene->data.substructures.size(), 2U);
+  EXPECT_TRUE(shown.window.isWindowModified());
+}
+
+TEST(MainWindow, WrongFilesDroppedAreSaidToBeWrong) {
+  Shown shown;
+  shown.drop({shown.scene("picture.png", "no picture"), shown.scene("letter.txt", "Dear Sir")});
+  const auto said = [&] { return shown.window.messages()->text().toStdString(); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return said().find("picture.png") != std::string::npos; }, 5000)) << said();
+  EXPECT_EQ(shown.window.count(), 0);
+}
+
 TEST(MainWindow, KeysMakeSaveAndCloseScenes) {
   Shown shown;
   shown.window.open({shown.scene("one.toml")});

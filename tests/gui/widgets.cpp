@@ -2,7 +2,11 @@
 
 #include <QAccessible>
 #include <QAccessibleInterface>
+#include <QDir>
 #include <QFile>
+
+#include "gui/look/paths.hpp"
+#include "problems/problem.hpp"
 
 namespace jointid::gui {
 
@@ -25,6 +29,16 @@ void write_file(const QString& file, const std::string& text) {
 std::string read_file(const QString& file) {
   QFile in(file);
   return in.open(QIODevice::ReadOnly) ? in.readAll().toStdString() : "";
+}
+
+Measured::Measured(const char* problem, const char* format)
+    : scene_(as_name(problems::write(problems::make(problem), as_path(folder_.path()), {.format = format}))) {}
+
+QStringList Measured::files() const {
+  QStringList all;
+  const QDir folder(folder_.path());
+  for (const QString& name : folder.entryList({"*.h5", "*.uff"}, QDir::Files, QDir::Name)) all << folder.filePath(name);
+  return all;
 }
 
 }  // namespace jointid::gui

@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <QTemporaryDir>
 #include <QWidget>
 
 namespace jointid::gui {
@@ -17,6 +18,19 @@ QStringList without_accessible_name(QWidget& window);
 
 void write_file(const QString& file, const std::string& text);
 std::string read_file(const QString& file);
+
+/// A built-in problem as files in a folder of its own.
+class Measured {
+ public:
+  explicit Measured(const char* problem, const char* format = "h5");
+  QString scene() const { return scene_; }
+  QStringList files() const;  ///< with FRFs
+  QString file(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
+
+ private:
+  QTemporaryDir folder_;
+  QString scene_;
+};
 
 /// A scene whose files need not be there.
 inline const char* const small_scene = R"([data]
