@@ -4,14 +4,19 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QTextDocument>
 #include <QVBoxLayout>
+#include <algorithm>
 
-#include "base/temporary_file.hpp"
+#include "gui/data/data_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
+#include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/recent_files.hpp"
+#include "gui/scene/completion_place.hpp"
+#include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "ident/scene/scene_files.hpp"
 
@@ -52,6 +57,9 @@ Project::Project(QWidget* parent) : QWidget(parent) {
   column->addWidget(problem_);
   splitter_ = named(new QSplitter(Qt::Horizontal), "splitter", tr("Scene and pages"));
   splitter_->addWidget(left);
+  add_pages();
+  splitter_->setStretchFactor(1, 1);
+  splitter_->setSizes({420, 860});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(messages_);
@@ -60,6 +68,15 @@ Project::Project(QWidget* parent) : QWidget(parent) {
   connect(editor_, &SceneEditor::settled, this, &Project::check);
   connect(editor_->document(), &QTextDocument::modificationChanged, this, &Project::title_changed);
   connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &Project::file_changed);
+}
+
+void Project::add_pages() {
+  pages_ = named(new QTabWidget, "pages", tr("Pages"));
+  data_page_ = named(new DataPage, "data_page", tr("Data"));
+  pages_->addTab(data_page_, tr("Data"));
+  splitter_->addWidget(pages_);
+  connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
+  connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
 
 std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
@@ -102,20 +119,15 @@ bool Project::save() { return !file_.isEmpty() && save_as(file_); }
 
 bool Project::save_as(const QString& file) {
   const QString target = QFileInfo(file).absoluteFilePath();
-  const auto target_path = as_path(target);
+  std::vector<std::filesystem::path> inputs;
   if (checked_.scene) {
     for (const auto& [input, place] : ident::files_of(*checked_.scene)) {
-      std::error_code none;
-      const bool is_scene = input == path();
-      if (is_scene || !std::filesystem::equivalent(input, target_path, none)) continue;
-      messages_->warn(
-          tr("%1 is a file with FRFs (%2); the scene needs a name of its own").arg(target, QString::fromStdString(place)));
-      return false;
+      if (input != path()) inputs.push_back(input);
     }
   }
   watcher_.removePath(file_);
   try {
-    write_text(target_path, editor_->text());
+    write_output(target, editor_->text(), inputs);
   } catch (const InputError& error) {
     messages_->warn(sentence(error));
     return false;
@@ -135,7 +147,32 @@ void Project::check() {
   checked_ = check_scene(editor_->text(), path());
   editor_->set_error(checked_.error);
   show_problem();
+  if (checked_.scene) show_scene();
   Q_EMIT scene_checked();
+}
+
+void Project::show_scene() {
+  data_page_->set_scene(*checked_.scene, path().parent_path().string() + '\n' + tables_below(editor_->text(), "data"));
+}
+
+/// A value that was chosen on a page, as a step of the text that can be undone.
+void Project::edit(const std::string& table, const std::string& key, const std::string& value) {
+  editor_->replace_text(with_value(editor_->text(), table, key, value));
+}
+
+void Project::offer_dofs() {
+  std::vector<frf::Dof> all;
+  for (const LoadedFile& file : data_page_->files()) {
+    for (const auto* dofs : {&file.header.response, &file.header.reference}) {
+      for (const frf::Dof& dof : *dofs) {
+        if (!frf::has(all, dof)) all.push_back(dof);
+      }
+    }
+  }
+  std::ranges::sort(all, {}, frf::coordinate_key);
+  QStringList names;
+  for (const frf::Dof& dof : all) names << QString::fromStdString(dof.name());
+  editor_->set_dofs(names);
 }
 
 void Project::show_problem() {

@@ -8,9 +8,11 @@
 
 class QLabel;
 class QSplitter;
+class QTabWidget;
 
 namespace jointid::gui {
 
+class DataPage;
 class MessageBar;
 class SceneEditor;
 
@@ -35,6 +37,8 @@ class Project : public QWidget {
   bool is_modified() const;
 
   SceneEditor* editor() const { return editor_; }
+  DataPage* data_page() const { return data_page_; }
+  QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   const CheckedScene& checked() const { return checked_; }
 
@@ -48,7 +52,11 @@ class Project : public QWidget {
 
  private:
   std::filesystem::path path() const;
+  void add_pages();
   void check();
+  void show_scene();
+  void edit(const std::string& table, const std::string& key, const std::string& value);
+  void offer_dofs();
   void show_problem();
   void watch();
   void file_changed();
@@ -59,6 +67,8 @@ class Project : public QWidget {
   QLabel* problem_;
   MessageBar* messages_;
   QSplitter* splitter_;
+  QTabWidget* pages_;
+  DataPage* data_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

@@ -112,4 +112,15 @@ int line_of_key(const std::string& text, const std::string& table, const std::st
   return of_table;
 }
 
+std::string tables_below(const std::string& text, const std::string& table) {
+  Reader reader;
+  std::istringstream lines(text);
+  std::string out;
+  for (std::string line; std::getline(lines, line);) {
+    reader.take(line);
+    if (reader.table == table || reader.table.starts_with(table + ".")) out += line + "\n";
+  }
+  return out;
+}
+
 }  // namespace jointid::gui

@@ -19,4 +19,7 @@ CompletionPlace completion_place(const std::string& before);
 /// The line (from 1) of a key in its table, of the table's header where the key is empty or not there, or 0.
 int line_of_key(const std::string& text, const std::string& table, const std::string& key);
 
+/// The lines of a table and of those below it, in the order of the text.
+std::string tables_below(const std::string& text, const std::string& table);
+
 }  // namespace jointid::gui
