@@ -38,6 +38,7 @@ class MainWindow : public QMainWindow {
   void add_file_menu();
   void add_edit_menu();
   void add_view_menu();
+  void add_run_menu();
   void add_help_menu();
   Project* add_project();
   void open_scene(const QString& file);

@@ -9,6 +9,7 @@
 #include "gui/project.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -27,6 +28,7 @@ void MainWindow::add_menus() {
   add_file_menu();
   add_edit_menu();
   add_view_menu();
+  add_run_menu();
   add_help_menu();
 }
 
@@ -74,9 +76,27 @@ void MainWindow::add_view_menu() {
   menu->addSeparator();
   menu->addAction(tr("&Scene"), QKeySequence(tr("Alt+1")), this,
                   on_current(this, [](Project& project) { project.editor()->setFocus(); }));
+  menu->addAction(tr("&Data"), QKeySequence(tr("Alt+2")), this,
+                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(0); }));
+  menu->addAction(tr("S&olution"), QKeySequence(tr("Alt+3")), this,
+                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(1); }));
   menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
     if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
   });
+}
+
+void MainWindow::add_run_menu() {
+  QMenu* const menu = menuBar()->addMenu(tr("&Run"));
+  menu->addAction(tr("&Plan"), QKeySequence(tr("F6")), this, on_current(this, [](Project& project) {
+                    project.pages()->setCurrentWidget(project.solve_page());
+                    project.solve_page()->plan();
+                  }));
+  menu->addAction(tr("&Solve"), QKeySequence(tr("F5")), this, on_current(this, [](Project& project) {
+                    project.pages()->setCurrentWidget(project.solve_page());
+                    project.solve_page()->solve();
+                  }));
+  menu->addAction(tr("&Cancel"), QKeySequence(tr("Shift+F5")), this,
+                  on_current(this, [](Project& project) { project.solve_page()->cancel(); }));
 }
 
 void MainWindow::add_help_menu() {

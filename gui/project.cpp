@@ -18,6 +18,7 @@
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
 #include "ident/scene/scene_files.hpp"
 
 namespace jointid::gui {
@@ -74,7 +75,10 @@ void Project::add_pages() {
   pages_ = named(new QTabWidget, "pages", tr("Pages"));
   data_page_ = named(new DataPage, "data_page", tr("Data"));
   pages_->addTab(data_page_, tr("Data"));
+  solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
+  pages_->addTab(solve_page_, tr("Solve"));
   splitter_->addWidget(pages_);
+  connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
@@ -125,7 +129,7 @@ bool Project::save_as(const QString& file) {
       if (input != path()) inputs.push_back(input);
     }
   }
-  watcher_.removePath(file_);
+  if (!file_.isEmpty()) watcher_.removePath(file_);
   try {
     write_output(target, editor_->text(), inputs);
   } catch (const InputError& error) {
@@ -147,12 +151,21 @@ void Project::check() {
   checked_ = check_scene(editor_->text(), path());
   editor_->set_error(checked_.error);
   show_problem();
-  if (checked_.scene) show_scene();
+  show_scene();
   Q_EMIT scene_checked();
 }
 
 void Project::show_scene() {
+  solve_page_->set_file(file_);
+  solve_page_->set_scene(checked_.scene);
+  if (!checked_.scene) return;
   data_page_->set_scene(*checked_.scene, path().parent_path().string() + '\n' + tables_below(editor_->text(), "data"));
+}
+
+/// Planning and solving know more than the reader of scenes: what they say stands below its line, too.
+void Project::show_failure(const InputError& error) {
+  if (checked_.error) return;
+  editor_->set_error(located(error, editor_->text()));
 }
 
 /// A value that was chosen on a page, as a step of the text that can be undone.

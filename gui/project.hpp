@@ -15,6 +15,7 @@ namespace jointid::gui {
 class DataPage;
 class MessageBar;
 class SceneEditor;
+class SolvePage;
 
 /// One scene: its text on the left, what it leads to on the right. The text is all there is to save.
 class Project : public QWidget {
@@ -38,6 +39,7 @@ class Project : public QWidget {
 
   SceneEditor* editor() const { return editor_; }
   DataPage* data_page() const { return data_page_; }
+  SolvePage* solve_page() const { return solve_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   const CheckedScene& checked() const { return checked_; }
@@ -57,6 +59,7 @@ class Project : public QWidget {
   void show_scene();
   void edit(const std::string& table, const std::string& key, const std::string& value);
   void offer_dofs();
+  void show_failure(const InputError& error);
   void show_problem();
   void watch();
   void file_changed();
@@ -69,6 +72,7 @@ class Project : public QWidget {
   QSplitter* splitter_;
   QTabWidget* pages_;
   DataPage* data_page_;
+  SolvePage* solve_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

@@ -9,15 +9,18 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProcess>
 #include <QSet>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <nlohmann/json.hpp>
 
 #include "gui/look/message_bar.hpp"
 #include "gui/project.hpp"
 #include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
 #include "widgets.hpp"
 
 namespace jointid::gui {
@@ -139,6 +142,41 @@ TEST(MainWindow, UnsavedChangesAreNotLostByAccident) {
   EXPECT_THAT(read_file(shown.folder.filePath("one.toml")), testing::StartsWith("# x"));
 }
 
+TEST(MainWindow, FromDroppedFilesToTheCommandsAnswer) {
+  Shown shown;
+  const Measured rig("A1");
+  shown.drop(rig.files());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown.window.count() == 1; }, 20000));
+  Project& project = *shown.window.current();
+  ASSERT_TRUE(project.save_as(rig.file("mine.toml")));
+  QTest::keyClick(&shown.window, Qt::Key_F5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !project.solve_page()->runs().empty(); }, 60000))
+      << project.solve_page()->status().toStdString();
+  EXPECT_EQ(project.pages()->currentWidget(), project.solve_page());
+  QProcess command;
+  command.start(JOINTID_COMMAND, {"solve", rig.file("mine.toml"), "--json", "-"});
+  ASSERT_TRUE(command.waitForFinished(60000));
+  auto theirs = nlohmann::ordered_json::parse(command.readAllStandardOutput().toStdString());
+  auto ours = nlohmann::ordered_json::parse(json_of(project.solve_page()->runs().front()));
+  theirs.erase("runtime_s");
+  ours.erase("runtime_s");
+  EXPECT_EQ(ours.dump(), theirs.dump());
+}
+
+TEST(MainWindow, AWrongPlanStandsBelowItsLine) {
+  Shown shown;
+  const Measured rig("A1");
+  shown.window.open({rig.scene()});
+  Project& project = *shown.window.current();
+  std::string text = project.editor()->text();
+  text.replace(text.find("4:+Y"), 4, "77:+Y");
+  project.editor()->replace_text(text);
+  QTest::keyClick(&shown.window, Qt::Key_F6);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return project.editor()->error().has_value(); }, 20000));
+  EXPECT_THAT(project.editor()->error()->problem, testing::HasSubstr("77:+Y"));
+  EXPECT_GT(project.editor()->error()->line, 0);
+}
+
 TEST(MainWindow, ItsLayoutIsKept) {
   {
     Shown shown;
@@ -152,7 +190,14 @@ TEST(MainWindow, EveryWidgetHasANameForScreenReaders) {
   Shown shown;
   EXPECT_EQ(without_accessible_name(shown.window), QStringList());
   shown.window.open({shown.scene("one.toml")});
-  EXPECT_EQ(without_accessible_name(shown.window), QStringList());
+  Project& project = *shown.window.current();
+  for (int page = 0; page < project.pages()->count(); ++page) {
+    project.pages()->setCurrentIndex(page);
+    for (int result = 0; result < project.solve_page()->results()->count(); ++result) {
+      project.solve_page()->results()->setCurrentIndex(result);
+      EXPECT_EQ(without_accessible_name(shown.window), QStringList());
+    }
+  }
 }
 
 TEST(MainWindow, EveryMenuEntryIsReachedByKeyboard) {

@@ -14,6 +14,7 @@
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
 #include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -38,9 +39,20 @@ class Photographer {
     wait_for([&] { return data.plot()->curves().size() == 2; });
     data.plot()->set_cursor(420.0);
     keep("workbench-data");
+    SolvePage& solve = *project.solve_page();
+    project.pages()->setCurrentWidget(&solve);
+    solve.solve();
+    wait_for([&] { return !solve.runs().empty() && !solve.is_busy(); });
+    keep("workbench-unknowns");
+    solve.results()->setCurrentIndex(2);
+    keep("workbench-joint");
+    solve.results()->setCurrentIndex(4);
+    solve.plot()->set_cursor(420.0);
     window_.set_theme(Theme::dark);
-    keep("workbench-dark");
+    keep("workbench-frfs-dark");
     window_.set_theme(Theme::light);
+    solve.results()->setCurrentIndex(0);
+    keep("workbench-plan");
     QString text = project.editor()->toPlainText();
     project.editor()->replace_text(text.replace("pattern = \"symmetric\"", "patern = \"symmetric\"").toStdString());
     keep("workbench-error");
