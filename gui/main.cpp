@@ -1,5 +1,6 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QIcon>
 #include <QSettings>
 
 #include "gui/main_window.hpp"
@@ -9,6 +10,8 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("jointid"));
   QApplication::setApplicationName(QStringLiteral("jointid-workbench"));
   QApplication::setApplicationVersion(QStringLiteral(JOINTID_VERSION));
+  QApplication::setWindowIcon(QIcon(QStringLiteral(":/jointid-workbench.svg")));
+  QApplication::setDesktopFileName(QStringLiteral("jointid-workbench"));
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral("Finds joints from measured FRFs"));
   parser.addHelpOption();

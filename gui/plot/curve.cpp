@@ -9,6 +9,7 @@
 #include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "report/frf_curves.hpp"
+#include "report/phase_branch.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -26,6 +27,14 @@ std::vector<double> parts(const std::vector<Complex>& values, Part part) {
   return out;
 }
 
+/// Moves all phases into the period that they cross least, and away from ±180° where the phase of a driving point stays.
+void choose_branch(Panel& panel) {
+  panel.top = report::branch_end_deg(panel.ordinates);
+  for (std::vector<double>& phases : panel.ordinates) {
+    for (double& phase : phases) phase = report::within_branch(phase, panel.top);
+  }
+}
+
 /// 20 log10 of the ratio, line by line.
 std::vector<double> difference(const Curve& computed, const Curve& measured) {
   std::vector<double> out;
@@ -37,7 +46,7 @@ std::vector<double> difference(const Curve& computed, const Curve& measured) {
 }
 
 Panel difference_panel(const std::vector<Curve>& curves) {
-  Panel panel{"computed over measured (dB)", false, {}};
+  Panel panel{"computed over measured (dB)", false, {}, 0.0};
   const Curve* measured = nullptr;
   for (const Curve& curve : curves) {
     if (curve.is_measured) measured = &curve;
@@ -83,19 +92,20 @@ std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quan
   if (view == View::nyquist) return {};
   if (view == View::difference) return {difference_panel(curves)};
   if (view == View::coherence) {
-    Panel panel{coherence_label, false, {}};
+    Panel panel{coherence_label, false, {}, 1.0};
     for (const Curve& curve : curves) panel.ordinates.push_back(curve.coherence);
     return {panel};
   }
   const bool polar = view == View::magnitude_phase;
-  Panel first{polar ? frf::name(quantity) + in : "real part" + in, polar, {}};
-  Panel second{polar ? phase_label : "imaginary part" + in, false, {}};
+  Panel first{polar ? frf::name(quantity) + in : "real part" + in, polar, {}, 0.0};
+  Panel second{polar ? phase_label : "imaginary part" + in, false, {}, 0.0};
   for (const Curve& curve : curves) {
     const std::vector<Complex> values = converted(curve, quantity);
     first.ordinates.push_back(polar ? report::magnitudes(values)
                                     : parts(values, [](const Complex& value) { return value.real(); }));
     second.ordinates.push_back(polar ? phases(values) : parts(values, [](const Complex& value) { return value.imag(); }));
   }
+  if (polar) choose_branch(second);
   return {first, second};
 }
 

@@ -25,6 +25,7 @@ struct Panel {
   std::string label;
   bool logarithmic = false;
   std::vector<std::vector<double>> ordinates;
+  double top = 0.0;  ///< of phases, the end of the period that they are in
 };
 
 inline constexpr const char* phase_label = "phase (°)";

@@ -27,12 +27,12 @@ QVector<QCPGraphData> points(const std::vector<double>& x, const std::vector<dou
   return data;
 }
 
-void draw_degrees(QCPAxis* axis) {
+void draw_degrees(QCPAxis* axis, double top) {
   auto ticks = QSharedPointer<QCPAxisTickerFixed>::create();
   ticks->setTickStep(90.0);
   ticks->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
   axis->setTicker(ticks);
-  axis->setRange(-190.0, 190.0);
+  axis->setRange(top - 370.0, top + 10.0);
 }
 
 ident::Range span_of(const std::vector<Curve>& curves) {
@@ -141,7 +141,7 @@ void PlotCanvas::add_panel(int row, const Panel& panel, bool last) {
     graph->setPen(QPen(curve_colour(theme_of(palette()), static_cast<int>(i)), 1.0, line));
     graph->data()->set(points(curves_[i].frequency_hz, panel.ordinates[i]), true);
   }
-  rect->setProperty("degrees", panel.label == phase_label);
+  if (panel.label == phase_label) rect->setProperty("top_deg", panel.top);
   rect->setProperty("unity", panel.label == coherence_label);
   fit_axes(rect);
   draw_bands(rect);
@@ -152,7 +152,7 @@ void PlotCanvas::fit_axes(QCPAxisRect* rect) const {
   QCPAxis* const x = rect->axis(QCPAxis::atBottom);
   QCPAxis* const y = rect->axis(QCPAxis::atLeft);
   x->setRange(shown_hz()[0], shown_hz()[1]);
-  if (rect->property("degrees").toBool()) return draw_degrees(y);
+  if (const QVariant top = rect->property("top_deg"); top.isValid()) return draw_degrees(y, top.toDouble());
   if (rect->property("unity").toBool()) return y->setRange(0.0, 1.02);
   bool found = false;
   for (QCPGraph* graph : rect->graphs()) {
@@ -168,6 +168,11 @@ void PlotCanvas::draw_panels() {
   auto* margins = new QCPMarginGroup(plot_);
   const QList<QCPAxisRect*> rects = plot_->axisRects();
   for (QCPAxisRect* rect : rects) rect->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
+  for (QCPAxisRect* rect : rects) {
+    if (rect == rects.back()) continue;
+    rect->setAutoMargins(QCP::msLeft | QCP::msRight | QCP::msTop);  // no room for numbers that are not there
+    rect->setMargins(QMargins(0, 0, 0, 6));
+  }
   if (rects.size() > 1) plot_->plotLayout()->setRowStretchFactor(0, 2.0);
   plot_->plotLayout()->setRowSpacing(2);
   if (curves_.size() > most_in_legend || rects.isEmpty()) return;

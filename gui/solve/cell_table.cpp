@@ -14,6 +14,7 @@ namespace jointid::gui {
 namespace {
 
 constexpr int widest_column = 620;  // pixels
+constexpr int row_padding = 6;
 
 /// Draws an interval as a bar about zero in the middle of the cell.
 class BarDelegate : public QStyledItemDelegate {
@@ -97,7 +98,6 @@ CellTable::CellTable(const char* name, const QString& accessible_name, QWidget* 
   setTabKeyNavigation(false);
   setWordWrap(true);
   setAlternatingRowColors(false);
-  verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   model_->set_theme(theme_of(palette()));
 }
 
@@ -109,6 +109,7 @@ void CellTable::show_rows(CellRows rows) {
   for (int column = 0; column < model_->columnCount(); ++column)
     setColumnWidth(column, std::min(widest_column, columnWidth(column)));
   resizeRowsToContents();
+  for (int row = 0; row < model_->rowCount(); ++row) setRowHeight(row, rowHeight(row) + row_padding);
 }
 
 QString CellTable::text(QChar separator) const {

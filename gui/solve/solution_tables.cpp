@@ -50,13 +50,23 @@ std::array<double, 2> interval(const ident::Estimate& estimate) {
   return {estimate.value - error, estimate.value + error};
 }
 
-/// The largest of value and interval among the unknowns of each unit.
+/// Unknowns of one matrix and unit are drawn on one scale: "left.K N/m" of left.K(1,2), which is in N/m.
+std::string scale_key(const ident::Estimate& estimate) {
+  const std::size_t bracket = estimate.name.find('(');
+  const std::size_t end = bracket != std::string::npos ? bracket : estimate.name.rfind('.');
+  return (end == std::string::npos ? std::string() : estimate.name.substr(0, end)) + " " + estimate.unit;
+}
+
+/// The largest of value and interval among the unknowns of each scale.
 std::map<std::string, double> scales(const ident::Solution& solution) {
   std::map<std::string, double> largest;
   for (const auto& each : solution.unknowns) {
     const auto [low, high] = interval(each);
     for (const double value : {low, high, each.value}) {
-      if (std::isfinite(value)) largest[each.unit] = std::max(largest[each.unit], std::abs(value));
+      if (std::isfinite(value)) {
+        double& scale = largest[scale_key(each)];
+        scale = std::max(scale, std::abs(value));
+      }
     }
   }
   return largest;
@@ -133,7 +143,7 @@ CellRows unknown_rows(const ident::Solution& solution) {
       {}};
   const auto largest = scales(solution);
   for (const auto& each : solution.unknowns) {
-    const double scale = std::max(largest.at(each.unit), std::numeric_limits<double>::min());
+    const double scale = std::max(largest.at(scale_key(each)), std::numeric_limits<double>::min());
     const auto [low, high] = interval(each);
     Cell bar;
     if (std::isfinite(each.value)) bar.bar = {{low / scale, each.value / scale, high / scale}};

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -154,9 +155,19 @@ bool SolvePage::is_busy() const { return worker_->is_busy(); }
 QString SolvePage::status() const { return status_->text(); }
 
 void SolvePage::say(const QString& text, bool bad) {
-  const Colours use = colours(theme_of(palette()));
-  status_->setStyleSheet(QStringLiteral("color: %1").arg((bad ? use.error : use.text).name()));
+  bad_ = bad;
+  colour_status();
   status_->setText(text);
+}
+
+void SolvePage::colour_status() {
+  const Colours use = colours(theme_of(palette()));
+  status_->setStyleSheet(QStringLiteral("color: %1").arg((bad_ ? use.error : use.text).name()));
+}
+
+void SolvePage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && status_ != nullptr) colour_status();
 }
 
 void SolvePage::set_scene(std::optional<ident::Scene> scene) {

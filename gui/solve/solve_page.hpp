@@ -50,6 +50,9 @@ class SolvePage : public QWidget {
   void failed(const jointid::InputError& error);
   void solved();
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QWidget* make_top();
   QWidget* make_joint_tab();
@@ -63,6 +66,7 @@ class SolvePage : public QWidget {
   void save_json();
   void save_table();
   void say(const QString& text, bool bad);
+  void colour_status();
   const Solved* current() const;
 
   QPushButton *solve_, *cancel_;
@@ -77,6 +81,7 @@ class SolvePage : public QWidget {
   std::vector<Solved> runs_;
   QString file_;
   std::size_t wanted_ = 0;
+  bool bad_ = false;  ///< what the status says
 };
 
 }  // namespace jointid::gui

@@ -1,6 +1,7 @@
 #include "ident/tasks/propose_scene.hpp"
 
 #include <cstdio>
+#include <sstream>
 
 #include "base/text.hpp"
 
@@ -56,11 +57,29 @@ std::string dofs_text(const std::vector<frf::Dof>& dofs) {
   return list_text(items);
 }
 
+/// A sentence as a comment of lines that an editor shows whole. Control characters of file names would end it.
+std::string comment(const std::string& sentence) {
+  constexpr std::size_t widest = 72;
+  std::string text = "#";
+  std::size_t width = 1;
+  std::istringstream words(sentence);
+  for (std::string word; words >> word;) {
+    if (width + 1 + word.size() > widest && width > 3) {
+      text += "\n#  ";
+      width = 3;
+    }
+    for (char& c : word) c = static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+    text += " " + word;
+    width += 1 + word.size();
+  }
+  return text + "\n";
+}
+
 /// Why, above the scene.
 std::string comments(const ProposedScene& proposed) {
   std::string text;
-  for (const std::string& reason : proposed.reasons) text += "# " + reason + "\n";
-  for (const std::string& doubt : proposed.doubts) text += "# LOOK: " + doubt + "\n";
+  for (const std::string& reason : proposed.reasons) text += comment(reason);
+  for (const std::string& doubt : proposed.doubts) text += comment("LOOK: " + doubt);
   return text;
 }
 
@@ -109,8 +128,8 @@ std::string scene_text(const ProposedScene& proposed, const fs::path& folder) {
     text += "\n[frequency]\nrange = [" + digits((*proposed.range_hz)[0], "%.12g") + ", " +
             digits((*proposed.range_hz)[1], "%.12g") + "]  # Hz\n";
   }
-  text += "\n[joint]\ndofs = " + dofs_text(proposed.joint) + "  # node:direction, on both sides\n";
-  text += "\n# What is unknown: symmetric matrices of stiffness and hysteretic damping, no mass.\n";
+  text += "\n[joint]\ndofs = " + dofs_text(proposed.joint) + "  # both sides\n";
+  text += "\n# Unknown: stiffness and hysteretic damping, both symmetric, no mass.\n";
   return text + "[joint.stiffness]\npattern = \"symmetric\"\n\n[joint.hysteretic_damping]\npattern = \"symmetric\"\n";
 }
 

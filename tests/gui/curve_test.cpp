@@ -33,6 +33,13 @@ TEST(Panels, MagnitudeIsLogarithmicAndPhaseInDegrees) {
   EXPECT_TRUE(std::isnan(all[0].ordinates[0][2]));
 }
 
+TEST(Panels, PhasesAreNotCutWhereTheyStay) {
+  Curve noisy = curve();
+  noisy.values = {{-1.0, 0.01}, {-1.0, -0.01}, {-1.0, 0.01}};
+  const auto all = panels({noisy}, View::magnitude_phase, frf::Quantity::receptance);
+  EXPECT_NEAR(all[1].ordinates[0][0], all[1].ordinates[0][1], 5.0);
+}
+
 TEST(Panels, AccelerancesAreReceptancesTimesMinusOmegaSquared) {
   const auto all = panels({curve()}, View::real_imaginary, frf::Quantity::accelerance);
   const double omega = 2.0 * std::numbers::pi * 2.0;

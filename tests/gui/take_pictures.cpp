@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QFileInfo>
 #include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
@@ -26,10 +27,31 @@ class Photographer {
   Photographer(const QString& scene, const QString& folder) : folder_(folder) {
     window_.resize(1280, 800);
     window_.show();
-    window_.open({scene});
+    scene_ = scene;
   }
 
   void take() {
+    take_proposal();
+    window_.open({scene_});
+    take_scene();
+  }
+
+ private:
+  /// Of the FRF files beside the scene.
+  void take_proposal() {
+    QStringList files;
+    const QDir beside = QFileInfo(scene_).absoluteDir();
+    for (const QString& name : beside.entryList({"*.uff"}, QDir::Files, QDir::Name)) files << beside.filePath(name);
+    window_.open(files);
+    wait_for([&] { return window_.current() != nullptr; });
+    Project& project = *window_.current();
+    wait_for([&] { return !project.data_page()->is_busy() && !project.data_page()->plot()->curves().empty(); });
+    keep("workbench-new");
+    project.editor()->document()->setModified(false);
+    QTest::keyClick(&window_, Qt::Key_W, Qt::ControlModifier);
+  }
+
+  void take_scene() {
     Project& project = *window_.current();
     DataPage& data = *project.data_page();
     wait_for([&] { return !data.is_busy() && data.files().size() > 0; });
@@ -44,22 +66,18 @@ class Photographer {
     solve.solve();
     wait_for([&] { return !solve.runs().empty() && !solve.is_busy(); });
     keep("workbench-unknowns");
-    solve.results()->setCurrentIndex(2);
-    keep("workbench-joint");
     solve.results()->setCurrentIndex(4);
     solve.plot()->set_cursor(420.0);
     window_.set_theme(Theme::dark);
     keep("workbench-frfs-dark");
     window_.set_theme(Theme::light);
-    solve.results()->setCurrentIndex(0);
-    keep("workbench-plan");
+    project.pages()->setCurrentIndex(0);
     QString text = project.editor()->toPlainText();
     project.editor()->replace_text(text.replace("pattern = \"symmetric\"", "patern = \"symmetric\"").toStdString());
     keep("workbench-error");
     project.editor()->undo();
   }
 
- private:
   void keep(const char* name) {
     QTest::qWait(200);
     const QImage image = window_.grab().toImage();
@@ -68,7 +86,7 @@ class Photographer {
     std::printf("%s\n", qPrintable(file));
   }
 
-  QString folder_;
+  QString folder_, scene_;
   MainWindow window_;
 };
 

@@ -175,6 +175,7 @@ TEST(ProposedScene, NamesOfFilesAreQuoted) {
   proposed.substructures = {{"a \"b\"\\c.uff"}};
   proposed.assembly = {{"run\n1.uff", "run2.uff"}};
   proposed.joint = {frf::Dof::parse("1:+X"), frf::Dof::parse("2:+X")};
+  proposed.reasons = {"run\n1.uff and " + std::string(200, 'x') + " \x01 are runs"};
   const Scene scene = parse_scene(scene_text(proposed, ""), "scene.toml");
   EXPECT_EQ(scene.data.substructures.front().path.filename(), "a \"b\"\\c.uff");
   EXPECT_EQ(scene.data.assembly.front().path.filename(), "run\n1.uff");
