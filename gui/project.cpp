@@ -60,7 +60,7 @@ Project::Project(QWidget* parent) : QWidget(parent) {
   splitter_->addWidget(left);
   add_pages();
   splitter_->setStretchFactor(1, 1);
-  splitter_->setSizes({420, 860});
+  splitter_->setSizes({500, 780});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(messages_);

@@ -59,7 +59,7 @@ std::string dofs_text(const std::vector<frf::Dof>& dofs) {
 
 /// A sentence as a comment of lines that an editor shows whole. Control characters of file names would end it.
 std::string comment(const std::string& sentence) {
-  constexpr std::size_t widest = 72;
+  constexpr std::size_t widest = 64;
   std::string text = "#";
   std::size_t width = 1;
   std::istringstream words(sentence);
