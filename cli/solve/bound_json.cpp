@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/solve/identifiability_json.hpp"
 #include "cli/text/json_value.hpp"
+#include "report/identifiability_json.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -32,7 +32,7 @@ Json bound_json(const ident::BoundReport& report) {
   }
   Json json = {{"variances", report.variances},
           {"unknowns", unknowns},
-          {"weakest", weakest_json(report.weakest)},
+          {"weakest", jointid::report::weakest_json(report.weakest)},
           {"without_coordinate", changes(report.without_coordinate)},
           {"without_lines", changes(report.without_lines)},
           {"with_more", changes(report.with_more)}};

@@ -10,7 +10,6 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/output.hpp"
-#include "cli/solve/solution_json.hpp"
 #include "cli/solve/solution_text.hpp"
 #include "cli/solve/solve_page.hpp"
 #include "cli/text/failure.hpp"
@@ -19,6 +18,7 @@
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "report/solution_json.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -28,7 +28,7 @@ void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
 }
 
 void write_numbers(const SolveArguments& arguments, const ident::Solution& solution, const std::string& title, std::ostream& out) {
-  if (arguments.json) write_target(*arguments.json, solution_json(solution), out);
+  if (arguments.json) write_target(*arguments.json, jointid::report::solution_json(solution), out);
   if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << solution_text(solution, title);
 }

@@ -15,6 +15,7 @@ constexpr std::array heavy = {
     std::string_view("nlohmann/json.hpp"), std::string_view("CLI/CLI.hpp"),   std::string_view("cholmod.h"),
     std::string_view("SuiteSparseQR.hpp"), std::string_view("ceres/ceres.h"), std::string_view("nlopt.hpp"),
     std::string_view("IpIpoptApplication.hpp"), std::string_view("IpSolveStatistics.hpp"), std::string_view("IpTNLP.hpp"),
+    std::string_view("qcustomplot.h"),
 };
 
 /// Of Eigen's decompositions: minutes of a build where every caller instantiates them.

@@ -8,8 +8,12 @@
 #include <numbers>
 #include <random>
 
+#include "report/phase_branch.hpp"
+
 namespace jointid::cli::report {
 namespace {
+
+using jointid::report::crossings;
 
 using testing::Each;
 using testing::ElementsAre;

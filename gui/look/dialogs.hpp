@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QStringList>
+
+class QWidget;
+
+namespace jointid::gui {
+
+/// Files to open, or none. The folder is remembered.
+QStringList choose_files_to_open(QWidget* parent);
+
+/// A file to write, with `suffix` where the user gives none, or an empty name.
+QString choose_file_to_save(QWidget* parent, const QString& title, const QString& suggestion, const QString& filter,
+                            const QString& suffix);
+
+}  // namespace jointid::gui

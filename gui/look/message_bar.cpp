@@ -1,0 +1,77 @@
+#include "gui/look/message_bar.hpp"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "gui/look/named.hpp"
+#include "gui/look/theme.hpp"
+
+namespace jointid::gui {
+
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent) {
+  named(this, "message_bar", tr("Message"));
+  setFrameShape(QFrame::StyledPanel);
+  label_ = named(new QLabel, "message", tr("Message"));
+  label_->setWordWrap(true);
+  label_->setTextFormat(Qt::PlainText);
+  label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  action_ = named(new QPushButton, "message_action", tr("Do what the message offers"));
+  auto* close = named(new QToolButton, "message_close", tr("Close the message"));
+  close->setText(QStringLiteral("×"));
+  close->setAutoRaise(true);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 4, 4, 4);
+  row->addWidget(label_, 1);
+  row->addWidget(action_);
+  row->addWidget(close);
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  connect(action_, &QPushButton::clicked, this, [this] {
+    hide();
+    if (act_) act_();
+  });
+  hide();
+}
+
+QString MessageBar::text() const { return isHidden() ? QString() : label_->text(); }
+
+void MessageBar::say(const QString& text) {
+  action_->hide();
+  show_text(text, false);
+}
+
+void MessageBar::warn(const QString& text) {
+  action_->hide();
+  show_text(text, true);
+}
+
+void MessageBar::ask(const QString& text, const QString& action, std::function<void()> act) {
+  act_ = std::move(act);
+  action_->setText(action);
+  action_->show();
+  show_text(text, true);
+}
+
+void MessageBar::show_text(const QString& text, bool bad) {
+  bad_ = bad;
+  label_->setText(text);
+  colour();
+  show();
+  QAccessibleEvent event(label_, QAccessible::Alert);
+  QAccessible::updateAccessibility(&event);
+}
+
+void MessageBar::colour() {
+  const Colours use = colours(theme_of(palette()));
+  label_->setStyleSheet(QStringLiteral("color: %1").arg((bad_ ? use.error : use.text).name()));
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colour();
+}
+
+}  // namespace jointid::gui

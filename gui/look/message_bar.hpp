@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QFrame>
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
+namespace jointid::gui {
+
+/// A line above a page that says what happened, with at most one thing to do about it. It waits to be read instead of stopping
+/// the user.
+class MessageBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit MessageBar(QWidget* parent = nullptr);
+
+  void say(const QString& text);
+  void warn(const QString& text);
+  void ask(const QString& text, const QString& action, std::function<void()> act);
+  QString text() const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void show_text(const QString& text, bool bad);
+  void colour();
+
+  QLabel* label_;
+  QPushButton* action_;
+  std::function<void()> act_;
+  bool bad_ = false;
+};
+
+}  // namespace jointid::gui

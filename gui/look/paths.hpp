@@ -1,0 +1,12 @@
+#pragma once
+
+#include <QString>
+#include <filesystem>
+
+namespace jointid::gui {
+
+/// Between the names of Qt and those of the library; bytes that are no UTF-8 survive.
+std::filesystem::path as_path(const QString& name);
+QString as_name(const std::filesystem::path& path);
+
+}  // namespace jointid::gui

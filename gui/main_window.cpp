@@ -1,0 +1,225 @@
+#include "gui/main_window.hpp"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "gui/look/dialogs.hpp"
+#include "gui/look/message_bar.hpp"
+#include "gui/look/named.hpp"
+#include "gui/look/paths.hpp"
+#include "gui/project.hpp"
+#include "gui/recent_files.hpp"
+#include "gui/scene/scene_editor.hpp"
+#include "gui/work/worker.hpp"
+#include "ident/tasks/propose_scene.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr int layout_version = 1;
+
+const char* const first_text = R"(# The parts without the joint, and the parts with it. Paths are relative to this file.
+[data]
+substructures = []
+assembly = []
+
+# Joint DOFs on both sides, and what is unknown between them.
+[joint]
+dofs = []
+
+[joint.stiffness]
+pattern = "symmetric"
+)";
+
+bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QStringLiteral("toml"), Qt::CaseInsensitive) == 0; }
+
+QStringList files_in(const QMimeData* data) {
+  QStringList files;
+  for (const QUrl& url : data->urls()) {
+    if (url.isLocalFile()) files << url.toLocalFile();
+  }
+  return files;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+  named(this, "main_window", tr("jointid workbench"));
+  setAcceptDrops(true);
+  auto* hint = named(new QLabel(tr("Drop FRF files of the parts and of the assembly here, or a scene.\n\n"
+                                   "Ctrl+O opens them, Ctrl+N begins an empty scene.")),
+                     "hint", tr("How to begin"));
+  hint->setAlignment(Qt::AlignCenter);
+  tabs_ = named(new QTabWidget, "projects", tr("Projects"));
+  tabs_->setTabsClosable(true);
+  tabs_->setMovable(true);
+  tabs_->setDocumentMode(true);
+  stack_ = named(new QStackedWidget, "stack", tr("Projects, or how to begin"));
+  stack_->addWidget(hint);
+  stack_->addWidget(tabs_);
+  messages_ = new MessageBar;
+  auto* all = named(new QWidget, "content", tr("Content"));
+  auto* column = new QVBoxLayout(all);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(messages_);
+  column->addWidget(stack_, 1);
+  setCentralWidget(all);
+  worker_ = new Worker(this);
+  connect(worker_, &Worker::failed, this, [this](const InputError& error) { messages_->warn(QString::fromUtf8(error.what())); });
+  connect(tabs_, &QTabWidget::tabCloseRequested, this, &MainWindow::close_project);
+  connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::show_titles);
+  add_menus();
+  restore_layout();
+  show_titles();
+}
+
+Project* MainWindow::current() const { return qobject_cast<Project*>(tabs_->currentWidget()); }
+
+int MainWindow::count() const { return tabs_->count(); }
+
+Project* MainWindow::add_project() {
+  auto* project = new Project;
+  project->restore_layout(QSettings().value(QStringLiteral("project_layout")).toByteArray());
+  tabs_->addTab(project, {});
+  tabs_->setCurrentWidget(project);
+  connect(project, &Project::title_changed, this, &MainWindow::show_titles);
+  return project;
+}
+
+void MainWindow::open_scene(const QString& file) {
+  const QString whole = QFileInfo(file).absoluteFilePath();
+  for (int i = 0; i < tabs_->count(); ++i) {
+    if (qobject_cast<Project*>(tabs_->widget(i))->file() == whole) return tabs_->setCurrentIndex(i);
+  }
+  Project* const project = add_project();
+  if (project->open(file)) return project->editor()->setFocus();
+  const QString why = project->messages()->text();
+  tabs_->removeTab(tabs_->indexOf(project));
+  delete project;
+  messages_->warn(why);
+  show_titles();
+}
+
+void MainWindow::open(const QStringList& files) {
+  messages_->hide();
+  QStringList others;
+  for (const QString& file : files) {
+    if (is_scene(file))
+      open_scene(file);
+    else
+      others << file;
+  }
+  if (!others.isEmpty()) propose_scene(others);
+}
+
+void MainWindow::propose_scene(const QStringList& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files) paths.push_back(as_path(QFileInfo(file).absoluteFilePath()));
+  const QString folder = QFileInfo(files.front()).absolutePath();
+  messages_->say(tr("Looking at %n file(s) …", nullptr, static_cast<int>(files.size())));
+  worker_->add([this, paths, folder](const Worker::Watch& watch) -> Worker::Deliver {
+    const std::string text = ident::scene_text(ident::propose_scene(paths, watch.interrupted), as_path(folder));
+    return [this, text, folder] {
+      messages_->hide();
+      Project* const project = add_project();
+      project->start(text, folder);
+      show_titles();
+      project->messages()->say(tr("This scene was proposed from the files; why stands above it. Look at it, then save it."));
+      project->editor()->setFocus();
+    };
+  });
+}
+
+void MainWindow::new_scene() {
+  Project* const project = add_project();
+  project->start(first_text, QString());
+  show_titles();
+  project->editor()->setFocus();
+}
+
+void MainWindow::choose_files() { open(choose_files_to_open(this)); }
+
+bool MainWindow::save(Project& project) { return project.file().isEmpty() ? save_as(project) : project.save(); }
+
+bool MainWindow::save_as(Project& project) {
+  const QString file =
+      choose_file_to_save(this, tr("Save the scene"), project.file(), tr("Scenes (*.toml)"), QStringLiteral("toml"));
+  return !file.isEmpty() && project.save_as(file);
+}
+
+bool MainWindow::may_close(Project& project) {
+  if (!project.is_modified()) return true;
+  tabs_->setCurrentWidget(&project);
+  const auto answer = QMessageBox::question(this, tr("Unsaved scene"), tr("Save the changes of %1?").arg(project.title()),
+                                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save(project));
+}
+
+bool MainWindow::close_project(int index) {
+  auto* const project = qobject_cast<Project*>(tabs_->widget(index));
+  if (project == nullptr || !may_close(*project)) return false;
+  QSettings().setValue(QStringLiteral("project_layout"), project->layout_state());
+  tabs_->removeTab(index);
+  delete project;
+  show_titles();
+  return true;
+}
+
+void MainWindow::show_titles() {
+  for (int i = 0; i < tabs_->count(); ++i) {
+    const auto* project = qobject_cast<Project*>(tabs_->widget(i));
+    tabs_->setTabText(i, project->title() + (project->is_modified() ? QStringLiteral(" *") : QString()));
+    tabs_->setTabToolTip(i, project->file());
+  }
+  stack_->setCurrentIndex(tabs_->count() > 0 ? 1 : 0);
+  const Project* project = current();
+  setWindowTitle(project == nullptr ? tr("jointid workbench") : tr("%1[*] – jointid workbench").arg(project->title()));
+  setWindowModified(project != nullptr && project->is_modified());
+}
+
+void MainWindow::set_theme(Theme theme) {
+  apply(theme, *qApp);
+  QSettings().setValue(QStringLiteral("dark"), theme == Theme::dark);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  for (int i = 0; i < tabs_->count(); ++i) {
+    if (!may_close(*qobject_cast<Project*>(tabs_->widget(i)))) return event->ignore();
+  }
+  keep_layout();
+  event->accept();
+}
+
+void MainWindow::keep_layout() const {
+  QSettings settings;
+  settings.setValue(QStringLiteral("geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("state"), saveState(layout_version));
+  if (const Project* project = current()) settings.setValue(QStringLiteral("project_layout"), project->layout_state());
+}
+
+void MainWindow::restore_layout() {
+  const QSettings settings;
+  if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) resize(1280, 800);
+  restoreState(settings.value(QStringLiteral("state")).toByteArray(), layout_version);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!files_in(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  open(files_in(event->mimeData()));
+  event->acceptProposedAction();
+}
+
+}  // namespace jointid::gui

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QMainWindow>
+
+#include "gui/look/theme.hpp"
+
+class QStackedWidget;
+class QTabWidget;
+
+namespace jointid::gui {
+
+class MessageBar;
+class Project;
+class Worker;
+
+/// Projects in tabs, the menus, and what is kept from one start to the next.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+
+  /// Scenes are opened, each in a tab; FRF files together become a new scene.
+  void open(const QStringList& files);
+  Project* current() const;
+  int count() const;
+  MessageBar* messages() const { return messages_; }
+
+  void set_theme(Theme theme);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void add_menus();
+  void add_file_menu();
+  void add_edit_menu();
+  void add_view_menu();
+  void add_run_menu();
+  void add_help_menu();
+  Project* add_project();
+  void open_scene(const QString& file);
+  void new_scene();
+  void propose_scene(const QStringList& files);
+  void choose_files();
+  bool save(Project& project);
+  bool save_as(Project& project);
+  bool may_close(Project& project);
+  bool close_project(int index);
+  void show_titles();
+  void fill_recent(QMenu& menu);
+  void keep_layout() const;
+  void restore_layout();
+
+  MessageBar* messages_;
+  QStackedWidget* stack_;
+  QTabWidget* tabs_;
+  Worker* worker_;
+};
+
+}  // namespace jointid::gui

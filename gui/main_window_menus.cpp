@@ -1,0 +1,113 @@
+#include <QActionGroup>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QTabWidget>
+
+#include "gui/main_window.hpp"
+#include "gui/project.hpp"
+#include "gui/recent_files.hpp"
+#include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
+
+namespace jointid::gui {
+namespace {
+
+/// Runs `act` on the project in front, if there is one.
+template <class Act>
+auto on_current(MainWindow* window, Act act) {
+  return [window, act] {
+    if (Project* project = window->current()) act(*project);
+  };
+}
+
+}  // namespace
+
+void MainWindow::add_menus() {
+  add_file_menu();
+  add_edit_menu();
+  add_view_menu();
+  add_run_menu();
+  add_help_menu();
+}
+
+void MainWindow::add_file_menu() {
+  QMenu* const menu = menuBar()->addMenu(tr("&File"));
+  menu->addAction(tr("&New scene"), QKeySequence::New, this, &MainWindow::new_scene);
+  menu->addAction(tr("&Open…"), QKeySequence::Open, this, &MainWindow::choose_files);
+  QMenu* const recent = menu->addMenu(tr("Open &recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { fill_recent(*recent); });
+  menu->addSeparator();
+  menu->addAction(tr("&Save"), QKeySequence::Save, this, on_current(this, [this](Project& project) { save(project); }));
+  menu->addAction(tr("Save &as…"), QKeySequence(tr("Ctrl+Shift+S")), this,
+                  on_current(this, [this](Project& project) { save_as(project); }));
+  menu->addAction(tr("&Close"), QKeySequence(tr("Ctrl+W")), this, [this] { close_project(tabs_->currentIndex()); });
+  menu->addSeparator();
+  menu->addAction(tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, &QWidget::close);
+}
+
+void MainWindow::fill_recent(QMenu& menu) {
+  menu.clear();
+  for (const QString& file : recent_files()) menu.addAction(file, this, [this, file] { open({file}); });
+  if (menu.isEmpty()) menu.addAction(tr("none yet"))->setEnabled(false);
+}
+
+void MainWindow::add_edit_menu() {
+  QMenu* const menu = menuBar()->addMenu(tr("&Edit"));
+  menu->addAction(tr("&Undo"), QKeySequence::Undo, this, on_current(this, [](Project& project) { project.editor()->undo(); }));
+  menu->addAction(tr("&Redo"), QKeySequence::Redo, this, on_current(this, [](Project& project) { project.editor()->redo(); }));
+  menu->addSeparator();
+  menu->addAction(tr("Go to what is &wrong"), QKeySequence(tr("F8")), this, on_current(this, [](Project& project) {
+                    if (const auto& error = project.editor()->error()) project.editor()->go_to_line(error->line);
+                  }));
+}
+
+void MainWindow::add_view_menu() {
+  QMenu* const menu = menuBar()->addMenu(tr("&View"));
+  auto* const themes = new QActionGroup(this);
+  const bool dark = QSettings().value(QStringLiteral("dark")).toBool();
+  for (const auto& [theme, text] : {std::pair(Theme::light, tr("&Light")), std::pair(Theme::dark, tr("&Dark"))}) {
+    QAction* const action = menu->addAction(text, this, [this, theme = theme] { set_theme(theme); });
+    action->setCheckable(true);
+    action->setChecked((theme == Theme::dark) == dark);
+    themes->addAction(action);
+  }
+  menu->addSeparator();
+  menu->addAction(tr("&Scene"), QKeySequence(tr("Alt+1")), this,
+                  on_current(this, [](Project& project) { project.editor()->setFocus(); }));
+  menu->addAction(tr("&Data"), QKeySequence(tr("Alt+2")), this,
+                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(0); }));
+  menu->addAction(tr("S&olution"), QKeySequence(tr("Alt+3")), this,
+                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(1); }));
+  menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
+    if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
+  });
+}
+
+void MainWindow::add_run_menu() {
+  QMenu* const menu = menuBar()->addMenu(tr("&Run"));
+  menu->addAction(tr("&Plan"), QKeySequence(tr("F6")), this, on_current(this, [](Project& project) {
+                    project.pages()->setCurrentWidget(project.solve_page());
+                    project.solve_page()->plan();
+                  }));
+  menu->addAction(tr("&Solve"), QKeySequence(tr("F5")), this, on_current(this, [](Project& project) {
+                    project.pages()->setCurrentWidget(project.solve_page());
+                    project.solve_page()->solve();
+                  }));
+  menu->addAction(tr("&Cancel"), QKeySequence(tr("Shift+F5")), this,
+                  on_current(this, [](Project& project) { project.solve_page()->cancel(); }));
+}
+
+void MainWindow::add_help_menu() {
+  QMenu* const menu = menuBar()->addMenu(tr("&Help"));
+  menu->addAction(tr("&About"), this, [this] {
+    QMessageBox::about(
+        this, tr("jointid workbench"),
+        tr("jointid workbench %1\n\nFinds joints from measured FRFs. Sources under BSD-3-Clause; this program links "
+           "QCustomPlot and is passed on under the GPL, version 3.")
+            .arg(QStringLiteral(JOINTID_VERSION)));
+  });
+}
+
+}  // namespace jointid::gui

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "gui/plot/curve.hpp"
+#include "ident/scene/scene.hpp"
+
+class QCPAxisRect;
+class QCPLayer;
+class QCustomPlot;
+
+namespace jointid::gui {
+
+/// The drawing of FrfPlot, and what the mouse and the keys do in it. Alone with QCustomPlot, whose header takes seconds to
+/// compile.
+class PlotCanvas : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlotCanvas(const QString& hint, QWidget* parent = nullptr);
+
+  void draw(const std::vector<Curve>& curves, View view, frf::Quantity quantity);
+  void set_bands(std::vector<ident::Range> excluded, std::optional<ident::Range> range);
+  void set_excluding(bool on) { excluding_ = on; }
+  const std::vector<Curve>& curves() const { return curves_; }
+
+  void move_cursor(double frequency_hz);
+  void show_all();
+  ident::Range shown_hz() const;
+  void show_range(const ident::Range& range);
+
+  /// The picture; `ending` is png, svg or pdf.
+  QByteArray picture(const QString& ending) const;
+
+  QCustomPlot* plot() const { return plot_; }
+
+ Q_SIGNALS:
+  void cursor_moved(double frequency_hz);
+  void band_chosen(double low_hz, double high_hz);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void redraw();
+  void draw_hint();
+  void draw_panels();
+  void fit_axes(QCPAxisRect* rect) const;
+  void fit_all();
+  void add_legend();
+  void draw_nyquist();
+  void draw_bands(QCPAxisRect* rect);
+  void draw_cursor();
+  void add_panel(int row, const Panel& panel, bool last);
+  void style(QCPAxisRect* rect) const;
+  bool press(int key, bool far);
+  void zoom(double factor);
+  void end_drag(const QRect& rectangle);
+
+  QString hint_;
+  QCustomPlot* plot_;
+  QCPLayer* overlay_;
+  std::vector<Curve> curves_;
+  View view_ = View::magnitude_phase;
+  frf::Quantity quantity_ = frf::Quantity::receptance;
+  std::vector<ident::Range> excluded_;
+  std::optional<ident::Range> range_, shown_;
+  std::optional<double> cursor_;
+  bool excluding_ = false;
+};
+
+}  // namespace jointid::gui

@@ -1,0 +1,226 @@
+#include "gui/project.hpp"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTextDocument>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "gui/data/data_page.hpp"
+#include "gui/look/message_bar.hpp"
+#include "gui/look/named.hpp"
+#include "gui/look/output.hpp"
+#include "gui/look/paths.hpp"
+#include "gui/recent_files.hpp"
+#include "gui/scene/completion_place.hpp"
+#include "gui/scene/scene_edit.hpp"
+#include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
+#include "ident/scene/scene_files.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr qint64 largest_scene = qint64{16} << 20;  // bytes, as of the scene reader
+
+bool read_file(const QString& file, QString& text, QString& why) {
+  QFile in(file);
+  if (!in.open(QIODevice::ReadOnly)) {
+    why = in.errorString();
+  } else if (in.size() > largest_scene) {
+    why = Project::tr("it is larger than 16 MiB");
+  } else {
+    const QByteArray bytes = in.readAll();
+    text = QString::fromUtf8(bytes);
+    if (text.toUtf8() != bytes) why = Project::tr("it is no text in UTF-8");
+  }
+  return why.isEmpty();
+}
+
+QString sentence(const InputError& error) { return QString::fromUtf8(error.what()); }
+
+}  // namespace
+
+Project::Project(QWidget* parent) : QWidget(parent) {
+  editor_ = new SceneEditor;
+  problem_ = named(new QLabel, "problem", tr("What is wrong with the scene"));
+  problem_->setWordWrap(true);
+  problem_->setTextFormat(Qt::PlainText);
+  problem_->setContentsMargins(4, 2, 4, 2);
+  messages_ = new MessageBar;
+  auto* left = new QWidget;
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(editor_, 1);
+  column->addWidget(problem_);
+  splitter_ = named(new QSplitter(Qt::Horizontal), "splitter", tr("Scene and pages"));
+  splitter_->addWidget(left);
+  add_pages();
+  splitter_->setStretchFactor(1, 1);
+  splitter_->setSizes({500, 780});
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(4, 4, 4, 4);
+  all->addWidget(messages_);
+  all->addWidget(splitter_, 1);
+  setAccessibleName(tr("Project"));
+  connect(editor_, &SceneEditor::settled, this, &Project::check);
+  connect(editor_->document(), &QTextDocument::modificationChanged, this, &Project::title_changed);
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &Project::file_changed);
+}
+
+void Project::add_pages() {
+  pages_ = named(new QTabWidget, "pages", tr("Pages"));
+  data_page_ = named(new DataPage, "data_page", tr("Data"));
+  pages_->addTab(data_page_, tr("Data"));
+  solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
+  pages_->addTab(solve_page_, tr("Solve"));
+  splitter_->addWidget(pages_);
+  connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
+  connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
+  connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
+}
+
+std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
+
+QString Project::title() const { return file_.isEmpty() ? tr("new scene") : QFileInfo(file_).fileName(); }
+
+bool Project::is_modified() const { return editor_->document()->isModified(); }
+
+bool Project::load(QString& why) {
+  QString text;
+  if (!read_file(file_, text, why)) return false;
+  editor_->setPlainText(text);
+  editor_->document()->setModified(false);
+  check();
+  return true;
+}
+
+bool Project::open(const QString& file) {
+  file_ = QFileInfo(file).absoluteFilePath();
+  folder_ = QFileInfo(file_).absolutePath();
+  QString why;
+  if (!load(why)) {
+    messages_->warn(tr("%1 cannot be read: %2").arg(file, why));
+    return false;
+  }
+  watch();
+  note_recent_file(file_);
+  Q_EMIT title_changed();
+  return true;
+}
+
+void Project::start(const std::string& text, const QString& folder) {
+  folder_ = QFileInfo(folder).absoluteFilePath();
+  editor_->setPlainText(QString::fromStdString(text));
+  editor_->document()->setModified(true);
+  check();
+}
+
+bool Project::save() { return !file_.isEmpty() && save_as(file_); }
+
+bool Project::save_as(const QString& file) {
+  const QString target = QFileInfo(file).absoluteFilePath();
+  std::vector<std::filesystem::path> inputs;
+  if (checked_.scene) {
+    for (const auto& [input, place] : ident::files_of(*checked_.scene)) {
+      if (input != path()) inputs.push_back(input);
+    }
+  }
+  if (!file_.isEmpty()) watcher_.removePath(file_);
+  try {
+    write_output(target, editor_->text(), inputs);
+  } catch (const InputError& error) {
+    messages_->warn(sentence(error));
+    return false;
+  }
+  file_ = target;
+  folder_ = QFileInfo(file_).absolutePath();
+  editor_->document()->setModified(false);
+  messages_->hide();
+  watch();
+  note_recent_file(file_);
+  check();  // paths are relative to the file
+  Q_EMIT title_changed();
+  return true;
+}
+
+void Project::check() {
+  checked_ = check_scene(editor_->text(), path());
+  editor_->set_error(checked_.error);
+  show_problem();
+  show_scene();
+  Q_EMIT scene_checked();
+}
+
+void Project::show_scene() {
+  solve_page_->set_file(file_);
+  solve_page_->set_scene(checked_.scene);
+  if (!checked_.scene) return;
+  data_page_->set_scene(*checked_.scene, path().parent_path().string() + '\n' + tables_below(editor_->text(), "data"));
+}
+
+/// Planning and solving know more than the reader of scenes: what they say stands below its line, too.
+void Project::show_failure(const InputError& error) {
+  if (checked_.error) return;
+  editor_->set_error(located(error, editor_->text()));
+}
+
+/// A value that was chosen on a page, as a step of the text that can be undone.
+void Project::edit(const std::string& table, const std::string& key, const std::string& value) {
+  editor_->replace_text(with_value(editor_->text(), table, key, value));
+}
+
+void Project::offer_dofs() {
+  std::vector<frf::Dof> all;
+  for (const LoadedFile& file : data_page_->files()) {
+    for (const auto* dofs : {&file.header.response, &file.header.reference}) {
+      for (const frf::Dof& dof : *dofs) {
+        if (!frf::has(all, dof)) all.push_back(dof);
+      }
+    }
+  }
+  std::ranges::sort(all, {}, frf::coordinate_key);
+  QStringList names;
+  for (const frf::Dof& dof : all) names << QString::fromStdString(dof.name());
+  editor_->set_dofs(names);
+}
+
+void Project::show_problem() {
+  if (!checked_.error) return problem_->setText(tr("The scene is complete."));
+  const SceneError& error = *checked_.error;
+  const QString place = error.line > 0 ? tr("Line %1: ").arg(error.line) : QString();
+  const QString remedy = error.remedy.empty() ? QString() : "; " + QString::fromStdString(error.remedy);
+  problem_->setText(place + QString::fromStdString(error.problem) + remedy);
+}
+
+/// A file that is saved by renaming another drops out of the watcher and has to be named again.
+void Project::watch() {
+  if (!file_.isEmpty() && !watcher_.files().contains(file_) && QFileInfo::exists(file_)) watcher_.addPath(file_);
+}
+
+void Project::file_changed() {
+  watch();
+  QString text, why;
+  if (!read_file(file_, text, why)) return messages_->warn(tr("%1 is gone or cannot be read: %2").arg(title(), why));
+  if (text == editor_->toPlainText()) return editor_->document()->setModified(false);
+  if (!is_modified()) return reload();
+  messages_->ask(tr("%1 was changed by another program, and here.").arg(title()), tr("Take the other one"), [this] { reload(); });
+}
+
+/// As an edit, so that it can be undone.
+void Project::reload() {
+  QString text, why;
+  if (!read_file(file_, text, why)) return messages_->warn(tr("%1 cannot be read: %2").arg(title(), why));
+  editor_->replace_text(text.toStdString());
+  editor_->document()->setModified(false);
+  messages_->say(tr("%1 was changed by another program and read again.").arg(title()));
+}
+
+QByteArray Project::layout_state() const { return splitter_->saveState(); }
+
+void Project::restore_layout(const QByteArray& state) { splitter_->restoreState(state); }
+
+}  // namespace jointid::gui

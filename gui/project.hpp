@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QWidget>
+#include <filesystem>
+
+#include "gui/scene/scene_check.hpp"
+
+class QLabel;
+class QSplitter;
+class QTabWidget;
+
+namespace jointid::gui {
+
+class DataPage;
+class MessageBar;
+class SceneEditor;
+class SolvePage;
+
+/// One scene: its text on the left, what it leads to on the right. The text is all there is to save.
+class Project : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Project(QWidget* parent = nullptr);
+
+  /// Reads a scene file. False, and a message in the bar, where it cannot be read.
+  bool open(const QString& file);
+  /// A text that is no file yet; paths in it are relative to `folder`.
+  void start(const std::string& text, const QString& folder);
+
+  /// False, and a message, where there is no file yet, or the disk does not take it.
+  bool save();
+  bool save_as(const QString& file);
+
+  const QString& file() const { return file_; }
+  QString title() const;
+  bool is_modified() const;
+
+  SceneEditor* editor() const { return editor_; }
+  DataPage* data_page() const { return data_page_; }
+  SolvePage* solve_page() const { return solve_page_; }
+  QTabWidget* pages() const { return pages_; }
+  MessageBar* messages() const { return messages_; }
+  const CheckedScene& checked() const { return checked_; }
+
+  QByteArray layout_state() const;
+  void restore_layout(const QByteArray& state);
+
+ Q_SIGNALS:
+  void title_changed();
+  /// The text was checked anew; checked() has what came of it.
+  void scene_checked();
+
+ private:
+  std::filesystem::path path() const;
+  void add_pages();
+  void check();
+  void show_scene();
+  void edit(const std::string& table, const std::string& key, const std::string& value);
+  void offer_dofs();
+  void show_failure(const InputError& error);
+  void show_problem();
+  void watch();
+  void file_changed();
+  bool load(QString& why);
+  void reload();
+
+  SceneEditor* editor_;
+  QLabel* problem_;
+  MessageBar* messages_;
+  QSplitter* splitter_;
+  QTabWidget* pages_;
+  DataPage* data_page_;
+  SolvePage* solve_page_;
+  QFileSystemWatcher watcher_;
+  QString file_, folder_;
+  CheckedScene checked_;
+};
+
+}  // namespace jointid::gui

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frf/set/dof.hpp"
+#include "ident/scene/scene.hpp"
+
+namespace jointid::gui {
+
+/// The text with `key = value` in a table: the value of the key is replaced, comments and all else stay; a key that is not there
+/// goes to the end of its table, a table that is not there to the end of the text.
+std::string with_value(const std::string& text, const std::string& table, const std::string& key, const std::string& value);
+
+/// Values as they are written: [[560, 566], [700.5, 702]] and ["4:+Y", "5:-RZ"].
+std::string written(const std::vector<ident::Range>& ranges);
+std::string written(const std::vector<frf::Dof>& dofs);
+
+/// The ranges with one more: those that overlap or touch are one, ascending.
+std::vector<ident::Range> with_range(std::vector<ident::Range> ranges, const ident::Range& more);
+
+}  // namespace jointid::gui

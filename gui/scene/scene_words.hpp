@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace jointid::gui {
+
+/// The keys that the scene reader takes in a table, asked of the reader itself: it is given a key that is none, and names all
+/// that are. Empty for a table that it does not know, or in which any key will do.
+std::vector<std::string> keys_of(const std::string& table);
+
+/// The words that the reader takes as value of a key (or as elements of its list), or none where it takes anything else.
+std::vector<std::string> words_of(const std::string& table, const std::string& key);
+
+/// The paths of all tables, "data", "joint.stiffness", …
+std::vector<std::string> all_tables();
+
+}  // namespace jointid::gui

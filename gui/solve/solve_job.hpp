@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gui/plot/curve.hpp"
+#include "gui/work/worker.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/solution.hpp"
+#include "ident/tasks/regenerate.hpp"
+
+namespace jointid::gui {
+
+/// A solution, with the plan that it came from: both belong to the thread that solves.
+struct Solved {
+  std::shared_ptr<ident::Plan> plan;
+  ident::Solution solution;
+};
+
+/// Plans and solves as `jointid solve` does. Interrupted, it gives the best values so far, marked as the command marks them;
+/// throws Interrupted where there are none, and InputError.
+Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch);
+
+/// What `jointid solve --json` writes of it, but for run times.
+std::string json_of(const Solved& solved);
+
+/// An FRF of the assembly as measured and as the joint of a solution gives it, and the error between them.
+struct Overlay {
+  std::vector<Curve> curves;
+  std::optional<double> error_db;  ///< rms over lines
+};
+
+Overlay regenerate_frf(const Solved& solved, const ident::FrfEntry& entry, const Worker::Watch& watch);
+
+}  // namespace jointid::gui

@@ -1,0 +1,319 @@
+#include "gui/solve/solve_page.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTime>
+
+#include "base/text.hpp"
+#include "gui/look/dialogs.hpp"
+#include "gui/look/named.hpp"
+#include "gui/look/output.hpp"
+#include "gui/look/theme.hpp"
+#include "gui/plot/frf_plot.hpp"
+#include "gui/solve/cell_table.hpp"
+#include "gui/solve/solution_tables.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/scene_files.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr std::uintmax_t quick_bytes = std::uintmax_t{64} << 20;  // of files whose headers are read at once
+
+/// Whether a plan needs headers only, of files that are not large.
+bool is_quick_to_plan(const ident::Scene& scene) {
+  if (scene.data.regenerate.any() || scene.frequency.exclude_resonances) return false;
+  std::uintmax_t bytes = 0;
+  for (const auto& file : ident::files_of(scene)) {
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(file.path, none);
+    if (!none) bytes += size;
+  }
+  return bytes <= quick_bytes;
+}
+
+std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& scene) {
+  std::vector<std::filesystem::path> inputs;
+  if (!scene) return inputs;
+  for (const auto& file : ident::files_of(*scene)) inputs.push_back(file.path);
+  return inputs;
+}
+
+/// A word of a shell.
+QString quoted(QString text) { return "'" + text.replace("'", "'\\''") + "'"; }
+
+QPushButton* button(const char* name, const QString& text, const QString& hint) {
+  return named(new QPushButton(text), name, hint, hint);
+}
+
+}  // namespace
+
+SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Solve"));
+  worker_ = new Worker(this);
+  plan_ = new CellTable("plan_table", tr("Plan"));
+  unknowns_ = new CellTable("unknowns", tr("Unknowns"));
+  findings_ = new CellTable("findings", tr("Findings"));
+  status_ = named(new QLabel, "solve_status", tr("Status of the solution"));
+  status_->setWordWrap(true);
+  status_->setTextFormat(Qt::PlainText);
+  results_ = named(new QTabWidget, "results", tr("Plan and results"));
+  results_->addTab(plan_, tr("Plan"));
+  results_->addTab(unknowns_, tr("Unknowns"));
+  results_->addTab(make_joint_tab(), tr("Joint"));
+  results_->addTab(findings_, tr("Findings"));
+  results_->addTab(make_frf_tab(), tr("Assembly FRFs"));
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(4, 4, 4, 4);
+  all->addWidget(make_top());
+  all->addWidget(status_);
+  all->addWidget(results_, 1);
+  connect(worker_, &Worker::failed, this, [this](const InputError& error) {
+    say(QString::fromUtf8(error.what()), true);
+    Q_EMIT failed(error);
+  });
+  connect(worker_, &Worker::cancelled, this, [this] { say(tr("Cancelled."), false); });
+  connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
+    progress_->setVisible(busy);
+    cancel_->setEnabled(busy);
+  });
+  connect(worker_, &Worker::progressed, this, [this](const QString& stage, double share) {
+    progress_->setRange(0, share < 0.0 ? 0 : 1000);
+    progress_->setValue(share < 0.0 ? 0 : static_cast<int>(1000.0 * share));
+    progress_->setFormat(stage + QStringLiteral(" %p %"));
+  });
+  set_scene({});
+}
+
+QWidget* SolvePage::make_top() {
+  auto* top = named(new QWidget, "solve_top", tr("Solving"));
+  solve_ = button("solve", tr("Solve"), tr("Identify the joint (F5)"));
+  cancel_ = button("cancel", tr("Cancel"), tr("Stop and keep the best values so far (Shift+F5)"));
+  cancel_->setEnabled(false);
+  progress_ = named(new QProgressBar, "progress", tr("Progress"));
+  progress_->hide();
+  run_choice_ = named(new QComboBox, "runs", tr("Runs"), tr("Solutions of this session"));
+  run_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  auto* command =
+      button("copy_command", tr("Copy as command"), tr("Copy the command line that solves this scene to the same numbers"));
+  auto* table = button("save_table", tr("Table…"), tr("Save the table in front as CSV"));
+  auto* json = button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
+  auto* row = new QHBoxLayout(top);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* each : std::initializer_list<QWidget*>{solve_, cancel_, run_choice_}) row->addWidget(each);
+  row->addWidget(progress_, 1);
+  row->addStretch(0);
+  for (QWidget* each : {command, table, json}) row->addWidget(each);
+  connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
+  connect(cancel_, &QPushButton::clicked, this, &SolvePage::cancel);
+  connect(run_choice_, &QComboBox::activated, this, &SolvePage::show_run);
+  connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
+  connect(table, &QPushButton::clicked, this, &SolvePage::save_table);
+  connect(json, &QPushButton::clicked, this, &SolvePage::save_json);
+  return top;
+}
+
+QWidget* SolvePage::make_joint_tab() {
+  auto* tab = new QWidget;
+  matrix_choice_ = named(new QComboBox, "matrix_choice", tr("Matrix and band"));
+  matrix_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  matrix_ = new CellTable("matrix", tr("Joint matrix"));
+  auto* column = new QVBoxLayout(tab);
+  column->addWidget(matrix_choice_, 0, Qt::AlignLeft);
+  column->addWidget(matrix_, 1);
+  connect(matrix_choice_, &QComboBox::currentIndexChanged, this, &SolvePage::show_matrix);
+  return tab;
+}
+
+QWidget* SolvePage::make_frf_tab() {
+  auto* tab = new QWidget;
+  response_ = named(new QComboBox, "asm_response", tr("Response"));
+  reference_ = named(new QComboBox, "asm_reference", tr("Reference"));
+  error_db_ = named(new QLabel, "error_db", tr("Error of the regenerated FRF"));
+  plot_ = new FrfPlot(tr("Solve, and the assembly's FRFs stand here as measured and as the joint gives them."));
+  plot_->offer(View::difference);
+  auto* row = new QHBoxLayout;
+  for (QWidget* each : std::initializer_list<QWidget*>{response_, reference_, error_db_}) row->addWidget(each);
+  row->addStretch(1);
+  auto* column = new QVBoxLayout(tab);
+  column->addLayout(row);
+  column->addWidget(plot_, 1);
+  for (QComboBox* each : {response_, reference_}) connect(each, &QComboBox::activated, this, &SolvePage::show_frf);
+  return tab;
+}
+
+bool SolvePage::is_busy() const { return worker_->is_busy(); }
+
+QString SolvePage::status() const { return status_->text(); }
+
+void SolvePage::say(const QString& text, bool bad) {
+  bad_ = bad;
+  colour_status();
+  status_->setText(text);
+}
+
+void SolvePage::colour_status() {
+  const Colours use = colours(theme_of(palette()));
+  status_->setStyleSheet(QStringLiteral("color: %1").arg((bad_ ? use.error : use.text).name()));
+}
+
+void SolvePage::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && status_ != nullptr) colour_status();
+}
+
+void SolvePage::set_scene(std::optional<ident::Scene> scene) {
+  scene_ = std::move(scene);
+  solve_->setEnabled(scene_.has_value());
+  plot_->protect(inputs_of(scene_));
+  if (scene_) plot_->set_bands(scene_->frequency.exclude_hz, scene_->frequency.range_hz);
+  if (scene_ && is_quick_to_plan(*scene_) && !worker_->is_busy()) plan();
+}
+
+void SolvePage::plan() {
+  if (!scene_) return;
+  worker_->add([this, scene = *scene_](const Worker::Watch&) -> Worker::Deliver {
+    const std::shared_ptr<ident::Plan> plan = ident::make_plan(scene);
+    return [this, rows = plan_rows(*plan)] {
+      plan_->show_rows(rows);
+      if (runs_.empty()) say(tr("Planned; F5 solves."), false);
+    };
+  });
+}
+
+void SolvePage::solve() {
+  if (!scene_) return;
+  plan();
+  say(tr("Solving …"), false);
+  worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
+    return [this, solved = solve_scene(scene, watch)]() mutable { add_run(std::move(solved)); };
+  });
+}
+
+void SolvePage::cancel() { worker_->cancel(); }
+
+const Solved* SolvePage::current() const {
+  const int run = run_choice_->currentIndex();
+  return run < 0 ? nullptr : &runs_[static_cast<std::size_t>(run)];
+}
+
+void SolvePage::add_run(Solved solved) {
+  runs_.push_back(std::move(solved));
+  const ident::Solution& solution = runs_.back().solution;
+  run_choice_->addItem(tr("%1: %2, %3, %4")
+                           .arg(runs_.size())
+                           .arg(QString::fromStdString(ident::name(solution.used.method)),
+                                QString::fromStdString(ident::name(solution.status)).replace('_', ' '),
+                                QTime::currentTime().toString(QStringLiteral("HH:mm"))));
+  run_choice_->setCurrentIndex(run_choice_->count() - 1);
+  if (results_->currentIndex() == 0) results_->setCurrentWidget(unknowns_);
+  show_run(run_choice_->count() - 1);
+  Q_EMIT this->solved();
+}
+
+void SolvePage::show_run(int run) {
+  const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
+  QString text = QString::fromStdString(ident::name(solution.status)).replace('_', ' ');
+  if (!solution.message.empty()) text += ": " + QString::fromStdString(solution.message);
+  if (solution.fit.asm_frf_error) {
+    text += tr("\nassembly FRF error %1 dB").arg(QString::fromStdString(digits(*solution.fit.asm_frf_error, "%.3g")));
+  }
+  text += tr("; %1 s").arg(QString::fromStdString(digits(solution.runtime_s.total)));
+  say(text, !ident::is_usable(solution.status));
+  unknowns_->show_rows(unknown_rows(solution));
+  findings_->show_rows(finding_rows(solution));
+  fill_matrix_choice();
+  fill_entries();
+}
+
+void SolvePage::fill_matrix_choice() {
+  const Solved* const run = current();
+  const QSignalBlocker quiet(matrix_choice_);
+  const int before = matrix_choice_->currentIndex();
+  matrix_choice_->clear();
+  for (std::size_t band = 0; band < run->solution.bands.size(); ++band) {
+    const auto& each = run->solution.bands[band];
+    for (const auto& [kind, matrix] : each.matrices) {
+      QString text = QString::fromStdString(restrictions::key(kind)).replace('_', ' ') + tr(" (SI)");
+      if (each.band_hz) text += tr(", %1 to %2 Hz").arg((*each.band_hz)[0]).arg((*each.band_hz)[1]);
+      matrix_choice_->addItem(text, QVariantList{static_cast<qulonglong>(band), static_cast<int>(kind)});
+    }
+  }
+  matrix_choice_->setCurrentIndex(before >= 0 && before < matrix_choice_->count() ? before : 0);
+  show_matrix();
+}
+
+void SolvePage::show_matrix() {
+  const Solved* const run = current();
+  const QVariantList choice = matrix_choice_->currentData().toList();
+  if (run == nullptr || choice.size() != 2) return matrix_->show_rows({});
+  matrix_->show_rows(matrix_rows(run->solution, choice[0].toULongLong(), static_cast<restrictions::Kind>(choice[1].toInt())));
+}
+
+void SolvePage::fill_entries() {
+  const Solved* const run = current();
+  const auto fill = [](QComboBox& box, const std::vector<frf::Dof>& dofs) {
+    const QString before = box.currentText();
+    box.clear();
+    for (const frf::Dof& dof : dofs) box.addItem(QString::fromStdString(dof.name()));
+    box.setCurrentIndex(std::max(0, box.findText(before)));
+  };
+  fill(*response_, ident::regenerable_responses(*run->plan));
+  fill(*reference_, ident::regenerable_references(*run->plan));
+  show_frf();
+}
+
+void SolvePage::show_frf() {
+  const Solved* const run = current();
+  if (run == nullptr || run->solution.bands.empty() || response_->count() == 0 || reference_->count() == 0) return;
+  const ident::FrfEntry entry{frf::Dof::parse(response_->currentText().toStdString()),
+                              frf::Dof::parse(reference_->currentText().toStdString())};
+  const std::size_t number = ++wanted_;
+  worker_->add([this, solved = *run, entry, number](const Worker::Watch& watch) -> Worker::Deliver {
+    return [this, number, overlay = regenerate_frf(solved, entry, watch)] {
+      if (number != wanted_) return;
+      plot_->set_curves(overlay.curves);
+      error_db_->setText(overlay.error_db ? tr("error %1 dB (rms)").arg(QString::fromStdString(digits(*overlay.error_db, "%.3g")))
+                                          : tr("not comparable"));
+    };
+  });
+}
+
+QString SolvePage::command_line() const {
+  return QStringLiteral("jointid solve ") + quoted(file_.isEmpty() ? tr("SCENE.toml") : file_);
+}
+
+void SolvePage::save_json() {
+  const Solved* const run = current();
+  if (run == nullptr) return say(tr("Nothing is solved yet."), true);
+  const QString file = choose_file_to_save(this, tr("Save the solution"), {}, tr("JSON (*.json)"), QStringLiteral("json"));
+  if (file.isEmpty()) return;
+  try {
+    write_output(file, json_of(*run), inputs_of(scene_));
+  } catch (const InputError& error) {
+    say(QString::fromUtf8(error.what()), true);
+  }
+}
+
+void SolvePage::save_table() {
+  const auto* const table = results_->currentWidget()->findChild<CellTable*>();
+  const auto* const shown = table != nullptr ? table : qobject_cast<CellTable*>(results_->currentWidget());
+  if (shown == nullptr) return say(tr("There is no table in front; the plot has its own button."), true);
+  const QString file = choose_file_to_save(this, tr("Save the table"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
+  if (file.isEmpty()) return;
+  try {
+    write_output(file, shown->text(',').toStdString(), inputs_of(scene_));
+  } catch (const InputError& error) {
+    say(QString::fromUtf8(error.what()), true);
+  }
+}
+
+}  // namespace jointid::gui

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "gui/solve/solve_job.hpp"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTabWidget;
+
+namespace jointid::gui {
+
+class CellTable;
+class FrfPlot;
+class Worker;
+
+/// What solving a scene will do, how far it is, and what came of it; earlier runs stay to be looked at.
+class SolvePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SolvePage(QWidget* parent = nullptr);
+
+  /// The scene as it stands. Its plan is made at once where reading headers is quick.
+  void set_scene(std::optional<ident::Scene> scene);
+  void set_file(const QString& file) { file_ = file; }
+
+  void plan();
+  void solve();
+  void cancel();
+  bool is_busy() const;
+
+  const std::vector<Solved>& runs() const { return runs_; }
+  QString status() const;
+  FrfPlot* plot() const { return plot_; }
+  CellTable* unknowns() const { return unknowns_; }
+  CellTable* matrix() const { return matrix_; }
+  CellTable* findings() const { return findings_; }
+  CellTable* plan_table() const { return plan_; }
+  QTabWidget* results() const { return results_; }
+
+  /// "jointid solve 'rig 1.toml'".
+  QString command_line() const;
+
+ Q_SIGNALS:
+  /// Planning or solving found the scene or its data wrong.
+  void failed(const jointid::InputError& error);
+  void solved();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* make_top();
+  QWidget* make_joint_tab();
+  QWidget* make_frf_tab();
+  void add_run(Solved solved);
+  void show_run(int run);
+  void show_matrix();
+  void show_frf();
+  void fill_matrix_choice();
+  void fill_entries();
+  void save_json();
+  void save_table();
+  void say(const QString& text, bool bad);
+  void colour_status();
+  const Solved* current() const;
+
+  QPushButton *solve_, *cancel_;
+  QComboBox *run_choice_, *matrix_choice_, *response_, *reference_;
+  QProgressBar* progress_;
+  QLabel *status_, *error_db_;
+  QTabWidget* results_;
+  CellTable *plan_, *unknowns_, *matrix_, *findings_;
+  FrfPlot* plot_;
+  Worker* worker_;
+  std::optional<ident::Scene> scene_;
+  std::vector<Solved> runs_;
+  QString file_;
+  std::size_t wanted_ = 0;
+  bool bad_ = false;  ///< what the status says
+};
+
+}  // namespace jointid::gui

@@ -1,0 +1,137 @@
+#include "report/solution_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "report/check_json.hpp"
+#include "report/identifiability_json.hpp"
+#include "report/json_value.hpp"
+
+namespace jointid::report {
+namespace {
+
+Json unknown(const ident::Estimate& estimate, bool constrained) {
+  Json json = {{"name", estimate.name},
+          {"value", value(estimate.value)},
+          {"unit", estimate.unit},
+          {"std_error", value(estimate.std_error)},
+          {"ci95", value(estimate.ci95)},
+          {"rounding", value(estimate.rounding)},
+          {"error_estimate", value(estimate.error_estimate)},
+          {"bias", value(estimate.bias)},
+          {"determined", estimate.determined}};
+  if (constrained) json["limit"] = estimate.limit.empty() ? Json(nullptr) : Json(estimate.limit);
+  return json;
+}
+
+Json admissibility(const ident::Admissibility& found) {
+  Json json = {{"chi_square", value(found.chi_square)},
+               {"scale", found.from_variances ? "variances" : "residuals"},
+               {"equations", found.equations},
+               {"constraints", Json::array()}};
+  for (const auto& [text, size, at_limit, chi_square] : found.constraints) {
+    json["constraints"].push_back({{"constraint", text}, {"size", size}, {"at_limit", at_limit}, {"chi_square", value(chi_square)}});
+  }
+  return json;
+}
+
+Json matrices(const ident::Matrices& by_kind) {
+  Json all = Json::object();
+  for (const auto& [kind, rows] : by_kind) all[restrictions::key(kind)] = values(rows);
+  return all;
+}
+
+Json bands(const std::vector<ident::BandMatrices>& list) {
+  Json all = Json::array();
+  for (const auto& band : list) {
+    all.push_back({{"band_hz", value(band.band_hz)}, {"matrices", matrices(band.matrices)}});
+  }
+  return all;
+}
+
+Json chi_square(const std::optional<ident::ChiSquare>& found) {
+  if (!found) return nullptr;
+  return {{"value", value(found->value)},
+          {"degrees_of_freedom", found->degrees_of_freedom},
+          {"outlying_lines", found->outlying_lines},
+          {"by_line", values(found->by_line)}};
+}
+
+Json variances(const std::vector<ident::VarianceSource>& files) {
+  Json all = Json::array();
+  for (const auto& [file, origin, note] : files) all.push_back({{"file", file}, {"origin", origin}, {"note", note}});
+  return all;
+}
+
+Json fit(const ident::Fit& fit) {
+  return {{"equations_used", fit.equations_used},
+          {"equations_dropped", fit.equations_dropped},
+          {"lines", fit.lines},
+          {"rank", fit.rank},
+          {"condition", value(fit.condition)},
+          {"digits", value(fit.digits)},
+          {"asm_frf_error", value(fit.asm_frf_error)},
+          {"iterations", fit.iterations},
+          {"chi_square", chi_square(fit.chi_square)},
+          {"misfit", value(fit.misfit)}};
+}
+
+/// Where the starts ended, best first.
+Json minima(const ident::MinimumSearch& search) {
+  Json all = Json::array();
+  for (const auto& [cost, starts, unknowns] : search.minima) {
+    all.push_back({{"cost", value(cost)}, {"starts", starts}, {"values", values(unknowns)}});
+  }
+  return {{"equally_good", search.equally_good}, {"minima", all}};
+}
+
+Json quality(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
+  Json all = Json::object();
+  for (const auto& [kind, figures] : by_kind) {
+    all[restrictions::key(kind)] = {{"rjcf", value(figures.rjcf)},
+                                    {"arvf", value(figures.arvf)},
+                                    {"rms_relative_error", value(figures.rms_relative_error)}};
+  }
+  return all;
+}
+
+Json used(const ident::Used& used) {
+  const bool weighs = ident::weighs_equations(used.method);
+  Json equations = Json::array();
+  for (const auto equation : used.equations) equations.push_back(ident::name(equation));
+  Json json = {{"method", ident::name(used.method)},
+               {"equations", equations},
+               {"weighting", weighs ? Json(weighting::name(used.weighting)) : Json(nullptr)},
+               {"delta", weighs ? value(used.delta) : Json(nullptr)},
+               {"solver", used.solver}};
+  if (!used.chosen.empty()) json["chosen"] = used.chosen;
+  return json;
+}
+
+}  // namespace
+
+std::string solution_json(const ident::Solution& solution) {
+  const bool several = solution.bands.size() > 1;
+  Json json = {{"status", ident::name(solution.status)}, {"message", solution.message}};
+  json["unknowns"] = Json::array();
+  for (const auto& estimate : solution.unknowns) json["unknowns"].push_back(unknown(estimate, solution.admissibility.has_value()));
+  json["matrices"] = solution.bands.size() == 1 ? matrices(solution.bands.front().matrices) : Json(nullptr);
+  if (several) json["bands"] = bands(solution.bands);
+  json["dofs"] = frf::names(solution.dofs);
+  json["fit"] = fit(solution.fit);
+  if (solution.search) json["search"] = minima(*solution.search);
+  if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
+  if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
+  json["quality"] = quality(solution.quality);
+  const auto& time = solution.runtime_s;
+  json["runtime_s"] = {{"read", time.read}, {"assemble", time.assemble}, {"solve", time.solve}, {"total", time.total}};
+  for (const auto& [phase, seconds] : ident::run_time_phases) {
+    if (time.*seconds > 0.0) json["runtime_s"][phase] = time.*seconds;
+  }
+  json["used"] = used(solution.used);
+  json["variances"] = variances(solution.variances);
+  json["warnings"] = solution.warnings;
+  if (solution.check) json["check"] = check_json(*solution.check);
+  return json_text(json);
+}
+
+}  // namespace jointid::report

@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <memory>
+
+#include "gui/look/theme.hpp"
+
+// What Qt and fontconfig keep until the program ends.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig\nleak:libQt6\nleak:libqoffscreen\n"; }
+
+namespace jointid::gui {
+namespace {
+
+/// The one QApplication of the tests, without a screen unless one is asked for, and with settings of its own.
+class Application : public testing::Environment {
+ public:
+  void SetUp() override {
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
+    QApplication::setOrganizationName(QStringLiteral("jointid"));
+    QApplication::setApplicationName(QStringLiteral("jointid-workbench-test"));
+    application_ = std::make_unique<QApplication>(count_, arguments_);
+    apply(Theme::light, *application_);
+  }
+  void TearDown() override { application_.reset(); }
+
+ private:
+  int count_ = 1;
+  char name_[9] = "test_gui";
+  char* arguments_[2] = {name_, nullptr};
+  QTemporaryDir settings_;
+  std::unique_ptr<QApplication> application_;
+};
+
+const testing::Environment* const application = testing::AddGlobalTestEnvironment(new Application);
+
+}  // namespace
+}  // namespace jointid::gui

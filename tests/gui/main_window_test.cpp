@@ -1,0 +1,227 @@
+#include "gui/main_window.hpp"
+
+#include <gmock/gmock.h>
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProcess>
+#include <QSet>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <nlohmann/json.hpp>
+
+#include "gui/look/message_bar.hpp"
+#include "gui/project.hpp"
+#include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
+#include "widgets.hpp"
+
+namespace jointid::gui {
+namespace {
+
+struct Shown {
+  QTemporaryDir folder;
+  MainWindow window;
+
+  Shown() {
+    window.resize(900, 600);
+    window.show();
+    window.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+  }
+  ~Shown() {
+    for (int i = 0; i < window.count(); ++i) project(i)->editor()->document()->setModified(false);
+  }
+  Project* project(int index) { return qobject_cast<Project*>(find<QTabWidget>(window, "projects")->widget(index)); }
+  QString scene(const char* name, const std::string& text = small_scene) {
+    write_file(folder.filePath(name), text);
+    return folder.filePath(name);
+  }
+  void drop(const QStringList& files) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& file : files) urls << QUrl::fromLocalFile(file);
+    data.setUrls(urls);
+    QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &enter);
+    QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &event);
+  }
+};
+
+/// Presses a button of the message box that will be open in a moment.
+void answer(QMessageBox::StandardButton button) {
+  QTimer::singleShot(50, qApp, [button] {
+    auto* const box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (box != nullptr) box->button(button)->click();
+  });
+}
+
+/// How many colours a picture has, counted up to a hundred.
+qsizetype colours_in(const QImage& image) {
+  QSet<QRgb> seen;
+  for (int y = 0; y < image.height() && seen.size() < 100; y += 2) {
+    for (int x = 0; x < image.width(); x += 2) seen.insert(image.pixel(x, y));
+  }
+  return seen.size();
+}
+
+TEST(MainWindow, SaysHowToBegin) {
+  Shown shown;
+  EXPECT_TRUE(find<QLabel>(shown.window, "hint")->isVisible());
+  EXPECT_EQ(shown.window.current(), nullptr);
+}
+
+TEST(MainWindow, DroppedScenesAreTabs) {
+  Shown shown;
+  const QString one = shown.scene("one.toml"), two = shown.scene("two.toml");
+  shown.drop({one, two});
+  ASSERT_EQ(shown.window.count(), 2);
+  EXPECT_EQ(shown.window.current()->file(), two);
+  shown.drop({one});
+  ASSERT_EQ(shown.window.count(), 2);
+  EXPECT_EQ(shown.window.current()->file(), one);
+}
+
+TEST(MainWindow, AFileThatIsNotThereLeavesNoTab) {
+  Shown shown;
+  shown.window.open({"/no/such/scene.toml"});
+  ASSERT_EQ(shown.window.count(), 0);
+  EXPECT_THAT(shown.window.messages()->text().toStdString(), testing::HasSubstr("/no/such/scene.toml"));
+}
+
+TEST(MainWindow, DroppedFrfFilesAreANewScene) {
+  Shown shown;
+  const Measured rig("A1");
+  shown.drop(rig.files());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown.window.count() == 1; }, 20000));
+  const CheckedScene& checked = shown.window.current()->checked();
+  ASSERT_TRUE(checked.scene) << checked.error->problem;
+  EXPECT_EQ(checked.scene->data.substructures.size(), 2U);
+  EXPECT_TRUE(shown.window.isWindowModified());
+}
+
+TEST(MainWindow, WrongFilesDroppedAreSaidToBeWrong) {
+  Shown shown;
+  shown.drop({shown.scene("picture.png", "no picture"), shown.scene("letter.txt", "Dear Sir")});
+  const auto said = [&] { return shown.window.messages()->text().toStdString(); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return said().find("picture.png") != std::string::npos; }, 5000)) << said();
+  EXPECT_EQ(shown.window.count(), 0);
+}
+
+TEST(MainWindow, KeysMakeSaveAndCloseScenes) {
+  Shown shown;
+  shown.window.open({shown.scene("one.toml")});
+  QTest::keyClicks(shown.window.current()->editor(), "# x");
+  EXPECT_TRUE(shown.window.isWindowModified());
+  QTest::keyClick(&shown.window, Qt::Key_S, Qt::ControlModifier);
+  EXPECT_FALSE(shown.window.isWindowModified());
+  EXPECT_THAT(read_file(shown.folder.filePath("one.toml")), testing::StartsWith("# x"));
+  QTest::keyClick(&shown.window, Qt::Key_N, Qt::ControlModifier);
+  ASSERT_EQ(shown.window.count(), 2);
+  answer(QMessageBox::Discard);
+  QTest::keyClick(&shown.window, Qt::Key_W, Qt::ControlModifier);
+  ASSERT_EQ(shown.window.count(), 1);
+}
+
+TEST(MainWindow, UnsavedChangesAreNotLostByAccident) {
+  Shown shown;
+  shown.window.open({shown.scene("one.toml")});
+  QTest::keyClicks(shown.window.current()->editor(), "# x");
+  answer(QMessageBox::Cancel);
+  EXPECT_FALSE(shown.window.close());
+  answer(QMessageBox::Save);
+  EXPECT_TRUE(shown.window.close());
+  EXPECT_THAT(read_file(shown.folder.filePath("one.toml")), testing::StartsWith("# x"));
+}
+
+TEST(MainWindow, FromDroppedFilesToTheCommandsAnswer) {
+  Shown shown;
+  const Measured rig("A1");
+  shown.drop(rig.files());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown.window.count() == 1; }, 20000));
+  Project& project = *shown.window.current();
+  ASSERT_TRUE(project.save_as(rig.file("mine.toml")));
+  QTest::keyClick(&shown.window, Qt::Key_F5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !project.solve_page()->runs().empty(); }, 60000))
+      << project.solve_page()->status().toStdString();
+  EXPECT_EQ(project.pages()->currentWidget(), project.solve_page());
+  QProcess command;
+  command.start(JOINTID_COMMAND, {"solve", rig.file("mine.toml"), "--json", "-"});
+  ASSERT_TRUE(command.waitForFinished(60000));
+  auto theirs = nlohmann::ordered_json::parse(command.readAllStandardOutput().toStdString());
+  auto ours = nlohmann::ordered_json::parse(json_of(project.solve_page()->runs().front()));
+  theirs.erase("runtime_s");
+  ours.erase("runtime_s");
+  EXPECT_EQ(ours.dump(), theirs.dump());
+}
+
+TEST(MainWindow, AWrongPlanStandsBelowItsLine) {
+  Shown shown;
+  const Measured rig("A1");
+  shown.window.open({rig.scene()});
+  Project& project = *shown.window.current();
+  std::string text = project.editor()->text();
+  text.replace(text.find("4:+Y"), 4, "77:+Y");
+  project.editor()->replace_text(text);
+  QTest::keyClick(&shown.window, Qt::Key_F6);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return project.editor()->error().has_value(); }, 20000));
+  EXPECT_THAT(project.editor()->error()->problem, testing::HasSubstr("77:+Y"));
+  EXPECT_GT(project.editor()->error()->line, 0);
+}
+
+TEST(MainWindow, ItsLayoutIsKept) {
+  {
+    Shown shown;
+    shown.window.resize(777, 555);
+    shown.window.close();
+  }
+  EXPECT_EQ(MainWindow().size(), QSize(777, 555));
+}
+
+TEST(MainWindow, EveryWidgetHasANameForScreenReaders) {
+  Shown shown;
+  EXPECT_EQ(without_accessible_name(shown.window), QStringList());
+  shown.window.open({shown.scene("one.toml")});
+  Project& project = *shown.window.current();
+  for (int page = 0; page < project.pages()->count(); ++page) {
+    project.pages()->setCurrentIndex(page);
+    for (int result = 0; result < project.solve_page()->results()->count(); ++result) {
+      project.solve_page()->results()->setCurrentIndex(result);
+      EXPECT_EQ(without_accessible_name(shown.window), QStringList());
+    }
+  }
+}
+
+TEST(MainWindow, EveryMenuEntryIsReachedByKeyboard) {
+  Shown shown;
+  for (const QAction* menu : shown.window.menuBar()->actions()) {
+    EXPECT_TRUE(menu->text().contains('&')) << menu->text().toStdString();
+    for (const QAction* action : menu->menu()->actions()) {
+      EXPECT_TRUE(action->isSeparator() || action->text().contains('&')) << action->text().toStdString();
+    }
+  }
+}
+
+TEST(MainWindow, IsReadableInLightAndDark) {
+  Shown shown;
+  shown.window.open({shown.scene("one.toml", "nonsense = 1\n")});
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    shown.window.set_theme(theme);
+    QApplication::processEvents();
+    const QImage image = shown.window.grab().toImage();
+    EXPECT_EQ(theme_of(shown.window.palette()), theme);
+    EXPECT_GT(colours_in(image), 20);
+  }
+  shown.window.set_theme(Theme::light);
+}
+
+}  // namespace
+}  // namespace jointid::gui

@@ -1,0 +1,44 @@
+#include "gui/scene/scene_edit.hpp"
+
+#include <gmock/gmock.h>
+
+#include "ident/scene/read_scene.hpp"
+#include "widgets.hpp"
+
+namespace jointid::gui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(WithValue, ReplacesAValueAndKeepsComments) {
+  EXPECT_EQ(with_value("[a]\nb = [1,\n 2] # why\nc = 3\n", "a", "b", "[9]"), "[a]\nb = [9] # why\nc = 3\n");
+  EXPECT_EQ(with_value("[a]\nb = \"x # y\" # why\n", "a", "b", "1"), "[a]\nb = 1 # why\n");
+}
+
+TEST(WithValue, AddsAKeyAtTheEndOfItsTable) {
+  EXPECT_EQ(with_value("[a]\nb = [\n1]\n# more\n\n[c]\nd = 1\n", "a", "e", "2"), "[a]\nb = [\n1]\ne = 2\n# more\n\n[c]\nd = 1\n");
+  EXPECT_EQ(with_value("[a]", "a", "e", "2"), "[a]\ne = 2\n");
+}
+
+TEST(WithValue, AddsATable) { EXPECT_EQ(with_value("[a]\nb = 1", "c", "d", "2"), "[a]\nb = 1\n\n[c]\nd = 2\n"); }
+
+TEST(WithValue, TheSceneReaderTakesWhatIsWritten) {
+  std::string text = small_scene;
+  text = with_value(text, "frequency", "exclude", written(std::vector<ident::Range>{{560.0, 566.5}}));
+  text = with_value(text, "frequency", "exclude", written(std::vector<ident::Range>{{560.0, 566.5}, {700.0, 710.0}}));
+  text = with_value(text, "joint", "dofs", written({frf::Dof::parse("3:-RZ"), frf::Dof::parse("4:+RZ")}));
+  const ident::Scene scene = ident::parse_scene(text, "scene.toml");
+  EXPECT_THAT(scene.frequency.exclude_hz, ElementsAre(ElementsAre(560.0, 566.5), ElementsAre(700.0, 710.0)));
+  EXPECT_THAT(frf::names(scene.joints.front().dofs), ElementsAre("3:-RZ", "4:+RZ"));
+  EXPECT_EQ(scene.data.substructures.size(), 2U);
+}
+
+TEST(WithRange, WhatOverlapsIsOne) {
+  EXPECT_THAT(with_range({{10, 20}, {30, 40}}, {15, 25}), ElementsAre(ElementsAre(10, 25), ElementsAre(30, 40)));
+  EXPECT_THAT(with_range({{10, 20}, {30, 40}}, {20, 30}), ElementsAre(ElementsAre(10, 40)));
+  EXPECT_THAT(with_range({{30, 40}}, {1, 2}), ElementsAre(ElementsAre(1, 2), ElementsAre(30, 40)));
+}
+
+}  // namespace
+}  // namespace jointid::gui

@@ -1,0 +1,43 @@
+#include "gui/scene/scene_words.hpp"
+
+#include <gmock/gmock.h>
+
+#include "ident/scene/method_traits.hpp"
+
+namespace jointid::gui {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAreArray;
+using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::Not;
+
+TEST(SceneWords, TheReaderNamesTheKeysOfItsTables) {
+  EXPECT_THAT(keys_of(""), IsSupersetOf({"title", "data", "frequency", "joint", "joints", "identify", "truth"}));
+  EXPECT_THAT(keys_of("data"), IsSupersetOf({"substructures", "assembly", "reciprocity", "files"}));
+  EXPECT_THAT(keys_of("frequency"), IsSupersetOf({"range", "step", "exclude", "exclude_resonances"}));
+  EXPECT_THAT(keys_of("joint"), IsSupersetOf({"dofs", "bands", "stiffness", "hysteretic_damping"}));
+  EXPECT_THAT(keys_of("joints"), IsSupersetOf({"name", "dofs"}));
+  EXPECT_THAT(keys_of("joints.mass"), Contains("pattern"));
+  EXPECT_THAT(keys_of("noise"), Contains("level"));
+  EXPECT_THAT(keys_of("no.such"), IsEmpty());
+}
+
+TEST(SceneWords, TablesInsideTablesAreFound) {
+  EXPECT_THAT(all_tables(), IsSupersetOf({"data", "frequency", "frequency.exclude_resonances", "joint", "joint.stiffness",
+                                          "identify", "identify.start", "noise", "truth"}));
+  EXPECT_THAT(all_tables(), Not(Contains("title")));
+}
+
+TEST(SceneWords, WordsOfKeys) {
+  EXPECT_THAT(words_of("identify", "method"), ElementsAreArray(ident::method_words()));
+  EXPECT_THAT(words_of("identify", "equations"), ElementsAreArray({"nn", "nj", "jj", "jn"}));
+  EXPECT_THAT(words_of("joint.mass", "pattern"), IsSupersetOf({"full", "symmetric", "diagonal"}));
+  EXPECT_THAT(words_of("noise", "model"), Contains("hammer"));
+  EXPECT_THAT(words_of("joint", "dofs"), IsEmpty());
+  EXPECT_THAT(words_of("frequency", "range"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace jointid::gui

@@ -1,0 +1,170 @@
+#include "gui/solve/solve_page.hpp"
+
+#include <gmock/gmock.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QProcess>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTest>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "gui/look/paths.hpp"
+#include "gui/plot/frf_plot.hpp"
+#include "gui/solve/cell_table.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "widgets.hpp"
+
+namespace jointid::gui {
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+struct Solving {
+  Measured measured;
+  SolvePage page;
+
+  explicit Solving(const char* problem = "A1") : measured(problem) {
+    page.resize(900, 700);
+    page.show();
+    page.set_file(measured.scene());
+    page.set_scene(ident::read_scene(as_path(measured.scene())));
+  }
+  bool rests() {
+    return QTest::qWaitFor([&] { return !page.is_busy(); }, 60000);
+  }
+  void solve() {
+    page.solve();
+    ASSERT_TRUE(rests());
+  }
+};
+
+/// What the command writes of a scene, without run times.
+Json by_command(const QString& scene) {
+  QProcess command;
+  command.start(JOINTID_COMMAND, {"solve", scene, "--json", "-"});
+  EXPECT_TRUE(command.waitForFinished(120000));
+  Json json = Json::parse(command.readAllStandardOutput().toStdString());
+  json.erase("runtime_s");
+  return json;
+}
+
+void expect_the_commands_json(const char* problem) {
+  Solving solving(problem);
+  solving.solve();
+  ASSERT_EQ(solving.page.runs().size(), 1U) << solving.page.status().toStdString();
+  Json json = Json::parse(json_of(solving.page.runs().front()));
+  json.erase("runtime_s");
+  EXPECT_EQ(json.dump(), by_command(solving.measured.scene()).dump());
+}
+
+TEST(SolvePage, TheJsonOfALinearMethodIsTheCommands) { expect_the_commands_json("A1"); }
+TEST(SolvePage, TheJsonOfJointsWithBandsOrMassIsTheCommands) { expect_the_commands_json("B"); }
+TEST(SolvePage, TheJsonOfAnIteratedMethodIsTheCommands) { expect_the_commands_json("H4"); }
+
+TEST(SolvePage, ThePlanIsThereBeforeAnythingIsSolved) {
+  Solving solving;
+  ASSERT_TRUE(solving.rests());
+  EXPECT_THAT(solving.page.plan_table()->text('\t').toStdString(), HasSubstr("4:+Y, 4:+RZ, 5:+Y, 5:+RZ"));
+  EXPECT_TRUE(solving.page.runs().empty());
+}
+
+TEST(SolvePage, ShowsUnknownsMatricesAndRegeneratedFrfs) {
+  Solving solving;
+  solving.solve();
+  EXPECT_THAT(solving.page.unknowns()->text('\t').toStdString(), HasSubstr("K(1,1)"));
+  EXPECT_EQ(solving.page.matrix()->cells()->rowCount(), 4);
+  EXPECT_THAT(solving.page.findings()->text('\t').toStdString(), HasSubstr("assembly FRF error"));
+  ASSERT_EQ(solving.page.plot()->curves().size(), 2U);
+  EXPECT_FALSE(solving.page.plot()->curves()[1].is_measured);
+}
+
+TEST(SolvePage, EarlierRunsStay) {
+  Solving solving;
+  solving.solve();
+  ident::Scene other = ident::read_scene(as_path(solving.measured.scene()));
+  other.identify.equations = {ident::Equation::nn};
+  solving.page.set_scene(other);
+  solving.solve();
+  ASSERT_EQ(solving.page.runs().size(), 2U);
+  const QString second = solving.page.unknowns()->text('\t');
+  auto* const runs = find<QComboBox>(solving.page, "runs");
+  runs->setCurrentIndex(0);
+  Q_EMIT runs->activated(0);
+  EXPECT_NE(solving.page.unknowns()->text('\t'), second);
+}
+
+TEST(SolvePage, SaysWhatIsWrongWithDataAndScene) {
+  Solving solving;
+  ident::Scene wrong = ident::read_scene(as_path(solving.measured.scene()));
+  wrong.joints.front().dofs.front() = frf::Dof::parse("99:+Y");
+  std::string place;
+  QObject::connect(&solving.page, &SolvePage::failed, [&](const InputError& error) { place = error.parts().place; });
+  solving.page.set_scene(wrong);
+  solving.solve();
+  EXPECT_THAT(place, HasSubstr("dofs"));
+  EXPECT_THAT(solving.page.status().toStdString(), HasSubstr("99:+Y"));
+  EXPECT_TRUE(solving.page.runs().empty());
+}
+
+TEST(SolvePage, WithoutASceneThereIsNothingToSolve) {
+  Solving solving;
+  solving.page.set_scene({});
+  EXPECT_FALSE(find<QPushButton>(solving.page, "solve")->isEnabled());
+  solving.solve();
+  EXPECT_TRUE(solving.page.runs().empty());
+}
+
+TEST(SolvePage, CanBeCancelledAtAnyMoment) {
+  Solving solving("H4");
+  ASSERT_TRUE(solving.rests());
+  std::mt19937 random(7);
+  for (int i = 0; i < 10; ++i) {
+    solving.page.solve();
+    QTest::qWait(static_cast<int>(random() % 60));
+    solving.page.cancel();
+    ASSERT_TRUE(solving.rests());
+  }
+  for (const Solved& run : solving.page.runs()) {
+    const bool whole = run.solution.message.find("Interrupted") == std::string::npos;
+    EXPECT_TRUE(whole || run.solution.status == ident::Status::not_converged);
+  }
+}
+
+TEST(SolvePage, CanBeDestroyedWhileItSolves) {
+  for (const int wait : {0, 5, 30}) {
+    Solving solving("H4");
+    solving.page.solve();
+    QTest::qWait(wait);
+  }
+}
+
+TEST(SolvePage, TheCommandLineIsQuoted) {
+  Solving solving;
+  solving.page.set_file("/a b/it's.toml");
+  find<QPushButton>(solving.page, "copy_command")->click();
+  EXPECT_EQ(QApplication::clipboard()->text(), "jointid solve '/a b/it'\\''s.toml'");
+}
+
+TEST(CellTable, IsCopiedForSpreadsheets) {
+  CellTable table("t", "T");
+  table.show_rows({{"a", "b,c"}, {}, {{Cell{"1"}, Cell{"x\ty"}}, {Cell{"2"}, Cell{"\"z\""}}}});
+  EXPECT_EQ(table.text(','), "a,\"b,c\"\n1,x\ty\n2,\"\"\"z\"\"\"\n");
+  table.selectAll();
+  QTest::keyClick(&table, Qt::Key_C, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::clipboard()->text().toStdString(), "1\t\"x\ty\"\n2\t\"\"\"z\"\"\"\n");
+}
+
+TEST(CellTable, AMatrixHasItsNamesOnBothSides) {
+  CellTable table("t", "T");
+  table.show_rows({{"a", "b"}, {"a", "b"}, {{Cell{"1"}, Cell{"2"}}, {Cell{"3"}, Cell{"4"}}}});
+  EXPECT_EQ(table.text('\t'), "\ta\tb\na\t1\t2\nb\t3\t4\n");
+}
+
+}  // namespace
+}  // namespace jointid::gui

@@ -1,0 +1,107 @@
+// take_pictures SCENE FOLDER: the pictures of docs/workbench.md, taken off the screen.
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cstdio>
+
+#include "gui/data/data_page.hpp"
+#include "gui/look/theme.hpp"
+#include "gui/main_window.hpp"
+#include "gui/plot/frf_plot.hpp"
+#include "gui/project.hpp"
+#include "gui/scene/scene_editor.hpp"
+#include "gui/solve/solve_page.hpp"
+
+namespace jointid::gui {
+namespace {
+
+bool wait_for(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, 60000); }
+
+class Photographer {
+ public:
+  Photographer(const QString& scene, const QString& folder) : folder_(folder) {
+    window_.resize(1280, 800);
+    window_.show();
+    scene_ = scene;
+  }
+
+  void take() {
+    take_proposal();
+    window_.open({scene_});
+    take_scene();
+  }
+
+ private:
+  /// Of the FRF files beside the scene.
+  void take_proposal() {
+    QStringList files;
+    const QDir beside = QFileInfo(scene_).absoluteDir();
+    for (const QString& name : beside.entryList({"*.uff"}, QDir::Files, QDir::Name)) files << beside.filePath(name);
+    window_.open(files);
+    wait_for([&] { return window_.current() != nullptr; });
+    Project& project = *window_.current();
+    wait_for([&] { return !project.data_page()->is_busy() && !project.data_page()->plot()->curves().empty(); });
+    keep("workbench-new");
+    project.editor()->document()->setModified(false);
+    QTest::keyClick(&window_, Qt::Key_W, Qt::ControlModifier);
+  }
+
+  void take_scene() {
+    Project& project = *window_.current();
+    DataPage& data = *project.data_page();
+    wait_for([&] { return !data.is_busy() && data.files().size() > 0; });
+    data.choose_file(2);
+    wait_for([&] { return !data.is_busy(); });
+    data.choose_frfs({{0, 0}, {1, 0}});
+    wait_for([&] { return data.plot()->curves().size() == 2; });
+    data.plot()->set_cursor(420.0);
+    keep("workbench-data");
+    SolvePage& solve = *project.solve_page();
+    project.pages()->setCurrentWidget(&solve);
+    solve.solve();
+    wait_for([&] { return !solve.runs().empty() && !solve.is_busy(); });
+    keep("workbench-unknowns");
+    solve.results()->setCurrentIndex(4);
+    solve.plot()->set_cursor(420.0);
+    window_.set_theme(Theme::dark);
+    keep("workbench-frfs-dark");
+    window_.set_theme(Theme::light);
+    project.pages()->setCurrentIndex(0);
+    QString text = project.editor()->toPlainText();
+    project.editor()->replace_text(text.replace("pattern = \"symmetric\"", "patern = \"symmetric\"").toStdString());
+    keep("workbench-error");
+    project.editor()->undo();
+  }
+
+  void keep(const char* name) {
+    QTest::qWait(200);
+    const QImage image = window_.grab().toImage();
+    const QString file = QDir(folder_).filePath(QString::fromLatin1(name) + ".png");
+    image.convertToFormat(QImage::Format_RGB32).save(file, "PNG", 0);
+    std::printf("%s\n", qPrintable(file));
+  }
+
+  QString folder_, scene_;
+  MainWindow window_;
+};
+
+}  // namespace
+}  // namespace jointid::gui
+
+int main(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName("jointid");
+  QApplication::setApplicationName("pictures");
+  jointid::gui::apply(jointid::gui::Theme::light, application);
+  if (argc != 3) return 2;
+  jointid::gui::Photographer(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2])).take();
+  return 0;
+}
