@@ -24,17 +24,8 @@ namespace {
 
 /// The one place that names them all, in the order of the help.
 constexpr std::array all_commands = {add_solve, add_plan, add_check, add_study, add_compare,
-<<<<<<< HEAD
-<<<<<<< HEAD
-                                     add_loading_curve, add_couple, add_equivalent, add_modalfit, add_pod, add_stability,
-=======
-                                     add_loading_curve, add_couple, add_equivalent, add_response, add_modalfit, add_stability,
->>>>>>> response
-                                     add_info, add_convert, add_problem};
-=======
-                                     add_loading_curve, add_couple, add_equivalent, add_modalfit, add_stability,
-                                     add_frf, add_info, add_convert, add_problem};
->>>>>>> records
+                                     add_loading_curve, add_couple, add_equivalent, add_response, add_modalfit, add_pod,
+                                     add_stability, add_frf, add_info, add_convert, add_problem};
 
 }  // namespace
 

@@ -8,12 +8,8 @@ struct RealLu::Factors {
   Eigen::PartialPivLU<Eigen::MatrixXd> lu;
 };
 
-<<<<<<< HEAD
 RealLu::RealLu(const Eigen::Ref<const Eigen::MatrixXd>& a)
     : factors_(std::make_shared<const Factors>(Factors{Eigen::PartialPivLU<Eigen::MatrixXd>(a)})) {}
-=======
-RealLu::RealLu(const Eigen::Ref<const Eigen::MatrixXd>& a) : factors_(std::make_shared<Factors>(Factors{a.partialPivLu()})) {}
->>>>>>> response
 
 Eigen::MatrixXd RealLu::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const { return factors_->lu.solve(b); }
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "golden.hpp"
+#include "golden_motions.hpp"
 #include "response/time/algorithm_one.hpp"
 #include "response/time/algorithm_two.hpp"
 #include "tests/response/any_joint.hpp"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "golden.hpp"
+#include "golden_motions.hpp"
 #include "response/orbit/orbit_figures.hpp"
 
 namespace jointid::response {

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "friction/path/parallel.hpp"
-#include "golden.hpp"
+#include "golden_motions.hpp"
 #include "tests/response/any_joint.hpp"
 
 namespace jointid::response {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "golden.hpp"
+#include "golden_motions.hpp"
 #include "response/orbit/orbit_figures.hpp"
 #include "tests/response/any_joint.hpp"
 
@@ -41,7 +41,7 @@ Eigen::MatrixXcd by_harmonic(const json& rows, Eigen::Index width) {
   Eigen::MatrixXcd out(width, rows.size());
   for (std::size_t h = 0; h < rows.size(); ++h) {
     out.col(at(h)) =
-        width == 1 && rows[h][0].is_number() ? Eigen::VectorXcd::Constant(1, complex_number(rows[h])) : complex_vector(rows[h]);
+        width == 1 && rows[h][0].is_number() ? Eigen::VectorXcd::Constant(1, golden::complex(rows[h])) : complex_vector(rows[h]);
   }
   return out;
 }
