@@ -84,7 +84,7 @@ TEST(Algorithms, ErrWithTheSquareOfTheStep) {
 TEST(Algorithms, OneNeverFailsOnVeryStiffJoints) {
   for_each_golden("thesis_18dof", [](const json& one) {
     JointedStructure structure = jointed(one);
-    structure.laws = {law(one.at("joint_types").at("D")), law(one.at("joint_types").at("D"))};
+    structure.laws = {golden::element(one.at("joint_types").at("D")), golden::element(one.at("joint_types").at("D"))};
     for (const double delta : {1e-3, 2e-4, 1e-5}) {
       AlgorithmOne first(structure, sine(18, 4, 1.0, one.at("omega")), delta);
       const int steps = static_cast<int>(0.04 / delta);
@@ -97,7 +97,7 @@ TEST(Algorithms, OneNeverFailsOnVeryStiffJoints) {
 }
 
 RC_GTEST_PROP(Algorithms, OneMeetsTheLawsOfAnyJointsAtAnyStep, ()) {
-  JointedStructure structure = jointed(golden().at(25));
+  JointedStructure structure = jointed(golden::cases("mdof_jenkins_exact").at(0));
   structure.laws = {any_joint(), any_joint()};
   AlgorithmOne first(structure, sine(3, 0, any_decade(0.1, 1e3), any_in(5.0, 25.0)), any_decade(1e-4, 1.0));
   for (int i = 0; i < 60; ++i) first.step();
@@ -107,7 +107,7 @@ RC_GTEST_PROP(Algorithms, OneMeetsTheLawsOfAnyJointsAtAnyStep, ()) {
 
 // Two joints at the same place: G is singular.
 TEST(Algorithms, OneTakesTwoJointsForOneOfBoth) {
-  JointedStructure twice = jointed(golden().at(25));
+  JointedStructure twice = jointed(golden::cases("mdof_jenkins_exact").at(0));
   const auto half = friction::make_element("ren", std::vector<double>{0.004, 1.5, 75.0});
   JointedStructure once = twice;
   once.incidence = once.incidence.leftCols(1).eval();
@@ -125,14 +125,14 @@ TEST(Algorithms, OneTakesTwoJointsForOneOfBoth) {
 TEST(Algorithms, CharacterMatrixAndBoundedInstabilityAreTheThesiss) {
   for_each_golden("thesis_18dof", [](const json& one) {
     JointedStructure structure = jointed(one);
-    structure.laws = {law(one.at("joint_types").at("A")), law(one.at("joint_types").at("A"))};
+    structure.laws = {golden::element(one.at("joint_types").at("A")), golden::element(one.at("joint_types").at("A"))};
     for (const json& row : one.at("character_matrix_A")) {
       const VectorXd k_r = VectorXd::Constant(2, row.at("kr").get<double>());
       const double radius =
           spectral_radius(character_matrix(structure, row.at("delta"), 1.0 / 3.0, k_r, structure.initial_stiffness()));
       EXPECT_NEAR(radius / row.at("largest_eigenvalue").get<double>(), 1.0, 1e-8);
     }
-    structure.laws = {law(one.at("joint_types").at("B")), law(one.at("joint_types").at("B"))};
+    structure.laws = {golden::element(one.at("joint_types").at("B")), golden::element(one.at("joint_types").at("B"))};
     for (const json& row : one.at("bounded_instability_B")) {
       const ForceHistory force = sine(18, 4, row.at("p"), 20.0 * std::numbers::pi);
       const auto largest = [&](double k_r, double delta, int steps) {

@@ -15,7 +15,7 @@ using nlohmann::json;
 TEST(Condensation, MeetsTheGoldenErrors) {
   for_each_golden("thesis_18dof", [](const json& one) {
     JointedStructure whole = jointed(one);
-    whole.laws = {law(one.at("joint_types").at("B")), law(one.at("joint_types").at("B"))};
+    whole.laws = {golden::element(one.at("joint_types").at("B")), golden::element(one.at("joint_types").at("B"))};
     for (const json& row : one.at("condensation_B")) {
       const std::string kind = row.at("kind");
       const Eigen::Index modes = row.at("modes");

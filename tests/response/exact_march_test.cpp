@@ -49,7 +49,7 @@ TEST(ExactMarch, MeetsTheTransientsOfTheThesis) {
     for (const std::string type : {"B", "E"}) {
       SCOPED_TRACE(type);
       JointedStructure structure = jointed(one);
-      structure.laws = {law(one.at("joint_types").at(type)), law(one.at("joint_types").at(type))};
+      structure.laws = {golden::element(one.at("joint_types").at(type)), golden::element(one.at("joint_types").at(type))};
       const Eigen::VectorXcd amplitude = Complex(0.0, -1.0) * VectorXd::Unit(structure.coordinates(), 4);
       ExactMarch march(structure, ForceHistory::periodic(one.at("omega"), {1}, amplitude));
       const json& expected = one.at("type_" + type).at("transient");

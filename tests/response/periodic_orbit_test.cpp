@@ -21,7 +21,7 @@ PeriodicProblem problem_of(const json& one) {
   if (one.contains("m")) {
     problem.structure.matrices = {matrix(one.at("m")), matrix(one.at("c")), matrix(one.at("k"))};
     problem.structure.incidence = Eigen::MatrixXd::Ones(1, 1);
-    problem.structure.laws = {law(one)};
+    problem.structure.laws = {golden::element(one)};
     problem.harmonics = {1};
     problem.amplitudes = Eigen::MatrixXcd::Constant(1, 1, one.at("P").get<double>());
   } else {
@@ -97,7 +97,7 @@ PeriodicProblem thesis(const std::string& type, double p) {
   PeriodicProblem problem;
   for_each_golden("thesis_18dof", [&](const json& one) {
     problem.structure = jointed(one);
-    problem.structure.laws = {law(one.at("joint_types").at(type)), law(one.at("joint_types").at(type))};
+    problem.structure.laws = {golden::element(one.at("joint_types").at(type)), golden::element(one.at("joint_types").at(type))};
     problem.omega = one.at("omega");
     problem.harmonics = {1};
     problem.amplitudes = Complex(0.0, -p) * VectorXd::Unit(18, 4);
@@ -135,7 +135,7 @@ TEST(PeriodicOrbit, MeetsTheTableOfTheThesissJointTypes) {
 
 /// Φ against differences of the period map at the orbit.
 TEST(PeriodicOrbit, MonodromyIsThatOfDifferences) {
-  const PeriodicProblem problem = problem_of(golden().at(25));
+  const PeriodicProblem problem = problem_of(golden::cases("mdof_jenkins_exact").at(0));
   const PeriodicOrbit orbit = find_orbit(problem);
   ASSERT_EQ(orbit.status, OrbitStatus::closed);
   const VectorXd start = (VectorXd(8) << orbit.x, orbit.v, orbit.f).finished();
@@ -163,7 +163,7 @@ TEST(PeriodicOrbit, MonodromyIsThatOfDifferences) {
 }
 
 RC_GTEST_PROP(PeriodicOrbit, OfAnyLawsClosesAndKeepsItsEnergy, ()) {
-  PeriodicProblem problem = problem_of(golden().at(25));
+  PeriodicProblem problem = problem_of(golden::cases("mdof_jenkins_exact").at(0));
   problem.structure.laws = {any_joint(), any_joint()};
   problem.omega = any_in(6.0, 25.0);
   problem.harmonics = {0, 1, 2, 3};
@@ -191,7 +191,7 @@ RC_GTEST_PROP(PeriodicOrbit, OfAnyLawsClosesAndKeepsItsEnergy, ()) {
 }
 
 TEST(PeriodicOrbit, WithoutForceIsRest) {
-  PeriodicProblem problem = problem_of(golden().at(25));
+  PeriodicProblem problem = problem_of(golden::cases("mdof_jenkins_exact").at(0));
   problem.amplitudes.setZero();
   const PeriodicOrbit orbit = find_orbit(problem);
   EXPECT_EQ(orbit.status, OrbitStatus::closed);
