@@ -164,7 +164,7 @@ TEST(PeriodicOrbit, MonodromyIsThatOfDifferences) {
 
 RC_GTEST_PROP(PeriodicOrbit, OfAnyLawsClosesAndKeepsItsEnergy, ()) {
   PeriodicProblem problem = problem_of(golden().at(25));
-  problem.structure.laws = {any_joint(), any_joint()};
+  problem.structure.laws = {any_joint(), friction::make_element("bilinear", std::vector<double>{any_decade(2e-3, 3e-2), 80.0})};
   problem.omega = any_in(6.0, 25.0);
   problem.harmonics = {0, 1, 2, 3};
   problem.amplitudes.setZero(3, 4);
