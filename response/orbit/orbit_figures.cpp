@@ -27,7 +27,7 @@ double turn_inside(const MatrixXd& series, Index velocity) {
 }
 
 void widen(VectorXd& largest, const MarchStep& step) {
-  const Motion first = step.motion(0.0), last = step.motion(1.0);
+  const Instant first = step.motion(0.0), last = step.motion(1.0);
   largest = largest.cwiseMax(first.x.cwiseAbs()).cwiseMax(last.x.cwiseAbs());
   for (Index i = 0; i < largest.size(); ++i) {
     if (!(first.v[i] * last.v[i] < 0.0)) continue;
@@ -54,7 +54,7 @@ OrbitFigures figures(const PeriodicProblem& problem, const PeriodicOrbit& orbit,
   march.march(problem.period(), [&](const MarchStep& step) {
     widen(out.largest, step);
     for (int i = 0; i < Collocation::points; ++i) {
-      const Motion motion = step.motion(rule.nodes[i]);
+      const Instant motion = step.motion(rule.nodes[i]);
       const double weight = rule.weights[i] * step.length;
       for (Index h = 0; h < count; ++h) {
         const int order = harmonics[static_cast<std::size_t>(h)];

@@ -77,7 +77,7 @@ void PeriodMap::remember_turns() {
 }
 
 void PeriodMap::collect_image() {
-  const Motion motion = march_.motion();
+  const Instant motion = march_.motion();
   const Index n = motion.x.size(), moving = motion_size();
   Index size = moving;
   bool same = true;

@@ -79,7 +79,7 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
   std::sort(orbit.multipliers.begin(), orbit.multipliers.end(), [](Complex a, Complex b) { return std::abs(a) > std::abs(b); });
   orbit.stable = orbit.multipliers.size() == 0 || std::abs(orbit.multipliers[0]) <= 1.0 + 1e-8;
   map.place();
-  const Motion start = map.march().motion();
+  const Instant start = map.march().motion();
   orbit.x = start.x.head(n);
   orbit.v = start.v;
   orbit.f = start.f;

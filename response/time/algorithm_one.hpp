@@ -20,7 +20,7 @@ class AlgorithmOne {
 
   void step();
 
-  const Motion& motion() const { return motion_; }
+  const Instant& motion() const { return motion_; }
   /// Linear systems of J unknowns solved so far.
   std::size_t solutions() const { return solutions_; }
   /// Largest number of them in one step.
@@ -43,7 +43,7 @@ class AlgorithmOne {
   Eigen::MatrixXd columns_;      ///< S⁻¹W
   Eigen::MatrixXd flexibility_;  ///< G
   std::vector<friction::MasingPath> paths_;
-  Motion motion_;
+  Instant motion_;
   Eigen::VectorXd acceleration_, initial_stiffness_;
   std::size_t steps_ = 0, solutions_ = 0, most_solutions_ = 0;
   double residual_ = 0.0;

@@ -29,7 +29,7 @@ class AlgorithmTwo {
   void step();
 
   /// x and f; ẋ by the difference of the last two steps, of order 1.
-  const Motion& motion() const { return motion_; }
+  const Instant& motion() const { return motion_; }
 
   /// Joints with k_r < dT/du(0), which may be boundedly unstable.
   const std::vector<Eigen::Index>& too_soft() const { return too_soft_; }
@@ -45,7 +45,7 @@ class AlgorithmTwo {
   AlgorithmTwoOptions options_;
   Eigen::MatrixXd lower_, now_, before_;  ///< Cholesky factor of the left side; matrices of x₁ and x₀
   std::vector<friction::MasingPath> paths_;
-  Motion motion_;
+  Instant motion_;
   Eigen::VectorXd last_;
   std::size_t steps_ = 0;
   std::vector<Eigen::Index> too_soft_;

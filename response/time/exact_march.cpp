@@ -11,9 +11,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Motion MarchStep::motion(double sigma) const {
+Instant MarchStep::motion(double sigma) const {
   const VectorXd z = sum_series(series, sigma);
-  Motion motion{start + sigma * length, z.head(coordinates), z.segment(coordinates, coordinates),
+  Instant motion{start + sigma * length, z.head(coordinates), z.segment(coordinates, coordinates),
                 z.segment(2 * coordinates, joints)};
   for (Index c = 0; c < curved_forces.rows(); ++c) {
     double force = 0.0;
@@ -75,7 +75,7 @@ LinearFlow& ExactMarch::flow() {
   return flows_.emplace(key, LinearFlow(structure_, force_, stiffness, options_.longest_step)).first->second;
 }
 
-Motion ExactMarch::motion() const {
+Instant ExactMarch::motion() const {
   const Index n = structure_.coordinates();
   return {time_, z_.head(n), z_.segment(n, n), z_.segment(2 * n, structure_.joints())};
 }

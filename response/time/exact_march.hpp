@@ -11,7 +11,7 @@
 namespace jointid::response {
 
 /// What the structure does at one time.
-struct Motion {
+struct Instant {
   double time = 0.0;
   Eigen::VectorXd x, v;  ///< N
   Eigen::VectorXd f;     ///< J
@@ -25,7 +25,7 @@ struct MarchStep {
   std::vector<Eigen::Index> curved;
   Eigen::MatrixXd curved_forces;  ///< their polynomials
 
-  Motion motion(double sigma) const;
+  Instant motion(double sigma) const;
 };
 
 /// Why a march ended.
@@ -54,7 +54,7 @@ class ExactMarch {
   /// On to `until` (s). `see` is called for every step.
   MarchStatus march(double until, const std::function<void(const MarchStep&)>& see = {});
 
-  Motion motion() const;
+  Instant motion() const;
   double time() const { return time_; }
   std::size_t events() const { return events_; }
   std::size_t steps() const { return steps_; }

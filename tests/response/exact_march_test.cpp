@@ -57,7 +57,7 @@ TEST(ExactMarch, MeetsTheTransientsOfTheThesis) {
       Eigen::MatrixXd found(rows.rows(), rows.cols());
       for (std::size_t i = 0; i < expected.at("times").size(); ++i) {
         ASSERT_EQ(march.march(expected.at("times")[i]), MarchStatus::reached);
-        const Motion motion = march.motion();
+        const Instant motion = march.motion();
         found(at(i), 0) = motion.x[4];
         found(at(i), 1) = motion.x[6];
         if (rows.cols() == 3) found(at(i), 2) = motion.f[1];
@@ -143,7 +143,7 @@ TEST(ExactMarch, SensitivitiesGoThroughEventsAsDifferencesDo) {
   march.march(3.0);
   ASSERT_GT(march.events(), 20U);
   for (Eigen::Index i = 0; i < 7; ++i) {
-    Motion sides[2];
+    Instant sides[2];
     const double h = i == 6 ? 1e-5 : 1e-6;
     for (const int side : {0, 1}) {
       ExactMarch other(three_masses(laws), beating(9.0));
