@@ -15,6 +15,7 @@
 #include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
+#include "problems/thesis/two_beams.hpp"
 
 namespace jointid::cli {
 
@@ -47,6 +48,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   for (const auto& problem : problems::list_coupling()) table.add({problem.name, problem.description});
   for (const auto& rig : problems::list_rig_two()) table.add({rig.name, rig.description});
   for (const auto& set : problems::list_modal_sets()) table.add({set.name, set.description});
+  for (const auto& beams : problems::list_two_beams()) table.add({beams.name, beams.description});
   out << table.text(0);
   return ExitCode::done;
 }
@@ -91,6 +93,11 @@ ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   if (problems::is_modal_set(arguments.name)) {
     const auto file = problems::write(problems::make_modal_set(arguments.name), arguments.directory, arguments.options);
     out << "wrote " << file.string() << "\nnext: jointid modalfit " << file.string() << " --real --damping hysteretic\n";
+    return ExitCode::done;
+  }
+  if (const auto* beams = problems::find_two_beams(arguments.name)) {
+    const auto scene = problems::write(*beams, arguments.directory);
+    out << "wrote " << scene.string() << "\nnext: jointid response " << scene.string() << '\n';
     return ExitCode::done;
   }
   const auto problem = problems::make(arguments.name);

@@ -93,7 +93,7 @@ std::string points_text(const ResponseRun& run) {
 }
 
 /// What is left out by the harmonics, the worst of all points.
-std::string truncation_text(const ResponseRun& run) {
+std::string truncation_text(const ResponseScene& scene, const ResponseRun& run) {
   double next = 0.0;
   std::string text;
   const response::DroppedHarmonic* worst = nullptr;
@@ -109,6 +109,10 @@ std::string truncation_text(const ResponseRun& run) {
     }
   }
   if (next > 0.0) text += fmt::format("the next harmonics would move the joints by at most {:.1e} of their motion\n", next);
+  if (scene.harmonics.fixed.empty() && next > scene.harmonics.tolerance) {
+    text += fmt::format("that is above the tolerance of {:.1e}: raise largest_harmonic above {}\n", scene.harmonics.tolerance,
+                        scene.harmonics.largest);
+  }
   if (worst != nullptr) {
     text += fmt::format(
         "harmonics beyond the lines of the files are dropped: at most {:.3g} N at harmonic {} of {:.6g} Hz, about {:.3g} m at "
@@ -124,7 +128,7 @@ std::string problems_text(const ResponseRun& run) {
     const auto lost = std::ranges::count(level.points, false, &HarmonicSolution::converged);
     if (lost > 0) {
       text += fmt::format(
-          "{:.6g} N: harmonic balance did not converge at {} of {} frequencies; joints this stiff need marching in time\n",
+          "{:.6g} N: harmonic balance did not converge at {} of {} frequencies; marching in time may find a response there\n",
           level.level, lost, level.points.size());
     } else if (!level.complete) {
       text += fmt::format("{:.6g} N: the curve could not be followed to its end\n", level.level);
@@ -174,7 +178,7 @@ std::string response_text(const ResponseScene& scene, const ResponseRun& run) {
   text += fmt::format("response of {} to a force at {}, {} joint{}, {} point{}\n\n", run.dofs.front(), scene.force_dof.name,
                       run.joints.size(), run.joints.size() == 1 ? "" : "s", points, points == 1 ? "" : "s");
   text += points <= most_rows ? points_text(run) : peaks_text(run);
-  const std::string remarks = truncation_text(run) + problems_text(run);
+  const std::string remarks = truncation_text(scene, run) + problems_text(run);
   return remarks.empty() ? text : text + "\n" + remarks;
 }
 

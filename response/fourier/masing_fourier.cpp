@@ -66,14 +66,8 @@ Eigen::VectorXd normalisation(const Harmonics& force, bool half) {
   return factors;
 }
 
-}  // namespace
-
-MasingFourier::MasingFourier(std::shared_ptr<const friction::Element> element)
-    : element_(std::move(element)), levels_(*element_) {}
-
 /// The force of a joint at rest in q₀ is ±T(|q₀|); a small motion about it turns at once and meets T′(0).
-static ForceHarmonics at_rest(const friction::Element& element, const Motion& motion, const Harmonics& force,
-                              Eigen::Index parameters) {
+ForceHarmonics at_rest(const friction::Element& element, const Motion& motion, const Harmonics& force, Eigen::Index parameters) {
   const Harmonics& moved = motion.harmonics();
   ForceHarmonics result;
   result.force.setZero(force.size());
@@ -95,6 +89,11 @@ static ForceHarmonics at_rest(const friction::Element& element, const Motion& mo
   }
   return result;
 }
+
+}  // namespace
+
+MasingFourier::MasingFourier(std::shared_ptr<const friction::Element> element)
+    : element_(std::move(element)), levels_(*element_) {}
 
 ForceHarmonics MasingFourier::evaluate(const Motion& motion, const Harmonics& force, bool with_parameters) const {
   const Eigen::Index parameters = with_parameters ? at(element_->parameters().size()) : 0;

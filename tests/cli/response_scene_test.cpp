@@ -126,6 +126,20 @@ TEST(ResponseScene, FindsPeaksOverLevels) {
               HasSubstr("force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re [m],std dev im [m]\n1,2,1,1,"));
 }
 
+TEST(ResponseScene, TellsDeviationsOfTheLaw) {
+  Progress progress;
+  const std::string known = replaced(chain + rest, "[force]", "deviations = { k = 5.0 }\n[force]");
+  const ResponseScene scene =
+      parse_response_scene(replaced(known, "range = [2.0, 4.0]\npoints = 41", "values = [2.9]"), "scene.toml");
+  EXPECT_EQ(scene.joints[0].deviations, (std::vector<double>{0.0, 0.0, 5.0}));
+  const ResponseRun run = run_response(scene, progress);
+  ASSERT_EQ(run.levels[0].deviations.size(), 1u);
+  EXPECT_GT(run.levels[0].deviations[0].amplitude(0, 0), 0.0);
+  EXPECT_THAT(response_text(scene, run), HasSubstr("std dev"));
+  EXPECT_EQ(nlohmann::json::parse(response_json(scene, run))["levels"][0]["points"][0]["response_deviations"][0].size(), 3u);
+  EXPECT_THAT(error_of(replaced(known, "k = 5.0", "q = 5.0")), HasSubstr("'q' is not known here"));
+}
+
 /// FRFs of single coordinates of a structure, written as a file.
 void write_part(const std::filesystem::path& path, const response::MatrixStructure& structure, int first_node) {
   const Eigen::Index n = structure.mass.rows();

@@ -94,6 +94,31 @@ TEST(Deviations, AreTheScatterOfRepeatedMeasurements) {
   }
 }
 
+/// Intervals of 1.96 deviations, told from noisy FRFs alone (1 %), hold the response of the exact ones.
+TEST(Deviations, IntervalsCoverTheExactResponse) {
+  const double noise = 1e-2;
+  const HarmonicSolution exact = balance_of(parts(noise), ren()).solve(omega);
+  std::mt19937_64 generator(11);
+  int inside = 0, all = 0;
+  for (int i = 0; i < 200; ++i) {
+    auto sets = parts(noise);
+    for (auto& set : sets) pollute(set, generator);
+    const HarmonicBalance balance = balance_of(std::move(sets), ren());
+    const HarmonicSolution drawn = balance.solve(omega);
+    ASSERT_TRUE(drawn.converged);
+    const ResponseDeviations deviation = deviations(balance, drawn);
+    const Eigen::MatrixXcd error = drawn.response - exact.response;
+    for (Eigen::Index e = 0; e < error.size(); ++e) {
+      inside += std::abs(error(e).real()) <= 1.96 * deviation.parts(e).real() ? 1 : 0;
+      inside += std::abs(error(e).imag()) <= 1.96 * deviation.parts(e).imag() ? 1 : 0;
+      all += 2;
+    }
+  }
+  const double covered = static_cast<double>(inside) / all;
+  EXPECT_GE(covered, 0.92);
+  EXPECT_LE(covered, 0.97);
+}
+
 TEST(Deviations, OfParametersAreThoseOfDifferences) {
   const HarmonicBalance balance = balance_of(parts(0.0), ren());
   const HarmonicSolution at = balance.solve(omega);

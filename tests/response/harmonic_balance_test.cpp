@@ -1,6 +1,8 @@
 #include "response/harmonic/harmonic_balance.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
 #include <numbers>
 
@@ -8,6 +10,7 @@
 #include "frf/set/frf_system.hpp"
 #include "response/structure/frf_receptance.hpp"
 #include "response/structure/matrix_receptance.hpp"
+#include "tests/friction/random_element.hpp"
 #include "tests/require.hpp"
 #include "tests/response/golden.hpp"
 
@@ -255,6 +258,46 @@ TEST(HarmonicBalance, SpringsInSeriesLeadToVeryStiffJoints) {
   double largest = 0.0;
   for (int i = 0; i < 2000; ++i) largest = std::max(largest, std::abs(fifth.value(2.0 * std::numbers::pi * i / 2000.0)));
   EXPECT_NEAR(largest, 1.159558e-6, 0.01 * 1.159558e-6);  // exact marching, theory sheet §11
+}
+
+/// Masses between springs, the first to ground, with one to three joints of any law between any two of them or to ground.
+RC_GTEST_PROP(HarmonicBalance, FindsAResponseOfAnyStructure, ()) {
+  using friction::any_decade, friction::any_in, friction::any_of;
+  const Eigen::Index n = 1 + at(any_of(6));
+  MatrixStructure s = {identity(n), {}, Eigen::MatrixXd::Zero(n, n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double spring = any_in(5e6, 2e7);
+    s.mass(i, i) = any_in(0.5, 2.0);
+    s.stiffness(i, i) += spring;
+    if (i == 0) continue;
+    s.stiffness(i - 1, i - 1) += spring;
+    s.stiffness(i, i - 1) = s.stiffness(i - 1, i) = -spring;
+  }
+  s.damping = any_decade(1e-6, 2e-5) * s.stiffness;
+  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(n, 1 + at(any_of(3)));
+  std::vector<Joint> joints;
+  for (Eigen::Index j = 0; j < w.cols(); ++j) {
+    const Eigen::Index from = at(any_of(static_cast<std::size_t>(n))), to = at(any_of(static_cast<std::size_t>(n)));
+    w(from, j) += 1.0;
+    if (to != from) w(to, j) -= 1.0;
+    joints.push_back({.name = "joint", .friction = std::shared_ptr<const friction::Element>(friction::any_single())});
+    RC_LOG() << friction::describe(*joints.back().friction);
+  }
+  const bool odd = any_of(3) > 0;
+  Excitation force = {odd ? std::vector<int>{1, 3} : std::vector<int>{0, 1, 2}, Eigen::MatrixXcd(odd ? 2 : 3, n)};
+  for (Complex& p : force.amplitudes.reshaped()) p = any_decade(0.1, 30.0) * Complex(any_in(-1.0, 1.0), any_in(-1.0, 1.0));
+  if (!odd) force.amplitudes.row(0) = force.amplitudes.row(0).real().cast<Complex>();
+  const Harmonics harmonics =
+      odd ? Harmonics::odd(3 + 2 * static_cast<int>(any_of(5))) : Harmonics::all(2 + static_cast<int>(any_of(5)));
+  const HarmonicBalance balance(std::make_shared<MatrixReceptance>(s, w, identity(n), identity(n)), joints, force,
+                                {.fixed = harmonics.numbers()});
+  const HarmonicSolution found = balance.solve(any_in(300.0, 9000.0));
+  RC_LOG() << "omega " << found.omega << ", residual " << found.residual << ", steps " << found.steps << "\n";
+  RC_ASSERT(found.converged);
+  // The forces of stiff joints carry the rounding of the motion times their stiffness.
+  double stiffest = 0.0;
+  for (const Joint& joint : joints) stiffest = std::max(stiffest, joint.stuck_stiffness());
+  RC_ASSERT(full_residual(s, w, force, found) <= 1e-12 * std::max(1.0, stiffest / 1e7));
 }
 
 /// A joint that cancels the stiffness of the structure: there is no response, and the result says so.

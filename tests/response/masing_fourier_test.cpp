@@ -128,6 +128,21 @@ RC_GTEST_PROP(MasingFourier, DerivativesByMotionAreThoseOfDifferences, ()) {
   }
 }
 
+/// q(θ + δ): δQ_n = inQ_n δ must give δF_n = inF_n δ.
+RC_GTEST_PROP(MasingFourier, ATimeShiftTurnsTheHarmonics, ()) {
+  const auto element = std::shared_ptr<const friction::Element>(friction::any_single());
+  const Motion motion = any_motion(*element);
+  const Harmonics &moved = motion.harmonics(), force({0, 1, 2, 3, 5, 7});
+  const ForceHarmonics at = MasingFourier(element).evaluate(motion, force);
+  RC_PRE(at.reversals > 0);
+  Eigen::VectorXcd turned = motion.amplitudes(), expected = at.force;
+  for (Eigen::Index i = 0; i < turned.size(); ++i) turned(i) *= Complex(0.0, moved[i]);
+  for (Eigen::Index i = 0; i < expected.size(); ++i) expected(i) *= Complex(0.0, force[i]);
+  const double size = element->response(0.0).tangent * motion.amplitudes().cwiseAbs().maxCoeff();
+  RC_LOG() << friction::describe(*element);
+  RC_ASSERT((at.by_motion * moved.pack(turned).cast<Complex>() - expected).cwiseAbs().maxCoeff() <= 1e-11 * size);
+}
+
 TEST(MasingFourier, AJointAtRestMeetsItsInitialStiffness) {
   const MasingFourier fourier(friction::make_element("ren", std::vector{1e-6, 2.0, 1e7}));
   const Harmonics harmonics = Harmonics::all(2);
