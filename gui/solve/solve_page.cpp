@@ -60,6 +60,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Solve"));
   worker_ = new Worker(this);
   plan_ = new CellTable("plan_table", tr("Plan"));
+  bounds_ = new CellTable("bounds", tr("Bounds before measuring"));
   unknowns_ = new CellTable("unknowns", tr("Unknowns"));
   findings_ = new CellTable("findings", tr("Findings"));
   status_ = named(new QLabel, "solve_status", tr("Status of the solution"));
@@ -67,6 +68,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   status_->setTextFormat(Qt::PlainText);
   results_ = named(new QTabWidget, "results", tr("Plan and results"));
   results_->addTab(plan_, tr("Plan"));
+  results_->addTab(bounds_, tr("Bounds"));
   results_->addTab(unknowns_, tr("Unknowns"));
   results_->addTab(make_joint_tab(), tr("Joint"));
   results_->addTab(findings_, tr("Findings"));
@@ -96,6 +98,8 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
 QWidget* SolvePage::make_top() {
   auto* top = named(new QWidget, "solve_top", tr("Solving"));
   solve_ = button("solve", tr("Solve"), tr("Identify the joint (F5)"));
+  auto* bound_button =
+      button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change (F7)"));
   cancel_ = button("cancel", tr("Cancel"), tr("Stop and keep the best values so far (Shift+F5)"));
   cancel_->setEnabled(false);
   progress_ = named(new QProgressBar, "progress", tr("Progress"));
@@ -108,11 +112,12 @@ QWidget* SolvePage::make_top() {
   auto* json = button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
   auto* row = new QHBoxLayout(top);
   row->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* each : std::initializer_list<QWidget*>{solve_, cancel_, run_choice_}) row->addWidget(each);
+  for (QWidget* each : std::initializer_list<QWidget*>{solve_, bound_button, cancel_, run_choice_}) row->addWidget(each);
   row->addWidget(progress_, 1);
   row->addStretch(0);
   for (QWidget* each : {command, table, json}) row->addWidget(each);
   connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
+  connect(bound_button, &QPushButton::clicked, this, &SolvePage::bound);
   connect(cancel_, &QPushButton::clicked, this, &SolvePage::cancel);
   connect(run_choice_, &QComboBox::activated, this, &SolvePage::show_run);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
@@ -189,6 +194,19 @@ void SolvePage::plan() {
   });
 }
 
+void SolvePage::bound() {
+  if (!scene_) return;
+  results_->setCurrentWidget(bounds_);
+  say(tr("Predicting bounds …"), false);
+  worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
+    const ident::BoundReport report = predict_bound(scene, watch);
+    return [this, rows = bound_rows(report), cut = report.interrupted] {
+      bounds_->show_rows(rows);
+      say(cut ? tr("Cancelled: not all changes of the data were looked at.") : tr("Bounds are predicted."), cut);
+    };
+  });
+}
+
 void SolvePage::solve() {
   if (!scene_) return;
   plan();
@@ -214,7 +232,7 @@ void SolvePage::add_run(Solved solved) {
                                 QString::fromStdString(ident::name(solution.status)).replace('_', ' '),
                                 QTime::currentTime().toString(QStringLiteral("HH:mm"))));
   run_choice_->setCurrentIndex(run_choice_->count() - 1);
-  if (results_->currentIndex() == 0) results_->setCurrentWidget(unknowns_);
+  if (results_->currentIndex() < 2) results_->setCurrentWidget(unknowns_);
   show_run(run_choice_->count() - 1);
   Q_EMIT this->solved();
 }

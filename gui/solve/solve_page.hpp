@@ -29,6 +29,9 @@ class SolvePage : public QWidget {
   void set_file(const QString& file) { file_ = file; }
 
   void plan();
+  /// What the data, or those of a model, can fix before anything is solved: needs a joint to assume ([truth] or [identify]
+  /// start).
+  void bound();
   void solve();
   void cancel();
   bool is_busy() const;
@@ -39,6 +42,7 @@ class SolvePage : public QWidget {
   CellTable* unknowns() const { return unknowns_; }
   CellTable* matrix() const { return matrix_; }
   CellTable* findings() const { return findings_; }
+  CellTable* bounds() const { return bounds_; }
   CellTable* plan_table() const { return plan_; }
   QTabWidget* results() const { return results_; }
 
@@ -74,7 +78,7 @@ class SolvePage : public QWidget {
   QProgressBar* progress_;
   QLabel *status_, *error_db_;
   QTabWidget* results_;
-  CellTable *plan_, *unknowns_, *matrix_, *findings_;
+  CellTable *plan_, *bounds_, *unknowns_, *matrix_, *findings_;
   FrfPlot* plot_;
   Worker* worker_;
   std::optional<ident::Scene> scene_;
