@@ -55,6 +55,7 @@ class Project : public QWidget {
  private:
   std::filesystem::path path() const;
   void add_pages();
+  void link_cursors();
   void check();
   void show_scene();
   void edit(const std::string& table, const std::string& key, const std::string& value);
