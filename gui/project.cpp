@@ -95,6 +95,8 @@ void Project::link_cursors() {
 
 std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
 
+QString Project::suggested_file() const { return as_name(path()); }
+
 QString Project::title() const { return file_.isEmpty() ? tr("new scene") : QFileInfo(file_).fileName(); }
 
 bool Project::is_modified() const { return editor_->document()->isModified(); }
@@ -114,6 +116,7 @@ bool Project::open(const QString& file) {
   QString why;
   if (!load(why)) {
     messages_->warn(tr("%1 cannot be read: %2").arg(file, why));
+    file_.clear();
     return false;
   }
   watch();

@@ -86,6 +86,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
     progress_->setVisible(busy);
     cancel_->setEnabled(busy);
+    if (!busy && stale_) plan_if_quick();
   });
   connect(worker_, &Worker::progressed, this, [this](const QString& stage, double share) {
     progress_->setRange(0, share < 0.0 ? 0 : 1000);
@@ -180,23 +181,51 @@ void SolvePage::set_scene(std::optional<ident::Scene> scene) {
   solve_->setEnabled(scene_.has_value());
   plot_->protect(inputs_of(scene_));
   if (scene_) plot_->set_bands(scene_->frequency.exclude_hz, scene_->frequency.range_hz);
-  if (scene_ && is_quick_to_plan(*scene_) && !worker_->is_busy()) plan();
+  stale_ = worker_->is_busy();
+  if (!stale_) plan_if_quick();
+}
+
+void SolvePage::plan_if_quick() {
+  stale_ = false;
+  if (scene_ && is_quick_to_plan(*scene_)) add_plan();
 }
 
 void SolvePage::plan() {
+  renew_status_ = true;
+  add_plan();
+}
+
+void SolvePage::add_plan() {
   if (!scene_) return;
   worker_->add([this, scene = *scene_](const Worker::Watch&) -> Worker::Deliver {
-    const std::shared_ptr<ident::Plan> plan = ident::make_plan(scene);
-    return [this, rows = plan_rows(*plan)] {
-      plan_->show_rows(rows);
-      if (runs_.empty()) say(tr("Planned; F5 solves."), false);
-    };
+    try {
+      const auto plan = ident::make_plan(scene);
+      return [this, rows = plan_rows(*plan)] { show_plan(rows); };
+    } catch (const InputError& error) {
+      return [this, error] {
+        renew_status_ = true;
+        say(QString::fromUtf8(error.what()), true);
+        Q_EMIT failed(error);
+      };
+    }
   });
+}
+
+/// A plan that nobody asked for leaves what stands in the status, but for what a plan before it said was wrong.
+void SolvePage::show_plan(const CellRows& rows) {
+  plan_->show_rows(rows);
+  if (worker_->is_busy() || !renew_status_) return;
+  renew_status_ = false;
+  if (runs_.empty())
+    say(tr("Planned; F5 solves."), false);
+  else
+    show_status();
 }
 
 void SolvePage::bound() {
   if (!scene_) return;
   results_->setCurrentWidget(bounds_);
+  renew_status_ = false;
   say(tr("Predicting bounds …"), false);
   worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
     const ident::BoundReport report = predict_bound(scene, watch);
@@ -209,10 +238,14 @@ void SolvePage::bound() {
 
 void SolvePage::solve() {
   if (!scene_) return;
-  plan();
+  renew_status_ = false;
   say(tr("Solving …"), false);
   worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
-    return [this, solved = solve_scene(scene, watch)]() mutable { add_run(std::move(solved)); };
+    Solved solved = solve_scene(scene, watch);
+    return [this, solved, rows = plan_rows(*solved.plan)] {
+      plan_->show_rows(rows);
+      add_run(solved);
+    };
   });
 }
 
@@ -237,8 +270,9 @@ void SolvePage::add_run(Solved solved) {
   Q_EMIT this->solved();
 }
 
-void SolvePage::show_run(int run) {
-  const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
+/// What came of the run in front.
+void SolvePage::show_status() {
+  const ident::Solution& solution = current()->solution;
   QString text = QString::fromStdString(ident::name(solution.status)).replace('_', ' ');
   if (!solution.message.empty()) text += ": " + QString::fromStdString(solution.message);
   if (solution.fit.asm_frf_error) {
@@ -246,6 +280,11 @@ void SolvePage::show_run(int run) {
   }
   text += tr("; %1 s").arg(QString::fromStdString(digits(solution.runtime_s.total)));
   say(text, !ident::is_usable(solution.status));
+}
+
+void SolvePage::show_run(int run) {
+  show_status();
+  const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
   unknowns_->show_rows(unknown_rows(solution));
   findings_->show_rows(finding_rows(solution));
   fill_matrix_choice();

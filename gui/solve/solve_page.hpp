@@ -14,6 +14,7 @@ class QTabWidget;
 namespace jointid::gui {
 
 class CellTable;
+struct CellRows;
 class FrfPlot;
 class Worker;
 
@@ -62,6 +63,10 @@ class SolvePage : public QWidget {
   QWidget* make_joint_tab();
   QWidget* make_frf_tab();
   void add_run(Solved solved);
+  void plan_if_quick();
+  void add_plan();
+  void show_plan(const CellRows& rows);
+  void show_status();
   void show_run(int run);
   void show_matrix();
   void show_frf();
@@ -85,7 +90,9 @@ class SolvePage : public QWidget {
   std::vector<Solved> runs_;
   QString file_;
   std::size_t wanted_ = 0;
-  bool bad_ = false;  ///< what the status says
+  bool renew_status_ = true;  ///< by the next plan
+  bool bad_ = false;          ///< what the status says
+  bool stale_ = false;        ///< the scene changed while something ran
 };
 
 }  // namespace jointid::gui

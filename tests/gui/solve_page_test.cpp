@@ -102,6 +102,17 @@ TEST(SolvePage, BoundsWithoutAJointToAssumeAreRefused) {
   EXPECT_THAT(solving.page.status().toStdString(), HasSubstr("truth"));
 }
 
+TEST(SolvePage, TheLastSceneIsPlannedHoweverFastItChanges) {
+  Solving solving;
+  ident::Scene scene = ident::read_scene(as_path(solving.measured.scene()));
+  for (const double low : {420.0, 440.0, 460.0}) {
+    scene.frequency.range_hz = ident::Range{low, 1000.0};
+    solving.page.set_scene(scene);
+  }
+  ASSERT_TRUE(solving.rests());
+  EXPECT_THAT(solving.page.plan_table()->text('\t').toStdString(), HasSubstr("460 to 1000 Hz"));
+}
+
 TEST(SolvePage, ShowsUnknownsMatricesAndRegeneratedFrfs) {
   Solving solving;
   solving.solve();
