@@ -153,7 +153,7 @@ bool MainWindow::save(Project& project) { return project.file().isEmpty() ? save
 
 bool MainWindow::save_as(Project& project) {
   const QString file =
-      choose_file_to_save(this, tr("Save the scene"), project.file(), tr("Scenes (*.toml)"), QStringLiteral("toml"));
+      choose_file_to_save(this, tr("Save the scene"), project.suggested_file(), tr("Scenes (*.toml)"), QStringLiteral("toml"));
   return !file.isEmpty() && project.save_as(file);
 }
 

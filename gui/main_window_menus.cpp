@@ -95,6 +95,10 @@ void MainWindow::add_run_menu() {
                     project.pages()->setCurrentWidget(project.solve_page());
                     project.solve_page()->solve();
                   }));
+  menu->addAction(tr("&Bounds before measuring"), QKeySequence(tr("F7")), this, on_current(this, [](Project& project) {
+                    project.pages()->setCurrentWidget(project.solve_page());
+                    project.solve_page()->bound();
+                  }));
   menu->addAction(tr("&Cancel"), QKeySequence(tr("Shift+F5")), this,
                   on_current(this, [](Project& project) { project.solve_page()->cancel(); }));
 }

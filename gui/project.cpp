@@ -14,6 +14,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/plot/frf_plot.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/scene_edit.hpp"
@@ -78,12 +79,23 @@ void Project::add_pages() {
   solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
   pages_->addTab(solve_page_, tr("Solve"));
   splitter_->addWidget(pages_);
+  link_cursors();
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
 
+/// One cursor in all plots.
+void Project::link_cursors() {
+  FrfPlot* const data = data_page_->plot();
+  FrfPlot* const solution = solve_page_->plot();
+  connect(data, &FrfPlot::cursor_moved, solution, &FrfPlot::set_cursor);
+  connect(solution, &FrfPlot::cursor_moved, data, &FrfPlot::set_cursor);
+}
+
 std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
+
+QString Project::suggested_file() const { return as_name(path()); }
 
 QString Project::title() const { return file_.isEmpty() ? tr("new scene") : QFileInfo(file_).fileName(); }
 
@@ -104,6 +116,7 @@ bool Project::open(const QString& file) {
   QString why;
   if (!load(why)) {
     messages_->warn(tr("%1 cannot be read: %2").arg(file, why));
+    file_.clear();
     return false;
   }
   watch();

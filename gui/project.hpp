@@ -34,6 +34,8 @@ class Project : public QWidget {
   bool save_as(const QString& file);
 
   const QString& file() const { return file_; }
+  /// Where a new scene is best saved: the paths in it are relative to that folder.
+  QString suggested_file() const;
   QString title() const;
   bool is_modified() const;
 
@@ -55,6 +57,7 @@ class Project : public QWidget {
  private:
   std::filesystem::path path() const;
   void add_pages();
+  void link_cursors();
   void check();
   void show_scene();
   void edit(const std::string& table, const std::string& key, const std::string& value);

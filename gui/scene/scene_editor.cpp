@@ -41,6 +41,7 @@ SceneEditor::SceneEditor(QWidget* parent) : QPlainTextEdit(parent) {
   document->setDefaultFont(font());
   setLineWrapMode(NoWrap);
   setTabChangesFocus(true);
+  setAcceptDrops(false);  // files are dropped on the window, wherever
   highlighter_ = new TomlHighlighter(document);
   highlighter_->set_theme(theme_of(palette()));
   completer_ = new QCompleter(new QStringListModel(this), this);

@@ -136,6 +136,33 @@ CellRows plan_rows(const ident::Plan& plan) {
   return out.rows;
 }
 
+CellRows bound_rows(const ident::BoundReport& report) {
+  CellRows out{
+      {said("what"), said("of"), said("standard error"), said("relative, or bounds times (worst)"), said("bounds times (mean)")},
+      {},
+      {}};
+  const auto factor = [](double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : said("no longer fixed"); };
+  for (const auto& each : report.unknowns) {
+    const bool fixed = std::isfinite(each.bound);
+    out.cells.push_back({Cell{said("smallest error")}, Cell{q(each.name)},
+                         Cell{fixed ? q(digits(each.bound, "%.3g") + " " + each.unit) : said("not fixed by the data")},
+                         Cell{fixed ? q(percent(each.relative)) : QString()}, Cell{}});
+  }
+  const auto add = [&](const char* what, const std::vector<ident::BoundChange>& changes) {
+    for (const auto& change : changes) {
+      out.cells.push_back(
+          {Cell{said(what)}, Cell{q(change.what)}, Cell{}, Cell{factor(change.worst)}, Cell{factor(change.mean)}});
+    }
+  };
+  add("without a coordinate", report.without_coordinate);
+  add("without lines", report.without_lines);
+  add("with more data", report.with_more);
+  for (const std::string& variances : report.variances) {
+    out.cells.push_back({Cell{said("variances")}, Cell{q(variances)}, Cell{}, Cell{}, Cell{}});
+  }
+  return out;
+}
+
 CellRows unknown_rows(const ident::Solution& solution) {
   CellRows out{
       {said("name"), said("value"), said("unit"), said("95 % interval or error"), said("remark"), said("value and interval")},

@@ -54,6 +54,11 @@ Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
   return solved;
 }
 
+ident::BoundReport predict_bound(const ident::Scene& scene, const Worker::Watch& watch) {
+  const auto plan = ident::make_plan(scene);
+  return ident::predict_bound(*plan, {}, control_of(watch));
+}
+
 std::string json_of(const Solved& solved) { return report::solution_json(solved.solution); }
 
 Overlay regenerate_frf(const Solved& solved, const ident::FrfEntry& entry, const Worker::Watch& watch) {

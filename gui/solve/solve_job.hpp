@@ -8,6 +8,7 @@
 #include "gui/work/worker.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
+#include "ident/tasks/bound_report.hpp"
 #include "ident/tasks/regenerate.hpp"
 
 namespace jointid::gui {
@@ -21,6 +22,9 @@ struct Solved {
 /// Plans and solves as `jointid solve` does. Interrupted, it gives the best values so far, marked as the command marks them;
 /// throws Interrupted where there are none, and InputError.
 Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch);
+
+/// As `jointid plan --bound`. Interrupted, it says so in what it gives. Throws InputError for scenes without a joint to assume.
+ident::BoundReport predict_bound(const ident::Scene& scene, const Worker::Watch& watch);
 
 /// What `jointid solve --json` writes of it, but for run times.
 std::string json_of(const Solved& solved);

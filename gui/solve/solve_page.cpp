@@ -60,6 +60,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Solve"));
   worker_ = new Worker(this);
   plan_ = new CellTable("plan_table", tr("Plan"));
+  bounds_ = new CellTable("bounds", tr("Bounds before measuring"));
   unknowns_ = new CellTable("unknowns", tr("Unknowns"));
   findings_ = new CellTable("findings", tr("Findings"));
   status_ = named(new QLabel, "solve_status", tr("Status of the solution"));
@@ -67,6 +68,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   status_->setTextFormat(Qt::PlainText);
   results_ = named(new QTabWidget, "results", tr("Plan and results"));
   results_->addTab(plan_, tr("Plan"));
+  results_->addTab(bounds_, tr("Bounds"));
   results_->addTab(unknowns_, tr("Unknowns"));
   results_->addTab(make_joint_tab(), tr("Joint"));
   results_->addTab(findings_, tr("Findings"));
@@ -84,6 +86,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
     progress_->setVisible(busy);
     cancel_->setEnabled(busy);
+    if (!busy && stale_) plan_if_quick();
   });
   connect(worker_, &Worker::progressed, this, [this](const QString& stage, double share) {
     progress_->setRange(0, share < 0.0 ? 0 : 1000);
@@ -96,6 +99,8 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
 QWidget* SolvePage::make_top() {
   auto* top = named(new QWidget, "solve_top", tr("Solving"));
   solve_ = button("solve", tr("Solve"), tr("Identify the joint (F5)"));
+  auto* bound_button =
+      button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change (F7)"));
   cancel_ = button("cancel", tr("Cancel"), tr("Stop and keep the best values so far (Shift+F5)"));
   cancel_->setEnabled(false);
   progress_ = named(new QProgressBar, "progress", tr("Progress"));
@@ -108,11 +113,12 @@ QWidget* SolvePage::make_top() {
   auto* json = button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
   auto* row = new QHBoxLayout(top);
   row->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* each : std::initializer_list<QWidget*>{solve_, cancel_, run_choice_}) row->addWidget(each);
+  for (QWidget* each : std::initializer_list<QWidget*>{solve_, bound_button, cancel_, run_choice_}) row->addWidget(each);
   row->addWidget(progress_, 1);
   row->addStretch(0);
   for (QWidget* each : {command, table, json}) row->addWidget(each);
   connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
+  connect(bound_button, &QPushButton::clicked, this, &SolvePage::bound);
   connect(cancel_, &QPushButton::clicked, this, &SolvePage::cancel);
   connect(run_choice_, &QComboBox::activated, this, &SolvePage::show_run);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
@@ -175,26 +181,71 @@ void SolvePage::set_scene(std::optional<ident::Scene> scene) {
   solve_->setEnabled(scene_.has_value());
   plot_->protect(inputs_of(scene_));
   if (scene_) plot_->set_bands(scene_->frequency.exclude_hz, scene_->frequency.range_hz);
-  if (scene_ && is_quick_to_plan(*scene_) && !worker_->is_busy()) plan();
+  stale_ = worker_->is_busy();
+  if (!stale_) plan_if_quick();
+}
+
+void SolvePage::plan_if_quick() {
+  stale_ = false;
+  if (scene_ && is_quick_to_plan(*scene_)) add_plan();
 }
 
 void SolvePage::plan() {
+  renew_status_ = true;
+  add_plan();
+}
+
+void SolvePage::add_plan() {
   if (!scene_) return;
   worker_->add([this, scene = *scene_](const Worker::Watch&) -> Worker::Deliver {
-    const std::shared_ptr<ident::Plan> plan = ident::make_plan(scene);
-    return [this, rows = plan_rows(*plan)] {
-      plan_->show_rows(rows);
-      if (runs_.empty()) say(tr("Planned; F5 solves."), false);
+    try {
+      const auto plan = ident::make_plan(scene);
+      return [this, rows = plan_rows(*plan)] { show_plan(rows); };
+    } catch (const InputError& error) {
+      return [this, error] {
+        renew_status_ = true;
+        say(QString::fromUtf8(error.what()), true);
+        Q_EMIT failed(error);
+      };
+    }
+  });
+}
+
+/// A plan that nobody asked for leaves what stands in the status, but for what a plan before it said was wrong.
+void SolvePage::show_plan(const CellRows& rows) {
+  plan_->show_rows(rows);
+  if (worker_->is_busy() || !renew_status_) return;
+  renew_status_ = false;
+  if (runs_.empty())
+    say(tr("Planned; F5 solves."), false);
+  else
+    show_status();
+}
+
+void SolvePage::bound() {
+  if (!scene_) return;
+  results_->setCurrentWidget(bounds_);
+  renew_status_ = false;
+  say(tr("Predicting bounds …"), false);
+  worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
+    const ident::BoundReport report = predict_bound(scene, watch);
+    return [this, rows = bound_rows(report), cut = report.interrupted] {
+      bounds_->show_rows(rows);
+      say(cut ? tr("Cancelled: not all changes of the data were looked at.") : tr("Bounds are predicted."), cut);
     };
   });
 }
 
 void SolvePage::solve() {
   if (!scene_) return;
-  plan();
+  renew_status_ = false;
   say(tr("Solving …"), false);
   worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
-    return [this, solved = solve_scene(scene, watch)]() mutable { add_run(std::move(solved)); };
+    Solved solved = solve_scene(scene, watch);
+    return [this, solved, rows = plan_rows(*solved.plan)] {
+      plan_->show_rows(rows);
+      add_run(solved);
+    };
   });
 }
 
@@ -214,13 +265,14 @@ void SolvePage::add_run(Solved solved) {
                                 QString::fromStdString(ident::name(solution.status)).replace('_', ' '),
                                 QTime::currentTime().toString(QStringLiteral("HH:mm"))));
   run_choice_->setCurrentIndex(run_choice_->count() - 1);
-  if (results_->currentIndex() == 0) results_->setCurrentWidget(unknowns_);
+  if (results_->currentIndex() < 2) results_->setCurrentWidget(unknowns_);
   show_run(run_choice_->count() - 1);
   Q_EMIT this->solved();
 }
 
-void SolvePage::show_run(int run) {
-  const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
+/// What came of the run in front.
+void SolvePage::show_status() {
+  const ident::Solution& solution = current()->solution;
   QString text = QString::fromStdString(ident::name(solution.status)).replace('_', ' ');
   if (!solution.message.empty()) text += ": " + QString::fromStdString(solution.message);
   if (solution.fit.asm_frf_error) {
@@ -228,6 +280,11 @@ void SolvePage::show_run(int run) {
   }
   text += tr("; %1 s").arg(QString::fromStdString(digits(solution.runtime_s.total)));
   say(text, !ident::is_usable(solution.status));
+}
+
+void SolvePage::show_run(int run) {
+  show_status();
+  const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
   unknowns_->show_rows(unknown_rows(solution));
   findings_->show_rows(finding_rows(solution));
   fill_matrix_choice();

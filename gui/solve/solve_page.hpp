@@ -14,6 +14,7 @@ class QTabWidget;
 namespace jointid::gui {
 
 class CellTable;
+struct CellRows;
 class FrfPlot;
 class Worker;
 
@@ -29,6 +30,9 @@ class SolvePage : public QWidget {
   void set_file(const QString& file) { file_ = file; }
 
   void plan();
+  /// What the data, or those of a model, can fix before anything is solved: needs a joint to assume ([truth] or [identify]
+  /// start).
+  void bound();
   void solve();
   void cancel();
   bool is_busy() const;
@@ -39,6 +43,7 @@ class SolvePage : public QWidget {
   CellTable* unknowns() const { return unknowns_; }
   CellTable* matrix() const { return matrix_; }
   CellTable* findings() const { return findings_; }
+  CellTable* bounds() const { return bounds_; }
   CellTable* plan_table() const { return plan_; }
   QTabWidget* results() const { return results_; }
 
@@ -58,6 +63,10 @@ class SolvePage : public QWidget {
   QWidget* make_joint_tab();
   QWidget* make_frf_tab();
   void add_run(Solved solved);
+  void plan_if_quick();
+  void add_plan();
+  void show_plan(const CellRows& rows);
+  void show_status();
   void show_run(int run);
   void show_matrix();
   void show_frf();
@@ -74,14 +83,16 @@ class SolvePage : public QWidget {
   QProgressBar* progress_;
   QLabel *status_, *error_db_;
   QTabWidget* results_;
-  CellTable *plan_, *unknowns_, *matrix_, *findings_;
+  CellTable *plan_, *bounds_, *unknowns_, *matrix_, *findings_;
   FrfPlot* plot_;
   Worker* worker_;
   std::optional<ident::Scene> scene_;
   std::vector<Solved> runs_;
   QString file_;
   std::size_t wanted_ = 0;
-  bool bad_ = false;  ///< what the status says
+  bool renew_status_ = true;  ///< by the next plan
+  bool bad_ = false;          ///< what the status says
+  bool stale_ = false;        ///< the scene changed while something ran
 };
 
 }  // namespace jointid::gui

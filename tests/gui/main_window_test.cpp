@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDropEvent>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -15,9 +16,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "gui/data/data_page.hpp"
 #include "gui/look/message_bar.hpp"
+#include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
@@ -175,6 +179,30 @@ TEST(MainWindow, AWrongPlanStandsBelowItsLine) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return project.editor()->error().has_value(); }, 20000));
   EXPECT_THAT(project.editor()->error()->problem, testing::HasSubstr("77:+Y"));
   EXPECT_GT(project.editor()->error()->line, 0);
+}
+
+TEST(MainWindow, OneCursorIsInAllPlots) {
+  Shown shown;
+  const Measured rig("A1");
+  shown.window.open({rig.scene()});
+  Project& project = *shown.window.current();
+  project.solve_page()->solve();
+  const auto drawn = [&] {
+    return !project.solve_page()->plot()->curves().empty() && !project.data_page()->plot()->curves().empty();
+  };
+  ASSERT_TRUE(QTest::qWaitFor(drawn, 60000));
+  Q_EMIT project.data_page()->plot()->cursor_moved(600.0);
+  EXPECT_THAT(project.solve_page()->plot()->readout().toStdString(), testing::StartsWith("600 Hz"));
+  Q_EMIT project.solve_page()->plot()->cursor_moved(800.0);
+  EXPECT_THAT(project.data_page()->plot()->readout().toStdString(), testing::StartsWith("800 Hz"));
+}
+
+TEST(MainWindow, TheTimeToTheFirstWindowIsTold) {
+  QElapsedTimer timer;
+  timer.start();
+  Shown shown;
+  shown.window.grab();
+  std::printf("%lld ms to the first window\n", static_cast<long long>(timer.elapsed()));
 }
 
 TEST(MainWindow, ItsLayoutIsKept) {

@@ -72,6 +72,7 @@ TEST(Project, SaysWhatCannotBeReadOrWritten) {
   EXPECT_FALSE(project.open("/no/such/scene.toml"));
   EXPECT_FALSE(project.messages()->text().isEmpty());
   project.start(small_scene, "/tmp");
+  EXPECT_EQ(project.suggested_file(), "/tmp/scene.toml");
   EXPECT_FALSE(project.save_as("/no/such/folder/scene.toml"));
   EXPECT_TRUE(project.is_modified());
 }

@@ -100,6 +100,11 @@ TEST(SceneEditor, AReplacedTextIsOneStepToUndo) {
   EXPECT_FALSE(edited.editor.document()->isUndoAvailable());
 }
 
+TEST(SceneEditor, LeavesDroppedFilesToTheWindow) {
+  Edited edited("");
+  EXPECT_FALSE(edited.editor.acceptDrops() || edited.editor.viewport()->acceptDrops());
+}
+
 TEST(SceneEditor, TabLeavesIt) {
   Edited edited("");
   EXPECT_TRUE(edited.editor.tabChangesFocus());

@@ -13,10 +13,13 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "base/text.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/solve/cell_table.hpp"
+#include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "ident/tasks/bound_report.hpp"
 #include "widgets.hpp"
 
 namespace jointid::gui {
@@ -72,6 +75,42 @@ TEST(SolvePage, ThePlanIsThereBeforeAnythingIsSolved) {
   ASSERT_TRUE(solving.rests());
   EXPECT_THAT(solving.page.plan_table()->text('\t').toStdString(), HasSubstr("4:+Y, 4:+RZ, 5:+Y, 5:+RZ"));
   EXPECT_TRUE(solving.page.runs().empty());
+}
+
+TEST(SolvePage, BoundsAreThoseOfTheLibrary) {
+  Solving solving;
+  ident::Scene scene = ident::read_scene(as_path(solving.measured.scene()));
+  scene.noise = ident::NoiseSection{.model = "gaussian", .level = 0.01, .frf_model = {.level = 0.01}};
+  solving.page.set_scene(scene);
+  solving.page.bound();
+  ASSERT_TRUE(solving.rests());
+  const auto report = ident::predict_bound(*ident::make_plan(scene), {}, {});
+  const CellModel& cells = *solving.page.bounds()->cells();
+  ASSERT_GT(cells.rowCount(), static_cast<int>(report.unknowns.size())) << solving.page.status().toStdString();
+  EXPECT_EQ(cells.index(0, 1).data().toString().toStdString(), report.unknowns.front().name);
+  EXPECT_THAT(cells.index(0, 2).data().toString().toStdString(), HasSubstr(digits(report.unknowns.front().bound, "%.3g")));
+}
+
+TEST(SolvePage, BoundsWithoutAJointToAssumeAreRefused) {
+  Solving solving;
+  ident::Scene scene = ident::read_scene(as_path(solving.measured.scene()));
+  scene.truth.clear();
+  solving.page.set_scene(scene);
+  solving.page.bound();
+  ASSERT_TRUE(solving.rests());
+  EXPECT_EQ(solving.page.bounds()->cells()->rowCount(), 0);
+  EXPECT_THAT(solving.page.status().toStdString(), HasSubstr("truth"));
+}
+
+TEST(SolvePage, TheLastSceneIsPlannedHoweverFastItChanges) {
+  Solving solving;
+  ident::Scene scene = ident::read_scene(as_path(solving.measured.scene()));
+  for (const double low : {420.0, 440.0, 460.0}) {
+    scene.frequency.range_hz = ident::Range{low, 1000.0};
+    solving.page.set_scene(scene);
+  }
+  ASSERT_TRUE(solving.rests());
+  EXPECT_THAT(solving.page.plan_table()->text('\t').toStdString(), HasSubstr("460 to 1000 Hz"));
 }
 
 TEST(SolvePage, ShowsUnknownsMatricesAndRegeneratedFrfs) {

@@ -66,7 +66,7 @@ class Photographer {
     solve.solve();
     wait_for([&] { return !solve.runs().empty() && !solve.is_busy(); });
     keep("workbench-unknowns");
-    solve.results()->setCurrentIndex(4);
+    solve.results()->setCurrentIndex(5);
     solve.plot()->set_cursor(420.0);
     window_.set_theme(Theme::dark);
     keep("workbench-frfs-dark");
