@@ -221,7 +221,7 @@ std::set<std::string> own_includes(const std::filesystem::path& path) {
 
 TEST(PublicHeaders, AreThereAndInstalled) {
   EXPECT_GT(public_headers().size(), 50U);
-  EXPECT_LT(public_headers().size(), 70U);
+  EXPECT_LT(public_headers().size(), 80U);
   for (const std::string& header : public_headers()) {
     EXPECT_TRUE(std::filesystem::exists(root / header)) << header;
     const std::string folder = header.substr(0, header.find('/'));
