@@ -122,6 +122,7 @@ class OneHarmonic {
 DirectStep direct_step(const Receptance& structure, const MeasuredState& state) {
   require_valid({state}, structure);
   DirectStep step;
+  step.omega = state.omega;
   step.harmonics = state.harmonics;
   const Eigen::Index rows = at(state.harmonics.size()), joints = structure.joints();
   step.joint_force.resize(rows, joints);

@@ -6,6 +6,7 @@ namespace jointid::response {
 
 /// What a measured state tells of the joints without any law.
 struct DirectStep {
+  double omega = 0.0;             ///< rad/s
   std::vector<int> harmonics;     ///< of the state's responses
   Eigen::MatrixXcd joint_force;   ///< F_n, [harmonic, joint]
   Eigen::MatrixXcd joint_motion;  ///< Q_n, [harmonic, joint]

@@ -54,6 +54,19 @@ Eigen::Index measured_numbers(const std::vector<MeasuredState>& states) {
   return sum;
 }
 
+Eigen::VectorXd in_deviations(const MeasuredState& state, const Eigen::MatrixXcd& responses) {
+  Eigen::VectorXd numbers(measured_numbers(state));
+  Eigen::Index row = 0;
+  for (Eigen::Index n = 0; n < responses.rows(); ++n) {
+    for (Eigen::Index r = 0; r < responses.cols(); ++r) {
+      const Complex value = responses(n, r) / state.deviation(n, r);
+      numbers(row++) = value.real();
+      if (state.harmonics[static_cast<std::size_t>(n)] > 0) numbers(row++) = value.imag();
+    }
+  }
+  return numbers;
+}
+
 void require_valid(const std::vector<MeasuredState>& states, const Receptance& structure) {
   if (states.empty()) {
     throw InputError({.kind = ErrorKind::data,

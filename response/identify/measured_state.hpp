@@ -21,6 +21,10 @@ struct MeasuredState {
 Eigen::Index measured_numbers(const MeasuredState& state);
 Eigen::Index measured_numbers(const std::vector<MeasuredState>& states);
 
+/// Numbers like the responses over the deviations, as a row of real ones: of each harmonic each response, of each Re and Im (of the
+/// mean Re alone).
+Eigen::VectorXd in_deviations(const MeasuredState& state, const Eigen::MatrixXcd& responses);
+
 /// Throws InputError (data) that says which state does not fit the structure: sizes, numbers that are not finite, deviations that
 /// are not above 0, harmonics nω at which the structure is not known.
 void require_valid(const std::vector<MeasuredState>& states, const Receptance& structure);

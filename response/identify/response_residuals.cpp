@@ -22,27 +22,25 @@ std::optional<ResponseResiduals::Value> ResponseResiduals::evaluate(const Eigen:
     if (!value.states.back().solution.converged) return std::nullopt;
     fill(models_[i], value.states.back(), slopes, row, value.linearised);
   }
+  if (correlation_) correlation_->whiten(value.linearised);
   if (!value.linearised.residual.allFinite() || !value.linearised.jacobian.allFinite()) return std::nullopt;
   return value;
+}
+
+void ResponseResiduals::weigh(const Value& value, const Eigen::VectorXd& numbers) {
+  correlation_.emplace(models_, value.states, *unknowns_.at_numbers(numbers));
 }
 
 void ResponseResiduals::fill(const StateModel& model, const StatePrediction& prediction, const Eigen::VectorXd& slopes,
                              Eigen::Index& row, Linearised& linearised) const {
   const MeasuredState& state = model.state();
-  const auto put = [&](Eigen::Index n, Eigen::Index r, auto part) {
-    const double deviation = state.deviation(n, r);
-    linearised.residual(row) = part(prediction.response(n, r) - state.response(n, r)) / deviation;
-    for (Eigen::Index i = 0; i < slopes.size(); ++i) {
-      linearised.jacobian(row, i) = part(prediction.by_parameter[static_cast<std::size_t>(i)](n, r)) * slopes(i) / deviation;
-    }
-    ++row;
-  };
-  for (Eigen::Index n = 0; n < state.response.rows(); ++n) {
-    for (Eigen::Index r = 0; r < state.response.cols(); ++r) {
-      put(n, r, [](Complex v) { return v.real(); });
-      if (state.harmonics[static_cast<std::size_t>(n)] > 0) put(n, r, [](Complex v) { return v.imag(); });
-    }
+  const Eigen::Index count = measured_numbers(state);
+  linearised.residual.segment(row, count) = in_deviations(state, prediction.response - state.response);
+  for (Eigen::Index i = 0; i < slopes.size(); ++i) {
+    linearised.jacobian.col(i).segment(row, count) =
+        slopes(i) * in_deviations(state, prediction.by_parameter[static_cast<std::size_t>(i)]);
   }
+  row += count;
 }
 
 }  // namespace jointid::response

@@ -6,6 +6,7 @@
 
 #include "response/identify/gauss_newton.hpp"
 #include "response/identify/law_unknowns.hpp"
+#include "response/identify/line_correlation.hpp"
 #include "response/identify/state_model.hpp"
 
 namespace jointid::response {
@@ -28,6 +29,12 @@ class ResponseResiduals {
   /// Nothing where a law makes no sense or harmonic balance does not converge. Starts at the motions of `last` if there are any.
   std::optional<Value> evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last = {}) const;
 
+  /// From now on residuals and Jacobian are those of uncorrelated numbers with the receptances' errors in them (LineCorrelation), at
+  /// this value.
+  void weigh(const Value& value, const Eigen::VectorXd& numbers);
+  /// ln det of their covariance in the responses' variances; 0 where they have not been weighed.
+  double log_determinant() const { return correlation_ ? correlation_->log_determinant() : 0.0; }
+
  private:
   void fill(const StateModel& model, const StatePrediction& prediction, const Eigen::VectorXd& slopes, Eigen::Index& row,
             Linearised& linearised) const;
@@ -35,6 +42,7 @@ class ResponseResiduals {
   std::vector<StateModel> models_;
   LawUnknowns unknowns_;
   Eigen::Index rows_ = 0;
+  std::optional<LineCorrelation> correlation_;
 };
 
 }  // namespace jointid::response

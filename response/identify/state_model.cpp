@@ -1,6 +1,6 @@
 #include "response/identify/state_model.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -78,6 +78,37 @@ void StateModel::differentiate(const CondensedEquations& equations, const Eigen:
     }
     prediction.by_parameter.push_back(measured(response));
   }
+}
+
+Eigen::MatrixXd StateModel::by_receptances(int harmonic, const std::vector<Joint>& joints, const StatePrediction& prediction) const {
+  const CondensedEquations equations(joints, harmonics_);
+  const Eigen::VectorXd motion = equations.pack(prediction.solution.joint_motion);
+  const dense::RealLu jacobian(equations.evaluate(line_, 1.0, motion).by_motion);
+  const std::vector<Eigen::MatrixXcd> slopes = equations.forces_by_motion(line_.omega, motion);
+  const Eigen::Index n = harmonics_.find(harmonic), count = structure_->joints();
+  Eigen::VectorXcd acting(count + structure_->forces());
+  acting << -prediction.solution.joint_force.row(n).transpose(), state_.force.of(harmonic);
+
+  const auto change = [&](const Eigen::VectorXcd& moved) {
+    Eigen::MatrixXcd at_joints = Eigen::MatrixXcd::Zero(harmonics_.size(), count);
+    at_joints.row(n) = moved.head(count).transpose();
+    const Eigen::VectorXd by_motion = jacobian.solve(equations.pack(at_joints));
+    Eigen::MatrixXcd response(harmonics_.size(), structure_->responses());
+    for (Eigen::Index m = 0; m < harmonics_.size(); ++m) {
+      const std::size_t at_m = static_cast<std::size_t>(m);
+      response.row(m) = -(line_.harmonics[at_m].to_joints * (slopes[at_m] * by_motion)).transpose();
+    }
+    response.row(n) += moved.tail(structure_->responses()).transpose();
+    return in_deviations(state_, measured(response));
+  };
+  const std::vector<ReceptanceError> errors = structure_->errors(harmonic * state_.omega);
+  Eigen::MatrixXd columns(measured_numbers(state_), 2 * at(errors.size()));
+  for (std::size_t e = 0; e < errors.size(); ++e) {
+    const Eigen::VectorXcd moved = errors[e].shape * acting;
+    columns.col(2 * at(e)) = std::sqrt(errors[e].variance.real()) * change(moved);
+    columns.col(2 * at(e) + 1) = std::sqrt(errors[e].variance.imag()) * change(Complex(0.0, 1.0) * moved);
+  }
+  return columns;
 }
 
 }  // namespace jointid::response
