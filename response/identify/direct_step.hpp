@@ -19,8 +19,8 @@ struct DirectStep {
   double separation = 1.0;
 };
 
-/// F_n = −(H_mW)⁺(Y_n − H_mP_n), weighted by 1/deviation, Q_n = b_n − G_nF_n (H_m: rows of the responses). Needs neither a sine nor
-/// control of the amplitude. Throws InputError (data) when rank H_mW is less than the number of joints at a harmonic.
+/// F_n = −(H_mW)⁺(Y_n − H_mP_n), weighted by 1/deviation, Q_n = b_n − G_nF_n (H_m: rows of the responses). Needs neither a sine
+/// nor control of the amplitude. Throws InputError (data) when rank H_mW is less than the number of joints at a harmonic.
 DirectStep direct_step(const Receptance& structure, const MeasuredState& state);
 
 }  // namespace jointid::response

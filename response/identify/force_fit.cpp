@@ -17,6 +17,7 @@ namespace jointid::response {
 namespace {
 
 constexpr std::size_t followed_starts = 3;
+constexpr double widest = 1.5;  ///< change of a logarithm from where a family starts: at 0 nothing depends on it any more
 
 /// Forces of one joint at the measured motions.
 class ForceResiduals {
@@ -104,8 +105,8 @@ struct RankedStart {
   LawUnknowns unknowns;
 };
 
-std::vector<RankedStart> ranked_starts(const ForceResiduals& residuals, const std::string& law, const friction::Features& features,
-                                       const Joint& beside) {
+std::vector<RankedStart> ranked_starts(const ForceResiduals& residuals, const std::string& law,
+                                       const friction::Features& features, const Joint& beside) {
   std::vector<RankedStart> ranked;
   for (auto& element : friction::family(law).starts(features)) {
     Joint joint = beside;
@@ -129,13 +130,17 @@ ForceFit fit_forces(const std::vector<DirectStep>& steps, std::size_t index, con
   best.chi_square = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < std::min(followed_starts, ranked.size()); ++i) {
     const LawUnknowns& unknowns = ranked[i].unknowns;
+    best.family.push_back(unknowns.joints().front());
     const auto evaluate = [&](const Eigen::VectorXd& numbers) { return residuals.evaluate(unknowns, numbers); };
     const GaussNewtonResult found = gauss_newton(evaluate, unknowns.start(), {.most_steps = 40, .tolerance = 1e-6});
     const double chi_square = found.at.residual.squaredNorm();
     if (!(chi_square < best.chi_square)) continue;
     best.chi_square = chi_square;
     best.converged = found.converged;
-    best.joint = unknowns.at_numbers(found.unknowns)->front();
+    const Eigen::VectorXd start = unknowns.start();
+    const Eigen::VectorXd near =
+        found.unknowns.cwiseMax((start.array() - widest).matrix()).cwiseMin((start.array() + widest).matrix());
+    if (const auto joints = unknowns.at_numbers(near)) best.joint = joints->front();
   }
   return best;
 }

@@ -9,10 +9,10 @@
 namespace jointid::response {
 namespace {
 
-constexpr double longest_step = 2.0;
+constexpr double longest_step = 1.0;
 constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e12;
-constexpr double no_gain = 1e-10;           ///< of Σr²: steps are no longer judged by it
-constexpr double step_of_rounding = 1e-6;   ///< where Σr² cannot fall any more
+constexpr double no_gain = 1e-10;          ///< of Σr²: steps are no longer judged by it
+constexpr double step_of_rounding = 1e-6;  ///< where Σr² cannot fall any more
 
 double largest_element(const Eigen::VectorXd& step) { return step.size() == 0 ? 0.0 : step.cwiseAbs().maxCoeff(); }
 

@@ -5,8 +5,9 @@
 
 namespace jointid::response {
 
-/// What residuals in standard deviations tell of their unknowns: the covariance (JᵀJ)⁺, which is the bound of any unbiased estimate,
-/// and the directions that no residual depends on (singular values of J with columns of norm 1 below 1e-9 of the largest).
+/// What residuals in standard deviations tell of their unknowns: the covariance (JᵀJ)⁺, which is the bound of any unbiased
+/// estimate, and the directions that no residual depends on (singular values of J with columns of norm 1 below 1e-9 of the
+/// largest).
 class Information {
  public:
   explicit Information(const Eigen::MatrixXd& jacobian);

@@ -10,34 +10,38 @@ namespace jointid::response {
 namespace {
 
 [[noreturn]] void fail_laws(std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = "",
-                    .place = "laws",
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
+  throw InputError(
+      {.kind = ErrorKind::usage, .file = "", .place = "laws", .problem = std::move(problem), .remedy = std::move(remedy)});
 }
 
-std::vector<Joint> start_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
-                            const std::vector<Joint>& beside) {
+/// One set of joints for each rank of start that every joint has.
+std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
+                                          const std::vector<Joint>& beside) {
   if (laws.size() != beside.size()) {
     fail_laws(std::to_string(laws.size()) + " laws for " + std::to_string(beside.size()) + " joints", "name one for each joint");
   }
-  std::vector<Joint> joints;
+  std::vector<std::vector<Joint>> starts;
   for (std::size_t j = 0; j < laws.size(); ++j) {
     try {
-      joints.push_back(fit_forces(steps, j, laws[j], beside[j]).joint);
+      ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
+      if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
+      fit.family.insert(fit.family.begin(), fit.joint);
+      if (j == 0) starts.resize(fit.family.size());
+      starts.resize(std::min(starts.size(), fit.family.size()));
+      for (std::size_t i = 0; i < starts.size(); ++i) starts[i].push_back(fit.family[i]);
     } catch (const std::invalid_argument& wrong) {
       fail_laws(wrong.what(), "");
     }
-    if (!joints.back().friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
   }
-  return joints;
+  return starts;
 }
 
 /// Whether the numbers are those of a minimum.
 bool is_minimum(const LawFit& fit) {
   return fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
 }
+
+std::pair<bool, double> rank(const LawFit& fit) { return {!is_minimum(fit), fit.aic}; }
 
 std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vector<MeasuredState>& states) {
   std::vector<DirectStep> steps;
@@ -47,20 +51,31 @@ std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vec
 
 }  // namespace
 
-std::vector<Joint> law_start(const Receptance& structure, const std::vector<MeasuredState>& states,
-                             const std::vector<std::string>& laws, const std::vector<Joint>& beside) {
-  return start_of(direct_steps(structure, states), laws, beside);
+std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const std::vector<MeasuredState>& states,
+                                           const std::vector<std::string>& laws, const std::vector<Joint>& beside) {
+  return starts_of(direct_steps(structure, states), laws, beside);
 }
 
-std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options) {
+  LawFit best;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    LawFit fit = fit_laws(structure, states, LawUnknowns(starts[i]), options);
+    if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
+  }
+  return best;
+}
+
+std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure,
+                                       const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
                                        const LawFitOptions& options) {
   const std::vector<DirectStep> steps = direct_steps(*structure, states);
   std::vector<LawCandidate> fitted;
   for (const std::vector<std::string>& laws : candidates) {
-    fitted.push_back({laws, fit_laws(structure, states, LawUnknowns(start_of(steps, laws, beside)), options)});
+    fitted.push_back({laws, fit_from(structure, states, starts_of(steps, laws, beside), options)});
   }
-  std::ranges::stable_sort(fitted, {}, [](const LawCandidate& each) { return std::pair(!is_minimum(each.fit), each.fit.aic); });
+  std::ranges::stable_sort(fitted, {}, [](const LawCandidate& each) { return rank(each.fit); });
   return fitted;
 }
 

@@ -35,7 +35,8 @@ class HarmonicsToAdd {
     const int next = largest + (odd_ && largest % 2 == 0 ? 1 : 2);
     if (next > most_) return 0;
     for (int n = next; n > largest; n -= odd_ ? 2 : 1) {
-      if (std::ranges::any_of(states_, [&](const MeasuredState& state) { return structure_.covers(n * state.omega); })) return next;
+      if (std::ranges::any_of(states_, [&](const MeasuredState& state) { return structure_.covers(n * state.omega); }))
+        return next;
     }
     return 0;
   }
@@ -53,8 +54,8 @@ struct FitOfHarmonics {
   std::vector<StatePrediction> states;
 };
 
-FitOfHarmonics fit_harmonics(const ResponseResiduals& residuals, const Eigen::VectorXd& start,
-                             std::vector<StatePrediction> from, const GaussNewtonOptions& options) {
+FitOfHarmonics fit_harmonics(const ResponseResiduals& residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
+                             const GaussNewtonOptions& options) {
   FitOfHarmonics fit;
   const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
     auto value = residuals.evaluate(numbers, from);
@@ -187,8 +188,8 @@ std::string_view word(LawFitStatus status) {
   return words[static_cast<std::size_t>(status)];
 }
 
-LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns,
-                const LawFitOptions& options) {
+LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
+                const LawUnknowns& unknowns, const LawFitOptions& options) {
   require_valid(states, *structure);
   if (unknowns.size() == 0) {
     throw InputError({.kind = ErrorKind::usage,

@@ -30,17 +30,17 @@ std::string_view word(LawFitStatus status);
 /// One fit with the harmonics of the model up to `largest`.
 struct HarmonicsRound {
   int largest = 0;
-  Eigen::VectorXd values;   ///< of the unknown parameters
+  Eigen::VectorXd values;  ///< of the unknown parameters
   double chi_square = 0.0;
-  double moved = 0.0;       ///< ‖J δθ‖ since the round before: no combination of parameters moved by more of its deviations
+  double moved = 0.0;  ///< ‖J δθ‖ since the round before: no combination of parameters moved by more of its deviations
 };
 
 /// One joint of the estimate. Deviations are those of the bound.
 struct FittedJoint {
   Joint joint;
-  std::vector<friction::FittedValue> parameters;  ///< the unknown ones
-  friction::FittedValue stiffness;                ///< T′(0) of the friction law
-  friction::FittedValue limit;                    ///< its friction limit: extrapolated where no state comes near macroslip
+  std::vector<friction::FittedValue> parameters;       ///< the unknown ones
+  friction::FittedValue stiffness;                     ///< T′(0) of the friction law
+  friction::FittedValue limit;                         ///< its friction limit: extrapolated where no state comes near macroslip
   double smallest_motion = 0.0, largest_motion = 0.0;  ///< |Q₁| over the states, m
 };
 
@@ -61,7 +61,7 @@ struct LawFit {
 /// the structure knows errors, min rᵀΣ⁻¹r with the covariance Σ that they give at the last estimate, twice. Forces are taken as
 /// exact. Throws InputError for states that do not fit the structure, or nothing unknown; want of convergence is a
 /// status.
-LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns,
-                const LawFitOptions& options = {});
+LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
+                const LawUnknowns& unknowns, const LawFitOptions& options = {});
 
 }  // namespace jointid::response

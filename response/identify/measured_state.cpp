@@ -30,7 +30,7 @@ void require_sizes(const MeasuredState& state, const Receptance& structure, std:
     fail_state(place, "its deviations are " + size_text(state.deviation.rows(), state.deviation.cols()), "give " + wanted);
   if (state.force.amplitudes.cols() != structure.forces() || state.force.amplitudes.rows() != at(state.force.harmonics.size()))
     fail_state(place, "its forces are " + size_text(state.force.amplitudes.rows(), state.force.amplitudes.cols()),
-         "give harmonics × forces of the structure, of which there are " + std::to_string(structure.forces()));
+               "give harmonics × forces of the structure, of which there are " + std::to_string(structure.forces()));
 }
 
 void require_numbers(const MeasuredState& state, std::size_t place) {
@@ -38,7 +38,8 @@ void require_numbers(const MeasuredState& state, std::size_t place) {
   if (!state.response.allFinite() || !state.force.amplitudes.allFinite())
     fail_state(place, "a phasor is not finite", "leave that line out");
   if (!((state.deviation.array() > 0.0).all() && state.deviation.allFinite()))
-    fail_state(place, "a standard deviation is not above 0", "give how exact every phasor is; without repeats, a share of its size");
+    fail_state(place, "a standard deviation is not above 0",
+               "give how exact every phasor is; without repeats, a share of its size");
 }
 
 }  // namespace
@@ -81,8 +82,9 @@ void require_valid(const std::vector<MeasuredState>& states, const Receptance& s
     const Harmonics ascending(states[i].harmonics);
     for (const int n : ascending.numbers()) {
       if (structure.covers(n * states[i].omega)) continue;
-      fail_state(i, "the structure is not known at harmonic " + std::to_string(n) + " of " + std::to_string(states[i].omega) + " rad/s",
-           "leave that harmonic out, or give FRFs of the parts there");
+      fail_state(
+          i, "the structure is not known at harmonic " + std::to_string(n) + " of " + std::to_string(states[i].omega) + " rad/s",
+          "leave that harmonic out, or give FRFs of the parts there");
     }
   }
 }

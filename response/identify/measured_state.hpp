@@ -8,7 +8,8 @@
 
 namespace jointid::response {
 
-/// A periodic state of an assembly as measured at one force level and line: phasors of forces and responses, x = Σ Re X_n e^{inωt}.
+/// A periodic state of an assembly as measured at one force level and line: phasors of forces and responses, x = Σ Re X_n
+/// e^{inωt}.
 struct MeasuredState {
   double omega = 0.0;             ///< rad/s
   Excitation force;               ///< P_n as measured, at the forces of the receptance
@@ -21,8 +22,8 @@ struct MeasuredState {
 Eigen::Index measured_numbers(const MeasuredState& state);
 Eigen::Index measured_numbers(const std::vector<MeasuredState>& states);
 
-/// Numbers like the responses over the deviations, as a row of real ones: of each harmonic each response, of each Re and Im (of the
-/// mean Re alone).
+/// Numbers like the responses over the deviations, as a row of real ones: of each harmonic each response, of each Re and Im (of
+/// the mean Re alone).
 Eigen::VectorXd in_deviations(const MeasuredState& state, const Eigen::MatrixXcd& responses);
 
 /// Throws InputError (data) that says which state does not fit the structure: sizes, numbers that are not finite, deviations that

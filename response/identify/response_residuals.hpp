@@ -11,8 +11,8 @@
 
 namespace jointid::response {
 
-/// (X − Y)/σ of all measured states over the unknown parameters of the joints. Rows: states in their order, of each the harmonics, of
-/// each the responses, of each Re and Im (of the mean Re alone).
+/// (X − Y)/σ of all measured states over the unknown parameters of the joints. Rows: states in their order, of each the
+/// harmonics, of each the responses, of each Re and Im (of the mean Re alone).
 class ResponseResiduals {
  public:
   /// `harmonics`: of the model, see StateModel. The states must be valid.
@@ -29,8 +29,8 @@ class ResponseResiduals {
   /// Nothing where a law makes no sense or harmonic balance does not converge. Starts at the motions of `last` if there are any.
   std::optional<Value> evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last = {}) const;
 
-  /// From now on residuals and Jacobian are those of uncorrelated numbers with the receptances' errors in them (LineCorrelation), at
-  /// this value.
+  /// From now on residuals and Jacobian are those of uncorrelated numbers with the receptances' errors in them (LineCorrelation),
+  /// at this value.
   void weigh(const Value& value, const Eigen::VectorXd& numbers);
   /// ln det of their covariance in the responses' variances; 0 where they have not been weighed.
   double log_determinant() const { return correlation_ ? correlation_->log_determinant() : 0.0; }

@@ -80,7 +80,8 @@ void StateModel::differentiate(const CondensedEquations& equations, const Eigen:
   }
 }
 
-Eigen::MatrixXd StateModel::by_receptances(int harmonic, const std::vector<Joint>& joints, const StatePrediction& prediction) const {
+Eigen::MatrixXd StateModel::by_receptances(int harmonic, const std::vector<Joint>& joints,
+                                           const StatePrediction& prediction) const {
   const CondensedEquations equations(joints, harmonics_);
   const Eigen::VectorXd motion = equations.pack(prediction.solution.joint_motion);
   const dense::RealLu jacobian(equations.evaluate(line_, 1.0, motion).by_motion);

@@ -28,13 +28,13 @@ class StateModel {
   StatePrediction predict(const std::vector<Joint>& joints, const std::vector<JointParameter>& parameters,
                           const HarmonicSolution* last = nullptr) const;
 
-  /// Harmonics of the model and the errors of the structure at each, in this order; the same for all states of a line that measure
-  /// the same harmonics.
+  /// Harmonics of the model and the errors of the structure at each, in this order; the same for all states of a line that
+  /// measure the same harmonics.
   const Harmonics& harmonics() const { return harmonics_; }
 
   /// What the structure's errors at one harmonic of the model change of the measured responses, to first order: δu = δH(P − WF),
-  /// (I + G F_Q) δQ = Wᵀδu, δX = δu − HW F_Q δQ. In deviations; two columns for each error, one deviation of its real part and one of
-  /// its imaginary part. [measured numbers, 2 · errors]
+  /// (I + G F_Q) δQ = Wᵀδu, δX = δu − HW F_Q δQ. In deviations; two columns for each error, one deviation of its real part and
+  /// one of its imaginary part. [measured numbers, 2 · errors]
   Eigen::MatrixXd by_receptances(int harmonic, const std::vector<Joint>& joints, const StatePrediction& prediction) const;
 
  private:

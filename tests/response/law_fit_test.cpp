@@ -38,7 +38,10 @@ struct Case {
     for (const double level : of["levels"]) {
       for (const double omega : of["omega"]) {
         const Eigen::MatrixXcd response = y.segment(row, seen.cols()).transpose();
-        states.push_back({omega, Excitation::single(level), {1}, response,
+        states.push_back({omega,
+                          Excitation::single(level),
+                          {1},
+                          response,
                           Eigen::MatrixXd::Constant(1, seen.cols(), of["sigma_re_and_im"].get<double>())});
         row += seen.cols();
       }
@@ -96,7 +99,8 @@ TEST(LawFit, MeetsTheGoldenEstimates) {
   for (const json& each : cases) {
     const Case golden_case(each, "Y_measured");
     const auto fit = [&](std::vector<int> harmonics) {
-      return fit_laws(golden_case.structure, golden_case.states, LawUnknowns(golden_case.start), {.harmonics = std::move(harmonics)});
+      return fit_laws(golden_case.structure, golden_case.states, LawUnknowns(golden_case.start),
+                      {.harmonics = std::move(harmonics)});
     };
     const double tolerance = golden::tolerance(each["trusted_digits"]["estimate"]);
     const LawFit found = fit(golden::integers(each["harmonics_model"]));
@@ -128,7 +132,8 @@ class NoisyReceptance final : public Receptance {
  public:
   NoisyReceptance(const MatrixStructure& matrices, Eigen::MatrixXd w, const Eigen::MatrixXd& seen, const Eigen::MatrixXd& forces,
                   double noise)
-      : all_(matrices, Eigen::MatrixXd(matrices.mass.rows(), 0), Eigen::MatrixXd::Identity(matrices.mass.rows(), matrices.mass.rows()),
+      : all_(matrices, Eigen::MatrixXd(matrices.mass.rows(), 0),
+             Eigen::MatrixXd::Identity(matrices.mass.rows(), matrices.mass.rows()),
              Eigen::MatrixXd::Identity(matrices.mass.rows(), matrices.mass.rows())),
         joints_(w.cols()),
         left_(w.rows(), w.cols() + seen.cols()),
@@ -193,8 +198,8 @@ TEST(LawFit, MeetsTheGoldenBoundWithErrorsOfTheReceptances) {
     const auto measured = each["measured_coordinates"].get<std::vector<Eigen::Index>>();
     Eigen::MatrixXd seen = Eigen::MatrixXd::Zero(n, at(measured.size()));
     for (std::size_t i = 0; i < measured.size(); ++i) seen(measured[i] - 1, at(i)) = 1.0;
-    const auto structure = std::make_shared<NoisyReceptance>(matrices, golden::matrix(each["W"]), seen,
-                                                             Eigen::MatrixXd::Identity(n, 1), 0.002);
+    const auto structure =
+        std::make_shared<NoisyReceptance>(matrices, golden::matrix(each["W"]), seen, Eigen::MatrixXd::Identity(n, 1), 0.002);
     const LawUnknowns unknowns(golden_case.truth);
     ResponseResiduals residuals(structure, golden_case.states, unknowns, golden::integers(each["harmonics_model"]));
     const auto exact = residuals.evaluate(unknowns.start());
@@ -209,7 +214,8 @@ TEST(LawFit, MeetsTheGoldenBoundWithErrorsOfTheReceptances) {
   }
 }
 
-/// 25 draws of receptances with 0.5 % noise: errors are those of the covariance, which without the receptances' errors is too small.
+/// 25 draws of receptances with 0.5 % noise: errors are those of the covariance, which without the receptances' errors is too
+/// small.
 TEST(LawFit, ErrorsOfReceptancesCount) {
   Eigen::MatrixXd m = Eigen::Vector3d(1.0, 1.2, 0.9).asDiagonal(), k(3, 3), w(3, 1);
   k << 500.0, -200.0, 0.0, -200.0, 250.0, -50.0, 0.0, -50.0, 150.0;
@@ -283,7 +289,8 @@ void expect_return(const Structure& structure, const std::vector<Joint>& truth, 
   const LawFit fit = fit_laws(structure, states, LawUnknowns(start), {.harmonics = {1, 3, 5}});
   EXPECT_EQ(word(fit.status), "converged") << truth[0].name;
   const LawUnknowns exact(truth);
-  EXPECT_LE(relative(fit.values, exact.values(exact.start())), 1e-8) << truth[0].name << "\n" << fit.values << "\nsteps " << fit.steps;
+  EXPECT_LE(relative(fit.values, exact.values(exact.start())), 1e-8) << truth[0].name << "\n"
+                                                                     << fit.values << "\nsteps " << fit.steps;
   EXPECT_LE(fit.chi_square, 1e-10);
 }
 

@@ -25,8 +25,8 @@ inline Structure masses(Eigen::Index joints) {
 }
 
 /// Responses without noise, harmonics 1 and 3 measured of a model with those to 5; empty where one does not converge.
-inline std::vector<MeasuredState> measure(const Structure& structure, const std::vector<Joint>& joints, const std::vector<double>& levels,
-                                   const std::vector<double>& omegas) {
+inline std::vector<MeasuredState> measure(const Structure& structure, const std::vector<Joint>& joints,
+                                          const std::vector<double>& levels, const std::vector<double>& omegas) {
   std::vector<MeasuredState> states;
   for (const double level : levels) {
     for (const double omega : omegas) {
