@@ -17,7 +17,6 @@ namespace jointid::response {
 namespace {
 
 constexpr std::size_t followed_starts = 3;
-constexpr double widest = 1.5;  ///< change of a logarithm from where a family starts: at 0 nothing depends on it any more
 
 /// Forces of one joint at the measured motions.
 class ForceResiduals {
@@ -137,10 +136,7 @@ ForceFit fit_forces(const std::vector<DirectStep>& steps, std::size_t index, con
     if (!(chi_square < best.chi_square)) continue;
     best.chi_square = chi_square;
     best.converged = found.converged;
-    const Eigen::VectorXd start = unknowns.start();
-    const Eigen::VectorXd near =
-        found.unknowns.cwiseMax((start.array() - widest).matrix()).cwiseMin((start.array() + widest).matrix());
-    if (const auto joints = unknowns.at_numbers(near)) best.joint = joints->front();
+    best.joint = unknowns.at_numbers(found.unknowns)->front();
   }
   return best;
 }
