@@ -14,9 +14,6 @@
 namespace jointid::friction {
 namespace {
 
-/// Slipped share from which macroslip counts as reached.
-constexpr double macroslip = 0.98;
-
 /// DIRECT-L looks for starts within this factor e^x, with so many evaluations per unknown.
 constexpr double global_half_width = 4.0;
 constexpr int global_evaluations = 1500;
@@ -89,15 +86,6 @@ std::vector<std::vector<double>> starts_of(const FitProblem& problem, const FitO
 minimise::Minimum minimise(const FitProblem& problem, const FitOptions& options) {
   const auto starts = starts_of(problem, options);
   return uses_ceres(options.minimiser) ? by_ceres(problem, starts) : by_pattern(problem, starts);
-}
-
-/// ∂(dT/du(0))/∂p, from a displacement so small that no slip matters.
-std::vector<double> stiffness_derivative(const Element& element, double largest) {
-  const double small = 1e-150 * largest;  // laws with a power of u lose stiffness at once
-  std::vector<double> out(element.parameters().size());
-  element.derivative(small, out);
-  for (double& each : out) each /= small;
-  return out;
 }
 
 double weighted_squares(const Curve& curve, const std::vector<double>& values, const std::vector<double>& weights) {

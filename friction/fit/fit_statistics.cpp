@@ -7,7 +7,6 @@
 #include "base/eigen.hpp"
 #include "dense/qr.hpp"
 #include "dense/svd.hpp"
-#include "friction/path/parameter_scale.hpp"
 
 namespace jointid::friction {
 
@@ -47,19 +46,10 @@ double FitStatistics::correlation(std::size_t i, std::size_t j) const {
 }
 
 FittedValue FitStatistics::describe(const Parameter& parameter, const Eigen::RowVectorXd& gradient) const {
-  FittedValue out{parameter.name, parameter.unit, parameter.value, std_error(gradient), std::nullopt, Knowledge::undetermined};
   constexpr double rounding = 1e-12;
   if (gradient.norm() <= rounding * std::abs(parameter.value))
     return {parameter.name, parameter.unit, parameter.value, {}, {}, Knowledge::preset};
-  if (!out.std_error) return out;
-  const ParameterScale scale(parameter);
-  const double q = scale.free(parameter.value), half = quantile_ * *out.std_error / scale.slope(q);
-  std::array<double, 2> ends = {scale.value(q - half), scale.value(q + half)};
-  if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
-  out.ci95 = ends;
-  const double room = std::min(parameter.value - parameter.lower, parameter.upper - parameter.value);
-  if (quantile_ * *out.std_error < room) out.knowledge = Knowledge::determined;
-  return out;
+  return fitted_value(parameter, std_error(gradient), quantile_);
 }
 
 }  // namespace jointid::friction

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "friction/path/element.hpp"
+
 namespace jointid::friction {
 
 /// What the data say of a number.
@@ -24,6 +26,13 @@ struct FittedValue {
   Knowledge knowledge = Knowledge::determined;
 };
 
+/// Slipped share from which macroslip counts as reached.
+inline constexpr double macroslip = 0.98;
+
 std::string name(Knowledge knowledge);
+
+/// The value of a parameter with its interval of ± quantile · std_error on the scale of its bounds: determined where that is less
+/// than the distance of the value from its bounds.
+FittedValue fitted_value(const Parameter& parameter, std::optional<double> std_error, double quantile);
 
 }  // namespace jointid::friction

@@ -39,6 +39,14 @@ std::vector<double> limit_derivative(const Element& element) {
   return out;
 }
 
+std::vector<double> stiffness_derivative(const Element& element, double largest) {
+  const double small = 1e-150 * largest;  // laws with a power of u lose stiffness at once
+  std::vector<double> out(element.parameters().size());
+  element.derivative(small, out);
+  for (double& each : out) each /= small;
+  return out;
+}
+
 std::optional<std::size_t> tied_parameter(const Element& element, const std::vector<bool>& spared) {
   if (!std::isfinite(element.limit())) return std::nullopt;
   const std::vector<double> by = elasticities(element);

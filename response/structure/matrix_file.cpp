@@ -18,7 +18,7 @@ namespace {
 constexpr long most_rows = 20000;
 constexpr double symmetric_to = 1e-9;  ///< of the largest element
 
-[[noreturn]] void refuse(const std::filesystem::path& path, std::string place, std::string problem, std::string remedy = {}) {
+[[noreturn]] void refuse_file(const std::filesystem::path& path, std::string place, std::string problem, std::string remedy = {}) {
   throw InputError({.kind = ErrorKind::data,
                     .file = path.string(),
                     .place = std::move(place),
@@ -30,7 +30,7 @@ constexpr double symmetric_to = 1e-9;  ///< of the largest element
 class MarketReader {
  public:
   explicit MarketReader(const std::filesystem::path& path) : path_(path), in_(path) {
-    if (!in_) refuse(path_, "", "it cannot be read");
+    if (!in_) refuse_file(path_, "", "it cannot be read");
   }
 
   Eigen::MatrixXd read() {
@@ -52,7 +52,7 @@ class MarketReader {
 
  private:
   [[noreturn]] void fail(std::string problem, std::string remedy = {}) const {
-    refuse(path_, "line " + std::to_string(number_), std::move(problem), std::move(remedy));
+    refuse_file(path_, "line " + std::to_string(number_), std::move(problem), std::move(remedy));
   }
 
   std::vector<double> numbers(std::size_t count) {
@@ -125,7 +125,7 @@ Eigen::MatrixXd from_columns(const std::filesystem::path& path, const std::strin
   for (const auto& [name, columns] : matrices) names += (names.empty() ? "" : ", ") + (name.empty() ? "rows of numbers" : name);
   const auto found = variable.empty() && matrices.size() == 1 ? matrices.begin() : matrices.find(variable);
   if (found == matrices.end()) {
-    refuse(path, variable,
+    refuse_file(path, variable,
            variable.empty() ? "the file holds several matrices: " + names : "there is no such matrix; there are: " + names,
            variable.empty() ? "name one: \"" + path.filename().string() + ":NAME\"" : "");
   }
@@ -133,7 +133,7 @@ Eigen::MatrixXd from_columns(const std::filesystem::path& path, const std::strin
   Eigen::MatrixXd m(at(size), at(size));
   for (std::size_t j = 0; j < size; ++j) {
     if (found->second[j]->size() != size) {
-      refuse(path, variable,
+      refuse_file(path, variable,
              "the matrix is not square: " + std::to_string(found->second[j]->size()) + " × " + std::to_string(size));
     }
     for (std::size_t i = 0; i < size; ++i) m(at(i), at(j)) = (*found->second[j])[i];
@@ -149,7 +149,7 @@ Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const s
   for (Eigen::Index i = 0; i < m.rows(); ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
       if (std::abs(m(i, j) - m(j, i)) <= symmetric_to * largest) continue;
-      refuse(path, "element (" + std::to_string(i + 1) + ", " + std::to_string(j + 1) + ")", "the matrix is not symmetric",
+      refuse_file(path, "element (" + std::to_string(i + 1) + ", " + std::to_string(j + 1) + ")", "the matrix is not symmetric",
              "mass, damping and stiffness are");
     }
   }

@@ -1,0 +1,83 @@
+#include "response/identify/gauss_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "dense/minimum_norm.hpp"
+
+namespace jointid::response {
+namespace {
+
+constexpr double longest_step = 1.0;
+constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e12;
+constexpr double no_gain = 1e-10;          ///< of Σr²: steps are no longer judged by it
+constexpr double step_of_rounding = 1e-6;  ///< where Σr² cannot fall any more
+
+double largest_element(const Eigen::VectorXd& step) { return step.size() == 0 ? 0.0 : step.cwiseAbs().maxCoeff(); }
+
+/// −(JᵀJ + damping·D²)⁺Jᵀr, D the norms of J's columns.
+Eigen::VectorXd damped_step(const Linearised& at, double damping) {
+  const Eigen::Index rows = at.jacobian.rows(), columns = at.jacobian.cols();
+  Eigen::VectorXd scale = at.jacobian.colwise().norm().transpose();
+  scale = (scale.array() > 0.0).select(scale, 1.0);
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(rows + columns, columns);
+  system.topRows(rows) = at.jacobian * scale.cwiseInverse().asDiagonal();
+  system.bottomRows(columns).diagonal().setConstant(std::sqrt(damping));
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(rows + columns);
+  right.head(rows) = -at.residual;
+  Eigen::VectorXd step = dense::RealMinimumNorm(system).solve(right).cwiseQuotient(scale);
+  const double size = largest_element(step);
+  if (size > longest_step) step *= longest_step / size;
+  return step;
+}
+
+/// A damped step that lowers Σr², more and more damped; false when there is none.
+bool descend(const Residuals& residuals, GaussNewtonResult& result, double& damping) {
+  const double cost = result.at.residual.squaredNorm();
+  for (; damping <= most_damping; damping = std::max(10.0 * damping, least_damping)) {
+    const Eigen::VectorXd tried = result.unknowns + damped_step(result.at, damping);
+    std::optional<Linearised> next = residuals(tried);
+    if (!next || !(next->residual.squaredNorm() < cost)) continue;
+    result.unknowns = tried;
+    result.at = std::move(*next);
+    damping = damping * 0.1 < least_damping ? 0.0 : damping * 0.1;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+GaussNewtonResult gauss_newton(const Residuals& residuals, const Eigen::VectorXd& start, const GaussNewtonOptions& options) {
+  GaussNewtonResult result;
+  result.unknowns = start;
+  std::optional<Linearised> first = residuals(start);
+  if (!first) return result;
+  result.defined = true;
+  result.at = std::move(*first);
+  double damping = first_damping, before = longest_step;
+  for (; result.steps < options.most_steps; ++result.steps) {
+    const Eigen::VectorXd full = damped_step(result.at, 0.0);
+    const double size = largest_element(full), gain = (result.at.jacobian * full).squaredNorm();
+    const bool at_end = size <= options.tolerance || gain <= no_gain * result.at.residual.squaredNorm();
+    if (!at_end) {
+      before = size;
+      if (descend(residuals, result, damping)) continue;
+      result.converged = size <= step_of_rounding;
+      return result;
+    }
+    std::optional<Linearised> next = residuals(result.unknowns + full);
+    if (!next) return result;
+    result.converged = size <= options.tolerance || size >= before;
+    if (size < before) {
+      result.unknowns += full;
+      result.at = std::move(*next);
+    }
+    if (result.converged) return result;
+    before = size;
+  }
+  return result;
+}
+
+}  // namespace jointid::response

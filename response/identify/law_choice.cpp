@@ -1,0 +1,93 @@
+#include "response/identify/law_choice.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace jointid::response {
+namespace {
+
+[[noreturn]] void fail_laws(std::string problem, std::string remedy) {
+  throw InputError(
+      {.kind = ErrorKind::usage, .file = "", .place = "laws", .problem = std::move(problem), .remedy = std::move(remedy)});
+}
+
+/// One set of joints for each rank of start that every joint has.
+std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
+                                          const std::vector<Joint>& beside) {
+  if (laws.size() != beside.size()) {
+    fail_laws(std::to_string(laws.size()) + " laws for " + std::to_string(beside.size()) + " joints", "name one for each joint");
+  }
+  std::vector<std::vector<Joint>> starts;
+  for (std::size_t j = 0; j < laws.size(); ++j) {
+    try {
+      ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
+      if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
+      fit.family.insert(fit.family.begin(), fit.joint);
+      if (j == 0) starts.resize(fit.family.size());
+      starts.resize(std::min(starts.size(), fit.family.size()));
+      for (std::size_t i = 0; i < starts.size(); ++i) starts[i].push_back(fit.family[i]);
+    } catch (const std::invalid_argument& wrong) {
+      fail_laws(wrong.what(), "");
+    }
+  }
+  return starts;
+}
+
+/// Whether the numbers are those of a minimum.
+bool is_minimum(const LawFit& fit) {
+  return fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
+}
+
+std::pair<bool, double> rank(const LawFit& fit) { return {!is_minimum(fit), fit.aic}; }
+
+std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vector<MeasuredState>& states) {
+  std::vector<DirectStep> steps;
+  for (const MeasuredState& state : states) steps.push_back(direct_step(structure, state));
+  return steps;
+}
+
+}  // namespace
+
+std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const std::vector<MeasuredState>& states,
+                                           const std::vector<std::string>& laws, const std::vector<Joint>& beside) {
+  return starts_of(direct_steps(structure, states), laws, beside);
+}
+
+LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options) {
+  LawFit best;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    LawFit fit = fit_laws(structure, states, LawUnknowns(starts[i]), options);
+    if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
+  }
+  return best;
+}
+
+std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure,
+                                       const std::vector<MeasuredState>& states,
+                                       const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
+                                       const LawFitOptions& options) {
+  const std::vector<DirectStep> steps = direct_steps(*structure, states);
+  std::vector<LawCandidate> fitted;
+  for (const std::vector<std::string>& laws : candidates) {
+    fitted.push_back({laws, fit_from(structure, states, starts_of(steps, laws, beside), options)});
+  }
+  std::ranges::stable_sort(fitted, {}, [](const LawCandidate& each) { return rank(each.fit); });
+  return fitted;
+}
+
+std::size_t chosen_law(const std::vector<LawCandidate>& compared) {
+  constexpr double as_good = 2.0;
+  std::size_t chosen = 0;
+  for (std::size_t i = 1; i < compared.size() && is_minimum(compared[i].fit); ++i) {
+    const LawFit& fit = compared[i].fit;
+    if (fit.aic > compared[0].fit.aic + as_good) break;
+    if (fit.values.size() < compared[chosen].fit.values.size()) chosen = i;
+  }
+  return chosen;
+}
+
+}  // namespace jointid::response

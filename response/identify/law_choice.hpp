@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "response/identify/force_fit.hpp"
+#include "response/identify/law_fit.hpp"
+
+namespace jointid::response {
+
+/// A law for each joint, and what fit_laws makes of it.
+struct LawCandidate {
+  std::vector<std::string> laws;
+  LawFit fit;
+};
+
+/// Joints with these laws (friction::fitted_laws) to start with: first those of fit_forces on the direct step, then the families'
+/// starts that are nearest to the forces; `beside`: name, spring, dashpot and cubic spring of each joint. Throws InputError where
+/// direct_step or fit_forces do, or when a law suits no force.
+std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const std::vector<MeasuredState>& states,
+                                           const std::vector<std::string>& laws, const std::vector<Joint>& beside);
+
+/// fit_laws from each start; the one that converged with the smallest AIC. Several starts, as parameters of a law can run to
+/// where nothing depends on them (Iwan's β to 0) and stay there.
+LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options = {});
+
+/// Every candidate fitted from its law_starts; those that converged first, of them those with the smallest AIC = χ² + 2 ·
+/// unknowns.
+std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure,
+                                       const std::vector<MeasuredState>& states,
+                                       const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
+                                       const LawFitOptions& options = {});
+
+/// Of what compare_laws gives the place of the law to name: of those within 2 of the smallest AIC, which explain the data as
+/// well, the one with the fewest unknowns. A law that has another as its limit (Ren's with b → 0 is the bilinear one) takes its
+/// place by chance in 4.6 % of the cases (χ² of one degree above 4) with one more unknown.
+std::size_t chosen_law(const std::vector<LawCandidate>& compared);
+
+}  // namespace jointid::response

@@ -1,0 +1,232 @@
+#include "response/identify/law_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/statistics.hpp"
+#include "friction/fit/tied_limit.hpp"
+#include "response/identify/information.hpp"
+
+namespace jointid::response {
+namespace {
+
+/// The harmonics that a model may have, and how many come next.
+class HarmonicsToAdd {
+ public:
+  HarmonicsToAdd(const Receptance& structure, const std::vector<MeasuredState>& states, int largest)
+      : structure_(structure), states_(states), most_(largest) {
+    for (const MeasuredState& state : states) {
+      for (const auto* numbers : {&state.harmonics, &state.force.harmonics}) {
+        first_ = std::max(first_, numbers->back());
+        odd_ = odd_ && std::ranges::all_of(*numbers, [](int n) { return n % 2 == 1; });
+      }
+    }
+  }
+
+  int first() const { return first_; }
+
+  std::vector<int> to(int largest) const { return odd_ ? Harmonics::odd(largest).numbers() : Harmonics::all(largest).numbers(); }
+
+  /// The next largest one, or 0 when it is above the most or no state's structure is known there.
+  int after(int largest) const {
+    const int next = largest + (odd_ && largest % 2 == 0 ? 1 : 2);
+    if (next > most_) return 0;
+    for (int n = next; n > largest; n -= odd_ ? 2 : 1) {
+      if (std::ranges::any_of(states_, [&](const MeasuredState& state) { return structure_.covers(n * state.omega); }))
+        return next;
+    }
+    return 0;
+  }
+
+ private:
+  const Receptance& structure_;
+  const std::vector<MeasuredState>& states_;
+  int most_, first_ = 1;
+  bool odd_ = true;
+};
+
+/// A fit with the harmonics of one model.
+struct FitOfHarmonics {
+  GaussNewtonResult result;
+  std::vector<StatePrediction> states;
+};
+
+FitOfHarmonics fit_harmonics(const ResponseResiduals& residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
+                             const GaussNewtonOptions& options) {
+  FitOfHarmonics fit;
+  const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
+    auto value = residuals.evaluate(numbers, from);
+    if (!value) return std::nullopt;
+    from = std::move(value->states);
+    return std::move(value->linearised);
+  };
+  fit.result = gauss_newton(linearise, start, options);
+  if (!fit.result.defined) return fit;
+  auto last = residuals.evaluate(fit.result.unknowns, from);
+  if (last) fit.states = std::move(last->states);
+  return fit;
+}
+
+bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>& states) {
+  return std::ranges::any_of(states, [&](const MeasuredState& state) {
+    return std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
+  });
+}
+
+/// Again with the covariance of the estimate.
+void refit(ResponseResiduals& residuals, const GaussNewtonOptions& options, FitOfHarmonics& fit, LawFit& out) {
+  constexpr int times = 2;
+  for (int i = 0; i < times && fit.result.converged; ++i) {
+    const auto value = residuals.evaluate(fit.result.unknowns, fit.states);
+    if (!value) return;
+    residuals.weigh(*value, fit.result.unknowns);
+    fit = fit_harmonics(residuals, fit.result.unknowns, std::move(fit.states), options);
+    out.steps += fit.result.steps;
+  }
+  out.aic = residuals.log_determinant();
+  if (!fit.result.converged) out.status = LawFitStatus::not_converged;
+}
+
+LawFitStatus status_of(const GaussNewtonResult& result) {
+  if (!result.defined) return LawFitStatus::no_response;
+  return result.converged ? LawFitStatus::converged : LawFitStatus::not_converged;
+}
+
+/// Joints with values and deviations, from the numbers of a minimum.
+class FittedJoints {
+ public:
+  FittedJoints(const LawUnknowns& unknowns, const GaussNewtonResult& result)
+      : unknowns_(unknowns), information_(result.at.jacobian), numbers_(result.unknowns) {}
+
+  Eigen::MatrixXd covariance() const {
+    const Eigen::VectorXd slopes = unknowns_.slopes(numbers_);
+    return slopes.asDiagonal() * information_.covariance() * slopes.asDiagonal();
+  }
+
+  FittedJoint of(std::size_t j, const Joint& joint, const std::vector<StatePrediction>& states) const {
+    FittedJoint out;
+    out.joint = joint;
+    const Eigen::VectorXd values = unknowns_.values(numbers_), slopes = unknowns_.slopes(numbers_);
+    for (Eigen::Index i = 0; i < unknowns_.size(); ++i) {
+      if (unknowns_.free()[static_cast<std::size_t>(i)].joint != j) continue;
+      friction::Parameter parameter = unknowns_.parameter(i);
+      parameter.value = values(i);
+      out.parameters.push_back(described(parameter, Eigen::RowVectorXd::Unit(unknowns_.size(), i) * slopes(i)));
+    }
+    fill_motion(j, states, out);
+    if (joint.friction) fill_law(j, *joint.friction, out);
+    return out;
+  }
+
+ private:
+  friction::FittedValue described(const friction::Parameter& parameter, const Eigen::RowVectorXd& gradient) const {
+    if (!(gradient.norm() > 0.0)) return {parameter.name, parameter.unit, parameter.value, {}, {}, friction::Knowledge::preset};
+    return friction::fitted_value(parameter, information_.deviation(gradient), normal_95);
+  }
+
+  /// A derivative by all parameters of the law of joint j as one by the numbers.
+  Eigen::RowVectorXd by_numbers(std::size_t j, const std::vector<double>& by_parameters) const {
+    Eigen::RowVectorXd gradient = unknowns_.slopes(numbers_).transpose();
+    for (Eigen::Index i = 0; i < gradient.size(); ++i) {
+      const JointParameter& free = unknowns_.free()[static_cast<std::size_t>(i)];
+      gradient(i) *= free.joint == j && free.parameter < by_parameters.size() ? by_parameters[free.parameter] : 0.0;
+    }
+    return gradient;
+  }
+
+  static void fill_motion(std::size_t j, const std::vector<StatePrediction>& states, FittedJoint& out) {
+    out.smallest_motion = std::numeric_limits<double>::infinity();
+    for (const StatePrediction& state : states) {
+      const Eigen::Index first = Harmonics(state.solution.harmonics).find(1);
+      if (first < 0) continue;
+      const double size = std::abs(state.solution.joint_motion(first, at(j)));
+      out.smallest_motion = std::min(out.smallest_motion, size);
+      out.largest_motion = std::max(out.largest_motion, size);
+    }
+    out.smallest_motion = std::min(out.smallest_motion, out.largest_motion);
+  }
+
+  void fill_law(std::size_t j, const friction::Element& law, FittedJoint& out) const {
+    const double stuck = law.response(0.0).tangent, largest = out.largest_motion;
+    out.stiffness = described({"initial stiffness", "N/m", stuck, 0.0, friction::infinity, true},
+                              by_numbers(j, friction::stiffness_derivative(law, largest > 0.0 ? largest : 1.0)));
+    const friction::Parameter limit = {"friction limit", "N", law.limit(), 0.0, friction::infinity, true};
+    if (!std::isfinite(limit.value)) {
+      out.limit = {limit.name, limit.unit, limit.value, {}, {}, friction::Knowledge::undetermined};
+      return;
+    }
+    out.limit = described(limit, by_numbers(j, friction::limit_derivative(law)));
+    const double slipped = 1.0 - law.response(largest).tangent / stuck;
+    if (out.limit.knowledge == friction::Knowledge::determined && slipped < friction::macroslip)
+      out.limit.knowledge = friction::Knowledge::extrapolated;
+  }
+
+  const LawUnknowns& unknowns_;
+  Information information_;
+  Eigen::VectorXd numbers_;
+};
+
+void describe_fit(const LawUnknowns& unknowns, FitOfHarmonics fit, LawFit& out) {
+  if (!fit.result.defined) return;
+  out.values = unknowns.values(fit.result.unknowns);
+  out.chi_square = fit.result.at.residual.squaredNorm();
+  out.aic += out.chi_square + 2.0 * static_cast<double>(unknowns.size());
+  const FittedJoints fitted(unknowns, fit.result);
+  out.covariance = fitted.covariance();
+  out.states = std::move(fit.states);
+  const std::vector<Joint> joints = *unknowns.at_numbers(fit.result.unknowns);
+  for (std::size_t j = 0; j < joints.size(); ++j) out.joints.push_back(fitted.of(j, joints[j], out.states));
+}
+
+}  // namespace
+
+std::string_view word(LawFitStatus status) {
+  constexpr std::string_view words[] = {"converged", "not_converged", "no_response", "too_few_data", "harmonics_not_enough"};
+  return words[static_cast<std::size_t>(status)];
+}
+
+LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
+                const LawUnknowns& unknowns, const LawFitOptions& options) {
+  require_valid(states, *structure);
+  if (unknowns.size() == 0) {
+    throw InputError({.kind = ErrorKind::usage,
+                      .file = "",
+                      .place = "joints",
+                      .problem = "no parameter is unknown",
+                      .remedy = "give a joint a friction law whose parameters are to be found"});
+  }
+  LawFit out;
+  out.numbers = measured_numbers(states);
+  out.freedom = out.numbers - unknowns.size();
+  if (out.freedom <= 0) {
+    out.status = LawFitStatus::too_few_data;
+    return out;
+  }
+  const HarmonicsToAdd add(*structure, states, options.largest);
+  const bool adds = options.harmonics.empty();
+  FitOfHarmonics fit;
+  std::optional<ResponseResiduals> residuals;
+  Eigen::VectorXd numbers = unknowns.start();
+  for (int largest = add.first(); largest > 0; largest = add.after(largest)) {
+    residuals.emplace(structure, states, unknowns, adds ? add.to(largest) : options.harmonics);
+    fit = fit_harmonics(*residuals, numbers, std::move(fit.states), options.steps);
+    out.status = status_of(fit.result);
+    out.steps += fit.result.steps;
+    if (!fit.result.defined) break;
+    const double moved = out.rounds.empty() ? 0.0 : (fit.result.at.jacobian * (fit.result.unknowns - numbers)).norm();
+    numbers = fit.result.unknowns;
+    out.rounds.push_back({adds ? largest : 0, unknowns.values(numbers), fit.result.at.residual.squaredNorm(), moved});
+    if (out.status != LawFitStatus::converged || !adds || (out.rounds.size() > 1 && moved < options.settled)) break;
+    if (add.after(largest) == 0) out.status = LawFitStatus::harmonics_not_enough;
+  }
+  if (options.receptance_errors && fit.result.converged && knows_errors(*structure, states)) {
+    refit(*residuals, options.steps, fit, out);
+  }
+  describe_fit(unknowns, std::move(fit), out);
+  return out;
+}
+
+}  // namespace jointid::response

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "friction/fit/fitted_value.hpp"
+#include "response/identify/response_residuals.hpp"
+
+namespace jointid::response {
+
+struct LawFitOptions {
+  std::vector<int> harmonics{};  ///< of the model beside those measured; or, when empty, added until …
+  double settled = 0.1;          ///< … the estimate moves by less than this many standard deviations, whichever way …
+  int largest = 21;              ///< … up to this one
+  /// Whether the errors that the structure knows of its receptances count (LineCorrelation), where it knows any.
+  bool receptance_errors = true;
+  GaussNewtonOptions steps{};
+};
+
+enum class LawFitStatus {
+  converged,
+  not_converged,        ///< Gauss–Newton ended without a minimum: the numbers are those of its last step
+  no_response,          ///< harmonic balance has no solution for the law that the fit starts with
+  too_few_data,         ///< fewer numbers measured than unknown
+  harmonics_not_enough  ///< a minimum, but the last harmonics that could be added still moved it
+};
+std::string_view word(LawFitStatus status);
+
+/// One fit with the harmonics of the model up to `largest`.
+struct HarmonicsRound {
+  int largest = 0;
+  Eigen::VectorXd values;  ///< of the unknown parameters
+  double chi_square = 0.0;
+  double moved = 0.0;  ///< ‖J δθ‖ since the round before: no combination of parameters moved by more of its deviations
+};
+
+/// One joint of the estimate. Deviations are those of the bound.
+struct FittedJoint {
+  Joint joint;
+  std::vector<friction::FittedValue> parameters;       ///< the unknown ones
+  friction::FittedValue stiffness;                     ///< T′(0) of the friction law
+  friction::FittedValue limit;                         ///< its friction limit: extrapolated where no state comes near macroslip
+  double smallest_motion = 0.0, largest_motion = 0.0;  ///< |Q₁| over the states, m
+};
+
+struct LawFit {
+  LawFitStatus status = LawFitStatus::converged;
+  std::vector<FittedJoint> joints;
+  Eigen::VectorXd values;                 ///< of the unknown parameters, in the order of LawUnknowns::free()
+  Eigen::MatrixXd covariance;             ///< of the values, along what the states see
+  double chi_square = 0.0;                ///< rᵀΣ⁻¹r, r the residuals; Σ|X − Y|²/σ² where receptances are exact
+  Eigen::Index numbers = 0, freedom = 0;  ///< measured; less the unknown ones
+  double aic = 0.0;                       ///< χ² + ln det Σ (Σ in σ²) + 2 · unknowns
+  int steps = 0;
+  std::vector<StatePrediction> states;
+  std::vector<HarmonicsRound> rounds;  ///< one, unless harmonics were added
+};
+
+/// min Σ|Y − X(θ)|²/σ² over the unknown parameters, X by harmonic balance, from the values of `unknowns`. Then, where
+/// the structure knows errors, min rᵀΣ⁻¹r with the covariance Σ that they give at the last estimate, twice. Forces are taken as
+/// exact. Throws InputError for states that do not fit the structure, or nothing unknown; want of convergence is a
+/// status.
+LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
+                const LawUnknowns& unknowns, const LawFitOptions& options = {});
+
+}  // namespace jointid::response

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "response/harmonic/excitation.hpp"
+#include "response/structure/receptance.hpp"
+
+namespace jointid::response {
+
+/// A periodic state of an assembly as measured at one force level and line: phasors of forces and responses, x = Σ Re X_n
+/// e^{inωt}.
+struct MeasuredState {
+  double omega = 0.0;             ///< rad/s
+  Excitation force;               ///< P_n as measured, at the forces of the receptance
+  std::vector<int> harmonics{1};  ///< of the responses, ascending
+  Eigen::MatrixXcd response;      ///< Y_n, [harmonic, response of the receptance]
+  Eigen::MatrixXd deviation;      ///< of Re Y_n and Im Y_n each, [harmonic, response]
+};
+
+/// How many real numbers the phasors are: of the mean one, else two.
+Eigen::Index measured_numbers(const MeasuredState& state);
+Eigen::Index measured_numbers(const std::vector<MeasuredState>& states);
+
+/// Numbers like the responses over the deviations, as a row of real ones: of each harmonic each response, of each Re and Im (of
+/// the mean Re alone).
+Eigen::VectorXd in_deviations(const MeasuredState& state, const Eigen::MatrixXcd& responses);
+
+/// Throws InputError (data) that says which state does not fit the structure: sizes, numbers that are not finite, deviations that
+/// are not above 0, harmonics nω at which the structure is not known.
+void require_valid(const std::vector<MeasuredState>& states, const Receptance& structure);
+
+}  // namespace jointid::response

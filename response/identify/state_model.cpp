@@ -1,0 +1,115 @@
+#include "response/identify/state_model.hpp"
+
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "dense/real_lu.hpp"
+#include "response/harmonic/attempts.hpp"
+
+namespace jointid::response {
+namespace {
+
+Harmonics model_harmonics(const Receptance& structure, const MeasuredState& state, const std::vector<int>& harmonics) {
+  std::set<int> numbers(state.harmonics.begin(), state.harmonics.end());
+  for (const int n : harmonics) {
+    if (structure.covers(n * state.omega)) numbers.insert(n);
+  }
+  return Harmonics({numbers.begin(), numbers.end()});
+}
+
+}  // namespace
+
+StateModel::StateModel(std::shared_ptr<const Receptance> structure, const MeasuredState& state, const std::vector<int>& harmonics)
+    : structure_(std::move(structure)),
+      state_(state),
+      harmonics_(model_harmonics(*structure_, state, harmonics)),
+      line_(harmonic_line(*structure_, harmonics_, state.force, state.omega)) {}
+
+Eigen::MatrixXcd StateModel::measured(const Eigen::MatrixXcd& of_model) const {
+  Eigen::MatrixXcd rows(at(state_.harmonics.size()), of_model.cols());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    rows.row(i) = of_model.row(harmonics_.find(state_.harmonics[static_cast<std::size_t>(i)]));
+  }
+  return rows;
+}
+
+StatePrediction StateModel::predict(const std::vector<Joint>& joints, const std::vector<JointParameter>& parameters,
+                                    const HarmonicSolution* last) const {
+  const HarmonicBalance balance(structure_, joints, state_.force, {.fixed = harmonics_.numbers()});
+  const CondensedEquations equations(joints, harmonics_);
+  const Attempt attempt = attempt_all(equations, line_, 1.0, last);
+  StatePrediction prediction;
+  prediction.solution = balance.describe(equations, line_, 1.0, attempt.result.motion);
+  prediction.solution.converged = attempt.result.converged;
+  prediction.solution.residual = attempt.result.residual;
+  prediction.solution.start = attempt.start;
+  prediction.solution.steps = attempt.steps;
+  if (!attempt.result.converged) return prediction;
+  prediction.response = measured(prediction.solution.response);
+  differentiate(equations, attempt.result.motion, parameters, prediction);
+  return prediction;
+}
+
+void StateModel::differentiate(const CondensedEquations& equations, const Eigen::VectorXd& motion,
+                               const std::vector<JointParameter>& parameters, StatePrediction& prediction) const {
+  const HarmonicSolution& solution = prediction.solution;
+  const dense::RealLu jacobian(equations.evaluate(line_, 1.0, motion).by_motion);
+  const std::vector<Eigen::MatrixXcd> slopes = equations.forces_by_motion(line_.omega, motion);
+  std::vector<ForceHarmonics> forces;
+  for (std::size_t j = 0; j < equations.joints().size(); ++j) {
+    const Motion own(harmonics_, solution.joint_motion.col(at(j)));
+    forces.push_back(equations.joints()[j].evaluate(own, line_.omega, harmonics_, true));
+  }
+  for (const JointParameter& parameter : parameters) {
+    const Eigen::Index j = at(parameter.joint);
+    const Eigen::VectorXcd force = forces[parameter.joint].by_parameters.col(at(parameter.parameter));
+    Eigen::MatrixXcd at_joints(harmonics_.size(), solution.joint_motion.cols());
+    for (Eigen::Index n = 0; n < harmonics_.size(); ++n) {
+      at_joints.row(n) = (line_.harmonics[static_cast<std::size_t>(n)].joints.col(j) * force(n)).transpose();
+    }
+    const Eigen::VectorXd change = -jacobian.solve(equations.pack(at_joints));
+    Eigen::MatrixXcd response(harmonics_.size(), solution.response.cols());
+    for (Eigen::Index n = 0; n < harmonics_.size(); ++n) {
+      const std::size_t at_n = static_cast<std::size_t>(n);
+      Eigen::VectorXcd total = slopes[at_n] * change;
+      total(j) += force(n);
+      response.row(n) = -(line_.harmonics[at_n].to_joints * total).transpose();
+    }
+    prediction.by_parameter.push_back(measured(response));
+  }
+}
+
+Eigen::MatrixXd StateModel::by_receptances(int harmonic, const std::vector<Joint>& joints,
+                                           const StatePrediction& prediction) const {
+  const CondensedEquations equations(joints, harmonics_);
+  const Eigen::VectorXd motion = equations.pack(prediction.solution.joint_motion);
+  const dense::RealLu jacobian(equations.evaluate(line_, 1.0, motion).by_motion);
+  const std::vector<Eigen::MatrixXcd> slopes = equations.forces_by_motion(line_.omega, motion);
+  const Eigen::Index n = harmonics_.find(harmonic), count = structure_->joints();
+  Eigen::VectorXcd acting(count + structure_->forces());
+  acting << -prediction.solution.joint_force.row(n).transpose(), state_.force.of(harmonic);
+
+  const auto change = [&](const Eigen::VectorXcd& moved) {
+    Eigen::MatrixXcd at_joints = Eigen::MatrixXcd::Zero(harmonics_.size(), count);
+    at_joints.row(n) = moved.head(count).transpose();
+    const Eigen::VectorXd by_motion = jacobian.solve(equations.pack(at_joints));
+    Eigen::MatrixXcd response(harmonics_.size(), structure_->responses());
+    for (Eigen::Index m = 0; m < harmonics_.size(); ++m) {
+      const std::size_t at_m = static_cast<std::size_t>(m);
+      response.row(m) = -(line_.harmonics[at_m].to_joints * (slopes[at_m] * by_motion)).transpose();
+    }
+    response.row(n) += moved.tail(structure_->responses()).transpose();
+    return in_deviations(state_, measured(response));
+  };
+  const std::vector<ReceptanceError> errors = structure_->errors(harmonic * state_.omega);
+  Eigen::MatrixXd columns(measured_numbers(state_), 2 * at(errors.size()));
+  for (std::size_t e = 0; e < errors.size(); ++e) {
+    const Eigen::VectorXcd moved = errors[e].shape * acting;
+    columns.col(2 * at(e)) = std::sqrt(errors[e].variance.real()) * change(moved);
+    columns.col(2 * at(e) + 1) = std::sqrt(errors[e].variance.imag()) * change(Complex(0.0, 1.0) * moved);
+  }
+  return columns;
+}
+
+}  // namespace jointid::response

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "response/harmonic/harmonic_balance.hpp"
+#include "response/identify/measured_state.hpp"
+
+namespace jointid::response {
+
+/// What harmonic balance says of a measured state.
+struct StatePrediction {
+  HarmonicSolution solution;  ///< the harmonics of the model; no answer unless it converged
+  Eigen::MatrixXcd response;  ///< X_n at the measured harmonics, [harmonic, response]
+  /// ∂X_n by each parameter, as `response`; dX = −HW(F_Q dQ + F_θ dθ), dQ = −J⁻¹GF_θ dθ by the implicit function theorem.
+  std::vector<Eigen::MatrixXcd> by_parameter;
+};
+
+/// One measured state and the receptances that its prediction needs, looked up once.
+class StateModel {
+ public:
+  /// Solves for the measured harmonics and those of `harmonics` that the structure covers. The state must be valid.
+  StateModel(std::shared_ptr<const Receptance> structure, const MeasuredState& state, const std::vector<int>& harmonics);
+
+  const MeasuredState& state() const { return state_; }
+
+  /// Starts at the motion of `last` if it is given and converged.
+  StatePrediction predict(const std::vector<Joint>& joints, const std::vector<JointParameter>& parameters,
+                          const HarmonicSolution* last = nullptr) const;
+
+  /// Harmonics of the model and the errors of the structure at each, in this order; the same for all states of a line that
+  /// measure the same harmonics.
+  const Harmonics& harmonics() const { return harmonics_; }
+
+  /// What the structure's errors at one harmonic of the model change of the measured responses, to first order: δu = δH(P − WF),
+  /// (I + G F_Q) δQ = Wᵀδu, δX = δu − HW F_Q δQ. In deviations; two columns for each error, one deviation of its real part and
+  /// one of its imaginary part. [measured numbers, 2 · errors]
+  Eigen::MatrixXd by_receptances(int harmonic, const std::vector<Joint>& joints, const StatePrediction& prediction) const;
+
+ private:
+  void differentiate(const CondensedEquations& equations, const Eigen::VectorXd& motion,
+                     const std::vector<JointParameter>& parameters, StatePrediction& prediction) const;
+  Eigen::MatrixXcd measured(const Eigen::MatrixXcd& of_model) const;
+
+  std::shared_ptr<const Receptance> structure_;
+  MeasuredState state_;
+  Harmonics harmonics_;
+  HarmonicLine line_;
+};
+
+}  // namespace jointid::response
