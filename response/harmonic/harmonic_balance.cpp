@@ -150,7 +150,7 @@ HarmonicSolution HarmonicBalance::solve(double omega, double level, const Harmon
   for (;; largest = solution.harmonics.back() + 1) {
     std::vector<int> numbers;
     for (const int n : all) {
-      if (n <= largest || numbers.empty() || numbers.back() == 0 || (!numbers.empty() && numbers.back() < largest))
+      if (n <= largest || numbers.empty() || numbers.back() < std::max(1, largest))
         numbers.push_back(n);
     }
     solution = solve_for(Harmonics(numbers), omega, level, solution.converged ? &solution : neighbour);
