@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "ident/study/trial_loop.hpp"
+#include "study/trial_loop.hpp"
 #include "ident/tasks/bound.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
@@ -74,12 +74,12 @@ double run(const Case& which, double level, double gross, std::size_t trials, be
   const std::vector<double> bound = ident::cramer_rao_bound(*exact, truth, ident::Control());
   noise.gross.share = gross;
   const auto data = problems::trial_data(scene, problem);
-  const std::vector<ident::Trial> done = ident::run_trials(data, {.trials = trials});
+  const std::vector<study::Trial> done = study::run_trials(data, {.trials = trials});
   Figures stiffness, rest;
   double covered = 0.0, intervals = 0.0, largest_bound = 0.0;
   std::vector<double> iterations, times;
   std::size_t failed = 0;
-  for (const ident::Trial& trial : done) {
+  for (const study::Trial& trial : done) {
     failed += !ident::is_usable(trial.status);
     iterations.push_back(static_cast<double>(trial.iterations));
     times.push_back(1e3 * trial.solve_s);
@@ -87,7 +87,7 @@ double run(const Case& which, double level, double gross, std::size_t trials, be
   for (std::size_t u = 0; u < truth.size(); ++u) {
     if (truth[u] == 0.0) continue;
     double squares = 0.0, sum = 0.0;
-    for (const ident::Trial& trial : done) {
+    for (const study::Trial& trial : done) {
       const double error = trial.values[u] - truth[u];
       squares += error * error;
       sum += error;

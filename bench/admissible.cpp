@@ -9,7 +9,7 @@
 
 #include "bench/bench.hpp"
 #include "dense/eigen.hpp"
-#include "ident/study/trial_loop.hpp"
+#include "study/trial_loop.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
 
@@ -27,7 +27,7 @@ double least_relative_eigenvalue(const std::vector<double>& matrix) {
 }
 
 /// rms over the trials that both runs settled in of the rms relative error of a matrix.
-double rms_error(const std::vector<ident::Trial>& trials, const std::vector<ident::Trial>& others, std::size_t matrix) {
+double rms_error(const std::vector<study::Trial>& trials, const std::vector<study::Trial>& others, std::size_t matrix) {
   double squares = 0.0, count = 0.0;
   for (std::size_t t = 0; t < trials.size(); ++t) {
     if (trials[t].status != ident::Status::ok || others[t].status != ident::Status::ok) continue;
@@ -37,9 +37,9 @@ double rms_error(const std::vector<ident::Trial>& trials, const std::vector<iden
   return std::sqrt(squares / count);
 }
 
-double coverage(const std::vector<ident::Trial>& trials, const std::vector<problems::ExactUnknown>& truth) {
+double coverage(const std::vector<study::Trial>& trials, const std::vector<problems::ExactUnknown>& truth) {
   double inside = 0.0, count = 0.0;
-  for (const ident::Trial& trial : trials) {
+  for (const study::Trial& trial : trials) {
     for (std::size_t u = 0; u < truth.size(); ++u) {
       if (trial.status != ident::Status::ok || !trial.ci95[u]) continue;
       inside += (*trial.ci95[u])[0] <= truth[u].value && truth[u].value <= (*trial.ci95[u])[1];
@@ -49,8 +49,8 @@ double coverage(const std::vector<ident::Trial>& trials, const std::vector<probl
   return inside / count;
 }
 
-std::size_t settled(const std::vector<ident::Trial>& trials) {
-  return static_cast<std::size_t>(std::ranges::count(trials, ident::Status::ok, &ident::Trial::status));
+std::size_t settled(const std::vector<study::Trial>& trials) {
+  return static_cast<std::size_t>(std::ranges::count(trials, ident::Status::ok, &study::Trial::status));
 }
 
 void run(const std::string& name, ident::Method method, std::size_t trials, bool quick, bench::Promises& promises) {
@@ -63,9 +63,9 @@ void run(const std::string& name, ident::Method method, std::size_t trials, bool
   scene.identify.equations = {ident::Equation::nn, ident::Equation::nj};
   scene.identify.weighting = weighting::Weighting::wb;
   const auto data = problems::trial_data(scene, problem);
-  const auto free = ident::run_trials(data, {.trials = trials});
+  const auto free = study::run_trials(data, {.trials = trials});
   for (const auto& [kind, matrix] : scene.joints[0].matrices) scene.joints[0].definite.insert(kind);
-  const auto constrained = ident::run_trials(problems::trial_data(scene, problem), {.trials = trials});
+  const auto constrained = study::run_trials(problems::trial_data(scene, problem), {.trials = trials});
   const auto plan = problems::plan(scene, problems::polluted(problem, 1, 0));
   std::size_t indefinite = 0, inadmissible = 0;
   for (std::size_t t = 0; t < trials; ++t) {

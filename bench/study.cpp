@@ -1,7 +1,7 @@
 // Studies of case A1 (WBS): 10,000 trials on one and two threads, and one solution against numpy on the same FRFs.
 // Promised: 10,000 trials take at most 3 s on 2 threads, 2 threads are 1.8 times faster than one, a solution is 25 times cheaper
 // than numpy's, and the answers agree to 1e-9 of the largest element. The quick run takes 200 trials.
-#include "ident/study/study.hpp"
+#include "study/study.hpp"
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 
 #include "base/complex.hpp"
 #include "bench/bench.hpp"
-#include "ident/study/trial_runner.hpp"
+#include "study/trial_runner.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
@@ -23,14 +23,14 @@ using namespace jointid;
 
 constexpr std::size_t coordinates = 14, compared = 20;
 
-void run(const std::shared_ptr<const ident::TrialData>& data, std::size_t trials, std::size_t threads, bench::Times& times) {
+void run(const std::shared_ptr<const study::TrialData>& data, std::size_t trials, std::size_t threads, bench::Times& times) {
   const TestFolder folder;
-  ident::StudyOptions options;
+  study::StudyOptions options;
   options.trials = trials;
   options.threads = threads;
   options.out = folder / "study.h5";
   const auto team = ident::make_team_of_one();
-  times.add([&] { ident::run_study(data, options, *team); });
+  times.add([&] { study::run_study(data, options, *team); });
 }
 
 /// Joint coordinates last.
@@ -92,7 +92,7 @@ std::optional<Peer> run_peer(const std::filesystem::path& file, std::size_t line
 }
 
 /// Seconds per solution over the compared trials, best of ten passes.
-double best_of_ten(ident::TrialRunner& runner) {
+double best_of_ten(study::TrialRunner& runner) {
   std::vector<double> passes;
   for (int pass = 0; pass < 10; ++pass) {
     double sum = 0.0;
@@ -103,7 +103,7 @@ double best_of_ten(ident::TrialRunner& runner) {
 }
 
 /// The peer and ours in turns, and the best of each: both have had the machine as quiet as it gets.
-void compare_with_peer(const problems::Problem& problem, const std::shared_ptr<const ident::TrialData>& data, int rounds,
+void compare_with_peer(const problems::Problem& problem, const std::shared_ptr<const study::TrialData>& data, int rounds,
                        bench::Promises& promises) {
   const TestFolder folder;
   const auto file = folder / "trials.bin";
@@ -113,7 +113,7 @@ void compare_with_peer(const problems::Problem& problem, const std::shared_ptr<c
   for (int round = 0; round < rounds; ++round) {
     const auto peer = run_peer(file, problem.assembly.header.lines(), promises);
     if (!peer) return;
-    ident::TrialRunner runner(data);
+    study::TrialRunner runner(data);
     peer_seconds.push_back(peer->seconds);
     seconds.push_back(best_of_ten(runner));
     for (std::size_t trial = 0; trial < compared; ++trial) {

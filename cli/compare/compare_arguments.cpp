@@ -69,8 +69,8 @@ void declare(CLI::App& command, CompareArguments& arguments) {
       "  jointid compare --reproduce 6.9 --report table.html");
 }
 
-ident::Alternatives alternatives(const CompareArguments& arguments) {
-  ident::Alternatives out;
+study::Alternatives alternatives(const CompareArguments& arguments) {
+  study::Alternatives out;
   for (const std::string& word : arguments.methods) {
     out.methods.push_back(of_option("--methods", [&] { return ident::parse_method(word); }));
   }

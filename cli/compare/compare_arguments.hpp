@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/options/target.hpp"
-#include "ident/tasks/comparison.hpp"
+#include "study/comparison.hpp"
 
 namespace CLI {
 class App;
@@ -31,7 +31,7 @@ struct CompareArguments {
 void declare(CLI::App& command, CompareArguments& arguments);
 
 /// What the lists of the command line name. Throws InputError (usage) that names the option, the word and the nearest valid one.
-ident::Alternatives alternatives(const CompareArguments& arguments);
+study::Alternatives alternatives(const CompareArguments& arguments);
 
 /// Throws InputError (usage) for a command line that cannot be carried out.
 void check(const CompareArguments& arguments);

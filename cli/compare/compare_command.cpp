@@ -19,7 +19,7 @@ namespace jointid::cli {
 namespace {
 
 /// Trials as asked, with progress on `progress` and Ctrl-C.
-ident::TrialOptions watched(const CompareArguments& arguments, Progress& progress) {
+study::TrialOptions watched(const CompareArguments& arguments, Progress& progress) {
   return {.trials = arguments.trials,
           .seed = arguments.seed,
           .threads = arguments.threads,
@@ -55,7 +55,7 @@ void write(const CompareArguments& arguments, std::ostream& out, const Compariso
 std::string save(const CompareArguments& arguments, std::ostream& out, std::optional<ComparisonReport> done, const ident::Scene& scene) {
   if (!done) return "interrupted";
   done->comparison.interrupted = true;
-  ident::mark_fronts(done->comparison.combinations);
+  study::mark_fronts(done->comparison.combinations);
   write(arguments, out, *done, scene);
   return fmt::format("interrupted; the {} ways that were finished are written", done->comparison.combinations.size());
 }
@@ -64,17 +64,17 @@ ComparisonReport compared(const CompareArguments& arguments, const ident::Scene&
   const auto lists = alternatives(arguments);
   SoFar<ComparisonReport> done;
   Progress progress;
-  const auto keep = [&](const ident::Comparison& comparison) {
+  const auto keep = [&](const study::Comparison& comparison) {
     if (!comparison.combinations.empty()) done.put({scene.title, arguments.trials, arguments.seed, comparison});
   };
   return with_last_words([&] { return save(arguments, out, done.get(), scene); }, [&]() -> ComparisonReport {
     return {scene.title, arguments.trials, arguments.seed,
-            ident::compare(scene, ident::combinations(scene.identify, lists, scene.data.regenerate), ident::load_trial_data,
+            study::compare(scene, study::combinations(scene.identify, lists, scene.data.regenerate), study::load_trial_data,
                            watched(arguments, progress), keep)};
   });
 }
 
-bool some_usable(const std::vector<ident::Combination>& combinations) {
+bool some_usable(const std::vector<study::Combination>& combinations) {
   const auto usable = [](const auto& status) { return ident::is_usable(status.first); };
   return std::ranges::any_of(combinations, [&](const auto& each) { return std::ranges::any_of(each.statuses, usable); });
 }

@@ -9,7 +9,7 @@
 namespace jointid::cli {
 namespace {
 
-Json way(const ident::Way& chosen) {
+Json way(const study::Way& chosen) {
   Json equations = Json::array();
   for (const auto equation : chosen.equations) equations.push_back(ident::name(equation));
   const bool weighs = ident::weighs_equations(chosen.method);
@@ -25,10 +25,10 @@ Json spread(const Spread& s) {
   return {{"median", value(s.median)}, {"q05", value(s.low)}, {"q95", value(s.high)}};
 }
 
-Json combination(const ident::Combination& each) {
+Json combination(const study::Combination& each) {
   Json json = way(each.way);
   json["matrices"] = Json::object();
-  for (const ident::MatrixFigures& figures : each.matrices) {
+  for (const study::MatrixFigures& figures : each.matrices) {
     json["matrices"][restrictions::key(figures.kind)] = {{"rjcf", spread(figures.rjcf)},
                                                          {"arvf", spread(figures.arvf)},
                                                          {"rms_relative_error", spread(figures.rms_relative_error)},
@@ -42,7 +42,7 @@ Json combination(const ident::Combination& each) {
   return json;
 }
 
-std::vector<std::string> csv_cells(const ident::Combination& each, const ident::MatrixFigures& figures) {
+std::vector<std::string> csv_cells(const study::Combination& each, const study::MatrixFigures& figures) {
   std::string equations;
   for (const auto equation : each.way.equations) equations += (equations.empty() ? "" : " ") + ident::name(equation);
   const bool weighs = ident::weighs_equations(each.way.method);

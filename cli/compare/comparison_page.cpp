@@ -21,7 +21,7 @@ void add_summary(const ComparisonReport& report, const ident::Scene& scene, Repo
   page.add(Text{"All combinations see the same trials.", true});
 }
 
-void add_matrix(const std::vector<ident::Combination>& all, std::size_t matrix, ReportPage& page) {
+void add_matrix(const std::vector<study::Combination>& all, std::size_t matrix, ReportPage& page) {
   const ScatterPlot scatter = error_against_time(all, matrix);
   page.section(words(restrictions::key(all.front().matrices[matrix].kind)));
   if (scatter.groups.empty()) {
@@ -33,7 +33,7 @@ void add_matrix(const std::vector<ident::Combination>& all, std::size_t matrix, 
   page.add(figures_table(all, matrix));
 }
 
-void add_left_out(const std::vector<ident::LeftOut>& left_out, ReportPage& page) {
+void add_left_out(const std::vector<study::LeftOut>& left_out, ReportPage& page) {
   if (left_out.empty()) return;
   page.section("Left out");
   for (const std::string& line : left_out_lines(left_out)) page.add(Text{line});
@@ -43,7 +43,7 @@ void add_left_out(const std::vector<ident::LeftOut>& left_out, ReportPage& page)
 
 std::string comparison_report(const ComparisonReport& report, const ident::Scene& scene) {
   const std::string file = scene.file.filename().string();
-  const std::vector<ident::Combination>& all = report.comparison.combinations;
+  const std::vector<study::Combination>& all = report.comparison.combinations;
   ReportPage page(report.title.empty() ? file : report.title, "jointid compare " + file);
   add_summary(report, scene, page);
   for (std::size_t matrix = 0; matrix < all.front().matrices.size(); ++matrix) add_matrix(all, matrix, page);

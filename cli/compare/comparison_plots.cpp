@@ -12,7 +12,7 @@
 namespace jointid::cli::report {
 namespace {
 
-using ident::Combination;
+using study::Combination;
 
 constexpr std::size_t method = 0, equations = 1, weighting = 2, delta = 3, solver = 4;  ///< of way_cells()
 
@@ -71,7 +71,7 @@ ScatterPlot error_against_time(const std::vector<Combination>& combinations, std
   plot.title = "Error against run time";
   plot.front_name = "Pareto front";
   for (const Combination& each : combinations) {
-    const ident::MatrixFigures& figures = each.matrices[matrix];
+    const study::MatrixFigures& figures = each.matrices[matrix];
     if (!std::isfinite(figures.rms_relative_error.median)) continue;
     const Point point{1e3 * each.solve_s, figures.rms_relative_error.median, label_of(each, named)};
     group_of(choices_of(each)[named.front()], plot).points.push_back(point);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/report/contents.hpp"
-#include "ident/tasks/comparison.hpp"
+#include "study/comparison.hpp"
 
 /// The plots of a comparison report.
 namespace jointid::cli::report {
@@ -9,6 +9,6 @@ namespace jointid::cli::report {
 /// Error of the judged matrix number `matrix` against run time, one point per combination that gave an estimate, and the Pareto
 /// front. Points are named by what differs between the combinations, and coloured by the first of weighting, method, equations,
 /// Δ and solver that does.
-ScatterPlot error_against_time(const std::vector<ident::Combination>& combinations, std::size_t matrix);
+ScatterPlot error_against_time(const std::vector<study::Combination>& combinations, std::size_t matrix);
 
 }  // namespace jointid::cli::report

@@ -14,10 +14,10 @@
 namespace jointid::cli {
 namespace {
 
-using ident::Combination;
+using study::Combination;
 
 /// What the thesis's tables hold constant.
-std::string frame_of(const ident::Way& way) {
+std::string frame_of(const study::Way& way) {
   return fmt::format("method {}, equations {}, solver {}", ident::name(way.method), equations_text(way.equations), way.solver);
 }
 
@@ -65,7 +65,7 @@ std::optional<PairTable> pair_table(const std::vector<const Combination*>& frame
 
 }  // namespace
 
-std::vector<std::string> way_cells(const ident::Way& way) {
+std::vector<std::string> way_cells(const study::Way& way) {
   const std::string regenerated = way.regenerate.any() ? ", regenerated " + ident::name(way.regenerate) : "";
   return {ident::name(way.method) + regenerated, equations_text(way.equations), weighting_text(way.method, way.weighting),
           delta_text(way.method, way.delta), way.solver};
@@ -93,7 +93,7 @@ Table figures_table(const std::vector<Combination>& all, std::size_t matrix) {
   columns.push_back({"front", Align::left});
   Table table(std::move(columns));
   for (const Combination& each : all) {
-    const ident::MatrixFigures& figures = each.matrices[matrix];
+    const study::MatrixFigures& figures = each.matrices[matrix];
     std::vector<std::string> cells = way_cells(each.way);
     for (const Spread& spread : {figures.rjcf, figures.arvf, figures.rms_relative_error}) {
       cells.insert(cells.end(), {short_number(spread.median), range(spread)});
@@ -108,7 +108,7 @@ Table cost_table(const std::vector<Combination>& all) {
   std::vector<CostRow> rows;
   for (const Combination& each : all) {
     double worst = 0.0;
-    for (const ident::MatrixFigures& figures : each.matrices) {
+    for (const study::MatrixFigures& figures : each.matrices) {
       const double error = figures.rms_relative_error.median;
       worst = std::isnan(error) ? error : std::max(worst, error);
     }
@@ -120,8 +120,8 @@ Table cost_table(const std::vector<Combination>& all) {
   return cost_table(way_columns(), "rms error", "trials", rows);
 }
 
-std::vector<std::string> left_out_lines(const std::vector<ident::LeftOut>& left_out) {
-  const auto alike = [](const ident::LeftOut& one, const ident::LeftOut& other) {
+std::vector<std::string> left_out_lines(const std::vector<study::LeftOut>& left_out) {
+  const auto alike = [](const study::LeftOut& one, const study::LeftOut& other) {
     return one.way.method == other.way.method && one.way.equations == other.way.equations && one.reason == other.reason;
   };
   std::vector<std::string> lines;

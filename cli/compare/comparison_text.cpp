@@ -8,13 +8,13 @@
 namespace jointid::cli {
 namespace {
 
-std::string pairs_text(const std::vector<ident::Combination>& all, std::size_t matrix) {
+std::string pairs_text(const std::vector<study::Combination>& all, std::size_t matrix) {
   std::string text;
   for (const PairTable& pair : pair_tables(all, matrix)) text += pair.title + "\n" + pair.table.text();
   return text;
 }
 
-std::string left_out_text(const std::vector<ident::LeftOut>& left_out) {
+std::string left_out_text(const std::vector<study::LeftOut>& left_out) {
   std::string text = left_out.empty() ? "" : "\nleft out\n";
   for (const std::string& line : left_out_lines(left_out)) text += "  " + line + "\n";
   return text;
@@ -23,7 +23,7 @@ std::string left_out_text(const std::vector<ident::LeftOut>& left_out) {
 }  // namespace
 
 std::string comparison_text(const ComparisonReport& report) {
-  const std::vector<ident::Combination>& all = report.comparison.combinations;
+  const std::vector<study::Combination>& all = report.comparison.combinations;
   std::string text = report.title.empty() ? "" : report.title + "\n";
   text += fmt::format("{} trials of seed {}, the same for every row\n", report.trials, report.seed);
   if (report.comparison.interrupted) text += fmt::format("INTERRUPTED: only the first {} ways\n", all.size());

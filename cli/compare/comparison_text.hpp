@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ident/tasks/comparison.hpp"
+#include "study/comparison.hpp"
 
 namespace jointid::cli {
 
@@ -11,7 +11,7 @@ struct ComparisonReport {
   std::string title;  ///< of the scene
   std::size_t trials = 0;
   std::uint64_t seed = 0;
-  ident::Comparison comparison;
+  study::Comparison comparison;
 };
 
 /// Per matrix the table of the thesis (rows weighting, columns Δ, cells RJCF and ARVF) when there are several Δ, and one row per

@@ -7,20 +7,20 @@
 namespace jointid::cli {
 namespace {
 
-using ident::SceneItem;
-using ident::SceneTable;
+using scene::Item;
+using scene::Table;
 
 /// Parameters in the order of the law, from a list or a table by name.
-std::vector<double> read_parameters(const SceneItem& item, const friction::Law& law) {
+std::vector<double> read_parameters(const scene::Item& item, const friction::Law& law) {
   std::vector<std::string> names;
   for (const friction::LawParameter& parameter : law.parameters) names.emplace_back(parameter.name);
   std::vector<double> values;
   if (item.is_table()) {
-    const SceneTable table = item.table(names);
+    const scene::Table table = item.table(names);
     for (const std::string& name : names) values.push_back(table.require(name).number());
     return values;
   }
-  const std::vector<SceneItem> list = item.list();
+  const std::vector<scene::Item> list = item.list();
   if (list.size() != names.size()) {
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
@@ -28,11 +28,11 @@ std::vector<double> read_parameters(const SceneItem& item, const friction::Law& 
                   std::to_string(list.size()),
               "give " + all);
   }
-  for (const SceneItem& value : list) values.push_back(value.number());
+  for (const scene::Item& value : list) values.push_back(value.number());
   return values;
 }
 
-void read_law(const SceneTable& table, response::Joint& joint) {
+void read_law(const scene::Table& table, response::Joint& joint) {
   const auto law = table.find("law"), parameters = table.find("parameters");
   if (!law) {
     if (parameters) parameters->fail("there are parameters and no law", "name the law");
@@ -48,21 +48,21 @@ void read_law(const SceneTable& table, response::Joint& joint) {
 
 }  // namespace
 
-double read_whole(const SceneItem& item, double least, double most) {
+double read_whole(const scene::Item& item, double least, double most) {
   const double number = item.number();
   if (number != std::floor(number) || number < least || number > most) {
-    item.fail(ident::number_text(number) + " is not a whole number from " + ident::number_text(least) + " to " +
-              ident::number_text(most));
+    item.fail(scene::number_text(number) + " is not a whole number from " + scene::number_text(least) + " to " +
+              scene::number_text(most));
   }
   return number;
 }
 
-SceneDof read_dof(const SceneItem& item, const ResponseScene& scene) {
+SceneDof read_dof(const scene::Item& item, const ResponseScene& scene) {
   SceneDof found;
   if (scene.structure) {
     const double number = read_whole(item, 1.0, static_cast<double>(scene.structure->mass.rows()));
     found.coordinate = static_cast<Eigen::Index>(number) - 1;
-    found.name = ident::number_text(number);
+    found.name = scene::number_text(number);
   } else {
     found.dof = item.dof();
     found.name = found.dof.name();
@@ -73,11 +73,11 @@ SceneDof read_dof(const SceneItem& item, const ResponseScene& scene) {
 namespace {
 
 /// Standard deviations by parameter name; 0 for those that are not named.
-std::vector<double> read_deviations(const SceneItem& item, const response::Joint& joint) {
+std::vector<double> read_deviations(const scene::Item& item, const response::Joint& joint) {
   if (!joint.friction) item.fail("there are deviations and no law", "name the law");
   std::vector<std::string> names;
   for (const friction::Parameter& parameter : joint.friction->parameters()) names.push_back(parameter.name);
-  const SceneTable table = item.table(names);
+  const scene::Table table = item.table(names);
   std::vector<double> values;
   for (const std::string& name : names) {
     const auto value = table.find(name);
@@ -88,11 +88,11 @@ std::vector<double> read_deviations(const SceneItem& item, const response::Joint
 
 }  // namespace
 
-SceneJoint read_joint(const SceneItem& item, const ResponseScene& scene, std::size_t number) {
-  const SceneTable table = item.table({"name", "dofs", "law", "parameters", "deviations", "stiffness", "damping", "cubic"});
+SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::size_t number) {
+  const scene::Table table = item.table({"name", "dofs", "law", "parameters", "deviations", "stiffness", "damping", "cubic"});
   SceneJoint joint;
-  const SceneItem ends = table.require("dofs");
-  const std::vector<SceneItem> list = ends.list_not_empty();
+  const scene::Item ends = table.require("dofs");
+  const std::vector<scene::Item> list = ends.list_not_empty();
   if (list.size() > 2) ends.fail("a joint has one end or two", "give each relative coordinate a joint of its own");
   joint.positive = read_dof(list[0], scene);
   if (list.size() == 2) joint.negative = read_dof(list[1], scene);

@@ -5,21 +5,21 @@
 
 #include "cli/response/response_sections.hpp"
 #include "ident/scene/scene_sections.hpp"
-#include "ident/scene/scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using ident::SceneItem;
-using ident::SceneTable;
+using scene::Item;
+using scene::Table;
 
 const std::vector<std::string> methods = {"sweep", "arc_length"};
 
 /// [[harmonic, share, phase in degrees], …]: Re(share e^{i phase} e^{inωt}).
-response::Excitation read_components(const SceneItem& item) {
+response::Excitation read_components(const scene::Item& item) {
   std::vector<std::pair<int, Complex>> parts;
-  for (const SceneItem& one : item.list_not_empty()) {
-    const std::vector<SceneItem> row = one.list();
+  for (const scene::Item& one : item.list_not_empty()) {
+    const std::vector<scene::Item> row = one.list();
     if (row.size() != 3) one.fail("a component is [harmonic, share, phase in degrees]");
     const int harmonic = static_cast<int>(read_whole(row[0], 0.0, 1000.0));
     parts.emplace_back(harmonic, std::polar(1.0, row[2].number() * std::numbers::pi / 180.0) * row[1].number());
@@ -35,21 +35,21 @@ response::Excitation read_components(const SceneItem& item) {
   return force;
 }
 
-void read_force(const SceneItem& item, ResponseScene& scene) {
-  const SceneTable table = item.table({"dof", "amplitudes", "components"});
+void read_force(const scene::Item& item, ResponseScene& scene) {
+  const scene::Table table = item.table({"dof", "amplitudes", "components"});
   scene.force_dof = read_dof(table.require("dof"), scene);
-  for (const SceneItem& level : table.require("amplitudes").list_not_empty()) scene.levels.push_back(level.positive());
+  for (const scene::Item& level : table.require("amplitudes").list_not_empty()) scene.levels.push_back(level.positive());
   const auto components = table.find("components");
   scene.force = components ? read_components(*components) : response::Excitation::single(1.0);
 }
 
-void read_frequencies(const SceneItem& item, ResponseScene& scene) {
-  const SceneTable table = item.table({"range", "values", "points"});
+void read_frequencies(const scene::Item& item, ResponseScene& scene) {
+  const scene::Table table = item.table({"range", "values", "points"});
   const auto range = table.find("range"), values = table.find("values"), points = table.find("points");
   if (range && values) item.fail("there are both range and values", "remove one");
   if (range) scene.range_hz = range->interval();
   if (values) {
-    for (const SceneItem& value : values->list_not_empty()) scene.values_hz.push_back(value.positive());
+    for (const scene::Item& value : values->list_not_empty()) scene.values_hz.push_back(value.positive());
   }
   if (points) {
     if (!scene.structure || !range)
@@ -61,11 +61,11 @@ void read_frequencies(const SceneItem& item, ResponseScene& scene) {
     range->fail("the range begins at 0 Hz, where nothing vibrates", "begin above it");
 }
 
-void read_response(const SceneItem& item, ResponseScene& scene) {
-  const SceneTable table = item.table({"dofs", "harmonics", "tolerance", "largest_harmonic", "method"});
-  for (const SceneItem& dof : table.require("dofs").list_not_empty()) scene.responses.push_back(read_dof(dof, scene));
+void read_response(const scene::Item& item, ResponseScene& scene) {
+  const scene::Table table = item.table({"dofs", "harmonics", "tolerance", "largest_harmonic", "method"});
+  for (const scene::Item& dof : table.require("dofs").list_not_empty()) scene.responses.push_back(read_dof(dof, scene));
   if (const auto harmonics = table.find("harmonics")) {
-    for (const SceneItem& number : harmonics->list_not_empty())
+    for (const scene::Item& number : harmonics->list_not_empty())
       scene.harmonics.fixed.push_back(static_cast<int>(read_whole(number, 0.0, 1000.0)));
     harmonics->here([&] { return response::Harmonics(scene.harmonics.fixed); });
     for (const int n : scene.force.harmonics) {
@@ -89,10 +89,10 @@ void read_response(const SceneItem& item, ResponseScene& scene) {
 }  // namespace
 
 ResponseScene parse_response_scene(const std::string& text, const ident::Path& file) {
-  const ident::Value document = ident::parse_toml(text, file);
+  const scene::Value document = scene::parse_toml(text, file);
   const std::string file_name = file.string();
-  const SceneItem root(document, file_name, {}, {});
-  const SceneTable table = root.table({"title", "data", "structure", "joints", "force", "frequency", "response"});
+  const scene::Item root(document, file_name, {}, {});
+  const scene::Table table = root.table({"title", "data", "structure", "joints", "force", "frequency", "response"});
   ResponseScene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();
@@ -111,7 +111,7 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
     scene.parts = parts.substructures;
     scene.reciprocity = parts.reciprocity;
   }
-  for (const SceneItem& joint : table.require("joints").list_not_empty()) {
+  for (const scene::Item& joint : table.require("joints").list_not_empty()) {
     scene.joints.push_back(read_joint(joint, scene, scene.joints.size() + 1));
   }
   read_force(table.require("force"), scene);
@@ -124,6 +124,6 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
   return scene;
 }
 
-ResponseScene read_response_scene(const ident::Path& file) { return parse_response_scene(ident::read_text(file), file); }
+ResponseScene read_response_scene(const ident::Path& file) { return parse_response_scene(scene::read_text(file), file); }
 
 }  // namespace jointid::cli

@@ -1,20 +1,20 @@
 #pragma once
 
 #include "cli/response/response_scene.hpp"
-#include "ident/scene/scene_reader.hpp"
+#include "scene/reader.hpp"
 
 namespace jointid::cli {
 
 /// A whole number between two others.
-double read_whole(const ident::SceneItem& item, double least, double most);
+double read_whole(const scene::Item& item, double least, double most);
 
 /// A coordinate of [structure] by its number from 1, or a DOF of the files of [data].
-SceneDof read_dof(const ident::SceneItem& item, const ResponseScene& scene);
+SceneDof read_dof(const scene::Item& item, const ResponseScene& scene);
 
 /// [structure]: matrices inline, or from files "m.mtx", "model.mat:M".
-void read_structure(const ident::SceneItem& item, const ident::Path& folder, ResponseScene& scene);
+void read_structure(const scene::Item& item, const ident::Path& folder, ResponseScene& scene);
 
 /// One of [[joints]]; `number` counts from 1.
-SceneJoint read_joint(const ident::SceneItem& item, const ResponseScene& scene, std::size_t number);
+SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::size_t number);
 
 }  // namespace jointid::cli

@@ -8,13 +8,13 @@
 namespace jointid::cli {
 namespace {
 
-using ident::SceneItem;
-using ident::SceneTable;
+using scene::Item;
+using scene::Table;
 
 /// Reads [structure].
 class StructureReader {
  public:
-  StructureReader(const SceneItem& item, const ident::Path& folder, ResponseScene& scene)
+  StructureReader(const scene::Item& item, const ident::Path& folder, ResponseScene& scene)
       : item_(item), folder_(folder), scene_(scene), table_(item.table({"mass", "stiffness", "damping", "modal_damping"})) {}
 
   void read() {
@@ -31,7 +31,7 @@ class StructureReader {
   }
 
  private:
-  Eigen::MatrixXd matrix(const SceneItem& item, Eigen::Index size) const {
+  Eigen::MatrixXd matrix(const scene::Item& item, Eigen::Index size) const {
     const Eigen::MatrixXd found = item.is_text() ? from_file(item) : inline_matrix(item);
     if (size > 0 && found.rows() != size) {
       item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
@@ -40,7 +40,7 @@ class StructureReader {
     return found;
   }
 
-  Eigen::MatrixXd from_file(const SceneItem& item) const {
+  Eigen::MatrixXd from_file(const scene::Item& item) const {
     std::string name = item.text_not_empty(), variable;
     const std::size_t colon = name.rfind(':');
     if (colon != std::string::npos && colon > 0) {
@@ -51,7 +51,7 @@ class StructureReader {
     return response::read_symmetric_matrix(folder_ / name, variable);
   }
 
-  static Eigen::MatrixXd inline_matrix(const SceneItem& item) {
+  static Eigen::MatrixXd inline_matrix(const scene::Item& item) {
     const ident::Matrix rows = item.square_matrix(item.list_not_empty().size());
     Eigen::MatrixXd found(at(rows.size()), at(rows.size()));
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -60,15 +60,15 @@ class StructureReader {
     return found;
   }
 
-  const SceneItem& item_;
+  const scene::Item& item_;
   ident::Path folder_;
   ResponseScene& scene_;
-  SceneTable table_;
+  scene::Table table_;
 };
 
 }  // namespace
 
-void read_structure(const SceneItem& item, const ident::Path& folder, ResponseScene& scene) {
+void read_structure(const scene::Item& item, const ident::Path& folder, ResponseScene& scene) {
   StructureReader(item, folder, scene).read();
 }
 

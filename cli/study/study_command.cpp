@@ -19,8 +19,8 @@
 #include "frf/hdf5/record_journal.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/scene/scene_text.hpp"
-#include "ident/study/study_options.hpp"
+#include "scene/text.hpp"
+#include "study/study_options.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -40,11 +40,11 @@ void check_outputs(const StudyArguments& arguments, const ident::Scene& scene) {
                                          {"--csv", arguments.csv},
                                          {"--report", arguments.report},
                                          {"--out", result},
-                                         {"--out (while it runs)", ident::journal_path(result).string()}});
+                                         {"--out (while it runs)", study::journal_path(result).string()}});
 }
 
-ident::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
-  ident::StudyOptions options;
+study::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
+  study::StudyOptions options;
   options.trials = arguments.trials;
   options.seed = arguments.seed;
   options.threads = arguments.threads;
@@ -79,8 +79,8 @@ class StudyProgress {
 
 /// What a study needs to run.
 struct Start {
-  ident::StudyOptions options;
-  std::shared_ptr<const ident::TrialData> data;
+  study::StudyOptions options;
+  std::shared_ptr<const study::TrialData> data;
 };
 
 /// The same in every process of the team; a failure is told once.
@@ -88,33 +88,33 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
   Start start;
   ident::start_together(team, [&] {
     check(arguments);
-    start.options = options_of(arguments, ident::read_text(arguments.scene));
+    start.options = options_of(arguments, scene::read_text(arguments.scene));
     const ident::Scene scene = ident::read_scene(arguments.scene);
     check_outputs(arguments, scene);
-    start.data = with_progress("reading", [&] { return ident::load_trial_data(scene); });
+    start.data = with_progress("reading", [&] { return study::load_trial_data(scene); });
   });
   return start;
 }
 
-std::string to_go_on(const ident::StudyOptions& options, std::size_t done) {
-  if (!std::filesystem::exists(ident::journal_path(options.out))) return "interrupted";
+std::string to_go_on(const study::StudyOptions& options, std::size_t done) {
+  if (!std::filesystem::exists(study::journal_path(options.out))) return "interrupted";
   return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues",
-                     ident::journal_path(options.out).string(), done, options.trials);
+                     study::journal_path(options.out).string(), done, options.trials);
 }
 
 /// Trials that take longer than an interrupted process has are dropped; what was done before is in the journal.
-ident::StudyRun run_watched(const Start& start, ident::Team& team) {
+study::StudyRun run_watched(const Start& start, ident::Team& team) {
   StudyProgress progress;
   std::atomic<std::size_t> trials_done = 0;
   const LastWords words([&] { return to_go_on(start.options, trials_done); });
-  ident::StudyControl control{.progress = {}, .interrupted = interrupted};
+  study::StudyControl control{.progress = {}, .interrupted = interrupted};
   if (team.rank() == 0) {
     control.progress = [&](std::size_t done, std::size_t total) {
       trials_done = done;
       progress.show(done, total);
     };
   }
-  return ident::run_study(start.data, start.options, team, control);
+  return study::run_study(start.data, start.options, team, control);
 }
 
 }  // namespace
@@ -136,14 +136,14 @@ void add_study(CLI::App& app, Chosen& chosen) {
 ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
   const Start start = start_in(*team, arguments);
-  const ident::StudyOptions& options = start.options;
-  const ident::StudyRun run = run_watched(start, *team);
+  const study::StudyOptions& options = start.options;
+  const study::StudyRun run = run_watched(start, *team);
   if (team->rank() != 0) return ExitCode::done;
   if (!run.complete) {
     throw Interrupted(to_go_on(options, run.done));
   }
   const StudyReport report{start.data->scene.title, options.out.string(), options.seed, run,
-                           ident::study_statistics(options.out), start.data->notes};
+                           study::study_statistics(options.out), start.data->notes};
   if (arguments.json) write_target(*arguments.json, study_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
   if (arguments.report) write_target(*arguments.report, report::study_report(report, start.data->scene), out);

@@ -6,7 +6,7 @@
 namespace jointid::cli {
 namespace {
 
-Json unknown(const ident::UnknownStatistics& of) {
+Json unknown(const study::UnknownStatistics& of) {
   return {{"name", of.name},
           {"unit", of.unit},
           {"truth", value(of.truth)},
@@ -21,7 +21,7 @@ Json unknown(const ident::UnknownStatistics& of) {
 }  // namespace
 
 std::string study_json(const StudyReport& report) {
-  const ident::StudyStatistics& of = report.statistics;
+  const study::StudyStatistics& of = report.statistics;
   Json json = {{"trials",
                 {{"all", of.trials},
                  {"ok", of.usable - of.doubtful},
@@ -33,7 +33,7 @@ std::string study_json(const StudyReport& report) {
                {"seed", report.seed},
                {"file", report.file},
                {"notes", report.notes},
-               {"quantile_levels", ident::study_quantiles}};
+               {"quantile_levels", study::study_quantiles}};
   json["unknowns"] = Json::array();
   for (const auto& one : of.unknowns) json["unknowns"].push_back(unknown(one));
   json["quality"] = Json::object();

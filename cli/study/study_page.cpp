@@ -33,7 +33,7 @@ void add_summary(const StudyReport& report, const ident::Scene& scene, ReportPag
 }
 
 /// Green when every trial gave an estimate.
-StatusBanner study_banner(const ident::StudyStatistics& statistics) {
+StatusBanner study_banner(const study::StudyStatistics& statistics) {
   const std::string all = trials_text(statistics);
   if (statistics.usable == statistics.trials) return {Trust::good, "ok", all + "."};
   return statistics.usable > 0 ? StatusBanner{Trust::doubtful, "some trials failed", all + "."}
@@ -41,7 +41,7 @@ StatusBanner study_banner(const ident::StudyStatistics& statistics) {
 }
 
 void add_unknowns(const StudyReport& report, ReportPage& page) {
-  ident::StudyStatistics shown = report.statistics;
+  study::StudyStatistics shown = report.statistics;
   const std::size_t all = shown.unknowns.size();
   shown.unknowns.resize(std::min(most_unknowns, all));
   page.section("Unknowns");

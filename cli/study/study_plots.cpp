@@ -8,8 +8,8 @@
 
 #include "cli/text/words.hpp"
 #include "frf/hdf5/table_file.hpp"
-#include "ident/study/study_histogram.hpp"
-#include "ident/study/study_row.hpp"
+#include "study/study_histogram.hpp"
+#include "study/study_row.hpp"
 
 namespace jointid::cli::report {
 namespace {
@@ -20,13 +20,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A histogram to be filled, and the column that fills it.
 struct Draft {
   HistogramPlot plot;
-  ident::ColumnBins bins;
+  study::ColumnBins bins;
   std::size_t choice = 0;
 };
 
 /// Beyond the quantiles by 0.6 of what is between them, 3.6 standard deviations of a normal law, within `limits`; as far as the
 /// mark when that is not further off than the bins are wide.
-std::optional<std::array<double, 2>> range_of(const ident::Quantiles& quantiles, const std::optional<double>& mark,
+std::optional<std::array<double, 2>> range_of(const study::Quantiles& quantiles, const std::optional<double>& mark,
                                               const std::array<double, 2>& limits) {
   const double between = quantiles.back() - quantiles.front();
   const double size = std::max(std::abs(quantiles.front()), std::abs(quantiles.back()));
@@ -41,7 +41,7 @@ std::optional<std::array<double, 2>> range_of(const ident::Quantiles& quantiles,
 }
 
 /// The rule of Freedman and Diaconis (1981), between 8 and 60 bins.
-std::size_t bins_for(std::size_t trials, const ident::Quantiles& quantiles, double range) {
+std::size_t bins_for(std::size_t trials, const study::Quantiles& quantiles, double range) {
   const double width = 2.0 * (quantiles[3] - quantiles[1]) / std::cbrt(static_cast<double>(trials));
   return static_cast<std::size_t>(std::clamp(width > 0.0 ? range / width : 60.0, 8.0, 60.0));
 }
@@ -51,7 +51,7 @@ class Drafts {
  public:
   explicit Drafts(std::size_t trials) : trials_(trials) {}
 
-  void add(const std::string& title, const std::string& label, std::size_t column, const ident::Quantiles& quantiles,
+  void add(const std::string& title, const std::string& label, std::size_t column, const study::Quantiles& quantiles,
            const std::optional<double>& mark, const char* mark_name, std::array<double, 2> limits, std::size_t choice) {
     const auto range = range_of(quantiles, mark, limits);
     if (!range) return;
@@ -63,9 +63,9 @@ class Drafts {
 
   /// Filled from the file, as the choices of those names.
   PlotGroup filled(const std::filesystem::path& file, const char* menu, const std::vector<std::string>& choices) && {
-    std::vector<ident::ColumnBins> columns;
+    std::vector<study::ColumnBins> columns;
     for (const Draft& draft : drafts_) columns.push_back(draft.bins);
-    const std::vector<ident::Histogram> histograms = ident::study_histograms(file, columns);
+    const std::vector<study::Histogram> histograms = study::study_histograms(file, columns);
     PlotGroup group{menu, {}};
     for (const std::string& name : choices) group.choices.push_back({name, {}});
     for (std::size_t i = 0; i < drafts_.size(); ++i) {
@@ -85,13 +85,13 @@ class Drafts {
 
 }  // namespace
 
-PlotGroup unknown_histograms(const std::filesystem::path& file, const ident::StudyStatistics& statistics, std::size_t most) {
-  const ident::StudyColumns at = ident::columns_of(frf::TableReader(file).header());
+PlotGroup unknown_histograms(const std::filesystem::path& file, const study::StudyStatistics& statistics, std::size_t most) {
+  const study::StudyColumns at = study::columns_of(frf::TableReader(file).header());
   const std::size_t shown = std::min(most, statistics.unknowns.size());
   Drafts drafts(statistics.usable);
   std::vector<std::string> choices;
   for (std::size_t i = 0; i < shown; ++i) {
-    const ident::UnknownStatistics& unknown = statistics.unknowns[i];
+    const study::UnknownStatistics& unknown = statistics.unknowns[i];
     if (i % histograms_together == 0) {
       const std::string& last = statistics.unknowns[std::min(i + histograms_together, shown) - 1].name;
       choices.push_back(last == unknown.name ? last : unknown.name + " … " + last);
@@ -102,12 +102,12 @@ PlotGroup unknown_histograms(const std::filesystem::path& file, const ident::Stu
   return std::move(drafts).filled(file, "unknowns", choices);
 }
 
-PlotGroup quality_histograms(const std::filesystem::path& file, const ident::StudyStatistics& statistics) {
-  const ident::StudyColumns at = ident::columns_of(frf::TableReader(file).header());
+PlotGroup quality_histograms(const std::filesystem::path& file, const study::StudyStatistics& statistics) {
+  const study::StudyColumns at = study::columns_of(frf::TableReader(file).header());
   Drafts drafts(statistics.usable);
   std::vector<std::string> choices;
   for (std::size_t k = 0; k < statistics.quality.size(); ++k) {
-    const ident::QualityStatistics& matrix = statistics.quality[k];
+    const study::QualityStatistics& matrix = statistics.quality[k];
     const std::size_t first = at.quality(k);
     choices.push_back(words(matrix.matrix));
     drafts.add("RJCF", "", first, matrix.rjcf, 1.0, "ideal", {0.0, 1.0}, k);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/report/contents.hpp"
-#include "ident/study/study_statistics.hpp"
+#include "study/study_statistics.hpp"
 
 /// The plots of a study report.
 namespace jointid::cli::report {
@@ -9,9 +9,9 @@ namespace jointid::cli::report {
 /// Histograms of the first `most` unknowns with the truth marked, twelve together. Bins reach a little beyond the 5 and 95 %
 /// quantiles; the title tells how many trials are outside. What does not vary is left out. Memory does not depend on the
 /// number of trials. `file`: that of the study.
-PlotGroup unknown_histograms(const std::filesystem::path& file, const ident::StudyStatistics& statistics, std::size_t most);
+PlotGroup unknown_histograms(const std::filesystem::path& file, const study::StudyStatistics& statistics, std::size_t most);
 
 /// Histograms of RJCF, ARVF and rms relative error, one choice per matrix.
-PlotGroup quality_histograms(const std::filesystem::path& file, const ident::StudyStatistics& statistics);
+PlotGroup quality_histograms(const std::filesystem::path& file, const study::StudyStatistics& statistics);
 
 }  // namespace jointid::cli::report

@@ -22,7 +22,7 @@ std::string percent(const std::optional<double>& value, double scale) { return v
 
 }  // namespace
 
-std::string trials_text(const ident::StudyStatistics& statistics) {
+std::string trials_text(const study::StudyStatistics& statistics) {
   std::string text = fmt::format("{}, {} with an estimate", statistics.trials, statistics.usable);
   if (statistics.rank_deficient > 0) text += fmt::format(", {} rank deficient", statistics.rank_deficient);
   if (statistics.no_equations > 0) text += fmt::format(", {} without equations", statistics.no_equations);
@@ -32,13 +32,13 @@ std::string trials_text(const ident::StudyStatistics& statistics) {
   return text;
 }
 
-Table unknowns_table(const ident::StudyStatistics& statistics) {
+Table unknowns_table(const study::StudyStatistics& statistics) {
   const bool intervals = std::ranges::any_of(statistics.unknowns, [](const auto& unknown) { return unknown.coverage.has_value(); });
   std::vector<Column> columns = {{"name", Align::left}, {"true value"}, {"mean"}, {"unit", Align::left}, {"bias %"}, {"std %"},
                                  {"rms error %"}, {"5 %"}, {"25 %"}, {"median %"}, {"75 %"}, {"95 %"}};
   if (intervals) columns.push_back({"coverage"});
   Table table(std::move(columns));
-  for (const ident::UnknownStatistics& unknown : statistics.unknowns) {
+  for (const study::UnknownStatistics& unknown : statistics.unknowns) {
     const double centre = unknown.truth.value_or(unknown.mean);
     std::vector<std::string> cells = {unknown.name, optional_number(unknown.truth), number(unknown.mean), unknown.unit,
                                       percent(unknown.bias, centre), percent(unknown.std_deviation, centre),
@@ -50,10 +50,10 @@ Table unknowns_table(const ident::StudyStatistics& statistics) {
   return table;
 }
 
-Table quality_table(const std::vector<ident::QualityStatistics>& matrices) {
+Table quality_table(const std::vector<study::QualityStatistics>& matrices) {
   Table table({{"matrix", Align::left}, {"", Align::left}, {"5 %"}, {"25 %"}, {"median"}, {"75 %"}, {"95 %"}, {"rms over trials"}});
-  for (const ident::QualityStatistics& matrix : matrices) {
-    const auto add = [&](const std::string& first, const char* what, const ident::Quantiles& quantiles,
+  for (const study::QualityStatistics& matrix : matrices) {
+    const auto add = [&](const std::string& first, const char* what, const study::Quantiles& quantiles,
                          const std::string& rms) {
       std::vector<std::string> cells = {first, what};
       for (const double quantile : quantiles) cells.push_back(fmt::format("{:.4g}", quantile));
@@ -67,7 +67,7 @@ Table quality_table(const std::vector<ident::QualityStatistics>& matrices) {
   return table;
 }
 
-std::string speed_text(const ident::StudyRun& run) {
+std::string speed_text(const study::StudyRun& run) {
   if (run.computed == 0) return "nothing was left to compute";
   return fmt::format("{} trials in {:.3g} s, {:.4g} per second; one solution takes {:.3g} ms", run.computed, run.wall_s,
                      static_cast<double>(run.computed) / run.wall_s, 1e3 * run.solve_s);

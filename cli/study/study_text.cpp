@@ -19,7 +19,7 @@ std::string head(const StudyReport& report) {
   return (report.title.empty() ? "" : report.title + "\n") + table.text();
 }
 
-std::string quality_text(const std::vector<ident::QualityStatistics>& matrices) {
+std::string quality_text(const std::vector<study::QualityStatistics>& matrices) {
   return matrices.empty() ? "" : "\nquantiles against the truth\n" + quality_table(matrices).text();
 }
 
@@ -36,7 +36,7 @@ std::string study_csv(const StudyReport& report) {
   };
   std::string csv = csv_line({"name", "unit", "truth", "mean", "bias", "std", "rms_error", "q05", "q25", "q50", "q75", "q95",
                               "coverage"});
-  for (const ident::UnknownStatistics& unknown : report.statistics.unknowns) {
+  for (const study::UnknownStatistics& unknown : report.statistics.unknowns) {
     std::vector<std::string> fields = {unknown.name,        unknown.unit,
                                        exact(unknown.truth), exact(unknown.mean),
                                        exact(unknown.bias),  exact(unknown.std_deviation),

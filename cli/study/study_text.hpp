@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "ident/study/study.hpp"
-#include "ident/study/study_statistics.hpp"
+#include "study/study.hpp"
+#include "study/study_statistics.hpp"
 
 namespace jointid::cli {
 
@@ -12,8 +12,8 @@ struct StudyReport {
   std::string title;
   std::string file;
   std::uint64_t seed = 1;
-  ident::StudyRun run;
-  ident::StudyStatistics statistics;
+  study::StudyRun run;
+  study::StudyStatistics statistics;
   std::vector<std::string> notes{};
 };
 

@@ -4,7 +4,7 @@
 
 #include "base/text.hpp"
 #include "ident/scene/scene_sections.hpp"
-#include "ident/scene/scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -14,26 +14,26 @@ using coupling::PlacedDof;
 const std::vector<std::string> methods = {"gic", "rc", "grc", "pcc", "mtc"};
 const std::vector<std::string> thresholds = {"none", "fixed", "noise", "picard", "alpha", "auto"};
 
-PlacedDof read_dof(const SceneItem& item) {
+PlacedDof read_dof(const scene::Item& item) {
   return item.here([&] { return coupling::parse_placed_dof(item.text()); });
 }
 
-std::vector<PlacedDof> read_dofs(const SceneItem& list) {
+std::vector<PlacedDof> read_dofs(const scene::Item& list) {
   std::vector<PlacedDof> out;
-  for (const SceneItem& item : list.list_not_empty()) out.push_back(read_dof(item));
+  for (const scene::Item& item : list.list_not_empty()) out.push_back(read_dof(item));
   return out;
 }
 
-std::vector<std::vector<PlacedDof>> read_join(const SceneItem& list) {
+std::vector<std::vector<PlacedDof>> read_join(const scene::Item& list) {
   std::vector<std::vector<PlacedDof>> out;
-  for (const SceneItem& item : list.list_not_empty()) {
+  for (const scene::Item& item : list.list_not_empty()) {
     out.push_back(read_dofs(item));
     if (out.back().size() < 2) item.fail("one DOF alone joins nothing", "name two or more that are one, or use ground");
   }
   return out;
 }
 
-std::vector<double> read_matrix(const SceneTable& joint, restrictions::Kind kind, std::size_t size) {
+std::vector<double> read_matrix(const scene::Table& joint, restrictions::Kind kind, std::size_t size) {
   const auto table = joint.find(restrictions::key(kind));
   if (!table) return {};
   std::vector<double> out;
@@ -41,10 +41,10 @@ std::vector<double> read_matrix(const SceneTable& joint, restrictions::Kind kind
   return out;
 }
 
-coupling::KnownJoint read_known_joint(const SceneItem& item) {
+coupling::KnownJoint read_known_joint(const scene::Item& item) {
   std::vector<std::string> keys = kind_keys();
   keys.insert(keys.begin(), "dofs");
-  const SceneTable table = item.table(keys);
+  const scene::Table table = item.table(keys);
   coupling::KnownJoint joint;
   joint.dofs = read_dofs(table.require("dofs"));
   joint.stiffness = read_matrix(table, restrictions::Kind::stiffness, joint.dofs.size());
@@ -55,7 +55,7 @@ coupling::KnownJoint read_known_joint(const SceneItem& item) {
   return joint;
 }
 
-void read_options(const SceneTable& table, CoupleScene& scene) {
+void read_options(const scene::Table& table, CoupleScene& scene) {
   coupling::Options& options = scene.options;
   if (const auto method = table.find("method")) options.method = coupling::parse_method(method->word(methods));
   if (const auto threshold = table.find("threshold")) {
@@ -78,19 +78,19 @@ void read_options(const SceneTable& table, CoupleScene& scene) {
   if (const auto uncertainty = table.find("uncertainty")) options.uncertainty = uncertainty->boolean();
 }
 
-void read_couple(const SceneItem& item, CoupleScene& scene) {
-  const SceneTable table =
+void read_couple(const scene::Item& item, CoupleScene& scene) {
+  const scene::Table table =
       item.table({"join", "ground", "remove", "keep", "joint", "method", "threshold", "epsilon", "alpha", "uncertainty"});
   coupling::Assembly& assembly = scene.assembly;
   if (const auto join = table.find("join")) assembly.join = read_join(*join);
   if (const auto ground = table.find("ground")) assembly.ground = read_dofs(*ground);
   if (const auto keep = table.find("keep")) assembly.keep = read_dofs(*keep);
   if (const auto remove = table.find("remove")) {
-    for (const SceneItem& part : remove->list_not_empty()) assembly.remove.push_back(part.word(scene.names));
+    for (const scene::Item& part : remove->list_not_empty()) assembly.remove.push_back(part.word(scene.names));
   }
   if (const auto joint = table.find("joint")) {
-    const std::vector<SceneItem> joints = joint->is_list() ? joint->list_not_empty() : std::vector<SceneItem>{*joint};
-    for (const SceneItem& one : joints) assembly.joints.push_back(read_known_joint(one));
+    const std::vector<scene::Item> joints = joint->is_list() ? joint->list_not_empty() : std::vector<scene::Item>{*joint};
+    for (const scene::Item& one : joints) assembly.joints.push_back(read_known_joint(one));
   }
   if (assembly.join.empty() && assembly.ground.empty() && assembly.joints.empty()) {
     item.fail("nothing is coupled", "give join, ground or [[couple.joint]]");
@@ -98,13 +98,13 @@ void read_couple(const SceneItem& item, CoupleScene& scene) {
   read_options(table, scene);
 }
 
-void read_parts(const SceneItem& item, const Path& folder, CoupleScene& scene) {
+void read_parts(const scene::Item& item, const Path& folder, CoupleScene& scene) {
   const DataSection data = read_parts_section(item, folder, scene.names);
   scene.parts = data.substructures;
   scene.reciprocity = data.reciprocity;
 }
 
-void read_noise_law(const SceneItem& item, coupling::Options& options) {
+void read_noise_law(const scene::Item& item, coupling::Options& options) {
   const NoiseSection noise = read_noise(item);
   if (noise.model == "modal") item.fail("model \"modal\" has no law for a single FRF", "use another model, or leave [noise] out");
   if (noise.frf_model.floor > 0.0) item.fail("coupling has no use for a floor", "remove floor");
@@ -114,10 +114,10 @@ void read_noise_law(const SceneItem& item, coupling::Options& options) {
 }  // namespace
 
 CoupleScene parse_couple_scene(const std::string& text, const Path& file) {
-  const Value document = parse_toml(text, file);
+  const scene::Value document = scene::parse_toml(text, file);
   const std::string file_name = file.string();
-  const SceneItem root(document, file_name, {}, {});
-  const SceneTable table = root.table({"title", "data", "frequency", "couple", "noise"});
+  const scene::Item root(document, file_name, {}, {});
+  const scene::Table table = root.table({"title", "data", "frequency", "couple", "noise"});
   CoupleScene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();
@@ -131,6 +131,6 @@ CoupleScene parse_couple_scene(const std::string& text, const Path& file) {
   return scene;
 }
 
-CoupleScene read_couple_scene(const Path& file) { return parse_couple_scene(read_text(file), file); }
+CoupleScene read_couple_scene(const Path& file) { return parse_couple_scene(scene::read_text(file), file); }
 
 }  // namespace jointid::ident

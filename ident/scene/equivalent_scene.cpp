@@ -1,7 +1,7 @@
 #include "ident/scene/equivalent_scene.hpp"
 
 #include "ident/scene/scene_sections.hpp"
-#include "ident/scene/scene_text.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -9,8 +9,8 @@ namespace {
 const std::vector<std::string> weighting_words = {"none", "relative"};
 
 /// `names` gets the files as written.
-DisplacementLevel read_level(const SceneItem& item, const Path& folder, std::vector<std::string>& names) {
-  const SceneTable table = item.table({"assembly", "displacement"});
+DisplacementLevel read_level(const scene::Item& item, const Path& folder, std::vector<std::string>& names) {
+  const scene::Table table = item.table({"assembly", "displacement"});
   names.push_back(table.require("assembly").text_not_empty());
   return {{folder / names.back(), {}}, table.require("displacement").positive()};
 }
@@ -24,14 +24,14 @@ std::vector<FurtherFile> assemblies(EquivalentScene& scene, const std::vector<st
 }
 
 /// Returns the names of the assemblies, that of the rigid joint last.
-std::vector<std::string> read_equivalent(const SceneItem& item, const Path& folder, EquivalentScene& scene) {
+std::vector<std::string> read_equivalent(const scene::Item& item, const Path& folder, EquivalentScene& scene) {
   std::vector<std::string> names;
-  const SceneTable table = item.table({"dofs", "levels", "rigid", "real", "weighting"});
-  const SceneItem dofs = table.require("dofs");
+  const scene::Table table = item.table({"dofs", "levels", "rigid", "real", "weighting"});
+  const scene::Item dofs = table.require("dofs");
   const std::vector<frf::Dof> ends = dofs.dofs();
   if (ends.size() != 2) dofs.fail("a joint with one stiffness and one damping has two ends", "name two DOFs");
   scene.dofs = {ends[0], ends[1]};
-  for (const SceneItem& level : table.require("levels").list_not_empty()) scene.levels.push_back(read_level(level, folder, names));
+  for (const scene::Item& level : table.require("levels").list_not_empty()) scene.levels.push_back(read_level(level, folder, names));
   if (const auto rigid = table.find("rigid")) {
     names.push_back(rigid->text_not_empty());
     scene.rigid = DataFile{folder / names.back(), {}};
@@ -44,14 +44,14 @@ std::vector<std::string> read_equivalent(const SceneItem& item, const Path& fold
 }  // namespace
 
 EquivalentScene parse_equivalent_scene(const std::string& text, const Path& file) {
-  const Value document = parse_toml(text, file);
+  const scene::Value document = scene::parse_toml(text, file);
   const std::string file_name = file.string();
-  const SceneItem root(document, file_name, {}, {});
-  const SceneTable table = root.table({"title", "data", "frequency", "equivalent"});
+  const scene::Item root(document, file_name, {}, {});
+  const scene::Table table = root.table({"title", "data", "frequency", "equivalent"});
   EquivalentScene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();
-  const SceneItem data_item = table.require("data");
+  const scene::Item data_item = table.require("data");
   const std::vector<std::string> assembly_names = read_equivalent(table.require("equivalent"), file.parent_path(), scene);
   std::vector<std::string> part_names;
   const DataSection data = read_parts_section(data_item, file.parent_path(), part_names, assemblies(scene, assembly_names));
@@ -65,6 +65,6 @@ EquivalentScene parse_equivalent_scene(const std::string& text, const Path& file
   return scene;
 }
 
-EquivalentScene read_equivalent_scene(const Path& file) { return parse_equivalent_scene(read_text(file), file); }
+EquivalentScene read_equivalent_scene(const Path& file) { return parse_equivalent_scene(scene::read_text(file), file); }
 
 }  // namespace jointid::ident

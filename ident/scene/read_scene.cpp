@@ -2,16 +2,16 @@
 
 #include "ident/scene/reduce_joints.hpp"
 #include "ident/scene/scene_sections.hpp"
-#include "ident/scene/scene_text.hpp"
+#include "scene/text.hpp"
 #include "ident/scene/variance_origin.hpp"
 
 namespace jointid::ident {
 
 Scene parse_scene(const std::string& text, const Path& file) {
-  const Value document = parse_toml(text, file);
+  const scene::Value document = scene::parse_toml(text, file);
   const std::string file_name = file.string();
-  const SceneItem root(document, file_name, {}, {});
-  const SceneTable table = root.table(
+  const scene::Item root(document, file_name, {}, {});
+  const scene::Table table = root.table(
       {"title", "data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth"});
   Scene scene;
   scene.file = file;
@@ -29,6 +29,6 @@ Scene parse_scene(const std::string& text, const Path& file) {
   return scene;
 }
 
-Scene read_scene(const Path& file) { return parse_scene(read_text(file), file); }
+Scene read_scene(const Path& file) { return parse_scene(scene::read_text(file), file); }
 
 }  // namespace jointid::ident

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "coupling/groups.hpp"
-#include "ident/scene/scene_reader.hpp"
+#include "scene/reader.hpp"
 #include "restrictions/linear_expression.hpp"
 
 namespace jointid::ident {

@@ -13,13 +13,14 @@
 #include "frf/set/frf_source.hpp"
 #include "ident/scene/method_traits.hpp"
 #include "restrictions/joint_spec.hpp"
+#include "scene/value.hpp"
 #include "weighting/weighting.hpp"
 
 namespace jointid::ident {
 
-using Path = std::filesystem::path;
-using Matrix = std::vector<std::vector<double>>;
-using Range = std::array<double, 2>;  ///< Hz, both ends included
+using scene::Matrix;
+using scene::Path;
+using scene::Range;
 
 /// A file and what the scene says about it ([data.files."name"]): what it does not say itself, and what is wrong in it.
 struct DataFile {

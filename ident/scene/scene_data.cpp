@@ -8,7 +8,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 /// `names` collects the files as written, none twice.
-DataFile read_file(const SceneItem& item, const Path& folder, Names& names) {
+DataFile read_file(const scene::Item& item, const Path& folder, Names& names) {
   const std::string name = item.text_not_empty();
   if (std::find(names.begin(), names.end(), name) != names.end()) {
     item.fail("the file '" + name + "' is named twice", "a file holds either a substructure or the assembly, once");
@@ -18,17 +18,17 @@ DataFile read_file(const SceneItem& item, const Path& folder, Names& names) {
 }
 
 /// Repeats of one measurement: the first run with the others.
-DataFile read_repeats(const SceneItem& list, const Path& folder, Names& names) {
-  const std::vector<SceneItem> runs = list.list_not_empty();
+DataFile read_repeats(const scene::Item& list, const Path& folder, Names& names) {
+  const std::vector<scene::Item> runs = list.list_not_empty();
   if (runs.size() < 2) list.fail("a list of one file: one run has no scatter", "name the file without the list, or more runs");
   DataFile first = read_file(runs.front(), folder, names);
   for (std::size_t i = 1; i < runs.size(); ++i) first.repeats.push_back(read_file(runs[i], folder, names));
   return first;
 }
 
-std::vector<DataFile> read_files(const SceneItem& list, const Path& folder, Names& names) {
+std::vector<DataFile> read_files(const scene::Item& list, const Path& folder, Names& names) {
   std::vector<DataFile> files;
-  for (const SceneItem& item : list.list_not_empty()) {
+  for (const scene::Item& item : list.list_not_empty()) {
     files.push_back(item.is_list() ? read_repeats(item, folder, names) : read_file(item, folder, names));
   }
   return files;
@@ -46,13 +46,13 @@ std::vector<DataFile*> all_files(DataSection& data) {
   return all;
 }
 
-SceneTable file_table(const SceneItem& item) {
+scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
   keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable", "mass"});
   return item.table(keys);
 }
 
-frf::OpenOptions read_options(const SceneTable& table) {
+frf::OpenOptions read_options(const scene::Table& table) {
   frf::OpenOptions options;
   if (const auto quantity = table.find("quantity")) {
     const std::string& word = quantity->text();
@@ -67,9 +67,9 @@ frf::OpenOptions read_options(const SceneTable& table) {
   return options;
 }
 
-Regeneration read_regeneration(const SceneItem& list) {
+Regeneration read_regeneration(const scene::Item& list) {
   Regeneration chosen;
-  for (const SceneItem& item : list.list_not_empty()) {
+  for (const scene::Item& item : list.list_not_empty()) {
     const Regeneration one = item.here([&] { return parse_regeneration(item.text()); });
     chosen.substructures |= one.substructures;
     chosen.assembly |= one.assembly;
@@ -78,12 +78,12 @@ Regeneration read_regeneration(const SceneItem& list) {
 }
 
 /// `files` are those of `names`; a name may stand for several.
-void read_all_options(const SceneItem& item, const Names& names, const std::vector<DataFile*>& files) {
-  const SceneTable table = item.table(names);
+void read_all_options(const scene::Item& item, const Names& names, const std::vector<DataFile*>& files) {
+  const scene::Table table = item.table(names);
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto of_file = table.find(names[i]);
     if (!of_file) continue;
-    const SceneTable keys = file_table(*of_file);
+    const scene::Table keys = file_table(*of_file);
     files[i]->options = read_options(keys);
     files[i]->corrections = read_corrections(keys);
     if (const auto mass = keys.find("mass")) files[i]->mass = mass->positive();
@@ -92,8 +92,8 @@ void read_all_options(const SceneItem& item, const Names& names, const std::vect
 
 }  // namespace
 
-DataSection read_data(const SceneItem& item, const Path& folder) {
-  const SceneTable table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files"});
+DataSection read_data(const scene::Item& item, const Path& folder) {
+  const scene::Table table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files"});
   DataSection data;
   Names names;
   data.substructures = read_files(table.require("substructures"), folder, names);
@@ -104,9 +104,9 @@ DataSection read_data(const SceneItem& item, const Path& folder) {
   return data;
 }
 
-DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names,
+DataSection read_parts_section(const scene::Item& item, const Path& folder, std::vector<std::string>& names,
                                const std::vector<FurtherFile>& further) {
-  const SceneTable table = item.table({"parts", "reciprocity", "files"});
+  const scene::Table table = item.table({"parts", "reciprocity", "files"});
   DataSection data;
   Names all;
   data.substructures = read_files(table.require("parts"), folder, all);

@@ -15,14 +15,14 @@ const std::vector<std::string> variances = {"auto", "file", "noise", "local"};
 
 /// The enumerator whose name stands at its place in `words`.
 template <class Enum>
-Enum read_enum(const SceneItem& item, const std::vector<std::string>& words) {
+Enum read_enum(const scene::Item& item, const std::vector<std::string>& words) {
   const std::string word = item.word(words);
   return static_cast<Enum>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-std::vector<Equation> read_equations(const SceneItem& item) {
+std::vector<Equation> read_equations(const scene::Item& item) {
   std::vector<Equation> result;
-  for (const SceneItem& word : item.list_not_empty()) {
+  for (const scene::Item& word : item.list_not_empty()) {
     const auto equation = read_enum<Equation>(word, equations);
     if (std::find(result.begin(), result.end(), equation) != result.end()) {
       word.fail("the equation '" + word.text() + "' is named twice");
@@ -32,15 +32,15 @@ std::vector<Equation> read_equations(const SceneItem& item) {
   return result;
 }
 
-double read_delta(const SceneItem& item) {
+double read_delta(const scene::Item& item) {
   const double delta = item.number();
   if (!(delta >= 0.0 && delta < 2.0)) {
-    item.fail("delta = " + number_text(delta) + " is outside 0 <= delta < 2", "0 drops no equation");
+    item.fail("delta = " + scene::number_text(delta) + " is outside 0 <= delta < 2", "0 drops no equation");
   }
   return delta;
 }
 
-std::map<Kind, Matrix> read_start(const SceneItem& item, const std::vector<JointSpec>& joints) {
+std::map<Kind, Matrix> read_start(const scene::Item& item, const std::vector<JointSpec>& joints) {
   std::map<Kind, Matrix> start = read_matrices(item, joint_size(joints));
   for (const auto& [kind, matrix] : start) {
     const bool identified = std::any_of(joints.begin(), joints.end(),
@@ -70,8 +70,8 @@ std::size_t joint_size(const std::vector<JointSpec>& joints) {
   return size;
 }
 
-std::map<Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size) {
-  const SceneTable table = item.table(kind_keys());
+std::map<Kind, Matrix> read_matrices(const scene::Item& item, std::size_t size) {
+  const scene::Table table = item.table(kind_keys());
   std::map<Kind, Matrix> matrices;
   for (const Kind kind : restrictions::all_kinds) {
     if (const auto matrix = table.find(restrictions::key(kind))) matrices[kind] = matrix->square_matrix(size);
@@ -79,8 +79,8 @@ std::map<Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size) {
   return matrices;
 }
 
-IdentifySection read_identify(const SceneItem& item, const std::vector<JointSpec>& joints) {
-  const SceneTable table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "starts", "variance",
+IdentifySection read_identify(const scene::Item& item, const std::vector<JointSpec>& joints) {
+  const scene::Table table = item.table({"method", "equations", "weighting", "delta", "solver", "start", "starts", "variance",
                                        "smooth_variance", "priors", "bounds", "ties", "bootstrap", "bootstrap_seed"});
   IdentifySection identify;
   identify.automatic = true;

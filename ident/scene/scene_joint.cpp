@@ -11,7 +11,7 @@ namespace {
 using restrictions::JointSpec;
 using Positions = std::map<std::int64_t, std::array<double, 3>>;
 
-std::int64_t read_node(const std::string& key, const SceneItem& item) {
+std::int64_t read_node(const std::string& key, const scene::Item& item) {
   std::int64_t node = -1;
   const char* end = key.data() + key.size();
   const auto [last, error] = std::from_chars(key.data(), end, node);
@@ -21,11 +21,11 @@ std::int64_t read_node(const std::string& key, const SceneItem& item) {
   return node;
 }
 
-Positions read_nodes(const SceneItem& item) {
+Positions read_nodes(const scene::Item& item) {
   Positions positions;
-  const SceneTable table = item.open_table();
+  const scene::Table table = item.open_table();
   for (const auto& [key, value] : table.members()) {
-    const std::vector<SceneItem> coordinates = value.list();
+    const std::vector<scene::Item> coordinates = value.list();
     if (coordinates.size() != 3) {
       value.fail("a position has three coordinates, found " + std::to_string(coordinates.size()),
                  "write [x, y, z] (m)");
@@ -37,9 +37,9 @@ Positions read_nodes(const SceneItem& item) {
   return positions;
 }
 
-std::vector<Range> read_bands(const SceneItem& item) {
+std::vector<Range> read_bands(const scene::Item& item) {
   std::vector<Range> bands;
-  for (const SceneItem& band : item.list_not_empty()) {
+  for (const scene::Item& band : item.list_not_empty()) {
     const Range range = band.interval();
     if (!bands.empty() && range[0] < bands.back()[1]) {
       band.fail("the band begins before the one before it ends", "bands ascend and do not overlap");
@@ -49,7 +49,7 @@ std::vector<Range> read_bands(const SceneItem& item) {
   return bands;
 }
 
-std::string read_name(const SceneItem& item) {
+std::string read_name(const scene::Item& item) {
   const std::string name = item.text_not_empty();
   if (name.find('.') != std::string::npos) {
     item.fail("the name '" + name + "' has a dot", "the dot parts the joint from its unknowns: left.K.a");
@@ -57,9 +57,9 @@ std::string read_name(const SceneItem& item) {
   return name;
 }
 
-JointSpec read_joint(const SceneItem& item, std::vector<std::string> keys, const Positions& positions) {
+JointSpec read_joint(const scene::Item& item, std::vector<std::string> keys, const Positions& positions) {
   for (const std::string& key : kind_keys()) keys.push_back(key);
-  const SceneTable table = item.table(keys);
+  const scene::Table table = item.table(keys);
   JointSpec joint;
   if (const auto name = table.find("name")) joint.name = read_name(*name);
   joint.dofs = table.require("dofs").dofs();
@@ -79,7 +79,7 @@ JointSpec read_joint(const SceneItem& item, std::vector<std::string> keys, const
 }
 
 /// Names and DOFs of the last joint against those before it; its matrices are checked one by one elsewhere.
-void check_together(const std::vector<JointSpec>& joints, const SceneItem& last) {
+void check_together(const std::vector<JointSpec>& joints, const scene::Item& last) {
   std::vector<JointSpec> bare = joints;
   for (JointSpec& joint : bare) joint.matrices = {{restrictions::Kind::stiffness, restrictions::Pattern::diagonal}};
   last.here([&] { return restrictions::build(bare); });
@@ -87,7 +87,7 @@ void check_together(const std::vector<JointSpec>& joints, const SceneItem& last)
 
 }  // namespace
 
-std::vector<JointSpec> read_joints(const SceneTable& scene) {
+std::vector<JointSpec> read_joints(const scene::Table& scene) {
   const auto joint = scene.find("joint");
   const auto joints = scene.find("joints");
   if (joint && joints) joint->fail("both [joint] and [[joints]] are given", "write every joint as [[joints]]");
@@ -96,22 +96,22 @@ std::vector<JointSpec> read_joints(const SceneTable& scene) {
   const Positions positions = nodes ? read_nodes(*nodes) : Positions();
   if (joint) return {read_joint(*joint, {"dofs", "bands", "couple_first"}, positions)};
   std::vector<JointSpec> result;
-  for (const SceneItem& item : joints->list_not_empty()) {
+  for (const scene::Item& item : joints->list_not_empty()) {
     result.push_back(read_joint(item, {"name", "dofs", "bands", "couple_first"}, positions));
     check_together(result, item);
   }
   return result;
 }
 
-std::vector<std::array<frf::Dof, 2>> read_couple_first(const SceneTable& scene) {
-  std::vector<SceneItem> joints;
+std::vector<std::array<frf::Dof, 2>> read_couple_first(const scene::Table& scene) {
+  std::vector<scene::Item> joints;
   if (const auto joint = scene.find("joint")) joints.push_back(*joint);
   if (const auto list = scene.find("joints")) joints = list->list();
   std::vector<std::array<frf::Dof, 2>> pairs;
-  for (const SceneItem& joint : joints) {
+  for (const scene::Item& joint : joints) {
     const auto couple_first = joint.open_table().find("couple_first");
     if (!couple_first) continue;
-    for (const SceneItem& pair : couple_first->list_not_empty()) {
+    for (const scene::Item& pair : couple_first->list_not_empty()) {
       const std::vector<frf::Dof> dofs = pair.dofs();
       if (dofs.size() != 2) pair.fail("a pair has two DOFs, found " + std::to_string(dofs.size()), "write [\"4:+RZ\", \"5:+RZ\"]");
       pairs.push_back({dofs[0], dofs[1]});

@@ -6,14 +6,14 @@ namespace {
 
 const std::vector<std::string> models = {"uniform", "gaussian", "circular", "hammer", "modal"};
 
-double probability(const SceneItem& item) {
+double probability(const scene::Item& item) {
   const double value = item.not_negative();
   if (value > 1.0) item.fail(std::to_string(value) + " is no probability", "0 to 1 is needed");
   return value;
 }
 
 /// Number of averages; those that overlap count for less (effective_averages() of a Hann window).
-int read_averages(const SceneTable& table, int otherwise) {
+int read_averages(const scene::Table& table, int otherwise) {
   const auto averages = table.find("averages");
   const auto overlap = table.find("overlap");
   if (!averages) {
@@ -30,15 +30,15 @@ int read_averages(const SceneTable& table, int otherwise) {
   return static_cast<int>(effective);
 }
 
-frf::GrossErrors read_gross(const SceneItem& item) {
-  const SceneTable table = item.table({"share", "factor"});
+frf::GrossErrors read_gross(const scene::Item& item) {
+  const scene::Table table = item.table({"share", "factor"});
   frf::GrossErrors gross;
   gross.share = probability(table.require("share"));
   if (const auto factor = table.find("factor")) gross.factor = factor->positive();
   return gross;
 }
 
-void read_hammer(const SceneTable& table, frf::NoiseModel& model) {
+void read_hammer(const scene::Table& table, frf::NoiseModel& model) {
   if (const auto coherence = table.find("coherence")) {
     model.coherence = coherence->positive();
     coherence->here([&] { frf::validate({.kind = frf::NoiseKind::hammer, .coherence = model.coherence}); });
@@ -46,7 +46,7 @@ void read_hammer(const SceneTable& table, frf::NoiseModel& model) {
   model.averages = read_averages(table, model.averages);
 }
 
-void read_extra_errors(const SceneTable& table, frf::NoiseModel& model) {
+void read_extra_errors(const scene::Table& table, frf::NoiseModel& model) {
   if (const auto floor = table.find("floor")) model.floor = floor->not_negative();
   if (const auto gross = table.find("gross")) model.gross = read_gross(*gross);
   if (const auto share = table.find("sign_errors")) model.sign_errors = probability(*share);
@@ -56,9 +56,9 @@ void read_extra_errors(const SceneTable& table, frf::NoiseModel& model) {
 
 }  // namespace
 
-NoiseSection read_noise(const SceneItem& item) {
+NoiseSection read_noise(const scene::Item& item) {
   const std::vector<std::string> beside = {"floor", "gross", "sign_errors", "position_errors", "reciprocal"};
-  const SceneTable all = item.open_table();
+  const scene::Table all = item.open_table();
   NoiseSection noise;
   noise.model = all.require("model").word(models);
   std::vector<std::string> keys = {"model"};
@@ -68,7 +68,7 @@ NoiseSection read_noise(const SceneItem& item) {
     keys.push_back("level");
   }
   if (noise.model != "modal") keys.insert(keys.end(), beside.begin(), beside.end());
-  const SceneTable table = item.table(keys);
+  const scene::Table table = item.table(keys);
   if (noise.model == "hammer") {
     read_hammer(table, noise.frf_model);
   } else {

@@ -1,15 +1,16 @@
 #pragma once
 
-#include "ident/scene/scene_reader.hpp"
+#include "ident/scene/scene.hpp"
+#include "scene/reader.hpp"
 
 namespace jointid::ident {
 
 /// The keys of [data.files."NAME"] that put the FRFs of a file right, and what they say.
 std::vector<std::string> correction_keys();
-frf::Corrections read_corrections(const SceneTable& table);
+frf::Corrections read_corrections(const scene::Table& table);
 
 /// [data]; paths are resolved against `folder`.
-DataSection read_data(const SceneItem& item, const Path& folder);
+DataSection read_data(const scene::Item& item, const Path& folder);
 
 /// A file that another section of the scene names; [data.files] may speak of it.
 struct FurtherFile {
@@ -18,42 +19,42 @@ struct FurtherFile {
 };
 
 /// [data] of a coupling scene: `substructures` are its parts, and `names` gets their names as written.
-DataSection read_parts_section(const SceneItem& item, const Path& folder, std::vector<std::string>& names,
+DataSection read_parts_section(const scene::Item& item, const Path& folder, std::vector<std::string>& names,
                                const std::vector<FurtherFile>& further = {});
 
 /// [frequency]
-FrequencySection read_frequency(const SceneItem& item);
+FrequencySection read_frequency(const scene::Item& item);
 
 /// [joint] or [[joints]] with the positions of [nodes] handed to every joint that uses them; checked by building each
 /// matrix's restriction. Pattern free without positions passes: the data files may have them.
-std::vector<restrictions::JointSpec> read_joints(const SceneTable& scene);
+std::vector<restrictions::JointSpec> read_joints(const scene::Table& scene);
 
 /// couple_first of [joint] or all of [[joints]].
-std::vector<std::array<frf::Dof, 2>> read_couple_first(const SceneTable& scene);
+std::vector<std::array<frf::Dof, 2>> read_couple_first(const scene::Table& scene);
 
 /// [identify]; `joints` are needed to check the start values.
-IdentifySection read_identify(const SceneItem& item, const std::vector<restrictions::JointSpec>& joints);
+IdentifySection read_identify(const scene::Item& item, const std::vector<restrictions::JointSpec>& joints);
 
 /// [identify] priors: a table of [value, standard deviation]; the names are checked against the unknowns by the plan.
-std::vector<Prior> read_priors(const SceneItem& item);
+std::vector<Prior> read_priors(const scene::Item& item);
 
 /// [identify] bounds: a table of [lowest, highest] or of the words "positive" and "negative".
-std::vector<Bound> read_bounds(const SceneItem& item);
+std::vector<Bound> read_bounds(const scene::Item& item);
 
 /// [identify] ties: a list of equations, whose names the plan reads.
-std::vector<std::string> read_ties(const SceneItem& item);
+std::vector<std::string> read_ties(const scene::Item& item);
 
 /// The keys bootstrap and bootstrap_seed of [identify].
-void read_bootstrap(const SceneTable& table, IdentifySection& identify);
+void read_bootstrap(const scene::Table& table, IdentifySection& identify);
 
 /// How many starts an iterative method follows.
-std::size_t read_starts(const SceneItem& item);
+std::size_t read_starts(const scene::Item& item);
 
 /// [noise]
-NoiseSection read_noise(const SceneItem& item);
+NoiseSection read_noise(const scene::Item& item);
 
 /// A table of matrices by kind over all joint DOFs, each square ([truth], start).
-std::map<restrictions::Kind, Matrix> read_matrices(const SceneItem& item, std::size_t size);
+std::map<restrictions::Kind, Matrix> read_matrices(const scene::Item& item, std::size_t size);
 
 /// Number of DOFs of all joints.
 std::size_t joint_size(const std::vector<restrictions::JointSpec>& joints);

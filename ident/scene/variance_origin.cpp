@@ -3,7 +3,7 @@
 #include <array>
 
 #include "ident/scene/scene_failure.hpp"
-#include "ident/scene/scene_reader.hpp"
+#include "scene/reader.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -31,7 +31,7 @@ VarianceOrigin of_file(const frf::FrfHeader& header) {
   if (header.noise == frf::NoiseRecord::none) refuse(header, "the file has neither variances nor coherences", otherwise);
   if (has_averages(header)) return VarianceOrigin::coherence;
   if (header.averages > 0.0) {
-    refuse(header, "coherences of " + number_text(header.averages) + " average(s) are 1 whatever the noise is",
+    refuse(header, "coherences of " + scene::number_text(header.averages) + " average(s) are 1 whatever the noise is",
            otherwise);
   }
   refuse(header, "the file does not say how many averages are behind its coherences",

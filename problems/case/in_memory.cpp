@@ -28,20 +28,20 @@ ident::CheckResult check(const ident::Scene& scene, Measurement measurement) {
   return ident::check_systems(scene, parts_of(measurement), assembly_of(measurement));
 }
 
-std::shared_ptr<const ident::TrialData> trial_data(const ident::Scene& scene, const Problem& problem) {
-  const ident::Measurements clean{problem.substructures, {problem.assembly}};
+std::shared_ptr<const study::TrialData> trial_data(const ident::Scene& scene, const Problem& problem) {
+  const study::Measurements clean{problem.substructures, {problem.assembly}};
   if (const auto* model = std::get_if<frf::NoiseModel>(&problem.noise)) {
-    return ident::make_trial_data(scene, clean, *model);
+    return study::make_trial_data(scene, clean, *model);
   }
   const auto regenerate = [errors = std::get<ConsistentErrors>(problem.noise), parts = problem.substructure_modes,
                            whole = problem.assembly_modes](std::uint64_t seed, std::uint64_t trial,
-                                                           ident::Measurements& data) {
+                                                           study::Measurements& data) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       data.substructures[i] = with_modal_errors(data.substructures[i], parts[i], errors, {seed, trial, i});
     }
     data.assembly.front() = with_modal_errors(data.assembly.front(), whole, errors, {seed, trial, parts.size()});
   };
-  return ident::make_trial_data(scene, clean, regenerate);
+  return study::make_trial_data(scene, clean, regenerate);
 }
 
 }  // namespace jointid::problems

@@ -4,7 +4,7 @@
 
 #include "ident/check/check.hpp"
 #include "ident/plan/plan.hpp"
-#include "ident/study/trial_data.hpp"
+#include "study/trial_data.hpp"
 #include "problems/case/identification_problem.hpp"
 
 namespace jointid::problems {
@@ -20,6 +20,6 @@ ident::CheckResult check(const ident::Scene& scene, Measurement measurement);
 
 /// Base data and noise of the problem for trials: trial t of a seed has the FRFs of polluted(problem, seed, t). `scene` may
 /// differ from the problem's own in what it identifies and how.
-std::shared_ptr<const ident::TrialData> trial_data(const ident::Scene& scene, const Problem& problem);
+std::shared_ptr<const study::TrialData> trial_data(const ident::Scene& scene, const Problem& problem);
 
 }  // namespace jointid::problems

@@ -11,7 +11,7 @@ namespace {
 
 /// The trials of one run of a table and what it takes to read them.
 struct Outcome {
-  std::vector<ident::Trial> trials;
+  std::vector<study::Trial> trials;
   std::vector<Kind> judged;
   restrictions::Restriction restriction;
 };
@@ -24,18 +24,18 @@ ident::Scene scene_of(const TableRun& run, const Problem& problem) {
   return result;
 }
 
-Outcome run_trials_of(const TableRun& run, const Problem& problem, const ident::TrialOptions& options) {
+Outcome run_trials_of(const TableRun& run, const Problem& problem, const study::TrialOptions& options) {
   const ident::Scene chosen = scene_of(run, problem);
   const auto data = trial_data(chosen, problem);
-  return {ident::run_trials(data, options), data->judged, restrictions::build(chosen.joints)};
+  return {study::run_trials(data, options), data->judged, restrictions::build(chosen.joints)};
 }
 
 std::vector<double> figures(const Outcome& outcome, const TableEntry& entry) {
   const auto place = static_cast<std::size_t>(std::ranges::find(outcome.judged, entry.kind) - outcome.judged.begin());
   std::vector<double> values;
-  for (const ident::Trial& trial : outcome.trials) {
+  for (const study::Trial& trial : outcome.trials) {
     values.push_back(
-        ident::figure_of(trial, place, entry.figure == TableFigure::rjcf ? &ident::Quality::rjcf : &ident::Quality::arvf));
+        study::figure_of(trial, place, entry.figure == TableFigure::rjcf ? &ident::Quality::rjcf : &ident::Quality::arvf));
   }
   return values;
 }
@@ -44,7 +44,7 @@ std::vector<double> elements(const Outcome& outcome, const TableEntry& entry, co
   const double truth = problem.truth.at(entry.kind)[entry.i][entry.j];
   const std::size_t size = problem.joint_dofs.size();
   std::vector<double> values;
-  for (const ident::Trial& trial : outcome.trials) {
+  for (const study::Trial& trial : outcome.trials) {
     if (!ident::is_usable(trial.status)) continue;
     values.push_back(outcome.restriction.matrix(entry.kind, trial.values)[entry.i * size + entry.j] / truth);
   }
@@ -58,7 +58,7 @@ Reproduced judged(const Print& print, std::vector<double> values) {
 
 }  // namespace
 
-std::vector<Reproduced> reproduce(const ThesisTable& table, const ident::TrialOptions& options) {
+std::vector<Reproduced> reproduce(const ThesisTable& table, const study::TrialOptions& options) {
   std::map<std::string, Problem> problems;
   std::vector<Reproduced> result(table.entries.size());
   for (std::size_t r = 0; r < table.runs.size(); ++r) {
@@ -67,7 +67,7 @@ std::vector<Reproduced> reproduce(const ThesisTable& table, const ident::TrialOp
     if (found == problems.end()) found = problems.emplace(run.problem, make(run.problem)).first;
     Problem problem = found->second;
     if (run.noise_free) problem.noise = frf::NoiseModel{.level = 0.0};
-    const Outcome outcome = run_trials_of(run, problem, ident::counting_parts(options, r, table.runs.size()));
+    const Outcome outcome = run_trials_of(run, problem, study::counting_parts(options, r, table.runs.size()));
     for (std::size_t e = 0; e < table.entries.size(); ++e) {
       const TableEntry& entry = table.entries[e];
       if (entry.run != r) continue;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/statistics.hpp"
-#include "ident/study/trial_loop.hpp"
+#include "study/trial_loop.hpp"
 #include "problems/thesis/thesis_tables.hpp"
 
 namespace jointid::problems {
@@ -15,6 +15,6 @@ struct Reproduced {
 };
 
 /// One per ThesisTable::entries.
-std::vector<Reproduced> reproduce(const ThesisTable& table, const ident::TrialOptions& options);
+std::vector<Reproduced> reproduce(const ThesisTable& table, const study::TrialOptions& options);
 
 }  // namespace jointid::problems

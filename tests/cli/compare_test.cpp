@@ -33,7 +33,7 @@ TEST(CompareArguments, NameMethodsEquationSetsAndWeightings) {
   arguments.methods = {"one", "two"};
   arguments.equations = "nn nj;nn,nj,jj";
   arguments.weightings = {"WBS"};
-  const ident::Alternatives lists = alternatives(arguments);
+  const study::Alternatives lists = alternatives(arguments);
   EXPECT_EQ(lists.methods[1], ident::Method::two);
   ASSERT_EQ(lists.equations.size(), 2u);
   EXPECT_EQ(lists.equations[1].size(), 3u);

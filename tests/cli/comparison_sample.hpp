@@ -6,8 +6,8 @@
 
 namespace jointid::cli {
 
-inline ident::Combination sample_combination(double delta, double error, bool front) {
-  ident::Combination out;
+inline study::Combination sample_combination(double delta, double error, bool front) {
+  study::Combination out;
   out.way = {ident::Method::one, {ident::Equation::nn}, weighting::Weighting::wbs, delta, "qr"};
   out.matrices.push_back({.kind = restrictions::Kind::stiffness,
                           .rjcf = {0.1, 0.9876, 1.0},

@@ -22,7 +22,7 @@ struct Setting {
 };
 
 /// rms over the trials of the rms relative error of a matrix, over those that both runs settled in.
-double rms_error(const std::vector<Trial>& trials, const std::vector<Trial>& others, std::size_t matrix) {
+double rms_error(const std::vector<study::Trial>& trials, const std::vector<study::Trial>& others, std::size_t matrix) {
   double squares = 0.0, count = 0.0;
   for (std::size_t t = 0; t < trials.size(); ++t) {
     if (trials[t].status != Status::ok || others[t].status != Status::ok) continue;
@@ -32,9 +32,9 @@ double rms_error(const std::vector<Trial>& trials, const std::vector<Trial>& oth
   return std::sqrt(squares / count);
 }
 
-double coverage(const std::vector<Trial>& trials, const std::vector<double>& truth) {
+double coverage(const std::vector<study::Trial>& trials, const std::vector<double>& truth) {
   double inside = 0.0, count = 0.0;
-  for (const Trial& trial : trials) {
+  for (const study::Trial& trial : trials) {
     for (std::size_t u = 0; u < truth.size(); ++u) {
       if (trial.status != Status::ok || !trial.ci95[u]) continue;
       inside += (*trial.ci95[u])[0] <= truth[u] && truth[u] <= (*trial.ci95[u])[1];
@@ -44,8 +44,8 @@ double coverage(const std::vector<Trial>& trials, const std::vector<double>& tru
   return inside / count;
 }
 
-std::size_t settled(const std::vector<Trial>& trials) {
-  return static_cast<std::size_t>(std::ranges::count(trials, Status::ok, &Trial::status));
+std::size_t settled(const std::vector<study::Trial>& trials) {
+  return static_cast<std::size_t>(std::ranges::count(trials, Status::ok, &study::Trial::status));
 }
 
 class AdmissibleAccuracy : public ::testing::TestWithParam<Setting> {};
@@ -58,10 +58,10 @@ TEST_P(AdmissibleAccuracy, ConstraintsDoNotMakeErrorsLarger) {
   run.scene.identify.method = way.method;
   run.scene.identify.weighting = weighting::Weighting::wb;
   const auto data = problems::trial_data(run.scene, run.problem);
-  const std::vector<Trial> free = run_trials(data, {.trials = seeds});
+  const std::vector<study::Trial> free = study::run_trials(data, {.trials = seeds});
   for (const auto& [kind, matrix] : run.scene.joints[0].matrices) run.scene.joints[0].definite.insert(kind);
   const auto constrained_data = problems::trial_data(run.scene, run.problem);
-  const std::vector<Trial> constrained = run_trials(constrained_data, {.trials = seeds});
+  const std::vector<study::Trial> constrained = study::run_trials(constrained_data, {.trials = seeds});
   std::size_t indefinite = 0;
   const auto plan = problems::plan(run.scene, problems::polluted(run.problem, 1, 0));
   for (std::size_t t = 0; t < seeds; ++t) {

@@ -8,7 +8,7 @@
 #include "ident/algebra/reduced_system.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/study/trial_loop.hpp"
+#include "study/trial_loop.hpp"
 #include "joint_eigenvalues.hpp"
 #include "likelihood_case.hpp"
 
@@ -177,8 +177,8 @@ TEST(AdmissibleStudy, EveryTrialIsAdmissible) {
   LinearCase a1("A1");
   a1.scene.joints[0].definite = both;
   const auto plan = a1.polluted();
-  const std::vector<Trial> trials = run_trials(problems::trial_data(a1.scene, a1.problem), {.trials = 5, .threads = 1});
-  for (const Trial& trial : trials) {
+  const std::vector<study::Trial> trials = study::run_trials(problems::trial_data(a1.scene, a1.problem), {.trials = 5, .threads = 1});
+  for (const study::Trial& trial : trials) {
     for (const Kind kind : both) EXPECT_GE(least_relative_eigenvalue(plan->restriction.matrix(kind, trial.values)), -1e-10);
   }
 }

@@ -12,7 +12,7 @@
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/study/trial_data.hpp"
+#include "study/trial_data.hpp"
 #include "ident/tasks/couple.hpp"
 #include "ident/tasks/equivalent.hpp"
 #include "problems/case/coupling_problem.hpp"
@@ -154,12 +154,12 @@ TEST_F(CorrectedScene, TheMassOfTheRovingAccelerometerIsRemoved) {
 
 TEST_F(CorrectedScene, TrialsBeginWithTheMendedFrfs) {
   const Scene clean = scene_with("A1", "");
-  const auto expected = load_trial_data(clean);
+  const auto expected = study::load_trial_data(clean);
   for (const Mistake& mistake : mistakes()) {
     if (mistake.name != "flip" && mistake.name != "delay") continue;
     const Scene scene = scene_with("A1", files_table(mistake.file, mistake.keys));
     change(mistake.file, mistake.plant, frf::Quantity::receptance);
-    const auto data = load_trial_data(scene);
+    const auto data = study::load_trial_data(scene);
     for (std::size_t s = 0; s < 2; ++s) {
       for (std::size_t i = 0; i < data->base.substructures[s].values.size(); ++i) {
         const Complex right = expected->base.substructures[s].values[i];
@@ -258,9 +258,9 @@ TEST_F(CorrectedScene, JointDofsOnOneSideOnlyAreAnError) {
 
 TEST_F(CorrectedScene, VariancesThatAStudyDoesNotUseAreSaid) {
   const fs::path file = problems::write(problems::make("rig1"), folder_, {});
-  EXPECT_THAT(load_trial_data(read_scene(file))->notes, IsEmpty());
+  EXPECT_THAT(study::load_trial_data(read_scene(file))->notes, IsEmpty());
   std::ofstream(file, std::ios::app) << "\n[noise]\nmodel = \"circular\"\nlevel = 0.01\n";
-  EXPECT_THAT(load_trial_data(read_scene(file))->notes,
+  EXPECT_THAT(study::load_trial_data(read_scene(file))->notes,
               ElementsAre(AllOf(HasSubstr("Trials draw their errors from [noise] (circular)"),
                                 HasSubstr("rig1_assembly.h5 are not used"))));
 }

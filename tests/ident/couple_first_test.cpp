@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/study/trial_runner.hpp"
+#include "study/trial_runner.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
 
@@ -166,8 +166,8 @@ TEST(CoupleFirst, StudiesCoupleTheNoisyParts) {
   const Scene scene = g.scene(Method::one, rotations);
   const auto data = problems::trial_data(scene, g.problem);
   EXPECT_EQ(data->base.substructures.size(), 2u);
-  TrialRunner runner(data);
-  const Trial trial = runner.run(1, 0);
+  study::TrialRunner runner(data);
+  const study::Trial trial = runner.run(1, 0);
   const Solution direct = g.solution(scene, 1);
   ASSERT_EQ(trial.values.size(), direct.unknowns.size());
   for (std::size_t i = 0; i < trial.values.size(); ++i) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ident/study/trial_loop.hpp"
+#include "study/trial_loop.hpp"
 #include "ident/tasks/bound.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
@@ -49,14 +49,14 @@ struct Accuracy {
   double least_coverage(std::size_t trials) const { return 0.95 - 4.0 * std::sqrt(0.95 * 0.05 / double(trials)); }
 };
 
-inline Accuracy accuracy_of(const std::vector<Trial>& trials, const TrialData& data, const std::vector<double>& truth,
+inline Accuracy accuracy_of(const std::vector<study::Trial>& trials, const study::TrialData& data, const std::vector<double>& truth,
                             const std::vector<double>& bound, restrictions::Kind kind) {
   Accuracy out;
   double count = 0.0;
   for (std::size_t u = 0; u < truth.size(); ++u) {
     if (truth[u] == 0.0 || data.unknowns[u].kind != kind) continue;
     double squares = 0.0;
-    for (const Trial& trial : trials) {
+    for (const study::Trial& trial : trials) {
       squares += std::pow(trial.values[u] - truth[u], 2.0);
       out.covered += (*trial.ci95[u])[0] <= truth[u] && truth[u] <= (*trial.ci95[u])[1];
       ++out.intervals;
@@ -67,14 +67,14 @@ inline Accuracy accuracy_of(const std::vector<Trial>& trials, const TrialData& d
     ++count;
   }
   out.mean /= count;
-  for (const Trial& trial : trials) out.failed += trial.status != Status::ok;
+  for (const study::Trial& trial : trials) out.failed += trial.status != Status::ok;
   return out;
 }
 
 inline Accuracy accuracy_of(const LikelihoodCase& run, const std::vector<double>& bound, std::size_t trials,
                             restrictions::Kind kind = restrictions::Kind::stiffness) {
   const auto data = problems::trial_data(run.scene, run.problem);
-  return accuracy_of(run_trials(data, {.trials = trials}), *data, run.truth, bound, kind);
+  return accuracy_of(study::run_trials(data, {.trials = trials}), *data, run.truth, bound, kind);
 }
 
 }  // namespace jointid::ident

@@ -29,7 +29,7 @@ TEST(LikelihoodAccuracy, ReachesTheBoundAtFivePerCent) {
 TEST(LikelihoodAccuracy, TinyNoiseGivesTheTruth) {
   LikelihoodCase a1("A1");
   const std::vector<double> bound = a1.at(1e-6).bound();
-  const auto trials = run_trials(problems::trial_data(a1.scene, a1.problem), {.trials = 1});
+  const auto trials = study::run_trials(problems::trial_data(a1.scene, a1.problem), {.trials = 1});
   ASSERT_EQ(trials[0].status, Status::ok);
   for (std::size_t u = 0; u < a1.truth.size(); ++u) {
     EXPECT_NEAR(trials[0].values[u], a1.truth[u], 5.0 * bound[u]) << a1.problem.unknowns[u].name;

@@ -4,8 +4,8 @@
 
 #include "counted_memory.hpp"
 #include "frf/hdf5/table_file.hpp"
-#include "ident/study/study.hpp"
-#include "ident/study/study_statistics.hpp"
+#include "study/study.hpp"
+#include "study/study_statistics.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
@@ -14,23 +14,23 @@ namespace jointid::ident {
 namespace {
 
 /// Two lines of case A1: a trial takes little time.
-std::shared_ptr<const TrialData> small_data() {
+std::shared_ptr<const study::TrialData> small_data() {
   const problems::Problem problem = problems::make("A1");
   Scene scene = problems::scene(problem);
   scene.frequency.range_hz = Range{500.0, 520.0};
   return problems::trial_data(scene, problem);
 }
 
-std::size_t peak_of_study(const std::shared_ptr<const TrialData>& data, std::size_t trials) {
-  StudyOptions options;
+std::size_t peak_of_study(const std::shared_ptr<const study::TrialData>& data, std::size_t trials) {
+  study::StudyOptions options;
   options.trials = trials;
   options.threads = 1;
   const TestFolder folder;
   options.out = folder / "study.h5";
   const auto team = make_team_of_one();
   return peak_bytes_of([&] {
-    EXPECT_TRUE(run_study(data, options, *team).complete);
-    EXPECT_EQ(study_statistics(options.out).trials, trials);
+    EXPECT_TRUE(study::run_study(data, options, *team).complete);
+    EXPECT_EQ(study::study_statistics(options.out).trials, trials);
   });
 }
 
@@ -54,7 +54,7 @@ std::size_t peak_of_statistics(std::size_t trials) {
     table.append(std::vector<double>{0.0, spread});
   }
   table.finish();
-  return peak_bytes_of([&] { EXPECT_NEAR(study_statistics(path).unknowns.front().quantiles[2], 0.5, 0.01); });
+  return peak_bytes_of([&] { EXPECT_NEAR(study::study_statistics(path).unknowns.front().quantiles[2], 0.5, 0.01); });
 }
 
 TEST(StudyMemory, OfStatisticsIsBounded) {

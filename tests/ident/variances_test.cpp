@@ -7,7 +7,7 @@
 #include "base/statistics.hpp"
 #include "frf/noise/repeats.hpp"
 #include "frf/set/h1.hpp"
-#include "ident/study/trial_runner.hpp"
+#include "study/trial_runner.hpp"
 #include "memory_systems.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
@@ -305,9 +305,9 @@ VarianceOrigin origin_in_study(const std::string& name, const std::optional<frf:
   const problems::Problem problem = problems::make(name);
   Scene scene = problems::scene(problem);
   scene.identify.variance = choice;
-  const Measurements clean{problem.substructures, {problem.assembly}};
-  const auto data = noise ? make_trial_data(scene, clean, *noise) : problems::trial_data(scene, problem);
-  TrialRunner runner(data);
+  const study::Measurements clean{problem.substructures, {problem.assembly}};
+  const auto data = noise ? study::make_trial_data(scene, clean, *noise) : problems::trial_data(scene, problem);
+  study::TrialRunner runner(data);
   runner.run(1, 1);
   const Plan& plan = runner.plan();
   const Dofs some = {plan.assembly->responses().front()};

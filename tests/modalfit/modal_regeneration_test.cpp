@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/tasks/comparison.hpp"
+#include "study/comparison.hpp"
 #include "problems/case/modal_set.hpp"
 
 namespace jointid::ident {

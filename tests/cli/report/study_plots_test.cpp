@@ -45,7 +45,7 @@ class StudyPlots : public testing::Test {
 };
 
 PlotGroup unknowns_of(const std::filesystem::path& file, std::size_t most) {
-  return unknown_histograms(file, ident::study_statistics(file), most);
+  return unknown_histograms(file, study::study_statistics(file), most);
 }
 
 const HistogramPlot& histogram(const PlotGroup& group, std::size_t choice, std::size_t plot) {
@@ -82,14 +82,14 @@ TEST_F(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
 TEST_F(StudyPlots, WhatDoesNotVaryIsLeftOut) {
   EXPECT_TRUE(unknowns_of(study_file(2, 1, 5.0, 5.0), 10).choices.empty());
   const auto file = study_file(1, 50, 0.0, without_value);
-  const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
+  const PlotGroup group = quality_histograms(file, study::study_statistics(file));
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].plots.size(), 2U) << "the rms error is always 0.5";
 }
 
 TEST_F(StudyPlots, RjcfEndsAtOne) {
   const auto file = study_file(1, 50, 0.0, without_value);
-  const PlotGroup group = quality_histograms(file, ident::study_statistics(file));
+  const PlotGroup group = quality_histograms(file, study::study_statistics(file));
   EXPECT_EQ(histogram(group, 0, 0).high, 1.0);
   EXPECT_EQ(sum(histogram(group, 0, 0).counts), 50.0);
   EXPECT_GT(histogram(group, 0, 1).high, 1.0);
@@ -99,7 +99,7 @@ class StudyReportPage : public StudyPlots {};
 
 TEST_F(StudyReportPage, TellsTheSceneAndStaysSmall) {
   const auto file = study_file(1000, 30, 0.0, 10.0);
-  const StudyReport report{"title", file.string(), 7, {}, ident::study_statistics(file)};
+  const StudyReport report{"title", file.string(), 7, {}, study::study_statistics(file)};
   ident::Scene scene;
   scene.title = "A <joint>";
   scene.noise = ident::NoiseSection{"uniform", 0.05, {}};

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "ident/scene/scene.hpp"
+
+namespace jointid::study {
+
+struct StudyOptions {
+  std::size_t trials = 1000;  ///< ≥ 1; trial numbers 0 … trials−1
+  std::uint64_t seed = 1;
+  std::size_t threads = 0;  ///< per process; 0: all cores. The result does not depend on it.
+  bool resume = false;      ///< take up what an interrupted run of the same study left
+  ident::Path out;                 ///< the result; until it is complete the trials are in OUT.partial
+  std::map<std::string, std::string> texts;  ///< what else the results depend on (scene, version): kept in the file
+};
+
+/// OUT.partial.
+inline ident::Path journal_path(const ident::Path& out) { return out.string() + ".partial"; }
+
+}  // namespace jointid::study

@@ -1,0 +1,278 @@
+#include "study/trial_data.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+#include "base/error.hpp"
+#include "frf/noise/polluter.hpp"
+#include "ident/identify.hpp"
+#include "ident/plan/data_source.hpp"
+#include "ident/plan/true_values.hpp"
+#include "ident/result/quality.hpp"
+#include "study/trial_noise.hpp"
+#include "study/trial_regeneration.hpp"
+
+namespace jointid::study {
+namespace {
+
+using Sources = std::vector<std::unique_ptr<frf::FrfSource>>;
+
+/// Passes blocks on and remembers which responses and references were asked for.
+class Recorder final : public frf::FrfSource {
+ public:
+  explicit Recorder(std::unique_ptr<frf::FrfSource> source) : source_(std::move(source)) { header_ = source_->header(); }
+
+  void forget() {
+    responses_.clear();
+    references_.clear();
+  }
+  void want_all() {
+    for (std::size_t i = 0; i < header_.response.size(); ++i) responses_.insert(i);
+    for (std::size_t i = 0; i < header_.reference.size(); ++i) references_.insert(i);
+  }
+
+  /// What was asked for, at the given lines; one FRF when nothing was.
+  frf::Excerpt excerpt(const std::vector<std::size_t>& lines) {
+    if (responses_.empty()) responses_.insert(0);
+    if (references_.empty()) references_.insert(0);
+    const std::vector<std::size_t> responses(responses_.begin(), responses_.end());
+    const std::vector<std::size_t> references(references_.begin(), references_.end());
+    return frf::excerpt(*source_, {lines, responses, references});
+  }
+
+ private:
+  void remember(const frf::Block& block) {
+    responses_.insert(block.responses.begin(), block.responses.end());
+    references_.insert(block.references.begin(), block.references.end());
+  }
+  void do_read(const frf::Block& block, std::span<Complex> out) override {
+    remember(block);
+    source_->read(block, out);
+  }
+  void do_read_variance(const frf::Block& block, std::span<Complex> out) override {
+    remember(block);
+    source_->read_variance(block, out);
+  }
+  void do_read_coherence(const frf::Block& block, std::span<double> out) override {
+    remember(block);
+    source_->read_coherence(block, out);
+  }
+
+  std::unique_ptr<frf::FrfSource> source_;
+  std::set<std::size_t> responses_, references_;
+};
+
+/// A system whose sources remember what is read of them.
+struct Recorded {
+  std::unique_ptr<frf::FrfSystem> system;
+  std::vector<Recorder*> recorders;
+};
+
+Recorded record(const char* name, Sources sources, frf::Composition composition, bool reciprocity) {
+  Recorded out;
+  for (auto& source : sources) {
+    auto recorder = std::make_unique<Recorder>(std::move(source));
+    out.recorders.push_back(recorder.get());
+    source = std::move(recorder);
+  }
+  out.system = std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, reciprocity);
+  return out;
+}
+
+struct Excerpts {
+  std::vector<frf::Excerpt> substructures, assembly;
+};
+
+std::vector<std::size_t> all_lines(const frf::FrfHeader& header) {
+  std::vector<std::size_t> lines(header.lines());
+  std::iota(lines.begin(), lines.end(), std::size_t{0});
+  return lines;
+}
+
+/// The scatter of an FRF is seen on lines next to each other, those not in use as well; modes on all of them.
+bool needs_all_lines(const ident::Scene& scene) {
+  return scene.identify.variance == ident::VarianceChoice::local || scene.data.regenerate.any();
+}
+
+std::vector<frf::Excerpt> take(const ident::Plan& plan, const frf::FrfSystem& system, std::size_t ident::Line::*line_of,
+                               const std::vector<Recorder*>& recorders) {
+  std::vector<double> axis;
+  for (const ident::Line& line : plan.lines) axis.push_back(line.frequency_hz);
+  std::vector<frf::Excerpt> excerpts;
+  for (std::size_t s = 0; s < recorders.size(); ++s) {
+    if (needs_all_lines(plan.scene)) {
+      excerpts.push_back(recorders[s]->excerpt(all_lines(recorders[s]->header())));
+      continue;
+    }
+    std::vector<std::size_t> lines;
+    for (const ident::Line& line : plan.lines) lines.push_back(system.source_line(s, line.*line_of));
+    excerpts.push_back(recorders[s]->excerpt(lines));
+    excerpts.back().set.header.frequency_hz = axis;
+  }
+  return excerpts;
+}
+
+Measurements sets_of(const Excerpts& excerpts) {
+  Measurements out;
+  for (const frf::Excerpt& excerpt : excerpts.substructures) out.substructures.push_back(excerpt.set);
+  for (const frf::Excerpt& excerpt : excerpts.assembly) out.assembly.push_back(excerpt.set);
+  return out;
+}
+
+/// The scene for the excerpt: what was chosen on the whole data is not chosen again unless it has all lines.
+ident::Scene scene_of_excerpt(const ident::Plan& plan) {
+  ident::Scene scene = plan.scene;
+  if (!needs_all_lines(scene)) scene.frequency = {};
+  scene.identify.equations = plan.equations;
+  return scene;
+}
+
+void describe(const ident::Plan& plan, TrialData& out) {
+  const auto truth = ident::true_values(plan.restriction, plan.scene.truth);
+  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
+    const std::size_t unknown = plan.columns->unknown_of(column);
+    out.unknowns.push_back({.name = plan.columns->name(column, plan.restriction),
+                            .unit = plan.restriction.unknowns[unknown].unit,
+                            .kind = plan.restriction.unknowns[unknown].kind,
+                            .truth = truth[unknown]});
+  }
+  for (const auto& [kind, matrix] : plan.scene.truth) {
+    if (plan.restriction.has(kind) && ident::judge(matrix, matrix)) out.judged.push_back(kind);
+  }
+  out.lines = plan.lines.size();
+  out.equations_per_line = plan.cost.equations_per_line;
+}
+
+/// Plans on the whole data, takes what the plan reads, and hands it to `make_pollution`.
+template <class MakePollution>
+std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly, bool all_dofs,
+                                         const MakePollution& make_pollution) {
+  const bool reciprocity = scene.data.reciprocity;
+  Recorded sub = record("substructures", std::move(substructures), frf::Composition::uncoupled, reciprocity);
+  Recorded joined = record("assembly", std::move(assembly), frf::Composition::merged, reciprocity);
+  const std::shared_ptr<frf::FrfSystem> parts = std::move(sub.system);  // couple_first couples them, line by line
+  const auto plan = ident::make_plan(scene, parts, std::move(joined.system));
+  for (const auto* recorders : {&sub.recorders, &joined.recorders}) {
+    for (Recorder* recorder : *recorders) all_dofs ? recorder->want_all() : recorder->forget();
+  }
+  plan->method->read_first_line(*plan);
+  const Excerpts excerpts{take(*plan, *parts, &ident::Line::substructures, sub.recorders),
+                          take(*plan, *plan->assembly, &ident::Line::assembly, joined.recorders)};
+  auto data = std::make_shared<TrialData>();
+  data->scene = scene_of_excerpt(*plan);
+  data->base = sets_of(excerpts);
+  data->pollution = with_regeneration(make_pollution(excerpts), scene);
+  describe(*plan, *data);
+  data->notes = plan->warnings;
+  if (!plan->chosen.empty()) data->notes.push_back("Chosen: " + plan->chosen + ".");
+  return data;
+}
+
+[[noreturn]] void fail(const ident::Scene& scene, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = scene.file.string(),
+                    .place = "[noise]",
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+/// The model of [noise], or of a hammer test when every set says how coherent it is.
+frf::NoiseModel noise_of(const ident::Scene& scene, const Sources& substructures, const Sources& assembly) {
+  if (scene.noise) {
+    if (scene.noise->model == "modal") {
+      fail(scene, "model \"modal\" needs the modes of the structures, which FRF files do not hold",
+           "use uniform, gaussian, circular or hammer");
+    }
+    return scene.noise->frf_model;
+  }
+  for (const Sources* sources : {&substructures, &assembly}) {
+    for (const auto& source : *sources) {
+      const frf::FrfHeader& header = source->header();
+      if (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0) continue;
+      fail(scene, "it is missing, and " + header.file + " has no coherence with its number of averages",
+           "add [noise] with model and level");
+    }
+  }
+  return {.kind = frf::NoiseKind::hammer};
+}
+
+/// The averages behind the coherences of a set are known better there than in the model.
+frf::Polluter polluter(const frf::Excerpt& excerpt, frf::NoiseModel model) {
+  const frf::FrfHeader& header = excerpt.set.header;
+  if (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0) {
+    model.averages = static_cast<int>(header.averages);
+  }
+  return frf::Polluter(excerpt, model);
+}
+
+Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model) {
+  std::vector<frf::Polluter> substructures, assembly;
+  for (const frf::Excerpt& excerpt : excerpts.substructures) substructures.push_back(polluter(excerpt, model));
+  for (const frf::Excerpt& excerpt : excerpts.assembly) assembly.push_back(polluter(excerpt, model));
+  return [substructures, assembly](std::uint64_t seed, std::uint64_t trial, Measurements& data) mutable {
+    std::uint64_t set = 0;
+    for (std::size_t i = 0; i < substructures.size(); ++i) {
+      substructures[i].pollute(data.substructures[i], {seed, trial, set++});
+    }
+    for (std::size_t i = 0; i < assembly.size(); ++i) assembly[i].pollute(data.assembly[i], {seed, trial, set++});
+  };
+}
+
+/// Sources that refer to sets which outlive them.
+Sources refer_to(const std::vector<frf::FrfSet>& sets) {
+  Sources sources;
+  for (const frf::FrfSet& set : sets) {
+    sources.push_back(frf::from_shared(std::shared_ptr<const frf::FrfSet>(std::shared_ptr<void>(), &set)));
+  }
+  return sources;
+}
+
+/// What the files say of their own noise is of no use where [noise] is there.
+std::string unused_noise(const ident::Scene& scene, const Sources& substructures, const Sources& assembly) {
+  std::string files;
+  for (const Sources* sources : {&substructures, &assembly}) {
+    for (const auto& source : *sources) {
+      const frf::NoiseRecord record = source->header().noise;
+      const bool hammer = scene.noise && scene.noise->frf_model.kind == frf::NoiseKind::hammer;  // takes the coherences of the files
+      if (record == frf::NoiseRecord::none || (record == frf::NoiseRecord::coherence && hammer)) continue;
+      files += (files.empty() ? "" : ", ") + source->header().file;
+    }
+  }
+  if (!scene.noise || files.empty()) return {};
+  return "Trials draw their errors from [noise] (" + scene.noise->model + "): the variances or coherences of " + files + " are not used.";
+}
+
+std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly, const frf::NoiseModel& noise) {
+  frf::validate(noise);
+  const bool all_dofs = noise.position_errors > 0.0 || scene.data.regenerate.any();
+  const auto data = prepare(scene, std::move(substructures), std::move(assembly), all_dofs,
+                            [&](const Excerpts& excerpts) { return pollution_of(excerpts, noise); });
+  declare_noise(noise, *data);
+  declare_regeneration(*data);
+  return data;
+}
+
+}  // namespace
+
+std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
+  Sources substructures = open_all(scene.data.substructures), assembly = open_all(scene.data.assembly);
+  const frf::NoiseModel noise = noise_of(scene, substructures, assembly);
+  const std::string unused = unused_noise(scene, substructures, assembly);
+  const auto data = prepare(scene, std::move(substructures), std::move(assembly), noise);
+  if (!unused.empty()) data->notes.push_back(unused);
+  return data;
+}
+
+std::shared_ptr<const TrialData> make_trial_data(const ident::Scene& scene, const Measurements& base, Pollution pollution) {
+  auto data = prepare(scene, refer_to(base.substructures), refer_to(base.assembly), scene.data.regenerate.any(),
+                      [&](const Excerpts&) { return std::move(pollution); });
+  declare_regeneration(*data);
+  return data;
+}
+
+std::shared_ptr<const TrialData> make_trial_data(const ident::Scene& scene, const Measurements& base, const frf::NoiseModel& noise) {
+  return prepare(scene, refer_to(base.substructures), refer_to(base.assembly), noise);
+}
+
+}  // namespace jointid::study
