@@ -35,7 +35,7 @@ std::vector<std::vector<Index>> dependent(const MatrixXcd& covariance) {
 }
 
 MatrixXcd factor_of(const MatrixXcd& correlation) {
-  for (double share = 1e-8;; share *= 10.0) {
+  for (double share = 1e-12;; share *= 10.0) {
     MatrixXcd factor = correlation;
     factor.diagonal().array() += share;
     factor /= 1.0 + share;
