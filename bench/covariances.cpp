@@ -86,7 +86,7 @@ problems::Measurement measured(const problems::Problem& problem, std::uint64_t s
 /// Errors of all unknowns over tests.
 struct Figures {
   std::size_t inside = 0, count = 0, not_ok = 0;
-  double squares = 0.0;  ///< of relative errors
+  double squares = 0.0;  ///< of errors in parts of the largest unknown of their unit
   double chi_square = 0.0;
   std::vector<double> times;
 
@@ -107,8 +107,12 @@ void add(const problems::Problem& problem, const ident::Scene& scene, std::uint6
     const ident::Estimate& unknown = solution.unknowns[i];
     const double truth = problem.unknowns[i].value;
     if (truth == 0.0 || !unknown.ci95) continue;
+    double largest = 0.0;
+    for (std::size_t k = 0; k < solution.unknowns.size(); ++k) {
+      if (solution.unknowns[k].unit == unknown.unit) largest = std::max(largest, std::abs(problem.unknowns[k].value));
+    }
     to.inside += (*unknown.ci95)[0] <= truth && truth <= (*unknown.ci95)[1] ? 1 : 0;
-    to.squares += std::pow(unknown.value / truth - 1.0, 2);
+    to.squares += std::pow((unknown.value - truth) / largest, 2);
     ++to.count;
   }
 }

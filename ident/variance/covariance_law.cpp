@@ -16,7 +16,7 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr int most_iterations = 100;
+constexpr int most_iterations = 40;
 constexpr double settled = 1e-3;  ///< relative change of variances in an iteration
 
 /// f(r, sample) for every response, its median over the samples.

@@ -42,8 +42,10 @@ double freedom_of(const frf::FrfHeader& header) {
   return std::max(0.0, header.averages - 1.0);
 }
 
-/// The law of the responses that are known on half of the samples at least; zero for the others.
-CovarianceLaw law_of(const std::vector<CovarianceSample>& samples, Eigen::Index size) {
+/// The law of the responses that are known on half of the samples at least, zero for the others; none from so few samples, of `freedom`
+/// degrees each, that it would be little more than theirs.
+CovarianceLaw law_of(const std::vector<CovarianceSample>& samples, Eigen::Index size, double freedom) {
+  constexpr double enough = 3.0;  // degrees of freedom a response
   const auto is_known = [](const CovarianceSample& s, Eigen::Index r) {
     return std::isfinite(s.frf[r].real()) && std::isfinite(s.covariance(r, r).real());
   };
@@ -57,7 +59,7 @@ CovarianceLaw law_of(const std::vector<CovarianceSample>& samples, Eigen::Index 
     CovarianceSample part{sample.frf(some), sample.covariance(some, some)};
     if (part.frf.allFinite() && part.covariance.allFinite()) known.push_back(std::move(part));
   }
-  if (some.empty() || known.empty()) return {};
+  if (some.empty() || static_cast<double>(known.size()) * freedom < enough * static_cast<double>(some.size())) return {};
   const CovarianceLaw fitted = fit_covariance(std::move(known));
   CovarianceLaw law{MatrixXcd::Zero(size, size), MatrixXcd::Zero(size, size)};
   law.proportional(some, some) = fitted.proportional;
@@ -146,7 +148,7 @@ void FrfCovariances::prepare(std::span<const std::size_t> lines) {
       const double factor = frf::squared_factor(source.header().quantity, source.header().frequency_hz[at_lines[i]]);
       samples.push_back({stored.frf(i) / std::sqrt(factor), stored.covariance(i) / factor});
     }
-    group.law = law_of(samples, at(group.responses.size()));
+    group.law = law_of(samples, at(group.responses.size()), std::max(1.0, freedom_of(source.header())));
   }
 }
 
@@ -160,7 +162,7 @@ void FrfCovariances::read(std::span<const std::size_t> lines) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const VectorXcd frf = stored.frf(i);
       MatrixXcd covariance = stored.covariance(i);
-      if (group.by_law && group.law.constant.size() > 0) {
+      if (group.law.constant.size() > 0) {
         const double factor = frf::squared_factor(source.header().quantity, source.header().frequency_hz[at_lines[i]]);
         covariance = group.law(frf, factor);
       } else {

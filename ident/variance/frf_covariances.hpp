@@ -49,7 +49,7 @@ class FrfCovariances {
   StoredError error(std::size_t i, std::size_t row, std::size_t column) const;
 
   /// Whether its variance is that of the law, the diagonal of the group's covariance.
-  bool by_law(const StoredError& error) const { return groups_[error.group].by_law; }
+  bool by_law(const StoredError& error) const { return groups_[error.group].law.constant.size() > 0; }
 
  private:
   struct Group {
