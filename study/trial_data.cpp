@@ -10,6 +10,7 @@
 #include "ident/plan/data_source.hpp"
 #include "ident/plan/true_values.hpp"
 #include "ident/result/quality.hpp"
+#include "study/recorded_noise.hpp"
 #include "study/trial_noise.hpp"
 #include "study/trial_regeneration.hpp"
 
@@ -38,8 +39,14 @@ class Recorder final : public frf::FrfSource {
     if (references_.empty()) references_.insert(0);
     const std::vector<std::size_t> responses(responses_.begin(), responses_.end());
     const std::vector<std::size_t> references(references_.begin(), references_.end());
-    return frf::excerpt(*source_, {lines, responses, references});
+    const frf::Block block{lines, responses, references};
+    frf::Excerpt out = frf::excerpt(*source_, block);
+    if (keep_covariance_) out.set.covariance = covariance_of(*source_, block);
+    return out;
   }
+
+  void keep_covariance() { keep_covariance_ = true; }
+  bool has_covariance() const override { return source_->has_covariance(); }
 
  private:
   void remember(const frf::Block& block) {
@@ -58,8 +65,10 @@ class Recorder final : public frf::FrfSource {
     remember(block);
     source_->read_coherence(block, out);
   }
+  void do_read_covariance(const frf::Block& pairs, std::span<Complex> out) override { read_pairs(*source_, pairs, out); }
 
   std::unique_ptr<frf::FrfSource> source_;
+  bool keep_covariance_ = false;  ///< in excerpts
   std::set<std::size_t> responses_, references_;
 };
 
@@ -146,15 +155,18 @@ void describe(const ident::Plan& plan, TrialData& out) {
 
 /// Plans on the whole data, takes what the plan reads, and hands it to `make_pollution`.
 template <class MakePollution>
-std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly, bool all_dofs,
-                                         const MakePollution& make_pollution) {
+std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly, bool all_dofs, bool covariances,
+                                   const MakePollution& make_pollution) {
   const bool reciprocity = scene.data.reciprocity;
   Recorded sub = record("substructures", std::move(substructures), frf::Composition::uncoupled, reciprocity);
   Recorded joined = record("assembly", std::move(assembly), frf::Composition::merged, reciprocity);
   const std::shared_ptr<frf::FrfSystem> parts = std::move(sub.system);  // couple_first couples them, line by line
   const auto plan = ident::make_plan(scene, parts, std::move(joined.system));
   for (const auto* recorders : {&sub.recorders, &joined.recorders}) {
-    for (Recorder* recorder : *recorders) all_dofs ? recorder->want_all() : recorder->forget();
+    for (Recorder* recorder : *recorders) {
+      all_dofs ? recorder->want_all() : recorder->forget();
+      if (covariances && recorder->has_covariance()) recorder->keep_covariance();
+    }
   }
   plan->method->read_first_line(*plan);
   const Excerpts excerpts{take(*plan, *parts, &ident::Line::substructures, sub.recorders),
@@ -191,7 +203,7 @@ frf::NoiseModel noise_of(const ident::Scene& scene, const Sources& substructures
       const frf::FrfHeader& header = source->header();
       if (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0) continue;
       fail(scene, "it is missing, and " + header.file + " has no coherence with its number of averages",
-           "add [noise] with model and level");
+           "add [noise] with model and level, or give variances and covariances in all files (`jointid frf`)");
     }
   }
   return {.kind = frf::NoiseKind::hammer};
@@ -215,6 +227,30 @@ Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model) {
     for (std::size_t i = 0; i < substructures.size(); ++i) {
       substructures[i].pollute(data.substructures[i], {seed, trial, set++});
     }
+    for (std::size_t i = 0; i < assembly.size(); ++i) assembly[i].pollute(data.assembly[i], {seed, trial, set++});
+  };
+}
+
+/// With covariances in a file, and variances in all, trials draw their errors from these.
+bool draws_from_files(const ident::Scene& scene, const Sources& substructures, const Sources& assembly) {
+  if (scene.noise) return false;
+  bool any = false;
+  for (const Sources* sources : {&substructures, &assembly}) {
+    for (const auto& source : *sources) {
+      if (source->header().noise != frf::NoiseRecord::variance) return false;
+      any = any || source->has_covariance();
+    }
+  }
+  return any;
+}
+
+Pollution recorded_pollution(const Excerpts& excerpts) {
+  std::vector<RecordedNoise> substructures, assembly;
+  for (const frf::Excerpt& excerpt : excerpts.substructures) substructures.emplace_back(excerpt);
+  for (const frf::Excerpt& excerpt : excerpts.assembly) assembly.emplace_back(excerpt);
+  return [substructures, assembly](std::uint64_t seed, std::uint64_t trial, Measurements& data) {
+    std::uint64_t set = 0;
+    for (std::size_t i = 0; i < substructures.size(); ++i) substructures[i].pollute(data.substructures[i], {seed, trial, set++});
     for (std::size_t i = 0; i < assembly.size(); ++i) assembly[i].pollute(data.assembly[i], {seed, trial, set++});
   };
 }
@@ -246,7 +282,7 @@ std::string unused_noise(const ident::Scene& scene, const Sources& substructures
 std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly, const frf::NoiseModel& noise) {
   frf::validate(noise);
   const bool all_dofs = noise.position_errors > 0.0 || scene.data.regenerate.any();
-  const auto data = prepare(scene, std::move(substructures), std::move(assembly), all_dofs,
+  const auto data = prepare(scene, std::move(substructures), std::move(assembly), all_dofs, false,
                             [&](const Excerpts& excerpts) { return pollution_of(excerpts, noise); });
   declare_noise(noise, *data);
   declare_regeneration(*data);
@@ -257,6 +293,12 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
 
 std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
   Sources substructures = open_all(scene.data.substructures), assembly = open_all(scene.data.assembly);
+  if (draws_from_files(scene, substructures, assembly)) {
+    const auto data = prepare(scene, std::move(substructures), std::move(assembly), scene.data.regenerate.any(), true, recorded_pollution);
+    declare_regeneration(*data);
+    data->notes.push_back("Trials draw their errors from the variances and covariances of the files.");
+    return data;
+  }
   const frf::NoiseModel noise = noise_of(scene, substructures, assembly);
   const std::string unused = unused_noise(scene, substructures, assembly);
   const auto data = prepare(scene, std::move(substructures), std::move(assembly), noise);
@@ -265,7 +307,7 @@ std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
 }
 
 std::shared_ptr<const TrialData> make_trial_data(const ident::Scene& scene, const Measurements& base, Pollution pollution) {
-  auto data = prepare(scene, refer_to(base.substructures), refer_to(base.assembly), scene.data.regenerate.any(),
+  auto data = prepare(scene, refer_to(base.substructures), refer_to(base.assembly), scene.data.regenerate.any(), true,
                       [&](const Excerpts&) { return std::move(pollution); });
   declare_regeneration(*data);
   return data;

@@ -26,7 +26,9 @@ frf::OpenOptions options_of_file(const frf::OpenOptions& options, std::size_t k,
 std::unique_ptr<frf::FrfSource> open_as_one(const std::vector<std::filesystem::path>& files, const frf::OpenOptions& options) {
   if (files.size() == 1) return frf::open(files.front(), options);
   std::vector<frf::FrfSet> sets;
-  for (std::size_t k = 0; k < files.size(); ++k) sets.push_back(frf::load(*frf::open(files[k], options_of_file(options, k, files.size()))));
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    sets.push_back(frf::load_with_covariance(*frf::open(files[k], options_of_file(options, k, files.size()))));
+  }
   return frf::from_memory(frf::merged(std::move(sets)));
 }
 

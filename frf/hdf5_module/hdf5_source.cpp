@@ -117,18 +117,23 @@ class Hdf5Source final : public FrfSource {
       if (has_coherence) fail(file_, "has both variance and coherence", "keep the one that was measured");
       variance_.emplace(file_, "variance", header_);
       header_.noise = NoiseRecord::variance;
+      header_.averages = read_averages("variance");
       if (hdf5::has(file_, "covariance")) open_covariance();
     } else if (has_coherence) {
       coherence_.emplace(file_, "coherence", header_);
-      const Dataset dataset = open_dataset(file_, "coherence");
-      const std::optional<double> averages = hdf5::number_attribute(dataset, "averages");
-      if (averages && !(*averages >= 1.0)) {
-        fail(dataset, fmt::format("attribute averages is {}", *averages),
-             "write the number of averages behind the coherence, or leave it out");
-      }
-      header_.averages = averages.value_or(0.0);
+      header_.averages = read_averages("coherence");
       header_.noise = NoiseRecord::coherence;
     }
+  }
+
+  double read_averages(const char* name) {
+    const Dataset dataset = open_dataset(file_, name);
+    const std::optional<double> averages = hdf5::number_attribute(dataset, "averages");
+    if (averages && !(*averages >= 1.0)) {
+      fail(dataset, fmt::format("attribute averages is {}", *averages),
+           fmt::format("write the number of averages behind the {}, or leave it out", name));
+    }
+    return averages.value_or(0.0);
   }
 
   /// Nothing of it is read before it is asked for.

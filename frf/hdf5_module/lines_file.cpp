@@ -92,11 +92,10 @@ class Lines {
               hdf5::write_text_attribute(frf_, "unit", unit(quantity_));
     if (ok && header_.noise == NoiseRecord::variance) {
       noise_ = hdf5::create_lines(output_.file(), "variance", complex, dims, lines_per_chunk_, compression);
-      ok = noise_.is_open();
+      ok = noise_.is_open() && write_averages();
     } else if (ok && header_.noise == NoiseRecord::coherence) {
       noise_ = hdf5::create_lines(output_.file(), "coherence", real, dims, lines_per_chunk_, compression);
-      ok = noise_.is_open() &&
-           (header_.averages == 0.0 || hdf5::write_number_attribute(noise_, "averages", header_.averages));
+      ok = noise_.is_open() && write_averages();
     }
     if (ok && with_covariance_) {
       covariance_ = hdf5::create_lines(output_.file(), "covariance", complex, {dims[0], pairs(), dims[2]}, lines_per_chunk_, compression);
@@ -104,6 +103,8 @@ class Lines {
     }
     return ok;
   }
+
+  bool write_averages() { return header_.averages == 0.0 || hdf5::write_number_attribute(noise_, "averages", header_.averages); }
 
   /// Writes receptances, their variances or covariances, `rows` × references a line, in the stored quantity; `scale(line scale, value)`
   /// converts one.

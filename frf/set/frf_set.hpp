@@ -29,7 +29,7 @@ struct FrfHeader {
   std::vector<Dof> reference;        ///< [C] no coordinate twice
   Quantity quantity = Quantity::receptance;  ///< as stored; values are handed out as receptance
   NoiseRecord noise = NoiseRecord::none;
-  double averages = 0.0;  ///< number of averages behind a coherence, 0 if none
+  double averages = 0.0;  ///< number of averages behind coherences or variances, 0 if not known
   std::size_t repeats = 0;  ///< runs whose scatter gave the variances, 0 if none
   double precision = 0x1p-53;  ///< largest relative rounding error of the numbers as they were stored
   std::vector<Node> nodes;

@@ -16,6 +16,11 @@ void add_dofs(std::vector<Dof>& to, const std::vector<Dof>& from) {
   }
 }
 
+/// 0 where a set does not say it.
+double fewest_averages(const std::vector<FrfSet>& sets) {
+  return std::ranges::min(sets, {}, [](const FrfSet& set) { return set.header.averages; }).header.averages;
+}
+
 FrfSet empty_union(const std::vector<FrfSet>& sets) {
   FrfSet out;
   out.header = sets.front().header;
@@ -33,6 +38,11 @@ FrfSet empty_union(const std::vector<FrfSet>& sets) {
   out.header.repeats = 0;
   out.values.assign(out.header.lines() * out.header.entries(), {nan, nan});
   if (noise) out.variance = out.values;
+  const bool covariance = noise && std::ranges::any_of(sets, [](const FrfSet& set) { return !set.covariance.empty(); });
+  if (covariance) {
+    out.covariance.assign(out.header.lines() * pair_count(out.header.response.size()) * out.header.reference.size(), {nan, nan});
+    out.header.averages = fewest_averages(sets);
+  }
   return out;
 }
 
@@ -41,6 +51,64 @@ void require_same_lines(const FrfSet& first, const FrfSet& set) {
   if (first.header.lines() == set.header.lines() && std::ranges::find(partners, npos) == partners.end()) return;
   fail(set.header, "frequency", "its lines, " + range_text(set.header.frequency_hz) + ", are not those of " + first.header.file + ", " +
        range_text(first.header.frequency_hz), "measure or convert them to one axis");
+}
+
+/// What places of a set are in the union.
+struct Places {
+  std::vector<std::size_t> row, column;
+  std::vector<double> row_sign;
+};
+
+Places places_of(const FrfSet& set, const FrfSet& out) {
+  Places places;
+  for (const Dof& response : set.header.response) {
+    places.row.push_back(find_coordinate(out.header.response, response));
+    places.row_sign.push_back(response.sign * out.header.response[places.row.back()].sign);
+  }
+  for (const Dof& reference : set.header.reference) places.column.push_back(find_coordinate(out.header.reference, reference));
+  return places;
+}
+
+/// Errors of different sets are independent; a set without covariances tells the variances alone.
+void put_covariance(const FrfSet& set, FrfSet& out) {
+  const Places places = places_of(set, out);
+  const std::size_t columns = set.header.reference.size(), pairs = pair_count(set.header.response.size()),
+                    all_columns = out.header.reference.size(), all_pairs = pair_count(out.header.response.size());
+  for (std::size_t line = 0; line < set.header.lines(); ++line) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      for (std::size_t r = 0; r < places.row.size(); ++r) {
+        for (std::size_t s = 0; s <= r; ++s) {
+          const std::size_t row = places.row[r], other = places.row[s];
+          if (std::isnan(set.values[set.index(line, r, c)].real()) || std::isnan(set.values[set.index(line, s, c)].real())) continue;
+          Complex value = 0.0;
+          if (!set.covariance.empty()) {
+            value = places.row_sign[r] * places.row_sign[s] * set.covariance[(line * pairs + pair_index(r, s)) * columns + c];
+          } else if (r == s) {
+            const Complex variance = recorded_variance(set, set.index(line, r, c));
+            value = variance.real() + variance.imag();
+          }
+          out.covariance[(line * all_pairs + pair_index(std::max(row, other), std::min(row, other))) * all_columns + places.column[c]] =
+              row < other ? std::conj(value) : value;
+        }
+      }
+    }
+  }
+}
+
+/// Between FRFs to one reference that are of different sets.
+void put_independence(FrfSet& out) {
+  const std::size_t rows = out.header.response.size(), columns = out.header.reference.size(), pairs = pair_count(rows);
+  for (std::size_t line = 0; line < out.header.lines(); ++line) {
+    for (std::size_t c = 0; c < columns; ++c) {
+      for (std::size_t r = 0; r < rows; ++r) {
+        for (std::size_t s = 0; s < r; ++s) {
+          Complex& value = out.covariance[(line * pairs + pair_index(r, s)) * columns + c];
+          const bool known = !std::isnan(out.values[out.index(line, r, c)].real()) && !std::isnan(out.values[out.index(line, s, c)].real());
+          if (known && std::isnan(value.real())) value = 0.0;
+        }
+      }
+    }
+  }
 }
 
 void put(const FrfSet& set, FrfSet& out) {
@@ -71,6 +139,9 @@ FrfSet merged(std::vector<FrfSet> sets) {
   for (const FrfSet& set : sets) require_same_lines(sets.front(), set);
   FrfSet out = empty_union(sets);
   for (const FrfSet& set : sets) put(set, out);
+  if (out.covariance.empty()) return out;
+  for (const FrfSet& set : sets) put_covariance(set, out);
+  put_independence(out);
   return out;
 }
 

@@ -7,7 +7,8 @@
 namespace jointid::frf {
 
 /// Sets of one structure as one, on the first one's lines: FRFs that none of them has are NaN. With more than one set the noise is kept
-/// as variances where every set knows its own (coherences by H1), else not at all. Throws InputError (data) when a set has other lines
+/// as variances where every set knows its own (coherences by H1), else not at all; covariances where some set has them, those between
+/// FRFs of different sets zero. Throws InputError (data) when a set has other lines
 /// (beyond axis_tolerance), or an FRF stands in two sets. At least one set.
 FrfSet merged(std::vector<FrfSet> sets);
 

@@ -15,15 +15,6 @@ namespace {
 
 constexpr std::size_t lines_at_once = 64;
 
-/// Variances from few averages or repeats are uncertain themselves: as weights they cost up to half of the accuracy and make
-/// intervals too narrow. A law fitted over enough lines does not.
-bool worth_smoothing(VarianceOrigin origin, const frf::FrfHeader& header) {
-  constexpr std::size_t enough_lines = 30;
-  constexpr double many_averages = 30.0;
-  const bool uncertain = origin == VarianceOrigin::repeats || (origin == VarianceOrigin::coherence && header.averages < many_averages);
-  return uncertain && header.lines() >= enough_lines;
-}
-
 }  // namespace
 
 VariancePiece::VariancePiece(frf::FrfSource& source, frf::BlockPiece piece, const Scene& scene)

@@ -17,6 +17,15 @@ double freedom(const frf::FrfHeader& header) {
 
 }  // namespace
 
+bool worth_smoothing(VarianceOrigin origin, const frf::FrfHeader& header) {
+  constexpr std::size_t enough_lines = 30;
+  constexpr double many_averages = 30.0;
+  const bool few = header.averages < many_averages;
+  const bool uncertain = origin == VarianceOrigin::repeats || (origin == VarianceOrigin::coherence && few) ||
+                         (origin == VarianceOrigin::variance && header.averages > 0.0 && few);
+  return uncertain && header.lines() >= enough_lines;
+}
+
 std::vector<frf::VarianceLaw> smoothed_laws(const frf::FrfHeader& header, std::size_t entries, const ReadRecorded& read,
                                             std::span<const std::size_t> lines) {
   std::vector<std::vector<SquaredError>> samples(entries);

@@ -184,6 +184,9 @@ class Run {
     made_.coherence.resize(size);
     if (std::ranges::none_of(made_.averages, [](const Averages& of) { return of.effective > 1.0; })) return;
     header.noise = frf::NoiseRecord::variance;
+    for (const Averages& of : made_.averages) {
+      if (of.effective > 1.0 && (header.averages == 0.0 || of.effective < header.averages)) header.averages = of.effective;
+    }
     made_.set.variance.resize(size);
     if (kinds_.size() > 1) made_.set.covariance.resize(header.lines() * frf::pair_count(kinds_.size()) * header.reference.size());
   }

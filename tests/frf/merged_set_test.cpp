@@ -57,6 +57,48 @@ TEST(MergedSet, KeepsNoiseWhereAllKnowTheirs) {
   EXPECT_EQ(merged({a}).coherence, a.coherence);  // one set stays as it is
 }
 
+/// A set with covariances 10 r + s + i of responses r > s, 100 + r on the diagonal.
+FrfSet with_covariance(FrfSet set) {
+  set.header.noise = NoiseRecord::variance;
+  set.header.averages = 7.0;
+  const std::size_t rows = set.header.response.size(), columns = set.header.reference.size();
+  set.variance.assign(set.values.size(), {50.0, 50.0});
+  for (std::size_t line = 0; line < set.header.lines(); ++line) {
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::size_t s = 0; s <= r; ++s) {
+        const auto of = [](std::size_t i) { return static_cast<double>(i); };
+        const Complex value = r == s ? Complex(100.0 + of(r)) : Complex(10.0 * of(r) + of(s), 1.0);
+        for (std::size_t c = 0; c < columns; ++c) set.covariance.push_back(value);
+      }
+    }
+  }
+  return set;
+}
+
+TEST(MergedSet, KeepsCovariancesAndTakesSetsForIndependent) {
+  const FrfSet a = with_covariance(set_of("a", {"1:+Z", "2:+Z"}, {"1:+Z"}, 1.0)),
+               b = with_covariance(set_of("b", {"3:+Z"}, {"1:+Z"}, 9.0)),
+               c = with_covariance(set_of("c", {"3:+Z", "1:+Z", "2:-Z"}, {"4:+Y"}, 20.0));
+  const FrfSet out = merged({a, b, c});
+  EXPECT_EQ(out.header.averages, 7.0);
+  validate(out);
+  const auto of = [&](std::size_t r, std::size_t s, std::size_t column) { return out.covariance[(6 + pair_index(r, s)) * 2 + column]; };
+  EXPECT_EQ(of(0, 0, 0), Complex(100.0));
+  EXPECT_EQ(of(1, 0, 0), Complex(10.0, 1.0));
+  EXPECT_EQ(of(2, 0, 0), Complex(0.0));
+  EXPECT_EQ(of(2, 2, 0), Complex(100.0));
+  // c has 3, 1 and −2 where the union has 1, 2, 3.
+  EXPECT_EQ(of(2, 0, 1), Complex(10.0, -1.0));
+  EXPECT_EQ(of(2, 1, 1), Complex(-20.0, 1.0));
+  EXPECT_EQ(of(1, 0, 1), Complex(-21.0, -1.0));
+  FrfSet plain = b;
+  plain.covariance.clear();
+  const FrfSet with_plain = merged({a, plain});
+  EXPECT_EQ(with_plain.covariance[6 + pair_index(2, 2)], Complex(100.0));
+  EXPECT_EQ(with_plain.covariance[6 + pair_index(2, 1)], Complex(0.0));
+  EXPECT_TRUE(merged({plain, set_of("d", {"9:+Z"}, {"1:+Z"}, 1.0)}).covariance.empty());
+}
+
 TEST(MergedSet, RefusesOtherLinesAndFrfsTwice) {
   FrfSet other = set_of("b", {"2:+Z"}, {"1:+Z"}, 1.0);
   other.header.frequency_hz[1] = 25.0;

@@ -17,6 +17,7 @@ struct LineShape {
   bool uncoupled = false;  ///< two parts, whose cross FRFs are zero by construction
   double missing = 0.0;    ///< share of the FRFs that are not measured
   double noise = 0.1;      ///< standard deviation of the errors and of the weights
+  bool correlated = false; ///< two groups of measured FRFs whose errors depend on each other; what is drawn is independent all the same
 };
 
 /// A small problem of one line with FRFs and impedances of order one; K is symmetric, C diagonal.
@@ -42,6 +43,7 @@ class LineSample {
     measure(layout.a, exact.a, shape, data.a);
     measure(layout.b, exact.b, shape, data.b);
     measure(layout.d, d, shape, data.d);
+    if (shape.correlated) correlate();
   }
 
   static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
@@ -58,8 +60,47 @@ class LineSample {
   std::vector<double> theta;
   LineState exact;
   LineData data;
+  Eigen::MatrixXcd correlation;  ///< of all elements, where they are correlated
 
  private:
+  /// Measured elements at random in one of two groups, or in none.
+  void correlate() {
+    std::vector<Complex> weights;
+    for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+      weights.insert(weights.end(), channel->weight.begin(), channel->weight.end());
+    }
+    correlation = Eigen::MatrixXcd::Identity(index(weights.size()), index(weights.size()));
+    std::uniform_int_distribution<int> group(0, 2);
+    std::vector<std::size_t> some;
+    std::vector<int> groups;
+    Eigen::VectorXd variance(correlation.rows());
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      if (weights[i] == Complex(0.0)) continue;
+      variance[index(some.size())] = 0.5 + std::norm(any());
+      some.push_back(i);
+      groups.push_back(group(random_));
+    }
+    const Eigen::Index count = index(some.size());
+    variance.conservativeResize(count);
+    const Eigen::MatrixXcd root = Eigen::MatrixXcd::NullaryExpr(count, 2 * count, [this] { return any(); });
+    Eigen::MatrixXcd covariance = root * root.adjoint();
+    for (Eigen::Index i = 0; i < count; ++i) {
+      for (Eigen::Index j = 0; j < count; ++j) {
+        const int a = groups[static_cast<std::size_t>(i)], b = groups[static_cast<std::size_t>(j)];
+        if (i != j && (a != b || a == 0)) covariance(i, j) = 0.0;
+      }
+    }
+    const Eigen::VectorXd scale = (variance.array() / covariance.diagonal().real().array()).sqrt();
+    covariance = (scale.asDiagonal() * covariance * scale.asDiagonal()).eval();
+    for (Eigen::Index i = 0; i < count; ++i) {
+      for (Eigen::Index j = 0; j < count; ++j) {
+        correlation(index(some[static_cast<std::size_t>(i)]), index(some[static_cast<std::size_t>(j)])) =
+            covariance(i, j) / std::sqrt(variance[i] * variance[j]);
+      }
+    }
+    data.correlation = std::make_shared<Correlation>(Correlation::of(weights.size(), some, covariance, variance));
+  }
+
   static restrictions::JointSpec spec(std::size_t joint) {
     restrictions::JointSpec spec;
     for (std::size_t i = 1; i <= joint; ++i) spec.dofs.push_back(frf::Dof::parse(std::to_string(i) + ":+X"));

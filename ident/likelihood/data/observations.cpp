@@ -22,6 +22,12 @@ std::size_t count_measured(const Channel& channel) {
   return count;
 }
 
+/// E|e|² of a weight; 0 where it has none.
+double variance_of(const Complex& weight) {
+  const bool known = weight.real() > 0.0 && weight.imag() > 0.0;
+  return known ? 1.0 / (weight.real() * weight.real()) + 1.0 / (weight.imag() * weight.imag()) : 0.0;
+}
+
 /// What the headers of a system's files promise of the blocks that are read: 1 where an FRF or its transpose is there, else unknown.
 Symmetric<Measured> promised_frfs(const frf::FrfSystem& system, const Dofs& coordinates, std::size_t others, const Blocks& blocks) {
   Symmetric<Measured> out(coordinates.size(), {nan, nan});
@@ -68,6 +74,7 @@ std::size_t Observations::bytes() const {
     for (const Channel* channel : {&line.x, &line.y, &line.a, &line.b, &line.d}) {
       total += (channel->value.capacity() + channel->weight.capacity()) * sizeof(Complex);
     }
+    if (line.correlation) total += line.correlation->bytes();
   }
   return total;
 }
@@ -77,6 +84,7 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
   own_lines_ = shares.own(lines.size());
   plan_lines_ = lines;
   raw_.clear();
+  errors_.clear();
   data_.clear();
   std::vector<std::size_t> substructure_lines, assembly_lines;
   for (const Line& line : lines) {
@@ -115,10 +123,13 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
       raw.substructures.at(row, column) = apart ? Measured{0.0, 0.0} : substructures_.at(i, row, column);
       raw.assembly.at(row, column) = assembly_.at(i, row, column);
     }
+    Errors errors{substructures_.errors(i), assembly_.errors(i)};
+    if (errors.substructures || errors.assembly) errors_.push_back(std::move(errors));
   }
 }
 
-LineData Observations::data_of(const Raw& raw, double omega) const {
+LineData Observations::data_of(std::size_t own_line, double omega) const {
+  const Raw& raw = raw_[own_line];
   const std::size_t n = layout_.others;
   LineData data;
   data.omega = omega;
@@ -128,6 +139,12 @@ LineData Observations::data_of(const Raw& raw, double omega) const {
   for (const auto [p, q] : layout_.b) append(data.b, raw.assembly.at(n + p, n + q));
   for (const auto [r, k] : layout_.d) append(data.d, raw.substructures.at(r, k) - raw.assembly.at(r, k));
   for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) data.measured += count_measured(*channel);
+  if (errors_.empty()) return data;
+  std::vector<double> variance;
+  for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
+    for (const Complex& weight : channel->weight) variance.push_back(variance_of(weight));
+  }
+  data.correlation = correlation_of(layout_, errors_[own_line].substructures.get(), errors_[own_line].assembly.get(), variance);
   return data;
 }
 
@@ -137,7 +154,7 @@ void Observations::weigh_as_measured() {
   for (std::size_t i = 0; i < plan_lines_.size(); ++i) {
     LineData line;
     line.omega = angular(plan_lines_[i].frequency_hz);
-    if (own_lines_.has(i)) line = data_of(raw_[i - own_lines_.first], line.omega);
+    if (own_lines_.has(i)) line = data_of(i - own_lines_.first, line.omega);
     measured[i] = static_cast<double>(line.measured);
     data_.push_back(std::move(line));
   }
@@ -148,7 +165,7 @@ void Observations::weigh_as_measured() {
 void Observations::weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) {
   const Raw& raw = raw_[line - own_lines_.first];
   LineData& data = data_[line];
-  data = data_of(raw, data.omega);
+  data = data_of(line - own_lines_.first, data.omega);
   const std::size_t n = layout_.others;
   const BothSystems<Complex> values = estimated_frfs(layout_, raw, data.d, state, z);
   substructures_.variances_of(plan_lines_[line].substructures, values.substructures);

@@ -43,8 +43,12 @@ class Observations final : public LikelihoodData {
  private:
   using Raw = BothSystems<Measured>;
 
+  struct Errors {
+    std::shared_ptr<const LineErrors> substructures, assembly;
+  };
+
   void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
-  LineData data_of(const Raw& raw, double omega) const;
+  LineData data_of(std::size_t own_line, double omega) const;
   void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
                const Symmetric<Measured>& measured, const Symmetric<Complex>& values, Channel& channel) const;
   void reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const;
@@ -52,7 +56,8 @@ class Observations final : public LikelihoodData {
   SymmetricFrfs substructures_, assembly_;
   std::vector<Line> plan_lines_;
   std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
-  std::vector<Raw> raw_;  ///< of own_lines_
+  std::vector<Raw> raw_;        ///< of own_lines_
+  std::vector<Errors> errors_;  ///< of own_lines_, where there are covariances
   LineShares::Range own_lines_;
 };
 

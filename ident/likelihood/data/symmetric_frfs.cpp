@@ -50,6 +50,10 @@ SymmetricFrfs::SymmetricFrfs(frf::FrfSystem& system, const Scene& scene, const D
     if (blocks.jn) wanted.emplace_back(j, n);
     if (blocks.jj) wanted.emplace_back(j, j);
   }
+  std::vector<FrfCovariances::Rectangle> rectangles;
+  for (const auto& [rows, columns] : wanted) rectangles.push_back({rows, columns});
+  covariances_ = std::make_unique<FrfCovariances>(system, scene, coordinates, rectangles);
+  if (!covariances_->any()) covariances_.reset();
   for (auto& [rows, columns] : wanted) {
     if (rows.empty() || columns.empty()) continue;
     const Dofs row_dofs = pick(coordinates, rows), column_dofs = pick(coordinates, columns);
@@ -95,6 +99,7 @@ void SymmetricFrfs::prepare(std::span<const std::size_t> lines) {
   for (Part& part : parts_) {
     if (part.variances->needs_prepare()) part.variances->prepare(lines);
   }
+  if (covariances_) covariances_->prepare(lines);
 }
 
 void SymmetricFrfs::read(std::span<const std::size_t> lines) {
@@ -108,13 +113,63 @@ void SymmetricFrfs::read(std::span<const std::size_t> lines) {
     scatter(part, lines.size(), scratch_, values_);
     scatter(part, lines.size(), scratch_variance_, variances_);
   }
+  if (!covariances_) return;
+  covariances_->read(lines);
+  take_variances_of_laws(lines.size());
+}
+
+/// A law of the covariances is one of the variances, too: those of the contrasts between responses fit those of the responses.
+void SymmetricFrfs::take_variances_of_laws(std::size_t lines) {
+  for (std::size_t i = 0; i < lines; ++i) {
+    for (std::size_t row = 0; row < size_; ++row) {
+      for (std::size_t column = 0; column < size_; ++column) {
+        const StoredError error = covariances_->error(i, row, column);
+        if (!error.is_known() || !covariances_->by_law(error)) continue;
+        const Eigen::Index member = jointid::at(error.member);
+        const double variance = 0.5 * covariances_->covariances(i)[error.group](member, member).real();
+        Complex& of = variances_[(i * size_ + row) * size_ + column];
+        if (variance > 0.0 && !std::isnan(of.real())) of = {variance, variance};
+      }
+    }
+  }
+}
+
+SymmetricFrfs::Role SymmetricFrfs::role(const Measured& there, const Measured& back) const {
+  if (!back.known()) return Role::there;
+  return !there.known() || copies(there, back) ? Role::back : Role::both;
+}
+
+/// With the weights of averaged_part(); the parts of errors that covariances tell of have the same variance.
+ErrorTerms SymmetricFrfs::terms(std::size_t i, std::size_t row, std::size_t column) const {
+  const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
+  const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
+  const Role of = role(a, b);
+  ErrorTerms out;
+  const auto add = [&](std::size_t r, std::size_t c, double weight) {
+    const StoredError error = covariances_->error(i, r, c);
+    if (error.is_known() && weight != 0.0) out.push_back({error.group, error.member, weight * error.sign});
+  };
+  const double share = of == Role::both ? averaged_part(1.0, a.variance.real() + a.variance.imag(), 0.0, b.variance.real() + b.variance.imag())
+                       : of == Role::there ? 1.0 : 0.0;
+  add(row, column, share);
+  add(column, row, 1.0 - share);
+  return out;
+}
+
+std::shared_ptr<const LineErrors> SymmetricFrfs::errors(std::size_t i) const {
+  if (!covariances_) return nullptr;
+  auto out = std::make_shared<LineErrors>(LineErrors{covariances_->covariances(i), Symmetric<ErrorTerms>(size_)});
+  for (std::size_t row = 0; row < size_; ++row) {
+    for (std::size_t column = 0; column <= row; ++column) out->terms.at(column, row) = terms(i, column, row);
+  }
+  return out;
 }
 
 Measured SymmetricFrfs::at(std::size_t i, std::size_t row, std::size_t column) const {
   const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
   const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
-  if (!b.known()) return a;
-  if (!a.known() || copies(a, b)) return b;
+  const Role of = role(a, b);
+  if (of != Role::both) return of == Role::there ? a : b;
   return {{averaged_part(a.value.real(), a.variance.real(), b.value.real(), b.variance.real()),
            averaged_part(a.value.imag(), a.variance.imag(), b.value.imag(), b.variance.imag())},
           {averaged_variance(a.variance.real(), b.variance.real()), averaged_variance(a.variance.imag(), b.variance.imag())},

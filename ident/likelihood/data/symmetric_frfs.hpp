@@ -7,6 +7,8 @@
 
 #include "ident/equations/equation_builder.hpp"
 #include "ident/likelihood/line/symmetric.hpp"
+#include "ident/likelihood/data/line_errors.hpp"
+#include "ident/variance/frf_covariances.hpp"
 #include "ident/variance/variances.hpp"
 
 namespace jointid::ident {
@@ -55,6 +57,9 @@ class SymmetricFrfs {
   /// The i-th line read, in the role (row, column) or (column, row).
   Measured at(std::size_t i, std::size_t row, std::size_t column) const;
 
+  /// What the errors of at() have in common on the i-th line read; empty without covariances.
+  std::shared_ptr<const LineErrors> errors(std::size_t i) const;
+
   /// Works out the variances that line `line` of the system would have for other values; NaN where not measured.
   void variances_of(std::size_t line, const Symmetric<Complex>& values);
 
@@ -68,10 +73,17 @@ class SymmetricFrfs {
     std::unique_ptr<Variances> variances;
   };
 
+  enum class Role { there, back, both };
+
+  /// Which measurements make at().
+  Role role(const Measured& there, const Measured& back) const;
+  ErrorTerms terms(std::size_t i, std::size_t row, std::size_t column) const;
+  void take_variances_of_laws(std::size_t lines);
   void scatter(const Part& part, std::size_t lines, const std::vector<Complex>& from, std::vector<Complex>& to) const;
 
   std::size_t size_;
   std::vector<Part> parts_;
+  std::unique_ptr<FrfCovariances> covariances_;  ///< where there are any
   std::vector<Complex> values_, variances_, scratch_, scratch_variance_;
 };
 

@@ -23,12 +23,18 @@ ExactLine exact_line(const LineLayout& layout, const LineState& state, const Com
 
 double error(double normal, double weight) { return weight > 0.0 ? normal / weight : 0.0; }
 
-void draw_channel(const std::vector<Complex>& exact, const RandomStream& stream, std::uint64_t entry, Channel& channel) {
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    const auto normal = normal_numbers(stream, entry, i);
-    const Complex weight = channel.weight[i];
-    channel.value[i] = exact[i] + Complex(error(normal[0], weight.real()), error(normal[1], weight.imag()));
+/// Errors in parts of their deviations, for the channels of a line one after the other.
+std::vector<Complex> draw_errors(const std::array<std::pair<const std::vector<Complex>*, Channel*>, 5>& channels,
+                                 const Correlation* correlation, const RandomStream& stream, std::uint64_t first_entry) {
+  std::vector<Complex> errors;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    for (std::size_t i = 0; i < channels[c].second->value.size(); ++i) {
+      const auto normal = normal_numbers(stream, first_entry + c, i);
+      errors.emplace_back(normal[0], normal[1]);
+    }
   }
+  if (correlation) correlation->colour(errors);
+  return errors;
 }
 
 }  // namespace
@@ -62,7 +68,15 @@ void SimulatedData::draw(const std::vector<ExactLine>& exact, const RandomStream
     LineData& line = data_[i];
     const std::array<std::pair<const std::vector<Complex>*, Channel*>, 5> channels = {
         {{&exact[i].x, &line.x}, {&exact[i].y, &line.y}, {&exact[i].a, &line.a}, {&exact[i].b, &line.b}, {&exact[i].d, &line.d}}};
-    for (std::size_t c = 0; c < channels.size(); ++c) draw_channel(*channels[c].first, stream, 5 * i + c, *channels[c].second);
+    const std::vector<Complex> errors = draw_errors(channels, line.correlation.get(), stream, 5 * i);
+    std::size_t next = 0;
+    for (const auto& [values, channel] : channels) {
+      for (std::size_t k = 0; k < channel->value.size(); ++k, ++next) {
+        if (values->empty()) continue;  // a line that is not used
+        const Complex weight = channel->weight[k];
+        channel->value[k] = (*values)[k] + Complex(error(errors[next].real(), weight.real()), error(errors[next].imag(), weight.imag()));
+      }
+    }
   }
 }
 

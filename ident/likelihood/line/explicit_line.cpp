@@ -45,7 +45,7 @@ struct Derivative {
 }  // namespace
 
 ExplicitLine::ExplicitLine(const LineLayout& layout, const LineData& data, const JointImpedance& joint)
-    : layout_(&layout), columns_(joint.columns()) {
+    : layout_(&layout), columns_(joint.columns()), correlation_(data.correlation) {
   std::vector<double> theta(columns_.empty() ? 0 : *std::max_element(columns_.begin(), columns_.end()) + 1, 0.0);
   known_ = joint.at(theta);
   for (const std::size_t column : columns_) {
@@ -107,6 +107,21 @@ std::vector<Complex> ExplicitLine::stacked(const ComplexMatrix& x, const Complex
   return all;
 }
 
+/// L⁻¹ of real and imaginary parts that belong together, column by column.
+void ExplicitLine::whiten(Eigen::Ref<RowMatrixXd> rows) const {
+  if (!correlation_) return;
+  const std::size_t elements = layout_->variables() + layout_->a.size() + layout_->b.size() + layout_->d.size();
+  for (Eigen::Index column = 0; column < rows.cols(); ++column) {
+    std::vector<Complex> errors(elements);
+    for (std::size_t r = 0; r < rows_.size(); ++r) errors[rows_[r].at] += rows(at(r), column) * (rows_[r].imaginary ? Complex(0.0, 1.0) : 1.0);
+    correlation_->whiten(errors);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      const Complex error = errors[rows_[r].at];
+      rows(at(r), column) = rows_[r].imaginary ? error.imag() : error.real();
+    }
+  }
+}
+
 void ExplicitLine::evaluate(std::span<const double> theta, const double* u, double* residuals, RowMatrixXd* by_theta,
                             RowMatrixXd* by_own) const {
   const ComplexMatrix z = impedance(theta);
@@ -117,6 +132,7 @@ void ExplicitLine::evaluate(std::span<const double> theta, const double* u, doub
     const Complex& value = values[rows_[r].at];
     residuals[r] = rows_[r].weight * ((rows_[r].imaginary ? value.imag() : value.real()) - rows_[r].measured);
   }
+  whiten(Eigen::Map<RowMatrixXd>(residuals, at(rows_.size()), 1));
   const auto set = [&](RowMatrixXd& jacobian, std::size_t column, const std::vector<Complex>& change, const Complex& factor) {
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const Complex derivative = factor * change[rows_[r].at];
@@ -130,6 +146,7 @@ void ExplicitLine::evaluate(std::span<const double> theta, const double* u, doub
       const Derivative along(f, by_[t]);
       set(*by_theta, columns_[t], stacked(dx, dy, along.a, along.b, along.d), 1.0);
     }
+    whiten(*by_theta);
   }
   if (!by_own) return;
   by_own->resize(at(rows_.size()), at(own()));
@@ -150,6 +167,7 @@ void ExplicitLine::evaluate(std::span<const double> theta, const double* u, doub
     set(*by_own, 2 * v, change, scale_[2 * v]);
     set(*by_own, 2 * v + 1, change, Complex(0.0, scale_[2 * v + 1]));
   }
+  whiten(*by_own);
 }
 
 }  // namespace jointid::ident

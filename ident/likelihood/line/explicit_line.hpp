@@ -11,7 +11,7 @@ namespace jointid::ident {
 
 /// One line of the explicit likelihood (output error with free substructure FRFs, docs/formulas.md §11f). What X, Y and Z predict is
 ///   A = P X,  B = P Y,  D = Xᵀ Z A,  P = (I + Y Z)⁻¹,
-/// and a residual is weight · (predicted − measured), one per measured real number. Free are the joint's unknowns and
+/// and a residual is weight · (predicted − measured), one per measured real number, whitened where errors depend on each other. Free are the joint's unknowns and
 /// u: X and Y as centre + scale · u, with scale the standard deviation where measured and the size of the FRFs where not.
 /// Written without LineModel, whose formulas it checks.
 class ExplicitLine {
@@ -40,6 +40,7 @@ class ExplicitLine {
     double weight, measured;
   };
 
+  void whiten(Eigen::Ref<RowMatrixXd> rows) const;
   std::vector<Complex> stacked(const ComplexMatrix& x, const ComplexMatrix& y, const ComplexMatrix& a, const ComplexMatrix& b,
                                const ComplexMatrix& d) const;
 
@@ -50,6 +51,7 @@ class ExplicitLine {
   std::vector<ComplexMatrix> by_;    ///< ∂Z/∂θ of columns_
   ComplexMatrix x_centre_, y_centre_;
   std::vector<double> scale_;  ///< [own()]
+  std::shared_ptr<const Correlation> correlation_;
 };
 
 }  // namespace jointid::ident

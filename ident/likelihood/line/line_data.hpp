@@ -1,8 +1,10 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <vector>
 
+#include "ident/likelihood/line/correlation.hpp"
 #include "ident/likelihood/line/line_layout.hpp"
 
 namespace jointid::ident {
@@ -17,6 +19,7 @@ struct LineData {
   double omega = 0.0;  ///< rad/s
   Channel x, y, a, b, d;
   std::size_t measured = 0;  ///< real numbers with a weight
+  std::shared_ptr<const Correlation> correlation;  ///< of the errors; empty where they are independent
 
   /// Real conditions that the measured numbers are left with: the expected χ² of the line at the true joint.
   double redundancy(const LineLayout& layout) const {

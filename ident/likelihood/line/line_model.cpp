@@ -51,7 +51,10 @@ void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, N
                      NormalRows::Run second) {
   const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
   row_[place_++] = {weight.real() == 0.0 ? 0.0 : residual.real(), weight.imag() == 0.0 ? 0.0 : residual.imag()};
-  if (complex_) {
+  const Correlation::Place place = correlation_ ? correlation_->place(first_element_ + i) : Correlation::Place();
+  if (place.group != Correlation::none) {
+    put_correlated(place, weight, first, second);
+  } else if (complex_) {
     for (std::size_t k = 0; k < place_; ++k) row_[k] *= weight.real();
     complex_rows_.add(row_.data(), first, second);
   } else {
@@ -73,6 +76,42 @@ void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, N
     rows_.add({doubled(first), doubled(second), {tail, rows_.columns() - tail}});
   }
   std::fill_n(row_.begin(), place_, Complex(0.0));
+}
+
+/// The row that is written, as CorrelatedRows weights it.
+void LineModel::put_correlated(Correlation::Place place, Complex weight, NormalRows::Run first, NormalRows::Run second) {
+  const std::size_t variables = layout_.variables(), head = first.count + second.count, frfs = place_ - unknowns_ - 1;
+  const auto weighted = [&](Complex z) { return Complex(weight.real() * z.real(), weight.imag() * z.imag()); };
+  Complex* const out = correlated_rows_.row(place);
+  for (std::size_t k = 0; k < frfs; ++k) {
+    const std::size_t column =
+        k < first.count ? first.first + k : k < head ? second.first + k - first.count : layout_.x.size() + k - head;
+    if (complex_) {
+      out[column] = weighted(row_[k]);
+    } else {
+      out[2 * column] = weighted(row_[k]);
+      out[2 * column + 1] = weighted({-row_[k].imag(), row_[k].real()});
+    }
+  }
+  for (std::size_t k = frfs; k < place_; ++k) out[(complex_ ? 1 : 2) * variables + k - frfs] = weighted(row_[k]);
+}
+
+/// A measured FRF whose error depends on others, as a row of its own. False: it stands alone.
+bool LineModel::put_correlated_prior(std::size_t variable, Complex residual, Complex weight) {
+  const Correlation::Place place = correlation_ ? correlation_->place(variable) : Correlation::Place();
+  if (place.group == Correlation::none) return false;
+  Complex* const out = correlated_rows_.row(place);
+  prior_weight_.push_back(weight.real());
+  if (complex_) {
+    out[variable] = weight.real();
+    out[layout_.variables() + unknowns_] = weight.real() * residual;
+    return true;
+  }
+  prior_weight_.push_back(weight.imag());
+  out[2 * variable] = weight.real();
+  out[2 * variable + 1] = Complex(0.0, weight.imag());
+  out[2 * layout_.variables() + unknowns_] = {weight.real() * residual.real(), weight.imag() * residual.imag()};
+  return true;
 }
 
 void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
@@ -99,14 +138,21 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   const std::size_t others = unknowns_ + 1;
   row_.assign(layout_.variables() + others, 0.0);
   complex_ ? complex_rows_.reset(layout_.variables() + others, layout_.x.size()) : rows_.reset(2 * layout_.variables() + others);
+  correlation_ = data.correlation.get();
+  if (correlation_) correlated_rows_.reset(*correlation_, (complex_ ? 1 : 2) * layout_.variables() + others);
   add_priors(data, state);
   add_a(data, joint, state);
   if (!layout_.b.empty()) add_b(data, joint, state);
   add_d(data, joint, state);
   if (complex_) complex_rows_.finish();
+  if (!correlation_) return;
+  const auto size = at(rows_.columns());
+  complex_ ? correlated_rows_.add_to(complex_rows_.normal())
+           : correlated_rows_.add_to(Eigen::Map<Eigen::MatrixXd>(rows_.data(), size, size));
 }
 
 void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight, double size) {
+  if (put_correlated_prior(variable, residual, weight)) return;
   const double guess = 1.0 / (wide * size);
   if (complex_) {
     Eigen::MatrixXcd& normal = complex_rows_.normal();
@@ -148,6 +194,7 @@ void LineModel::add_priors(const LineData& data, const LineState& state) {
 
 void LineModel::add_a(const LineData& data, const JointImpedance& joint, const LineState& state) {
   std::vector<Complex> p_row(layout_.joint), left(layout_.joint);
+  first_element_ = layout_.variables();
   for (std::size_t i = 0; i < layout_.a.size(); ++i) {
     if (data.a.weight[i] == Complex(0.0)) continue;
     const auto [p, k] = layout_.a[i];
@@ -165,6 +212,7 @@ void LineModel::add_a(const LineData& data, const JointImpedance& joint, const L
 
 void LineModel::add_b(const LineData& data, const JointImpedance& joint, const LineState& state) {
   std::vector<Complex> minus_p_row(layout_.joint), left(layout_.joint);
+  first_element_ = layout_.variables() + layout_.a.size();
   for (std::size_t i = 0; i < layout_.b.size(); ++i) {
     if (data.b.weight[i] == Complex(0.0)) continue;
     const auto [p, q] = layout_.b[i];
@@ -180,6 +228,7 @@ void LineModel::add_b(const LineData& data, const JointImpedance& joint, const L
 }
 
 void LineModel::add_d(const LineData& data, const JointImpedance& joint, const LineState& state) {
+  first_element_ = layout_.variables() + layout_.a.size() + layout_.b.size();
   for (std::size_t i = 0; i < layout_.d.size(); ++i) {
     if (data.d.weight[i] == Complex(0.0)) continue;
     const auto [r, k] = layout_.d[i];

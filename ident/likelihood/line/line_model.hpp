@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "ident/likelihood/line/complex_rows.hpp"
+#include "ident/likelihood/line/correlated_rows.hpp"
 #include "ident/likelihood/line/line_state.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
 
@@ -61,6 +62,7 @@ class LineModel {
   std::optional<ReducedLine> reduce_complex(double damping);
   void add_priors(const LineData& data, const LineState& state);
   void add_prior(std::size_t variable, Complex residual, Complex weight, double size);
+  bool put_correlated_prior(std::size_t variable, Complex residual, Complex weight);
   void add_a(const LineData& data, const JointImpedance& joint, const LineState& state);
   void add_b(const LineData& data, const JointImpedance& joint, const LineState& state);
   void add_d(const LineData& data, const JointImpedance& joint, const LineState& state);
@@ -69,6 +71,7 @@ class LineModel {
   void put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index right_column);
   void put_joint(const JointImpedance& joint, const Complex* left, const Complex* right);
   void emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first, NormalRows::Run second);
+  void put_correlated(Correlation::Place place, Complex weight, NormalRows::Run first, NormalRows::Run second);
 
   const LineLayout& layout_;
   Numbers numbers_;
@@ -81,6 +84,9 @@ class LineModel {
   std::vector<double> prior_weight_;  ///< 2v, v of complex equations
   NormalRows rows_;
   ComplexRows complex_rows_;
+  const Correlation* correlation_ = nullptr;  ///< of the line's errors
+  std::size_t first_element_ = 0;             ///< of the channel whose rows are written, see Correlation
+  CorrelatedRows correlated_rows_;
   ComplexMatrix factor_, right_;  ///< of reduce_complex()
 };
 

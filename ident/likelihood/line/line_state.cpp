@@ -6,6 +6,12 @@
 namespace jointid::ident {
 namespace {
 
+/// A residual over its error, real and imaginary part; 0 where not measured.
+Complex weighted(const Channel& channel, std::size_t i, const Complex& predicted) {
+  const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
+  return {weight.real() == 0.0 ? 0.0 : residual.real() * weight.real(), weight.imag() == 0.0 ? 0.0 : residual.imag() * weight.imag()};
+}
+
 double square(const Channel& channel, std::size_t i, const Complex& predicted) {
   const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
   const double re = weight.real() == 0.0 ? 0.0 : residual.real() * weight.real();
@@ -19,6 +25,26 @@ double block_cost(const std::vector<Element>& elements, const Channel& channel, 
     sum += square(channel, i, predicted(at(elements[i].row), at(elements[i].column)));
   }
   return sum;
+}
+
+/// χ² of a line whose errors depend on each other: the sum of squares of the whitened residuals.
+double correlated_cost(const LineLayout& layout, const LineData& data, const ComplexMatrix& z, const LineState& state) {
+  std::vector<Complex> errors;
+  const auto append = [&](const std::vector<Element>& elements, const Channel& channel, const ComplexMatrix& predicted) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      errors.push_back(weighted(channel, i, predicted(at(elements[i].row), at(elements[i].column))));
+    }
+  };
+  append(layout.x, data.x, state.x);
+  append(layout.y, data.y, state.y);
+  append(layout.a, data.a, state.a);
+  append(layout.b, data.b, state.b);
+  const ComplexMatrix za = z * state.a;
+  for (std::size_t i = 0; i < layout.d.size(); ++i) errors.push_back(weighted(data.d, i, predicted_difference(state, za, layout.d[i])));
+  data.correlation->whiten(errors);
+  double cost = 0.0;
+  for (const Complex& error : errors) cost += std::norm(error);
+  return cost;
 }
 
 }  // namespace
@@ -72,6 +98,7 @@ double line_cost(const LineLayout& layout, const LineData& data, const ComplexMa
                  const ComplexMatrix& y) {
   LineState state{x, y, {}, {}};
   put_on_constraint(layout, z, state);
+  if (data.correlation) return correlated_cost(layout, data, z, state);
   double cost = block_cost(layout.x, data.x, x) + block_cost(layout.y, data.y, y) + block_cost(layout.a, data.a, state.a);
   if (!layout.b.empty()) cost += block_cost(layout.b, data.b, state.b);
   const ComplexMatrix za = z * state.a;

@@ -1,0 +1,83 @@
+#include "ident/likelihood/data/line_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/eigen.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// A term of an element, by its place among those that have any.
+struct ElementPart {
+  Eigen::Index place;
+  std::size_t member;
+  double factor;
+};
+
+/// Elements with terms, and these sorted by the groups of one system.
+class ElementParts {
+ public:
+  void add(std::size_t element, const LineErrors& errors, std::size_t row, std::size_t column, double factor) {
+    for (const ErrorTerm& term : errors.terms.at(row, column)) {
+      const Eigen::MatrixXcd& covariance = errors.covariance[term.group];
+      if (!std::isfinite(covariance(at(term.member), at(term.member)).real())) continue;
+      if (elements_.empty() || elements_.back() != element) elements_.push_back(element);
+      groups_[&covariance].push_back({at(elements_.size() - 1), term.member, factor * term.factor});
+    }
+  }
+
+  const std::vector<std::size_t>& elements() const { return elements_; }
+
+  Eigen::MatrixXcd covariance() const {
+    Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(at(elements_.size()), at(elements_.size()));
+    for (const auto& [covariance, parts] : groups_) {
+      for (const ElementPart& a : parts) {
+        for (const ElementPart& b : parts) {
+          const Complex value = (*covariance)(at(a.member), at(b.member));
+          if (std::isfinite(value.real())) out(a.place, b.place) += a.factor * b.factor * value;
+        }
+      }
+    }
+    return out;
+  }
+
+ private:
+  std::vector<std::size_t> elements_;
+  std::map<const Eigen::MatrixXcd*, std::vector<ElementPart>> groups_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Correlation> correlation_of(const LineLayout& layout, const LineErrors* substructures, const LineErrors* assembly,
+                                                  const std::vector<double>& variance) {
+  if (!substructures && !assembly) return nullptr;
+  ElementParts parts;
+  std::size_t element = 0;
+  const auto add = [&](const LineErrors* errors, Element origin, Element e, double factor) {
+    if (errors && variance[element] > 0.0) parts.add(element, *errors, origin.row + e.row, origin.column + e.column, factor);
+  };
+  const auto add_all = [&](const std::vector<Element>& elements, const LineErrors* errors, Element origin) {
+    for (const Element& e : elements) {
+      add(errors, origin, e, 1.0);
+      ++element;
+    }
+  };
+  const std::size_t n = layout.others;
+  add_all(layout.x, substructures, {n, 0});
+  add_all(layout.y, substructures, {n, n});
+  add_all(layout.a, assembly, {n, 0});
+  add_all(layout.b, assembly, {n, n});
+  for (const Element& e : layout.d) {
+    add(substructures, {0, 0}, e, 1.0);
+    add(assembly, {0, 0}, e, -1.0);
+    ++element;
+  }
+  Eigen::VectorXd variances(at(parts.elements().size()));
+  for (Eigen::Index i = 0; i < variances.size(); ++i) variances[i] = variance[parts.elements()[static_cast<std::size_t>(i)]];
+  Correlation out = Correlation::of(element, parts.elements(), parts.covariance(), variances);
+  return out.groups().empty() ? nullptr : std::make_shared<const Correlation>(std::move(out));
+}
+
+}  // namespace jointid::ident

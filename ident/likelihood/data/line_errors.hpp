@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "ident/likelihood/line/correlation.hpp"
+#include "ident/likelihood/line/line_layout.hpp"
+#include "ident/likelihood/line/symmetric.hpp"
+
+namespace jointid::ident {
+
+/// `factor` times the error of a member of a group whose errors have a covariance.
+struct ErrorTerm {
+  std::size_t group, member;
+  double factor;
+};
+
+/// What makes the error of a measured FRF; none where it is independent of all others.
+using ErrorTerms = std::vector<ErrorTerm>;
+
+/// What the errors of the FRFs of a line of one system have in common. Different groups are independent.
+struct LineErrors {
+  std::vector<Eigen::MatrixXcd> covariance;  ///< of a group
+  Symmetric<ErrorTerms> terms;               ///< of an FRF, over the coordinates of a LineLayout
+};
+
+/// A variance E|e|² of each element (Correlation), 0 for one without a weight, to the correlation of the elements of a line from
+/// the errors of both systems, of which either may be empty; empty where nothing depends on anything. H_sub(n,n) and H_asm(n,n) stand
+/// alone in their rows: D has the error of both.
+std::shared_ptr<const Correlation> correlation_of(const LineLayout& layout, const LineErrors* substructures, const LineErrors* assembly,
+                                                  const std::vector<double>& variance);
+
+}  // namespace jointid::ident

@@ -1,0 +1,40 @@
+#include "ident/likelihood/line/correlated_rows.hpp"
+
+#include "base/eigen.hpp"
+#include "dense/blas.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::MatrixXcd;
+
+MatrixXcd whitened(const MatrixXcd& factor, const MatrixXcd& transposed) {
+  MatrixXcd z = transposed.transpose();
+  dense::solve_lower(factor, z);
+  return z;
+}
+
+}  // namespace
+
+void CorrelatedRows::reset(const Correlation& correlation, std::size_t columns) {
+  correlation_ = &correlation;
+  groups_.resize(correlation.groups().size());
+  for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].setZero(at(columns), at(correlation.groups()[g].elements.size()));
+}
+
+void CorrelatedRows::add_to(Eigen::Ref<Eigen::MatrixXd> normal) const {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const MatrixXcd z = whitened(correlation_->groups()[g].factor, groups_[g]);
+    Eigen::MatrixXd parts(2 * z.rows(), z.cols());
+    parts << z.real(), z.imag();
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(parts.transpose());
+  }
+}
+
+void CorrelatedRows::add_to(MatrixXcd& normal) const {
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    dense::add_square(whitened(correlation_->groups()[g].factor, groups_[g]).adjoint(), normal);
+  }
+}
+
+}  // namespace jointid::ident
