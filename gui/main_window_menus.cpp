@@ -80,6 +80,10 @@ void MainWindow::add_view_menu() {
                   on_current(this, [](Project& project) { project.pages()->setCurrentIndex(0); }));
   menu->addAction(tr("S&olution"), QKeySequence(tr("Alt+3")), this,
                   on_current(this, [](Project& project) { project.pages()->setCurrentIndex(1); }));
+  menu->addAction(tr("&Compare"), QKeySequence(tr("Alt+4")), this,
+                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(2); }));
+  menu->addAction(tr("S&tudy"), QKeySequence(tr("Alt+5")), this,
+                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(3); }));
   menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
     if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
   });
@@ -100,7 +104,7 @@ void MainWindow::add_run_menu() {
                     project.solve_page()->bound();
                   }));
   menu->addAction(tr("&Cancel"), QKeySequence(tr("Shift+F5")), this,
-                  on_current(this, [](Project& project) { project.solve_page()->cancel(); }));
+                  on_current(this, [](Project& project) { project.cancel(); }));
 }
 
 void MainWindow::add_help_menu() {

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
@@ -20,6 +21,7 @@
 #include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
+#include "gui/study/study_page.hpp"
 #include "ident/scene/scene_files.hpp"
 
 namespace jointid::gui {
@@ -78,9 +80,16 @@ void Project::add_pages() {
   pages_->addTab(data_page_, tr("Data"));
   solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
   pages_->addTab(solve_page_, tr("Solve"));
+  compare_page_ = named(new ComparePage, "compare_page", tr("Compare"));
+  pages_->addTab(compare_page_, tr("Compare"));
+  study_page_ = named(new StudyPage, "study_page", tr("Study"));
+  pages_->addTab(study_page_, tr("Study"));
   splitter_->addWidget(pages_);
   link_cursors();
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
+  connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
+  connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
+  connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
@@ -171,6 +180,9 @@ void Project::check() {
 void Project::show_scene() {
   solve_page_->set_file(file_);
   solve_page_->set_scene(checked_.scene);
+  compare_page_->set_file(file_);
+  compare_page_->set_scene(checked_.scene);
+  study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
   if (!checked_.scene) return;
   data_page_->set_scene(*checked_.scene, path().parent_path().string() + '\n' + tables_below(editor_->text(), "data"));
 }
@@ -184,6 +196,20 @@ void Project::show_failure(const InputError& error) {
 /// A value that was chosen on a page, as a step of the text that can be undone.
 void Project::edit(const std::string& table, const std::string& key, const std::string& value) {
   editor_->replace_text(with_value(editor_->text(), table, key, value));
+}
+
+void Project::cancel() {
+  solve_page_->cancel();
+  compare_page_->cancel();
+  study_page_->cancel();
+}
+
+/// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.
+void Project::open_way(const ident::Way& way) {
+  editor_->replace_text(with_way(editor_->text(), way));
+  check();
+  pages_->setCurrentWidget(solve_page_);
+  solve_page_->solve();
 }
 
 void Project::offer_dofs() {

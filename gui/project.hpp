@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gui/scene/scene_check.hpp"
+#include "ident/tasks/comparison.hpp"
 
 class QLabel;
 class QSplitter;
@@ -12,10 +13,12 @@ class QTabWidget;
 
 namespace jointid::gui {
 
+class ComparePage;
 class DataPage;
 class MessageBar;
 class SceneEditor;
 class SolvePage;
+class StudyPage;
 
 /// One scene: its text on the left, what it leads to on the right. The text is all there is to save.
 class Project : public QWidget {
@@ -42,8 +45,12 @@ class Project : public QWidget {
   SceneEditor* editor() const { return editor_; }
   DataPage* data_page() const { return data_page_; }
   SolvePage* solve_page() const { return solve_page_; }
+  ComparePage* compare_page() const { return compare_page_; }
+  StudyPage* study_page() const { return study_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
+  /// Stops what runs on any page.
+  void cancel();
   const CheckedScene& checked() const { return checked_; }
 
   QByteArray layout_state() const;
@@ -61,6 +68,7 @@ class Project : public QWidget {
   void check();
   void show_scene();
   void edit(const std::string& table, const std::string& key, const std::string& value);
+  void open_way(const ident::Way& way);
   void offer_dofs();
   void show_failure(const InputError& error);
   void show_problem();
@@ -76,6 +84,8 @@ class Project : public QWidget {
   QTabWidget* pages_;
   DataPage* data_page_;
   SolvePage* solve_page_;
+  ComparePage* compare_page_;
+  StudyPage* study_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;
