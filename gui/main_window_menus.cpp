@@ -76,14 +76,12 @@ void MainWindow::add_view_menu() {
   menu->addSeparator();
   menu->addAction(tr("&Scene"), QKeySequence(tr("Alt+1")), this,
                   on_current(this, [](Project& project) { project.editor()->setFocus(); }));
-  menu->addAction(tr("&Data"), QKeySequence(tr("Alt+2")), this,
-                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(0); }));
-  menu->addAction(tr("S&olution"), QKeySequence(tr("Alt+3")), this,
-                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(1); }));
-  menu->addAction(tr("&Compare"), QKeySequence(tr("Alt+4")), this,
-                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(2); }));
-  menu->addAction(tr("S&tudy"), QKeySequence(tr("Alt+5")), this,
-                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(3); }));
+  int page = 0;
+  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy")}) {
+    menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg(page + 2)), this,
+                    on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
+    ++page;
+  }
   menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
     if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
   });

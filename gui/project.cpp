@@ -11,6 +11,7 @@
 
 #include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
+#include "gui/geometry/geometry_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
@@ -78,6 +79,8 @@ void Project::add_pages() {
   pages_ = named(new QTabWidget, "pages", tr("Pages"));
   data_page_ = named(new DataPage, "data_page", tr("Data"));
   pages_->addTab(data_page_, tr("Data"));
+  geometry_page_ = named(new GeometryPage, "geometry_page", tr("Geometry"));
+  pages_->addTab(geometry_page_, tr("Geometry"));
   solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
   pages_->addTab(solve_page_, tr("Solve"));
   compare_page_ = named(new ComparePage, "compare_page", tr("Compare"));
@@ -91,6 +94,7 @@ void Project::add_pages() {
   connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
+  connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
 
@@ -100,6 +104,7 @@ void Project::link_cursors() {
   FrfPlot* const solution = solve_page_->plot();
   connect(data, &FrfPlot::cursor_moved, solution, &FrfPlot::set_cursor);
   connect(solution, &FrfPlot::cursor_moved, data, &FrfPlot::set_cursor);
+  for (FrfPlot* plot : {data, solution}) connect(plot, &FrfPlot::cursor_moved, geometry_page_, &GeometryPage::set_frequency);
 }
 
 std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
@@ -184,7 +189,9 @@ void Project::show_scene() {
   compare_page_->set_scene(checked_.scene);
   study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
   if (!checked_.scene) return;
-  data_page_->set_scene(*checked_.scene, path().parent_path().string() + '\n' + tables_below(editor_->text(), "data"));
+  const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
+  data_page_->set_scene(*checked_.scene, files);
+  geometry_page_->set_scene(*checked_.scene, files);
 }
 
 /// Planning and solving know more than the reader of scenes: what they say stands below its line, too.

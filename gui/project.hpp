@@ -15,6 +15,7 @@ namespace jointid::gui {
 
 class ComparePage;
 class DataPage;
+class GeometryPage;
 class MessageBar;
 class SceneEditor;
 class SolvePage;
@@ -44,6 +45,7 @@ class Project : public QWidget {
 
   SceneEditor* editor() const { return editor_; }
   DataPage* data_page() const { return data_page_; }
+  GeometryPage* geometry_page() const { return geometry_page_; }
   SolvePage* solve_page() const { return solve_page_; }
   ComparePage* compare_page() const { return compare_page_; }
   StudyPage* study_page() const { return study_page_; }
@@ -83,6 +85,7 @@ class Project : public QWidget {
   QSplitter* splitter_;
   QTabWidget* pages_;
   DataPage* data_page_;
+  GeometryPage* geometry_page_;
   SolvePage* solve_page_;
   ComparePage* compare_page_;
   StudyPage* study_page_;

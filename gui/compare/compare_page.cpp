@@ -27,8 +27,7 @@ ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
   worker_ = new Worker(this);
   choices_ = new CompareChoices;
   status_ = named(new QLabel, "compare_status", tr("Status of the comparison"));
-  status_->setWordWrap(true);
-  status_->setTextFormat(Qt::PlainText);
+  progress_ = new JobProgress("compare_progress");
   chart_ = new Chart("error_against_time", tr("Error against run time"),
                      tr("Choose what to try, and compare: every way stands here by its error and its run time.\n"
                         "The scene needs [truth] and [noise]. A click on a point opens that solution."));
@@ -43,7 +42,7 @@ ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addWidget(choices_);
-  all->addWidget(status_);
+  all->addLayout(status_row(status_, progress_));
   all->addWidget(both, 1);
   connect(worker_, &Worker::failed, this, [this](const InputError& error) {
     say(QString::fromUtf8(error.what()), true);
@@ -77,14 +76,12 @@ QWidget* ComparePage::make_top() {
   seed_ = number_box("compare_seed", tr("seed"), 0, 1);
   matrix_choice_ = named(new QComboBox, "compare_matrix", tr("Matrix whose error is shown"));
   matrix_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  progress_ = new JobProgress("compare_progress");
   auto* command =
       push_button("compare_command", tr("Copy as command"), tr("Copy the command line that compares the same ways on the same trials"));
   auto* row = new QHBoxLayout(top);
   row->setContentsMargins(0, 0, 0, 0);
   for (QWidget* each : std::initializer_list<QWidget*>{run_, cancel_, trials_, seed_, matrix_choice_}) row->addWidget(each);
-  row->addWidget(progress_, 1);
-  row->addStretch(0);
+  row->addStretch(1);
   row->addWidget(command);
   connect(run_, &QPushButton::clicked, this, &ComparePage::run);
   connect(cancel_, &QPushButton::clicked, this, &ComparePage::cancel);

@@ -1,5 +1,7 @@
 #include "gui/look/buttons.hpp"
 
+#include <QLineEdit>
+
 #include "gui/look/named.hpp"
 
 namespace jointid::gui {
@@ -13,6 +15,7 @@ QSpinBox* number_box(const char* name, const QString& title, int least, int valu
   box->setRange(least, 1000000000);
   box->setValue(value);
   box->setPrefix(title + " ");
+  box->findChild<QLineEdit*>()->setAccessibleName(title);
   return box;
 }
 

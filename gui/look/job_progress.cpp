@@ -1,5 +1,7 @@
 #include "gui/look/job_progress.hpp"
 
+#include <QHBoxLayout>
+#include <QLabel>
 #include <cmath>
 
 #include "gui/look/named.hpp"
@@ -9,6 +11,7 @@ namespace {
 
 constexpr double first_s = 0.5;
 constexpr int steps = 1000;
+constexpr int width_px = 300;
 
 }  // namespace
 
@@ -30,8 +33,18 @@ QString duration_text(double seconds) {
   return JobProgress::tr("%1 h").arg(seconds / 3600.0, 0, 'f', 1);
 }
 
+QLayout* status_row(QLabel* status, JobProgress* progress) {
+  status->setWordWrap(true);
+  status->setTextFormat(Qt::PlainText);
+  auto* row = new QHBoxLayout;
+  row->addWidget(status, 1);
+  row->addWidget(progress, 0, Qt::AlignTop);
+  return row;
+}
+
 JobProgress::JobProgress(const char* name, QWidget* parent) : QProgressBar(parent) {
   named(this, name, tr("Progress"));
+  setFixedWidth(width_px);
   hide();
 }
 

@@ -5,6 +5,9 @@
 
 #include "base/stopwatch.hpp"
 
+class QLabel;
+class QLayout;
+
 namespace jointid::gui {
 
 /// How long a stage will go on at the pace that it had so far.
@@ -35,5 +38,8 @@ class JobProgress : public QProgressBar {
   TimeLeft left_;
   Clock::time_point begun_ = Clock::now();
 };
+
+/// What came of a job, and how far it is, beside each other.
+QLayout* status_row(QLabel* status, JobProgress* progress);
 
 }  // namespace jointid::gui

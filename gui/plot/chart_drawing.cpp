@@ -70,7 +70,7 @@ void draw_histogram(QCustomPlot& plot, QCPAxisRect& rect, const report::Histogra
   QCPAxis* const y = rect.axis(QCPAxis::atLeft);
   const QString unit = QString::fromStdString(histogram.x.label);
   x->setLabel(QString::fromStdString(histogram.title) + (unit.isEmpty() ? QString() : " (" + unit + ")"));
-  x->ticker()->setTickCount(3);
+  x->ticker()->setTickCount(2);
   x->setNumberPrecision(4);
   y->ticker()->setTickCount(3);
   const double width = (histogram.high - histogram.low) / static_cast<double>(std::max<std::size_t>(1, histogram.counts.size()));

@@ -36,8 +36,9 @@ struct Panel {
 inline constexpr const char* phase_label = "phase (°)";
 inline constexpr const char* coherence_label = "coherence";
 
-/// The diagrams of a view, one below the other, of FRFs as `quantity`; none for nyquist; for sum and CMIF the magnitudes. The difference, in dB, is that of each
-/// curve that is not measured from the last one before it that is, which has to be over the same lines.
+/// The diagrams of a view, one below the other, of FRFs as `quantity`; none for nyquist; for sum and CMIF the magnitudes. The
+/// difference, in dB, is that of each curve that is not measured from the last one before it that is, which has to be over the
+/// same lines.
 std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quantity quantity);
 
 /// The FRF as `quantity`.

@@ -63,8 +63,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   joint_tab_ = new JointTab;
   frf_tab_ = new FrfTab(*worker_);
   status_ = named(new QLabel, "solve_status", tr("Status of the solution"));
-  status_->setWordWrap(true);
-  status_->setTextFormat(Qt::PlainText);
+  progress_ = new JobProgress("progress");
   results_ = named(new QTabWidget, "results", tr("Plan and results"));
   results_->addTab(plan_, tr("Plan"));
   results_->addTab(bounds_, tr("Bounds"));
@@ -76,7 +75,7 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
-  all->addWidget(status_);
+  all->addLayout(status_row(status_, progress_));
   all->addWidget(results_, 1);
   connect(worker_, &Worker::failed, this, [this](const InputError& error) {
     say(QString::fromUtf8(error.what()), true);
@@ -99,7 +98,6 @@ QWidget* SolvePage::make_top() {
       push_button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change (F7)"));
   cancel_ = push_button("cancel", tr("Cancel"), tr("Stop and keep the best values so far (Shift+F5)"));
   cancel_->setEnabled(false);
-  progress_ = new JobProgress("progress");
   run_choice_ = named(new QComboBox, "runs", tr("Runs"), tr("Solutions of this session"));
   run_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* command =
@@ -110,8 +108,7 @@ QWidget* SolvePage::make_top() {
   auto* row = new QHBoxLayout(top);
   row->setContentsMargins(0, 0, 0, 0);
   for (QWidget* each : std::initializer_list<QWidget*>{solve_, bound_button, cancel_, run_choice_}) row->addWidget(each);
-  row->addWidget(progress_, 1);
-  row->addStretch(0);
+  row->addStretch(1);
   for (QWidget* each : {command, table, page, json}) row->addWidget(each);
   connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
   connect(bound_button, &QPushButton::clicked, this, &SolvePage::bound);

@@ -25,12 +25,12 @@ StudyPage::StudyPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Study"));
   worker_ = new Worker(this);
   status_ = named(new QLabel, "study_status", tr("Status of the study"));
-  status_->setWordWrap(true);
-  status_->setTextFormat(Qt::PlainText);
+  progress_ = new JobProgress("study_progress");
   chart_ = new Chart("study_histograms", tr("Histograms of the unknowns"),
                      tr("Run, and the estimates of all trials grow here as histograms.\n"
                         "The noise is that of [noise], or that of the coherences of the files."));
   table_ = new CellTable("study_unknowns", tr("Statistics of the unknowns"));
+  table_->hide();
   auto* both = named(new QSplitter(Qt::Vertical), "chart_and_statistics", tr("Histograms and table"));
   both->addWidget(chart_);
   both->addWidget(table_);
@@ -39,7 +39,7 @@ StudyPage::StudyPage(QWidget* parent) : QWidget(parent) {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
-  all->addWidget(status_);
+  all->addLayout(status_row(status_, progress_));
   all->addWidget(both, 1);
   connect(worker_, &Worker::failed, this, [this](const InputError& error) {
     say(QString::fromUtf8(error.what()), true);
@@ -66,13 +66,11 @@ QWidget* StudyPage::make_top() {
                 tr("Forget the trials that a cancelled run left, as after a change of the scene"));
   set_choice_ = named(new QComboBox, "study_set", tr("Which histograms"));
   set_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  progress_ = new JobProgress("study_progress");
   auto* command = push_button("study_command", tr("Copy as command"), tr("Copy the command line that writes the same file"));
   auto* row = new QHBoxLayout(top);
   row->setContentsMargins(0, 0, 0, 0);
   for (QWidget* each : std::initializer_list<QWidget*>{run_, cancel_, trials_, seed_, anew_, set_choice_}) row->addWidget(each);
-  row->addWidget(progress_, 1);
-  row->addStretch(0);
+  row->addStretch(1);
   row->addWidget(command);
   connect(run_, &QPushButton::clicked, this, &StudyPage::run);
   connect(cancel_, &QPushButton::clicked, this, &StudyPage::cancel);
@@ -141,6 +139,7 @@ void StudyPage::show_study(const StudyShown& shown) {
   set_choice_->setCurrentIndex(std::max(0, set_choice_->findText(before)));
   show_set();
   table_->show_rows(rows_of(shown.unknowns));
+  table_->setVisible(shown.complete);
 }
 
 void StudyPage::show_set() {

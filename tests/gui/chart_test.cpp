@@ -40,7 +40,7 @@ struct DrawnChart {
   }
   void draw_points() {
     chart.draw(three_points());
-    chart.grab();  // the axes have their places after it
+    QCoreApplication::processEvents();  // replots are queued, and the axes have their places after them
   }
 };
 
