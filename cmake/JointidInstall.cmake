@@ -11,4 +11,4 @@ install(FILES
   "${PROJECT_BINARY_DIR}/jointid-config-version.cmake"
   DESTINATION "${_destination}")
 install(FILES LICENSE docs/licences.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES cli/report/vendor/uplot/LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME LICENSE.uPlot)
+install(FILES report/page/vendor/uplot/LICENSE DESTINATION "${CMAKE_INSTALL_DOCDIR}" RENAME LICENSE.uPlot)

@@ -76,10 +76,12 @@ void MainWindow::add_view_menu() {
   menu->addSeparator();
   menu->addAction(tr("&Scene"), QKeySequence(tr("Alt+1")), this,
                   on_current(this, [](Project& project) { project.editor()->setFocus(); }));
-  menu->addAction(tr("&Data"), QKeySequence(tr("Alt+2")), this,
-                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(0); }));
-  menu->addAction(tr("S&olution"), QKeySequence(tr("Alt+3")), this,
-                  on_current(this, [](Project& project) { project.pages()->setCurrentIndex(1); }));
+  int page = 0;
+  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy")}) {
+    menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg(page + 2)), this,
+                    on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
+    ++page;
+  }
   menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
     if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
   });
@@ -100,7 +102,7 @@ void MainWindow::add_run_menu() {
                     project.solve_page()->bound();
                   }));
   menu->addAction(tr("&Cancel"), QKeySequence(tr("Shift+F5")), this,
-                  on_current(this, [](Project& project) { project.solve_page()->cancel(); }));
+                  on_current(this, [](Project& project) { project.cancel(); }));
 }
 
 void MainWindow::add_help_menu() {

@@ -9,7 +9,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
+#include "gui/geometry/geometry_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
@@ -20,6 +22,7 @@
 #include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
+#include "gui/study/study_page.hpp"
 #include "ident/scene/scene_files.hpp"
 
 namespace jointid::gui {
@@ -76,12 +79,22 @@ void Project::add_pages() {
   pages_ = named(new QTabWidget, "pages", tr("Pages"));
   data_page_ = named(new DataPage, "data_page", tr("Data"));
   pages_->addTab(data_page_, tr("Data"));
+  geometry_page_ = named(new GeometryPage, "geometry_page", tr("Geometry"));
+  pages_->addTab(geometry_page_, tr("Geometry"));
   solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
   pages_->addTab(solve_page_, tr("Solve"));
+  compare_page_ = named(new ComparePage, "compare_page", tr("Compare"));
+  pages_->addTab(compare_page_, tr("Compare"));
+  study_page_ = named(new StudyPage, "study_page", tr("Study"));
+  pages_->addTab(study_page_, tr("Study"));
   splitter_->addWidget(pages_);
   link_cursors();
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
+  connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
+  connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
+  connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
+  connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
 
@@ -91,6 +104,7 @@ void Project::link_cursors() {
   FrfPlot* const solution = solve_page_->plot();
   connect(data, &FrfPlot::cursor_moved, solution, &FrfPlot::set_cursor);
   connect(solution, &FrfPlot::cursor_moved, data, &FrfPlot::set_cursor);
+  for (FrfPlot* plot : {data, solution}) connect(plot, &FrfPlot::cursor_moved, geometry_page_, &GeometryPage::set_frequency);
 }
 
 std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
@@ -171,8 +185,13 @@ void Project::check() {
 void Project::show_scene() {
   solve_page_->set_file(file_);
   solve_page_->set_scene(checked_.scene);
+  compare_page_->set_file(file_);
+  compare_page_->set_scene(checked_.scene);
+  study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
   if (!checked_.scene) return;
-  data_page_->set_scene(*checked_.scene, path().parent_path().string() + '\n' + tables_below(editor_->text(), "data"));
+  const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
+  data_page_->set_scene(*checked_.scene, files);
+  geometry_page_->set_scene(*checked_.scene, files);
 }
 
 /// Planning and solving know more than the reader of scenes: what they say stands below its line, too.
@@ -184,6 +203,20 @@ void Project::show_failure(const InputError& error) {
 /// A value that was chosen on a page, as a step of the text that can be undone.
 void Project::edit(const std::string& table, const std::string& key, const std::string& value) {
   editor_->replace_text(with_value(editor_->text(), table, key, value));
+}
+
+void Project::cancel() {
+  solve_page_->cancel();
+  compare_page_->cancel();
+  study_page_->cancel();
+}
+
+/// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.
+void Project::open_way(const study::Way& way) {
+  editor_->replace_text(with_way(editor_->text(), way));
+  check();
+  pages_->setCurrentWidget(solve_page_);
+  solve_page_->solve();
 }
 
 void Project::offer_dofs() {

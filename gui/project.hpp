@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gui/scene/scene_check.hpp"
+#include "study/comparison.hpp"
 
 class QLabel;
 class QSplitter;
@@ -12,10 +13,13 @@ class QTabWidget;
 
 namespace jointid::gui {
 
+class ComparePage;
 class DataPage;
+class GeometryPage;
 class MessageBar;
 class SceneEditor;
 class SolvePage;
+class StudyPage;
 
 /// One scene: its text on the left, what it leads to on the right. The text is all there is to save.
 class Project : public QWidget {
@@ -41,9 +45,14 @@ class Project : public QWidget {
 
   SceneEditor* editor() const { return editor_; }
   DataPage* data_page() const { return data_page_; }
+  GeometryPage* geometry_page() const { return geometry_page_; }
   SolvePage* solve_page() const { return solve_page_; }
+  ComparePage* compare_page() const { return compare_page_; }
+  StudyPage* study_page() const { return study_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
+  /// Stops what runs on any page.
+  void cancel();
   const CheckedScene& checked() const { return checked_; }
 
   QByteArray layout_state() const;
@@ -61,6 +70,7 @@ class Project : public QWidget {
   void check();
   void show_scene();
   void edit(const std::string& table, const std::string& key, const std::string& value);
+  void open_way(const study::Way& way);
   void offer_dofs();
   void show_failure(const InputError& error);
   void show_problem();
@@ -75,7 +85,10 @@ class Project : public QWidget {
   QSplitter* splitter_;
   QTabWidget* pages_;
   DataPage* data_page_;
+  GeometryPage* geometry_page_;
   SolvePage* solve_page_;
+  ComparePage* compare_page_;
+  StudyPage* study_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

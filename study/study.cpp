@@ -107,7 +107,11 @@ class Study {
     std::size_t received = 0, others = team_.size() - 1;
     TrialQueue queue(part_of(missing, 0, team_.size()));
     StudyWorkers workers(data_, columns_, options_.seed, threads(), queue,
-                         [&](std::size_t trial, std::span<const double> row) { records.put(trial, row); }, state_);
+                         [&](std::size_t trial, std::span<const double> row) {
+                           records.put(trial, row);
+                           if (control_.row) control_.row(trial, row);
+                         },
+                         state_);
     Clock::time_point synced = Clock::now();
     for (bool ended = false; !ended || others > 0;) {
       ended = workers.wait_ms(team_.size() > 1 ? 2 : 50);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "study/study_options.hpp"
 #include "ident/team/team.hpp"
@@ -8,10 +9,12 @@
 
 namespace jointid::study {
 
-/// How the caller watches and stops a study; both are called several times per second by the calling thread.
+/// How the caller watches and stops a study; progress and interrupted are called several times per second by the calling thread.
 struct StudyControl {
   std::function<void(std::size_t done, std::size_t total)> progress;
   std::function<bool()> interrupted;
+  /// Given every row that this process computes as it is kept (study_row.hpp); called by any thread, by several at once.
+  std::function<void(std::size_t trial, std::span<const double> row)> row = {};
 };
 
 struct StudyRun {

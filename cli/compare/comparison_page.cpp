@@ -2,14 +2,21 @@
 
 #include <fmt/format.h>
 
-#include "cli/compare/comparison_plots.hpp"
-#include "cli/compare/comparison_tables.hpp"
 #include "cli/report/page.hpp"
 #include "cli/text/noise_text.hpp"
 #include "cli/text/words.hpp"
+#include "report/result/comparison_plots.hpp"
+#include "report/result/comparison_tables.hpp"
 
 namespace jointid::cli::report {
 namespace {
+
+using jointid::report::cost_table;
+using jointid::report::error_against_time;
+using jointid::report::figures_table;
+using jointid::report::left_out_lines;
+using jointid::report::pair_tables;
+using jointid::report::PairTable;
 
 void add_summary(const ComparisonReport& report, const ident::Scene& scene, ReportPage& page) {
   page.section("Summary");

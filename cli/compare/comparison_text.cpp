@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
-#include "cli/compare/comparison_tables.hpp"
 #include "cli/text/words.hpp"
+#include "report/result/comparison_tables.hpp"
 
 namespace jointid::cli {
 namespace {
+
+using jointid::report::cost_table;
+using jointid::report::figures_table;
+using jointid::report::left_out_lines;
+using jointid::report::pair_tables;
+using jointid::report::PairTable;
 
 std::string pairs_text(const std::vector<study::Combination>& all, std::size_t matrix) {
   std::string text;

@@ -1,24 +1,11 @@
 #pragma once
 
-#include <functional>
-#include <string>
-#include <vector>
-
-#include "cli/report/contents.hpp"
-#include "cli/text/table.hpp"
-#include "frf/set/dof.hpp"
+#include "report/page/heat_map.hpp"
 
 namespace jointid::cli::report {
 
-/// rms errors of FRFs as a map. `rms_db` [responses × references], NaN where there is nothing to compare; totals are the rms over
-/// those that are there.
-HeatMap error_map(const std::string& title, const std::vector<frf::Dof>& responses, const std::vector<frf::Dof>& references,
-                  const std::vector<double>& rms_db);
-
-/// Places in `rms_db` of the values that are there, worst first.
-std::vector<std::size_t> worst_first(const std::vector<double>& rms_db);
-
-/// All FRFs of a map with their errors, worst first.
-Table worst_frfs(const HeatMap& map);
+using jointid::report::error_map;
+using jointid::report::worst_first;
+using jointid::report::worst_frfs;
 
 }  // namespace jointid::cli::report

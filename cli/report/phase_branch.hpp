@@ -1,11 +1,9 @@
 #pragma once
 
-#include "cli/report/contents.hpp"
+#include "report/page/phase_branch.hpp"
 
 namespace jointid::cli::report {
 
-/// Moves all phases into the period that they cross least (report/phase_branch.hpp), sets the plot's y-range to it, and draws what
-/// crosses its end all the same again and again, as noise does, as points.
-void choose_branch(CurvePlot& phases);
+using jointid::report::choose_branch;
 
 }  // namespace jointid::cli::report

@@ -1,17 +1,10 @@
 #pragma once
 
-#include "cli/report/contents.hpp"
-#include "ident/tasks/convergence.hpp"
-#include "ident/tasks/regenerate.hpp"
+#include "report/page/solve_plots.hpp"
 
-/// The plots of a solve report.
 namespace jointid::cli::report {
 
-/// Magnitude, difference in dB and phase of measured and regenerated FRFs, one choice per FRF that was measured; `used_hz`: a
-/// range to shade, that of the lines that the joint was identified from. At most `most` points per FRF, peaks kept.
-PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most);
-
-/// RJCF and ARVF of each matrix against the number of lines (docs/formulas.md §6).
-PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines);
+using jointid::report::frf_overlay;
+using jointid::report::quality_plots;
 
 }  // namespace jointid::cli::report

@@ -1,15 +1,9 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "cli/report/contents.hpp"
+#include "report/page/status_banner.hpp"
 
 namespace jointid::cli::report {
 
-/// The banner of a status: green for "ok", amber for "doubtful" and "suspicious", red for all others (poor_fit, rank_deficient,
-/// not_converged, imprecise, …). `status` is the word of the JSON.
-StatusBanner status_banner(const std::string& status, const std::string& message, std::vector<std::string> remarks = {},
-                           std::vector<SuspectLines> suspects = {});
+using jointid::report::status_banner;
 
 }  // namespace jointid::cli::report

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/solve/identifiability_text.hpp"
 #include "ident/likelihood/findings/findings.hpp"
+#include "report/text/identifiability_text.hpp"
 
 namespace jointid::cli {
 namespace {
+
+using jointid::report::weakest_table;
 
 std::string factor(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "no longer fixed"; }
 

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/solve/admissibility_text.hpp"
-#include "cli/solve/identifiability_text.hpp"
 #include "cli/text/table.hpp"
 #include "cli/text/words.hpp"
+#include "report/text/admissibility_text.hpp"
+#include "report/text/identifiability_text.hpp"
 
 namespace jointid::cli {
 namespace {
+
+using jointid::report::constraints_text;
+using jointid::report::identifiability_text;
 
 std::string number_or_dash(const std::optional<double>& value) { return value ? number(*value) : "–"; }
 

@@ -11,13 +11,13 @@
 #include "cli/options/of_option.hpp"
 #include "cli/options/output.hpp"
 #include "cli/solve/solution_text.hpp"
-#include "cli/solve/solve_page.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/frf_plot.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
 
 namespace jointid::cli {
@@ -67,7 +67,7 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
 void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
                   const std::optional<ident::FrfEntry>& entry, std::ostream& out) {
   Progress progress;
-  write_target(target, report::solve_report(plan, solution, entry, progress.control()), out);
+  write_target(target, jointid::report::solve_report(plan, solution, entry, progress.control()), out);
 }
 
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.

@@ -15,12 +15,11 @@
 #include "cli/study/study_text.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
-#include "cli/text/version.hpp"
-#include "frf/hdf5/record_journal.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "scene/text.hpp"
-#include "study/study_options.hpp"
+#include "ident/study/study_options.hpp"
+#include "report/result/study_tables.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -53,8 +52,7 @@ study::StudyOptions options_of(const StudyArguments& arguments, const std::strin
   }
   options.resume = arguments.resume;
   options.out = result_file(arguments);
-  options.texts["scene_hash"] = fmt::format("{:016x}", frf::checksum(std::as_bytes(std::span(scene_text))));
-  options.texts["jointid_version"] = version_number();
+  options.texts = jointid::report::study_texts(scene_text);
   return options;
 }
 
@@ -107,7 +105,7 @@ study::StudyRun run_watched(const Start& start, ident::Team& team) {
   StudyProgress progress;
   std::atomic<std::size_t> trials_done = 0;
   const LastWords words([&] { return to_go_on(start.options, trials_done); });
-  study::StudyControl control{.progress = {}, .interrupted = interrupted};
+  study::StudyControl control{.progress = {}, .interrupted = interrupted, .row = {}};
   if (team.rank() == 0) {
     control.progress = [&](std::size_t done, std::size_t total) {
       trials_done = done;

@@ -5,13 +5,20 @@
 #include <algorithm>
 
 #include "cli/report/page.hpp"
-#include "cli/study/study_plots.hpp"
-#include "cli/study/study_tables.hpp"
 #include "cli/text/noise_text.hpp"
 #include "cli/text/words.hpp"
+#include "report/result/study_plots.hpp"
+#include "report/result/study_tables.hpp"
 
 namespace jointid::cli::report {
 namespace {
+
+using jointid::report::quality_histograms;
+using jointid::report::quality_table;
+using jointid::report::speed_text;
+using jointid::report::trials_text;
+using jointid::report::unknown_histograms;
+using jointid::report::unknowns_table;
 
 /// More is no reading matter; the JSON and the result file have it.
 constexpr std::size_t most_unknowns = 300;

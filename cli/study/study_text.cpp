@@ -4,11 +4,16 @@
 
 #include <cmath>
 
-#include "cli/study/study_tables.hpp"
 #include "cli/text/table.hpp"
+#include "report/result/study_tables.hpp"
 
 namespace jointid::cli {
 namespace {
+
+using jointid::report::quality_table;
+using jointid::report::speed_text;
+using jointid::report::trials_text;
+using jointid::report::unknowns_table;
 
 std::string head(const StudyReport& report) {
   Table table({{"", Align::left}, {"", Align::left}});

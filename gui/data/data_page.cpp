@@ -16,6 +16,7 @@
 #include "gui/data/frf_grid_model.hpp"
 #include "gui/look/named.hpp"
 #include "gui/plot/frf_plot.hpp"
+#include "gui/plot/indicators.hpp"
 #include "gui/scene/scene_edit.hpp"
 #include "gui/work/worker.hpp"
 #include "ident/scene/scene_files.hpp"
@@ -24,6 +25,7 @@ namespace jointid::gui {
 namespace {
 
 constexpr std::size_t most_curves = 40;
+constexpr std::size_t most_values = std::size_t{4} << 20;  ///< of FRFs that are read for sums: 64 MB
 constexpr int file_role = Qt::UserRole;
 
 QString text_of(GridFigure figure) {
@@ -79,10 +81,14 @@ DataPage::DataPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Data"));
   plot_ = new FrfPlot(tr("Choose FRFs in the grid: click, drag, Ctrl+click, or whole rows and columns by their names."));
   plot_->let_exclude();
+  for (const View view : {View::sum, View::cmif}) plot_->offer(view);
   worker_ = new Worker(this);
   add_left();
   connect(worker_, &Worker::failed, this, [this](const InputError& error) { about_->setText(QString::fromUtf8(error.what())); });
   connect(plot_, &FrfPlot::band_chosen, this, &DataPage::exclude);
+  connect(plot_, &FrfPlot::view_changed, this, [this] {
+    if (is_indicator(plot_->view()) || is_indicator(read_for_)) read_curves();
+  });
   connect(tree_, &QTreeWidget::currentItemChanged, this, &DataPage::show_file);
   connect(everywhere_, &QCheckBox::toggled, this, &DataPage::read_curves);
   connect(figure_, &QComboBox::currentIndexChanged, this,
@@ -212,6 +218,12 @@ void DataPage::choose_frfs(const std::vector<std::pair<int, int>>& entries) {
   table_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
 }
 
+/// FRFs to read: all that are drawn, or as many as memory allows where they are summed.
+std::size_t DataPage::most_wanted() const {
+  if (!is_indicator(plot_->view())) return most_curves;
+  return std::max(most_curves, most_values / std::max<std::size_t>(1, files_[chosen_].header.lines()));
+}
+
 void DataPage::read_curves() {
   std::vector<Wanted> wanted;
   for (const QModelIndex& index : table_->selectionModel()->selectedIndexes()) {
@@ -223,17 +235,18 @@ void DataPage::read_curves() {
       if (const auto entry = entry_in(files_[file], own.response[r], own.reference[c]))
         wanted.push_back({file, entry->first, entry->second});
     }
-    if (wanted.size() >= most_curves) break;
+    if (wanted.size() >= most_wanted()) break;
   }
   const std::size_t number = ++wanted_;
-  worker_->add([this, wanted, number, files = files_](const Worker::Watch& watch) -> Worker::Deliver {
+  read_for_ = plot_->view();
+  worker_->add([this, wanted, number, view = read_for_, files = files_](const Worker::Watch& watch) -> Worker::Deliver {
     std::vector<Curve> curves;
     for (const Wanted& each : wanted) {
       stop_if(watch.interrupted);
       curves.push_back(read_curve(files[each.file], each.response, each.reference));
     }
-    return [this, number, curves] {
-      if (number == wanted_) plot_->set_curves(curves);
+    return [this, number, drawn = indicators(std::move(curves), view, watch.interrupted)] {
+      if (number == wanted_) plot_->set_curves(drawn);
     };
   });
 }

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "gui/data/loaded_file.hpp"
+#include "gui/plot/curve.hpp"
 
 class QCheckBox;
 class QComboBox;
@@ -47,6 +48,7 @@ class DataPage : public QWidget {
   void show_files();
   void show_file();
   void show_figures(std::size_t file, std::vector<EntryFigures> figures);
+  std::size_t most_wanted() const;
   void read_curves();
   void exclude(double low_hz, double high_hz);
   void use_as_joint();
@@ -62,6 +64,7 @@ class DataPage : public QWidget {
   std::vector<LoadedFile> files_;
   std::size_t chosen_ = 0;
   std::size_t wanted_ = 0;  ///< counts what was asked of the plot, so that only the last is drawn
+  View read_for_ = View::magnitude_phase;  ///< what the curves were read for
   std::string signature_;
   ident::Scene scene_;
 };

@@ -147,6 +147,7 @@ Curve read_curve(const LoadedFile& file, std::size_t response, std::size_t refer
   curve.reference = header.reference[reference];
   curve.name = file.name + "  " + curve.response.name() + " / " + curve.reference.name();
   curve.frequency_hz = header.frequency_hz;
+  curve.file = file.name;
   const Indices lines = all_of(header.lines()), responses = {response}, references = {reference};
   const frf::Block block{lines, responses, references};
   curve.values.resize(block.size());

@@ -8,4 +8,6 @@ std::filesystem::path as_path(const QString& name) { return QFile::encodeName(na
 
 QString as_name(const std::filesystem::path& path) { return QFile::decodeName(path.string().c_str()); }
 
+QString shell_word(QString text) { return "'" + text.replace("'", "'\\''") + "'"; }
+
 }  // namespace jointid::gui

@@ -9,4 +9,7 @@ namespace jointid::gui {
 std::filesystem::path as_path(const QString& name);
 QString as_name(const std::filesystem::path& path);
 
+/// As one word of a shell: 'it'\''s.toml'.
+QString shell_word(QString text);
+
 }  // namespace jointid::gui

@@ -91,6 +91,11 @@ std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quan
   const std::string in = " (" + unit_of(curves, quantity) + ")";
   if (view == View::nyquist) return {};
   if (view == View::difference) return {difference_panel(curves)};
+  if (is_indicator(view)) {
+    Panel panel{(view == View::sum ? "sum of |H|" : "CMIF") + in, true, {}, 0.0};
+    for (const Curve& curve : curves) panel.ordinates.push_back(report::magnitudes(converted(curve, quantity)));
+    return {panel};
+  }
   if (view == View::coherence) {
     Panel panel{coherence_label, false, {}, 1.0};
     for (const Curve& curve : curves) panel.ordinates.push_back(curve.coherence);
@@ -129,8 +134,9 @@ std::string readout(const std::vector<Curve>& curves, double frequency_hz, frf::
     if (!std::isfinite(std::abs(value)))
       text += "not measured";
     else
-      text += digits(std::abs(value), "%.4g") + " " + unit(curve, quantity) + " ∠ " +
-              digits(std::arg(value) * 180.0 / std::numbers::pi, "%.1f") + "°";
+      text += digits(std::abs(value), "%.4g") + " " + unit(curve, quantity);
+    if (curve.has_phase && std::isfinite(std::abs(value)))
+      text += " ∠ " + digits(std::arg(value) * 180.0 / std::numbers::pi, "%.1f") + "°";
     if (!curve.coherence.empty()) text += ", γ² " + digits(curve.coherence[line], "%.3f");
   }
   if (curves.size() > most) text += "\n… and " + std::to_string(curves.size() - most) + " more";

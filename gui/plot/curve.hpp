@@ -15,10 +15,15 @@ struct Curve {
   std::vector<Complex> values;
   std::vector<double> coherence;  ///< as long as values, or empty
   bool is_measured = true;        ///< false: computed, drawn dashed
+  bool has_phase = true;          ///< false: the values are magnitudes
+  std::string file{};             ///< where it is from
 };
 
 /// What is drawn of curves.
-enum class View { magnitude_phase, real_imaginary, nyquist, coherence, difference };
+enum class View { magnitude_phase, real_imaginary, nyquist, coherence, difference, sum, cmif };
+
+/// Views of many FRFs in a few curves, which are indicators() of them.
+inline bool is_indicator(View view) { return view == View::sum || view == View::cmif; }
 
 /// A diagram over frequency: one ordinate per curve, empty where a curve has none.
 struct Panel {
@@ -31,8 +36,9 @@ struct Panel {
 inline constexpr const char* phase_label = "phase (°)";
 inline constexpr const char* coherence_label = "coherence";
 
-/// The diagrams of a view, one below the other, of FRFs as `quantity`; none for nyquist. The difference, in dB, is that of each
-/// curve that is not measured from the last one before it that is, which has to be over the same lines.
+/// The diagrams of a view, one below the other, of FRFs as `quantity`; none for nyquist; for sum and CMIF the magnitudes. The
+/// difference, in dB, is that of each curve that is not measured from the last one before it that is, which has to be over the
+/// same lines.
 std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quantity quantity);
 
 /// The FRF as `quantity`.

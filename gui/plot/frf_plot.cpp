@@ -1,19 +1,11 @@
 #include "gui/plot/frf_plot.hpp"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
-#include <QMimeData>
 #include <QToolButton>
 
-#include "base/error.hpp"
-#include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
-#include "gui/look/output.hpp"
 #include "gui/plot/plot_canvas.hpp"
 
 namespace jointid::gui {
@@ -31,6 +23,10 @@ QString text_of(View view) {
       return FrfPlot::tr("coherence");
     case View::difference:
       return FrfPlot::tr("computed over measured");
+    case View::sum:
+      return FrfPlot::tr("sum of magnitudes");
+    case View::cmif:
+      return FrfPlot::tr("CMIF");
   }
   return {};
 }
@@ -84,12 +80,15 @@ void FrfPlot::add_controls() {
   row->addStretch(1);
   for (QToolButton* each : {exclude_, all, copy_button, save_button}) row->addWidget(each);
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
-  connect(views_, &QComboBox::currentIndexChanged, this, &FrfPlot::redraw);
+  connect(views_, &QComboBox::currentIndexChanged, this, [this] {
+    redraw();
+    Q_EMIT view_changed();
+  });
   connect(quantities_, &QComboBox::currentIndexChanged, this, &FrfPlot::redraw);
   connect(exclude_, &QToolButton::toggled, this, [this](bool on) { canvas_->set_excluding(on); });
   connect(all, &QToolButton::clicked, canvas_, &PlotCanvas::show_all);
-  connect(copy_button, &QToolButton::clicked, this, &FrfPlot::copy);
-  connect(save_button, &QToolButton::clicked, this, &FrfPlot::save_as);
+  connect(copy_button, &QToolButton::clicked, this, [this] { copy_plot(saveable()); });
+  connect(save_button, &QToolButton::clicked, this, [this] { ask_and_save(this, saveable(), inputs_); });
 }
 
 void FrfPlot::let_exclude() { exclude_->show(); }
@@ -116,6 +115,8 @@ void FrfPlot::set_bands(std::vector<ident::Range> excluded, std::optional<ident:
   canvas_->set_bands(std::move(excluded), range);
 }
 
+void FrfPlot::set_marked(std::vector<double> marked_hz) { canvas_->set_marked(std::move(marked_hz)); }
+
 void FrfPlot::set_cursor(double frequency_hz) {
   canvas_->move_cursor(frequency_hz);
   show_cursor(frequency_hz);
@@ -127,33 +128,11 @@ void FrfPlot::show_cursor(double frequency_hz) {
 
 QString FrfPlot::readout() const { return readout_->text(); }
 
-void FrfPlot::save(const QString& file) const {
-  const QString ending = QFileInfo(file).suffix().toLower();
-  if (ending == QLatin1String("csv")) return write_output(file, curves_table(curves(), quantity(), ','), inputs_);
-  if (!QStringList({"png", "svg", "pdf"}).contains(ending)) {
-    throw InputError({ErrorKind::usage, file.toStdString(), "", "the name does not say what to write",
-                      "end it with .png, .svg, .pdf or .csv"});
-  }
-  const QByteArray bytes = canvas_->picture(ending);
-  write_output(file, {bytes.data(), static_cast<std::size_t>(bytes.size())}, inputs_);
+Saveable FrfPlot::saveable() const {
+  return {[this](const QString& ending) { return canvas_->picture(ending); },
+          [this](char separator) { return curves_table(curves(), quantity(), separator); }};
 }
 
-void FrfPlot::save_as() {
-  const QString filter = tr("Pictures and tables (*.png *.svg *.pdf *.csv)");
-  const QString file = choose_file_to_save(this, tr("Save the plot"), QString(), filter, QStringLiteral("png"));
-  if (file.isEmpty()) return;
-  try {
-    save(file);
-  } catch (const InputError& error) {
-    QMessageBox::warning(this, tr("Not saved"), QString::fromUtf8(error.what()));
-  }
-}
-
-void FrfPlot::copy() {
-  auto* data = new QMimeData;
-  data->setText(QString::fromStdString(curves_table(curves(), quantity(), '\t')));
-  data->setImageData(QImage::fromData(canvas_->picture(QStringLiteral("png"))));
-  QApplication::clipboard()->setMimeData(data);
-}
+void FrfPlot::save(const QString& file) const { save_plot(file, saveable(), inputs_); }
 
 }  // namespace jointid::gui

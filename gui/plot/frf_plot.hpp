@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "gui/plot/curve.hpp"
+#include "gui/plot/picture.hpp"
 #include "ident/scene/scene.hpp"
 
 class QComboBox;
@@ -28,6 +29,8 @@ class FrfPlot : public QWidget {
   const std::vector<Curve>& curves() const;
   /// Bands that the scene leaves out, and the range that it takes.
   void set_bands(std::vector<ident::Range> excluded, std::optional<ident::Range> range);
+  /// Lines to be seen at once, those that outlie.
+  void set_marked(std::vector<double> marked_hz);
   /// Shows the button that lets bands be excluded.
   void let_exclude();
   /// Files that are never written over.
@@ -47,14 +50,14 @@ class FrfPlot : public QWidget {
  Q_SIGNALS:
   void band_chosen(double low_hz, double high_hz);
   void cursor_moved(double frequency_hz);
+  void view_changed();
 
  private:
   void add_controls();
   frf::Quantity quantity() const;
   void redraw();
   void show_cursor(double frequency_hz);
-  void save_as();
-  void copy();
+  Saveable saveable() const;
 
   QComboBox* views_;
   QComboBox* quantities_;

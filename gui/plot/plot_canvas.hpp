@@ -6,11 +6,12 @@
 #include "gui/plot/curve.hpp"
 #include "ident/scene/scene.hpp"
 
-class QCPAxisRect;
 class QCPLayer;
 class QCustomPlot;
 
 namespace jointid::gui {
+
+struct Drawing;
 
 /// The drawing of FrfPlot, and what the mouse and the keys do in it. Alone with QCustomPlot, whose header takes seconds to
 /// compile.
@@ -22,6 +23,9 @@ class PlotCanvas : public QWidget {
 
   void draw(const std::vector<Curve>& curves, View view, frf::Quantity quantity);
   void set_bands(std::vector<ident::Range> excluded, std::optional<ident::Range> range);
+  /// Lines to be seen at once, those that outlie.
+  void set_marked(std::vector<double> marked_hz);
+  const std::vector<double>& marked() const { return marked_hz_; }
   void set_excluding(bool on) { excluding_ = on; }
   const std::vector<Curve>& curves() const { return curves_; }
 
@@ -44,17 +48,11 @@ class PlotCanvas : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  Drawing drawing() const;
   void redraw();
-  void draw_hint();
-  void draw_panels();
-  void fit_axes(QCPAxisRect* rect) const;
+  void draw_diagrams();
+  void show_cursor();
   void fit_all();
-  void add_legend();
-  void draw_nyquist();
-  void draw_bands(QCPAxisRect* rect);
-  void draw_cursor();
-  void add_panel(int row, const Panel& panel, bool last);
-  void style(QCPAxisRect* rect) const;
   bool press(int key, bool far);
   void zoom(double factor);
   void end_drag(const QRect& rectangle);
@@ -66,6 +64,7 @@ class PlotCanvas : public QWidget {
   View view_ = View::magnitude_phase;
   frf::Quantity quantity_ = frf::Quantity::receptance;
   std::vector<ident::Range> excluded_;
+  std::vector<double> marked_hz_;
   std::optional<ident::Range> range_, shown_;
   std::optional<double> cursor_;
   bool excluding_ = false;

@@ -86,6 +86,20 @@ std::string written(const std::vector<frf::Dof>& dofs) {
   return text + "]";
 }
 
+std::string with_way(std::string text, const study::Way& way) {
+  const auto word = [](const std::string& value) { return '"' + value + '"'; };
+  const auto set = [&text](const char* key, const std::string& value) { text = with_value(text, "identify", key, value); };
+  std::string equations;
+  for (const ident::Equation equation : way.equations) equations += (equations.empty() ? "" : ", ") + word(ident::name(equation));
+  set("method", word(ident::name(way.method)));
+  if (!equations.empty()) set("equations", "[" + equations + "]");
+  set("solver", word(way.solver));
+  if (!ident::weighs_equations(way.method)) return text;
+  set("weighting", word(weighting::name(way.weighting)));
+  set("delta", digits(way.delta, "%.10g"));
+  return text;
+}
+
 std::vector<ident::Range> with_range(std::vector<ident::Range> ranges, const ident::Range& more) {
   ranges.push_back(more);
   std::ranges::sort(ranges);

@@ -5,6 +5,7 @@
 
 #include "frf/set/dof.hpp"
 #include "ident/scene/scene.hpp"
+#include "study/comparison.hpp"
 
 namespace jointid::gui {
 
@@ -15,6 +16,9 @@ std::string with_value(const std::string& text, const std::string& table, const 
 /// Values as they are written: [[560, 566], [700.5, 702]] and ["4:+Y", "5:-RZ"].
 std::string written(const std::vector<ident::Range>& ranges);
 std::string written(const std::vector<frf::Dof>& dofs);
+
+/// The text with [identify] as the way has it; weighting and Δ stay where the method has neither.
+std::string with_way(std::string text, const study::Way& way);
 
 /// The ranges with one more: those that overlap or touch are one, ascending.
 std::vector<ident::Range> with_range(std::vector<ident::Range> ranges, const ident::Range& more);

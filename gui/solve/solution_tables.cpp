@@ -1,20 +1,16 @@
 #include "gui/solve/solution_tables.hpp"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "base/text.hpp"
+#include "gui/look/said.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/plan/expected_time.hpp"
 
 namespace jointid::gui {
 namespace {
-
-QString said(const char* text) { return QCoreApplication::translate("solution_tables", text); }
-
-QString q(const std::string& text) { return QString::fromStdString(text); }
 
 QString number(double value) { return q(digits(value, "%.5g")); }
 

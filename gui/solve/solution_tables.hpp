@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "gui/solve/cell_table.hpp"
+#include "gui/table/cell_table.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
 #include "ident/tasks/bound_report.hpp"

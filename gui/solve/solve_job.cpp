@@ -1,9 +1,11 @@
 #include "gui/solve/solve_job.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/control.hpp"
 #include "ident/identify.hpp"
+#include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
 
 namespace jointid::gui {
@@ -22,9 +24,9 @@ void mark_interrupted(ident::Solution& best) {
   best.message = "Interrupted" + when + ": these are the best values so far." + (best.message.empty() ? "" : " ") + best.message;
 }
 
-Curve curve_of(const ident::Regenerated& all, const ident::RegeneratedFrf& frf, bool is_measured) {
+Curve curve_of(const ident::Regenerated& all, const ident::RegeneratedFrf& frf, bool is_measured, const std::string& name) {
   Curve curve;
-  curve.name = (is_measured ? "measured  " : "regenerated  ") + frf.entry.response.name() + " / " + frf.entry.reference.name();
+  curve.name = name + "  " + frf.entry.response.name() + " / " + frf.entry.reference.name();
   curve.response = frf.entry.response;
   curve.reference = frf.entry.reference;
   curve.frequency_hz = all.frequency_hz;
@@ -64,7 +66,36 @@ std::string json_of(const Solved& solved) { return report::solution_json(solved.
 Overlay regenerate_frf(const Solved& solved, const ident::FrfEntry& entry, const Worker::Watch& watch) {
   const ident::Regenerated all = ident::regenerate(*solved.plan, solved.solution.bands, {entry}, control_of(watch));
   const ident::RegeneratedFrf& frf = all.frfs.front();
-  return {{curve_of(all, frf, true), curve_of(all, frf, false)}, ident::decibel_error(frf)};
+  return {{curve_of(all, frf, true, "measured"), curve_of(all, frf, false, "regenerated")}, ident::decibel_error(frf)};
+}
+
+void add_regenerated(Overlay& overlay, const Solved& other, const ident::FrfEntry& entry, const Worker::Watch& watch) {
+  if (other.solution.bands.empty() || !frf::has(ident::regenerable_responses(*other.plan), entry.response) ||
+      !frf::has(ident::regenerable_references(*other.plan), entry.reference)) {
+    return;
+  }
+  const ident::Regenerated all = ident::regenerate(*other.plan, other.solution.bands, {entry}, control_of(watch));
+  overlay.curves.push_back(curve_of(all, all.frfs.front(), false, "run " + other.name));
+}
+
+std::vector<double> outlying_hz(const Solved& solved) {
+  const auto& chi_square = solved.solution.fit.chi_square;
+  if (!chi_square || chi_square->by_line.size() != solved.plan->lines.size()) return {};
+  const std::vector<double>& by_line = chi_square->by_line;
+  std::vector<std::size_t> lines;
+  for (std::size_t i = 0; i < by_line.size(); ++i) {
+    if (std::isfinite(by_line[i])) lines.push_back(i);
+  }
+  std::ranges::stable_sort(lines, std::ranges::greater(), [&](std::size_t line) { return by_line[line]; });
+  lines.resize(std::min(lines.size(), chi_square->outlying_lines));
+  std::ranges::sort(lines);
+  std::vector<double> out;
+  for (const std::size_t line : lines) out.push_back(solved.plan->lines[line].frequency_hz);
+  return out;
+}
+
+std::string report_of(const Solved& solved, const Worker::Watch& watch) {
+  return report::solve_report(*solved.plan, solved.solution, std::nullopt, control_of(watch));
 }
 
 }  // namespace jointid::gui

@@ -17,6 +17,7 @@ namespace jointid::gui {
 struct Solved {
   std::shared_ptr<ident::Plan> plan;
   ident::Solution solution;
+  std::string name;  ///< "2: likelihood"
 };
 
 /// Plans and solves as `jointid solve` does. Interrupted, it gives the best values so far, marked as the command marks them;
@@ -34,6 +35,15 @@ struct Overlay {
   std::vector<Curve> curves;
   std::optional<double> error_db;  ///< rms over lines
 };
+
+/// Lines of the plan that the fit takes for outliers, those with the largest χ²; none for methods that know nothing of it.
+std::vector<double> outlying_hz(const Solved& solved);
+
+/// The page that `jointid solve --report` writes, but for run times. Throws Interrupted.
+std::string report_of(const Solved& solved, const Worker::Watch& watch);
+
+/// What the joint of another run gives, under its name, where its assembly has the FRF.
+void add_regenerated(Overlay& overlay, const Solved& other, const ident::FrfEntry& entry, const Worker::Watch& watch);
 
 Overlay regenerate_frf(const Solved& solved, const ident::FrfEntry& entry, const Worker::Watch& watch);
 

@@ -4,21 +4,24 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QEvent>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QTabWidget>
 #include <QTime>
 
 #include "base/text.hpp"
+#include "gui/look/buttons.hpp"
 #include "gui/look/dialogs.hpp"
+#include "gui/look/job_progress.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
+#include "gui/look/paths.hpp"
 #include "gui/look/theme.hpp"
 #include "gui/plot/frf_plot.hpp"
-#include "gui/solve/cell_table.hpp"
+#include "gui/table/cell_table.hpp"
+#include "gui/solve/frf_tab.hpp"
+#include "gui/solve/joint_tab.hpp"
+#include "gui/solve/run_tables.hpp"
 #include "gui/solve/solution_tables.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/scene_files.hpp"
@@ -47,13 +50,6 @@ std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& 
   return inputs;
 }
 
-/// A word of a shell.
-QString quoted(QString text) { return "'" + text.replace("'", "'\\''") + "'"; }
-
-QPushButton* button(const char* name, const QString& text, const QString& hint) {
-  return named(new QPushButton(text), name, hint, hint);
-}
-
 }  // namespace
 
 SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
@@ -63,20 +59,23 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   bounds_ = new CellTable("bounds", tr("Bounds before measuring"));
   unknowns_ = new CellTable("unknowns", tr("Unknowns"));
   findings_ = new CellTable("findings", tr("Findings"));
+  run_table_ = new CellTable("run_table", tr("Runs beside each other"));
+  joint_tab_ = new JointTab;
+  frf_tab_ = new FrfTab(*worker_);
   status_ = named(new QLabel, "solve_status", tr("Status of the solution"));
-  status_->setWordWrap(true);
-  status_->setTextFormat(Qt::PlainText);
+  progress_ = new JobProgress("progress");
   results_ = named(new QTabWidget, "results", tr("Plan and results"));
   results_->addTab(plan_, tr("Plan"));
   results_->addTab(bounds_, tr("Bounds"));
   results_->addTab(unknowns_, tr("Unknowns"));
-  results_->addTab(make_joint_tab(), tr("Joint"));
+  results_->addTab(joint_tab_, tr("Joint"));
   results_->addTab(findings_, tr("Findings"));
-  results_->addTab(make_frf_tab(), tr("Assembly FRFs"));
+  results_->addTab(frf_tab_, tr("Assembly FRFs"));
+  results_->addTab(run_table_, tr("Runs"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
-  all->addWidget(status_);
+  all->addLayout(status_row(status_, progress_));
   all->addWidget(results_, 1);
   connect(worker_, &Worker::failed, this, [this](const InputError& error) {
     say(QString::fromUtf8(error.what()), true);
@@ -84,77 +83,47 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   });
   connect(worker_, &Worker::cancelled, this, [this] { say(tr("Cancelled."), false); });
   connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
-    progress_->setVisible(busy);
+    progress_->set_busy(busy);
     cancel_->setEnabled(busy);
     if (!busy && stale_) plan_if_quick();
   });
-  connect(worker_, &Worker::progressed, this, [this](const QString& stage, double share) {
-    progress_->setRange(0, share < 0.0 ? 0 : 1000);
-    progress_->setValue(share < 0.0 ? 0 : static_cast<int>(1000.0 * share));
-    progress_->setFormat(stage + QStringLiteral(" %p %"));
-  });
+  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_stage);
   set_scene({});
 }
 
 QWidget* SolvePage::make_top() {
   auto* top = named(new QWidget, "solve_top", tr("Solving"));
-  solve_ = button("solve", tr("Solve"), tr("Identify the joint (F5)"));
+  solve_ = push_button("solve", tr("Solve"), tr("Identify the joint (F5)"));
   auto* bound_button =
-      button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change (F7)"));
-  cancel_ = button("cancel", tr("Cancel"), tr("Stop and keep the best values so far (Shift+F5)"));
+      push_button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change (F7)"));
+  cancel_ = push_button("cancel", tr("Cancel"), tr("Stop and keep the best values so far (Shift+F5)"));
   cancel_->setEnabled(false);
-  progress_ = named(new QProgressBar, "progress", tr("Progress"));
-  progress_->hide();
   run_choice_ = named(new QComboBox, "runs", tr("Runs"), tr("Solutions of this session"));
   run_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* command =
-      button("copy_command", tr("Copy as command"), tr("Copy the command line that solves this scene to the same numbers"));
-  auto* table = button("save_table", tr("Table…"), tr("Save the table in front as CSV"));
-  auto* json = button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
+      push_button("copy_command", tr("Copy as command"), tr("Copy the command line that solves this scene to the same numbers"));
+  auto* table = push_button("save_table", tr("Table…"), tr("Save the table in front as CSV"));
+  auto* page = push_button("save_report", tr("Report…"), tr("Save the page that `jointid solve --report` writes"));
+  auto* json = push_button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
   auto* row = new QHBoxLayout(top);
   row->setContentsMargins(0, 0, 0, 0);
   for (QWidget* each : std::initializer_list<QWidget*>{solve_, bound_button, cancel_, run_choice_}) row->addWidget(each);
-  row->addWidget(progress_, 1);
-  row->addStretch(0);
-  for (QWidget* each : {command, table, json}) row->addWidget(each);
+  row->addStretch(1);
+  for (QWidget* each : {command, table, page, json}) row->addWidget(each);
   connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
   connect(bound_button, &QPushButton::clicked, this, &SolvePage::bound);
   connect(cancel_, &QPushButton::clicked, this, &SolvePage::cancel);
   connect(run_choice_, &QComboBox::activated, this, &SolvePage::show_run);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(table, &QPushButton::clicked, this, &SolvePage::save_table);
+  connect(page, &QPushButton::clicked, this, &SolvePage::save_report);
   connect(json, &QPushButton::clicked, this, &SolvePage::save_json);
   return top;
 }
 
-QWidget* SolvePage::make_joint_tab() {
-  auto* tab = new QWidget;
-  matrix_choice_ = named(new QComboBox, "matrix_choice", tr("Matrix and band"));
-  matrix_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  matrix_ = new CellTable("matrix", tr("Joint matrix"));
-  auto* column = new QVBoxLayout(tab);
-  column->addWidget(matrix_choice_, 0, Qt::AlignLeft);
-  column->addWidget(matrix_, 1);
-  connect(matrix_choice_, &QComboBox::currentIndexChanged, this, &SolvePage::show_matrix);
-  return tab;
-}
+FrfPlot* SolvePage::plot() const { return frf_tab_->plot(); }
 
-QWidget* SolvePage::make_frf_tab() {
-  auto* tab = new QWidget;
-  response_ = named(new QComboBox, "asm_response", tr("Response"));
-  reference_ = named(new QComboBox, "asm_reference", tr("Reference"));
-  error_db_ = named(new QLabel, "error_db", tr("Error of the regenerated FRF"));
-  plot_ = new FrfPlot(tr("Solve, and the assembly's FRFs stand here as measured and as the joint gives them."));
-  plot_->offer(View::difference);
-  auto* row = new QHBoxLayout;
-  for (QWidget* each : std::initializer_list<QWidget*>{response_, reference_, error_db_}) row->addWidget(each);
-  row->addStretch(1);
-  auto* column = new QVBoxLayout(tab);
-  column->addLayout(row);
-  column->addWidget(plot_, 1);
-  for (QComboBox* each : {response_, reference_}) connect(each, &QComboBox::activated, this, &SolvePage::show_frf);
-  return tab;
-}
+CellTable* SolvePage::matrix() const { return joint_tab_->matrix(); }
 
 bool SolvePage::is_busy() const { return worker_->is_busy(); }
 
@@ -179,8 +148,8 @@ void SolvePage::changeEvent(QEvent* event) {
 void SolvePage::set_scene(std::optional<ident::Scene> scene) {
   scene_ = std::move(scene);
   solve_->setEnabled(scene_.has_value());
-  plot_->protect(inputs_of(scene_));
-  if (scene_) plot_->set_bands(scene_->frequency.exclude_hz, scene_->frequency.range_hz);
+  plot()->protect(inputs_of(scene_));
+  if (scene_) plot()->set_bands(scene_->frequency.exclude_hz, scene_->frequency.range_hz);
   stale_ = worker_->is_busy();
   if (!stale_) plan_if_quick();
 }
@@ -257,11 +226,11 @@ const Solved* SolvePage::current() const {
 }
 
 void SolvePage::add_run(Solved solved) {
+  solved.name = std::to_string(runs_.size() + 1) + ": " + ident::name(solved.solution.used.method);
   runs_.push_back(std::move(solved));
   const ident::Solution& solution = runs_.back().solution;
-  run_choice_->addItem(tr("%1: %2, %3, %4")
-                           .arg(runs_.size())
-                           .arg(QString::fromStdString(ident::name(solution.used.method)),
+  run_choice_->addItem(tr("%1, %2, %3")
+                           .arg(QString::fromStdString(runs_.back().name),
                                 QString::fromStdString(ident::name(solution.status)).replace('_', ' '),
                                 QTime::currentTime().toString(QStringLiteral("HH:mm"))));
   run_choice_->setCurrentIndex(run_choice_->count() - 1);
@@ -287,77 +256,43 @@ void SolvePage::show_run(int run) {
   const ident::Solution& solution = runs_[static_cast<std::size_t>(run)].solution;
   unknowns_->show_rows(unknown_rows(solution));
   findings_->show_rows(finding_rows(solution));
-  fill_matrix_choice();
-  fill_entries();
-}
-
-void SolvePage::fill_matrix_choice() {
-  const Solved* const run = current();
-  const QSignalBlocker quiet(matrix_choice_);
-  const int before = matrix_choice_->currentIndex();
-  matrix_choice_->clear();
-  for (std::size_t band = 0; band < run->solution.bands.size(); ++band) {
-    const auto& each = run->solution.bands[band];
-    for (const auto& [kind, matrix] : each.matrices) {
-      QString text = QString::fromStdString(restrictions::key(kind)).replace('_', ' ') + tr(" (SI)");
-      if (each.band_hz) text += tr(", %1 to %2 Hz").arg((*each.band_hz)[0]).arg((*each.band_hz)[1]);
-      matrix_choice_->addItem(text, QVariantList{static_cast<qulonglong>(band), static_cast<int>(kind)});
-    }
-  }
-  matrix_choice_->setCurrentIndex(before >= 0 && before < matrix_choice_->count() ? before : 0);
-  show_matrix();
-}
-
-void SolvePage::show_matrix() {
-  const Solved* const run = current();
-  const QVariantList choice = matrix_choice_->currentData().toList();
-  if (run == nullptr || choice.size() != 2) return matrix_->show_rows({});
-  matrix_->show_rows(matrix_rows(run->solution, choice[0].toULongLong(), static_cast<restrictions::Kind>(choice[1].toInt())));
-}
-
-void SolvePage::fill_entries() {
-  const Solved* const run = current();
-  const auto fill = [](QComboBox& box, const std::vector<frf::Dof>& dofs) {
-    const QString before = box.currentText();
-    box.clear();
-    for (const frf::Dof& dof : dofs) box.addItem(QString::fromStdString(dof.name()));
-    box.setCurrentIndex(std::max(0, box.findText(before)));
-  };
-  fill(*response_, ident::regenerable_responses(*run->plan));
-  fill(*reference_, ident::regenerable_references(*run->plan));
-  show_frf();
-}
-
-void SolvePage::show_frf() {
-  const Solved* const run = current();
-  if (run == nullptr || run->solution.bands.empty() || response_->count() == 0 || reference_->count() == 0) return;
-  const ident::FrfEntry entry{frf::Dof::parse(response_->currentText().toStdString()),
-                              frf::Dof::parse(reference_->currentText().toStdString())};
-  const std::size_t number = ++wanted_;
-  worker_->add([this, solved = *run, entry, number](const Worker::Watch& watch) -> Worker::Deliver {
-    return [this, number, overlay = regenerate_frf(solved, entry, watch)] {
-      if (number != wanted_) return;
-      plot_->set_curves(overlay.curves);
-      error_db_->setText(overlay.error_db ? tr("error %1 dB (rms)").arg(QString::fromStdString(digits(*overlay.error_db, "%.3g")))
-                                          : tr("not comparable"));
-    };
-  });
+  joint_tab_->show_run(runs_[static_cast<std::size_t>(run)]);
+  frf_tab_->show_runs(runs_, static_cast<std::size_t>(run));
+  run_table_->show_rows(run_rows(runs_, static_cast<std::size_t>(run)));
 }
 
 QString SolvePage::command_line() const {
-  return QStringLiteral("jointid solve ") + quoted(file_.isEmpty() ? tr("SCENE.toml") : file_);
+  return QStringLiteral("jointid solve ") + shell_word(file_.isEmpty() ? tr("SCENE.toml") : file_);
+}
+
+void SolvePage::save(const QString& file, const std::string& text) {
+  try {
+    write_output(file, text, inputs_of(scene_));
+  } catch (const InputError& error) {
+    say(QString::fromUtf8(error.what()), true);
+  }
 }
 
 void SolvePage::save_json() {
   const Solved* const run = current();
   if (run == nullptr) return say(tr("Nothing is solved yet."), true);
   const QString file = choose_file_to_save(this, tr("Save the solution"), {}, tr("JSON (*.json)"), QStringLiteral("json"));
-  if (file.isEmpty()) return;
-  try {
-    write_output(file, json_of(*run), inputs_of(scene_));
-  } catch (const InputError& error) {
-    say(QString::fromUtf8(error.what()), true);
-  }
+  if (!file.isEmpty()) save(file, json_of(*run));
+}
+
+void SolvePage::save_report() {
+  if (current() == nullptr) return say(tr("Nothing is solved yet."), true);
+  const QString file = choose_file_to_save(this, tr("Save the report"), {}, tr("Pages (*.html)"), QStringLiteral("html"));
+  if (!file.isEmpty()) write_report(file);
+}
+
+void SolvePage::write_report(const QString& file) {
+  const Solved* const run = current();
+  if (run == nullptr) return;
+  worker_->add([this, file, solved = *run, inputs = inputs_of(scene_)](const Worker::Watch& watch) -> Worker::Deliver {
+    write_output(file, report_of(solved, watch), inputs);
+    return [this, file] { say(tr("The report is written to %1.").arg(file), false); };
+  });
 }
 
 void SolvePage::save_table() {
@@ -365,12 +300,7 @@ void SolvePage::save_table() {
   const auto* const shown = table != nullptr ? table : qobject_cast<CellTable*>(results_->currentWidget());
   if (shown == nullptr) return say(tr("There is no table in front; the plot has its own button."), true);
   const QString file = choose_file_to_save(this, tr("Save the table"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
-  if (file.isEmpty()) return;
-  try {
-    write_output(file, shown->text(',').toStdString(), inputs_of(scene_));
-  } catch (const InputError& error) {
-    say(QString::fromUtf8(error.what()), true);
-  }
+  if (!file.isEmpty()) save(file, shown->text(',').toStdString());
 }
 
 }  // namespace jointid::gui

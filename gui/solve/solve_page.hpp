@@ -7,7 +7,6 @@
 
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 class QTabWidget;
 
@@ -16,6 +15,9 @@ namespace jointid::gui {
 class CellTable;
 struct CellRows;
 class FrfPlot;
+class FrfTab;
+class JobProgress;
+class JointTab;
 class Worker;
 
 /// What solving a scene will do, how far it is, and what came of it; earlier runs stay to be looked at.
@@ -39,14 +41,17 @@ class SolvePage : public QWidget {
 
   const std::vector<Solved>& runs() const { return runs_; }
   QString status() const;
-  FrfPlot* plot() const { return plot_; }
+  FrfPlot* plot() const;
   CellTable* unknowns() const { return unknowns_; }
-  CellTable* matrix() const { return matrix_; }
+  CellTable* matrix() const;
+  CellTable* runs_table() const { return run_table_; }
   CellTable* findings() const { return findings_; }
   CellTable* bounds() const { return bounds_; }
   CellTable* plan_table() const { return plan_; }
   QTabWidget* results() const { return results_; }
 
+  /// Writes the page of the run in front, as `jointid solve --report` does, beside the window.
+  void write_report(const QString& file);
   /// "jointid solve 'rig 1.toml'".
   QString command_line() const;
 
@@ -60,36 +65,32 @@ class SolvePage : public QWidget {
 
  private:
   QWidget* make_top();
-  QWidget* make_joint_tab();
-  QWidget* make_frf_tab();
   void add_run(Solved solved);
   void plan_if_quick();
   void add_plan();
   void show_plan(const CellRows& rows);
   void show_status();
   void show_run(int run);
-  void show_matrix();
-  void show_frf();
-  void fill_matrix_choice();
-  void fill_entries();
   void save_json();
+  void save_report();
   void save_table();
+  void save(const QString& file, const std::string& text);
   void say(const QString& text, bool bad);
   void colour_status();
   const Solved* current() const;
 
   QPushButton *solve_, *cancel_;
-  QComboBox *run_choice_, *matrix_choice_, *response_, *reference_;
-  QProgressBar* progress_;
-  QLabel *status_, *error_db_;
+  QComboBox* run_choice_;
+  JobProgress* progress_;
+  QLabel* status_;
   QTabWidget* results_;
-  CellTable *plan_, *bounds_, *unknowns_, *matrix_, *findings_;
-  FrfPlot* plot_;
+  CellTable *plan_, *bounds_, *unknowns_, *findings_, *run_table_;
   Worker* worker_;
+  JointTab* joint_tab_;
+  FrfTab* frf_tab_;
   std::optional<ident::Scene> scene_;
   std::vector<Solved> runs_;
   QString file_;
-  std::size_t wanted_ = 0;
   bool renew_status_ = true;  ///< by the next plan
   bool bad_ = false;          ///< what the status says
   bool stale_ = false;        ///< the scene changed while something ran

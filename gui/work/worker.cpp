@@ -79,6 +79,7 @@ void Worker::do_one(const Work& work, std::size_t ticket, const std::stop_token&
     QMetaObject::invokeMethod(
         this, [this, name, share] { Q_EMIT progressed(name, share); }, Qt::QueuedConnection);
   };
+  watch.show = [this](Deliver deliver) { QMetaObject::invokeMethod(this, std::move(deliver), Qt::QueuedConnection); };
   try {
     end(work(watch));
   } catch (const Interrupted&) {

@@ -18,13 +18,14 @@ class Worker : public QObject {
   Q_OBJECT
 
  public:
-  /// How work is watched and stopped; both may be called by any thread.
+  /// What is left to do with the result, in the thread of the window.
+  using Deliver = std::function<void()>;
+  /// How work is watched and stopped; all may be called by any thread.
   struct Watch {
     std::function<bool()> interrupted;
     std::function<void(const char* stage, std::size_t done, std::size_t total)> progress;
+    std::function<void(Deliver)> show = {};  ///< what there is so far; a few times per second at most
   };
-  /// What is left to do with the result, in the thread of the window.
-  using Deliver = std::function<void()>;
   using Work = std::function<Deliver(const Watch&)>;
 
   explicit Worker(QObject* parent = nullptr);

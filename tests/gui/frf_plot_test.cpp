@@ -77,6 +77,15 @@ TEST(FrfPlot, DrawsEveryView) {
   }
 }
 
+TEST(FrfPlot, MarkedLinesAreSeen) {
+  Drawn drawn;
+  const QByteArray before = drawn.plot.canvas().picture("png");
+  drawn.plot.set_marked({200.0, 700.0});
+  EXPECT_NE(drawn.plot.canvas().picture("png"), before);
+  drawn.plot.set_marked({});
+  EXPECT_EQ(drawn.plot.canvas().picture("png"), before);
+}
+
 TEST(FrfPlot, DraggingZoomsAndADoubleClickShowsAll) {
   Drawn drawn;
   drawn.drag(0.4, 0.6);

@@ -40,5 +40,22 @@ TEST(WithRange, WhatOverlapsIsOne) {
   EXPECT_THAT(with_range({{30, 40}}, {1, 2}), ElementsAre(ElementsAre(1, 2), ElementsAre(30, 40)));
 }
 
+TEST(SceneEdit, AWayOfAComparisonBecomesThatOfTheScene) {
+  study::Way way;
+  way.method = ident::Method::two;
+  way.equations = {ident::Equation::nn, ident::Equation::nj};
+  way.weighting = weighting::Weighting::wbs;
+  way.delta = 0.05;
+  way.solver = "qr";
+  const std::string text = "[identify]\nmethod = \"one\"  # at first\nweighting = \"WA\"\n";
+  EXPECT_EQ(with_way(text, way),
+            "[identify]\nmethod = \"two\"  # at first\nweighting = \"WBS\"\nequations = [\"nn\", \"nj\"]\nsolver = \"qr\"\n"
+            "delta = 0.05\n");
+  way.method = ident::Method::likelihood;
+  way.solver = "gauss-helmert";
+  EXPECT_EQ(with_way("", way),
+            "\n[identify]\nmethod = \"likelihood\"\nequations = [\"nn\", \"nj\"]\nsolver = \"gauss-helmert\"\n");
+}
+
 }  // namespace
 }  // namespace jointid::gui

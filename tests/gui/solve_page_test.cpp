@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -12,11 +13,13 @@
 #include <QTest>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <regex>
 
+#include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/plot/frf_plot.hpp"
-#include "gui/solve/cell_table.hpp"
+#include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "ident/tasks/bound_report.hpp"
@@ -136,6 +139,78 @@ TEST(SolvePage, EarlierRunsStay) {
   runs->setCurrentIndex(0);
   Q_EMIT runs->activated(0);
   EXPECT_NE(solving.page.unknowns()->text('\t'), second);
+}
+
+TEST(SolvePage, RunsStandBesideEachOther) {
+  Solving solving;
+  solving.solve();
+  ident::Scene other = ident::read_scene(as_path(solving.measured.scene()));
+  other.identify.equations = {ident::Equation::nn};
+  solving.page.set_scene(other);
+  solving.solve();
+  const CellModel& cells = *solving.page.runs_table()->cells();
+  ASSERT_EQ(cells.columnCount(), 2);
+  const std::string text = solving.page.runs_table()->text('\t').toStdString();
+  EXPECT_THAT(text, HasSubstr("run 1: one\trun 2: one"));
+  EXPECT_THAT(text, HasSubstr("equations nn,"));
+  EXPECT_THAT(text, HasSubstr("\nK(1,1)\t"));
+  find<QCheckBox>(solving.page, "all_runs")->click();
+  ASSERT_TRUE(solving.rests());
+  ASSERT_EQ(solving.page.plot()->curves().size(), 3U);
+  EXPECT_THAT(solving.page.plot()->curves()[2].name, HasSubstr("run 1"));
+}
+
+/// A page without what differs from run to run.
+std::string without_times(const std::string& page) {
+  return std::regex_replace(page, std::regex("run time[^<]*</dt><dd>[^<]*"), "");
+}
+
+TEST(SolvePage, TheReportIsTheCommands) {
+  Solving solving("H4");
+  solving.solve();
+  const QString mine = solving.measured.file("mine.html"), theirs = solving.measured.file("theirs.html");
+  solving.page.write_report(mine);
+  ASSERT_TRUE(solving.rests());
+  ASSERT_EQ(QProcess::execute(JOINTID_COMMAND, {"solve", solving.measured.scene(), "--report", theirs}), 0);
+  ASSERT_GT(read_file(mine).size(), 10000U) << solving.page.status().toStdString();
+  EXPECT_TRUE(without_times(read_file(mine)) == without_times(read_file(theirs)));
+}
+
+TEST(SolvePage, NoReportReplacesAnInput) {
+  Solving solving;
+  solving.solve();
+  const std::string before = read_file(solving.measured.files().front());
+  solving.page.write_report(solving.measured.files().front());
+  ASSERT_TRUE(solving.rests());
+  EXPECT_THAT(solving.page.status().toStdString(), HasSubstr("input"));
+  EXPECT_EQ(read_file(solving.measured.files().front()), before);
+}
+
+/// Those with the largest χ², as many as the fit says.
+TEST(SolvePage, OutlyingLinesAreMarked) {
+  Solving solving;
+  ident::Scene scene = ident::read_scene(as_path(solving.measured.scene()));
+  scene.noise = ident::NoiseSection{.model = "gaussian", .level = 0.01, .frf_model = {.level = 0.01}};
+  scene.identify.method = ident::Method::likelihood;
+  scene.identify.automatic = false;
+  solving.page.set_scene(scene);
+  solving.solve();
+  ASSERT_EQ(solving.page.runs().size(), 1U) << solving.page.status().toStdString();
+  Solved solved = solving.page.runs().front();
+  ASSERT_TRUE(solved.solution.fit.chi_square);
+  std::vector<double>& by_line = solved.solution.fit.chi_square->by_line;
+  ASSERT_EQ(by_line.size(), solved.plan->lines.size());
+  std::fill(by_line.begin(), by_line.end(), 1.0);
+  by_line[0] = nan;
+  by_line[3] = 40.0;
+  by_line[1] = 50.0;
+  solved.solution.fit.chi_square->outlying_lines = 2;
+  EXPECT_THAT(outlying_hz(solved),
+              testing::ElementsAre(solved.plan->lines[1].frequency_hz, solved.plan->lines[3].frequency_hz));
+  solved.solution.fit.chi_square->outlying_lines = 0;
+  EXPECT_TRUE(outlying_hz(solved).empty());
+  solved.solution.fit.chi_square.reset();
+  EXPECT_TRUE(outlying_hz(solved).empty());
 }
 
 TEST(SolvePage, SaysWhatIsWrongWithDataAndScene) {

@@ -3,19 +3,29 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QListWidget>
 #include <QSettings>
+#include <QSpinBox>
 #include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <cstdio>
 
+#include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
+#include "gui/geometry/geometry_page.hpp"
+#include "gui/look/choice_button.hpp"
 #include "gui/look/theme.hpp"
 #include "gui/main_window.hpp"
+#include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
+#include "gui/study/study_page.hpp"
+#include "gui/table/cell_table.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -61,12 +71,30 @@ class Photographer {
     wait_for([&] { return data.plot()->curves().size() == 2; });
     data.plot()->set_cursor(420.0);
     keep("workbench-data");
+    GeometryPage& geometry = *project.geometry_page();
+    project.pages()->setCurrentWidget(&geometry);
+    wait_for([&] { return !geometry.is_busy() && geometry.dofs()->count() > 0; });
+    geometry.dofs()->setCurrentRow(3);
+    geometry.findChild<QToolButton*>("play")->click();
+    wait_for([&] { return !geometry.is_busy(); });
+    keep("workbench-geometry");
+    geometry.findChild<QToolButton*>("play")->click();
+    project.pages()->setCurrentWidget(&data);
+    data.findChild<QTableView*>("grid")->selectAll();
+    data.plot()->set_view(View::cmif);
+    wait_for([&] { return !data.is_busy(); });
+    keep("workbench-cmif");
+    data.plot()->set_view(View::magnitude_phase);
     SolvePage& solve = *project.solve_page();
     project.pages()->setCurrentWidget(&solve);
     solve.solve();
     wait_for([&] { return !solve.runs().empty() && !solve.is_busy(); });
     keep("workbench-unknowns");
-    solve.results()->setCurrentIndex(5);
+    take_compared(project);
+    project.pages()->setCurrentWidget(&solve);
+    solve.results()->setCurrentIndex(6);
+    keep("workbench-runs");
+    solve.results()->setCurrentWidget(solve.results()->widget(5));
     solve.plot()->set_cursor(420.0);
     window_.set_theme(Theme::dark);
     keep("workbench-frfs-dark");
@@ -75,6 +103,33 @@ class Photographer {
     QString text = project.editor()->toPlainText();
     project.editor()->replace_text(text.replace("pattern = \"symmetric\"", "patern = \"symmetric\"").toStdString());
     keep("workbench-error");
+    project.editor()->undo();
+  }
+
+  /// Needs simulated noise and a truth, which rig one has.
+  void take_compared(Project& project) {
+    ComparePage& compare = *project.compare_page();
+    project.pages()->setCurrentWidget(&compare);
+    compare.findChild<QSpinBox*>("compare_trials")->setValue(20);
+    compare.findChild<ChoiceButton*>("compare_methods")->choose({"one", "two"});
+    compare.findChild<ChoiceButton*>("compare_weightings")->choose({"none", "WA", "WB", "WBS"});
+    compare.findChild<ChoiceButton*>("compare_deltas")->choose({"0", "0.1"});
+    compare.run();
+    wait_for([&] { return !compare.is_busy(); });
+    if (!compare.chart()->scatter().groups.empty()) compare.chart()->choose(0, 0);
+    compare.table()->selectRow(1);
+    keep("workbench-compare");
+    StudyPage& study = *project.study_page();
+    project.pages()->setCurrentWidget(&study);
+    study.set_trials(400);
+    study.run();
+    QTest::qWait(8000);
+    keep("workbench-study");
+    study.cancel();
+    wait_for([&] { return !study.is_busy(); });
+    if (compare.comparison().combinations.empty()) return;
+    Q_EMIT compare.way_opened(compare.comparison().combinations.back().way);
+    wait_for([&] { return project.solve_page()->runs().size() > 1 && !project.solve_page()->is_busy(); });
     project.editor()->undo();
   }
 

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include "../comparison_sample.hpp"
-#include "cli/compare/comparison_plots.hpp"
+#include "report/result/comparison_plots.hpp"
 #include "cli/problem/reproduction_page.hpp"
 
 namespace jointid::cli::report {
 namespace {
+
+using jointid::report::error_against_time;
 
 using testing::HasSubstr;
 using testing::Not;

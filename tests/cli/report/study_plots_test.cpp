@@ -1,4 +1,4 @@
-#include "cli/study/study_plots.hpp"
+#include "report/result/study_plots.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,6 +12,9 @@
 
 namespace jointid::cli::report {
 namespace {
+
+using jointid::report::quality_histograms;
+using jointid::report::unknown_histograms;
 
 using testing::HasSubstr;
 using testing::Not;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QWidget>
+
+#include "study/comparison.hpp"
+
+namespace jointid::gui {
+
+class ChoiceButton;
+
+/// What a comparison tries: any number of methods, equations, weightings, Δ and solvers.
+class CompareChoices : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CompareChoices(QWidget* parent = nullptr);
+
+  study::Alternatives alternatives() const;
+  /// " --weightings WA,WBS --deltas 0,0.05"
+  QString options() const;
+
+ private:
+  ChoiceButton *methods_, *equations_, *weightings_, *deltas_, *solvers_;
+};
+
+}  // namespace jointid::gui

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <atomic>
+
+#include "gui/geometry/structure.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QSlider;
+class QToolButton;
+
+namespace jointid::gui {
+
+class StructureView;
+class Worker;
+
+/// The structure of a scene in space, its measured DOFs beside it in a list; either chooses the DOFs of the joint. The assembly as
+/// it moves under a harmonic force at a reference, at the frequency of the cursor.
+class GeometryPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GeometryPage(QWidget* parent = nullptr);
+
+  /// Files are opened when the page is seen, anew when `signature` has changed.
+  void set_scene(const ident::Scene& scene, const std::string& signature);
+  void set_frequency(double frequency_hz);
+  bool is_busy() const;
+
+  StructureView* view() const { return view_; }
+  QListWidget* dofs() const { return list_; }
+  QString status() const;
+  const Deflection& deflection() const { return deflection_; }
+
+ Q_SIGNALS:
+  void edit_wanted(const std::string& table, const std::string& key, const std::string& value);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  QWidget* make_controls();
+  void open_files_if_seen();
+  void show_structure(const Structure& structure);
+  void show_joint();
+  void toggle(const frf::Dof& dof);
+  void item_changed(QListWidgetItem* item);
+  void read_deflection();
+  void show_deflection();
+  void next_picture();
+  QListWidgetItem* item_of(const frf::Dof& dof) const;
+
+  StructureView* view_;
+  QListWidget* list_;
+  QComboBox* reference_;
+  QDoubleSpinBox* frequency_;
+  QSlider *amplitude_, *speed_;
+  QToolButton* play_;
+  QLabel* status_;
+  QTimer timer_;
+  Worker* worker_;
+  ident::DataSection data_;
+  std::vector<frf::Dof> joint_;
+  std::string wanted_signature_, signature_;
+  std::shared_ptr<std::vector<LoadedFile>> files_;  ///< opened by the worker's thread, and read by it alone
+  Deflection deflection_;
+  double phase_ = 0.0;
+  /// Counts deflections asked for, so that only the last is read and shown.
+  std::shared_ptr<std::atomic<std::size_t>> wanted_ = std::make_shared<std::atomic<std::size_t>>(0);
+};
+
+}  // namespace jointid::gui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <complex>
+#include <functional>
+#include <map>
+
+#include "frf/uff/uff_lines.hpp"
+#include "gui/data/loaded_file.hpp"
+
+namespace jointid::gui {
+
+/// The nodes of all files of a scene, the lines between them, and the DOFs that were measured there.
+struct Structure {
+  std::vector<frf::Node> nodes;        ///< those with a position, each once, ascending
+  std::vector<frf::NodeLine> lines;    ///< between nodes that are there
+  std::vector<frf::Dof> dofs;          ///< of nodes that are there, each coordinate once, ascending
+  std::vector<frf::Dof> unplaced;      ///< of nodes without a position
+};
+
+/// Files without positions add their DOFs only. `lines`: as the files draw them; where none does, the nodes of each file are joined
+/// in the order of their numbers, when they are on one straight line.
+Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<frf::NodeLine>& lines);
+
+/// Lines of the universal files among the scene's, of those below 256 MB. Throws Interrupted.
+std::vector<frf::NodeLine> drawn_lines(const ident::DataSection& data, const std::function<bool()>& interrupted);
+
+using Vector = std::array<double, 3>;
+
+/// Half the diagonal of the box round all nodes, and its middle; 1 and 0 without nodes.
+struct Extent {
+  Vector middle{};
+  double radius = 1.0;
+};
+Extent extent_of(const Structure& structure);
+
+/// Complex displacement of nodes, as large as it comes.
+using Shape = std::map<std::int64_t, std::array<std::complex<double>, 3>>;
+
+/// How an assembly moves under a harmonic force: translations of all responses to a reference at the line nearest to a frequency,
+/// and that frequency. Empty where no file of the assembly has the reference.
+struct Deflection {
+  Shape shape;
+  double frequency_hz = 0.0;
+};
+Deflection deflection_at(const std::vector<LoadedFile>& files, const frf::Dof& reference, double frequency_hz);
+
+}  // namespace jointid::gui

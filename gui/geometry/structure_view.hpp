@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "gui/geometry/camera.hpp"
+
+class QPainter;
+
+namespace jointid::gui {
+
+/// A structure in space: nodes, lines, an arrow for every measured DOF, those of the joint in another colour, and how it deflects.
+/// Drag or arrow keys turn it, the wheel or + and − zoom, Home or a double click show all; a click chooses a DOF. By QPainter.
+class StructureView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StructureView(QWidget* parent = nullptr);
+
+  void set_structure(Structure structure);
+  const Structure& structure() const { return structure_; }
+  void set_joint(std::vector<frf::Dof> joint);
+  /// The DOF that the list or a click has in front.
+  void set_current(const std::optional<frf::Dof>& dof);
+  /// `amplitude`: of the node that moves most, in parts of the structure's size.
+  void set_shape(Shape shape, double amplitude);
+  /// Of the motion Re(shape e^iφ).
+  void set_phase(double phase_rad);
+  void set_undeformed(bool on);
+  void set_names(bool on);
+
+  /// Where the tip of the arrow of a DOF is drawn.
+  QPointF tip_of(const frf::Dof& dof) const;
+  QSize sizeHint() const override { return {500, 400}; }
+
+ Q_SIGNALS:
+  void dof_clicked(const jointid::frf::Dof& dof);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  Vector moved(const frf::Node& node) const;
+  Vector position_of(std::int64_t node) const;
+  void turn(double azimuth, double elevation);
+  void zoom(double factor);
+  void show_all();
+  void draw_lines(QPainter& painter, bool deflected) const;
+  void draw_nodes(QPainter& painter) const;
+  void draw_arrows(QPainter& painter) const;
+  void draw_axes(QPainter& painter) const;
+  std::optional<frf::Dof> dof_at(const QPointF& at) const;
+
+  Structure structure_;
+  Camera camera_;
+  std::map<std::int64_t, std::size_t> place_;  ///< of a node among the nodes
+  std::vector<frf::Dof> joint_;
+  std::optional<frf::Dof> current_;
+  Shape shape_;
+  double scale_ = 0.0;  ///< m of picture for a unit of the shape
+  double phase_ = 0.0;
+  bool undeformed_ = true, names_ = true;
+  QPointF pressed_, last_;
+  bool turned_ = false;
+};
+
+}  // namespace jointid::gui

@@ -1,0 +1,42 @@
+#include "gui/look/choice_button.hpp"
+
+#include <QMenu>
+
+#include "gui/look/named.hpp"
+
+namespace jointid::gui {
+
+ChoiceButton::ChoiceButton(const char* name, const QString& title, const QStringList& words, QWidget* parent)
+    : QToolButton(parent), title_(title) {
+  named(this, name, title, tr("What to try; nothing chosen: as in the scene"));
+  setFocusPolicy(Qt::StrongFocus);
+  setPopupMode(QToolButton::InstantPopup);
+  auto* words_menu = named(new QMenu(this), "choices", title);
+  for (const QString& word : words) {
+    QAction* const action = words_menu->addAction(word);
+    action->setCheckable(true);
+    actions_ << action;
+    connect(action, &QAction::toggled, this, &ChoiceButton::show_choice);
+  }
+  setMenu(words_menu);
+  show_choice();
+}
+
+QStringList ChoiceButton::chosen() const {
+  QStringList words;
+  for (const QAction* action : actions_) {
+    if (action->isChecked()) words << action->text();
+  }
+  return words;
+}
+
+void ChoiceButton::choose(const QStringList& words) {
+  for (QAction* action : actions_) action->setChecked(words.contains(action->text()));
+}
+
+void ChoiceButton::show_choice() {
+  const QStringList words = chosen();
+  setText(title_ + ": " + (words.isEmpty() ? tr("as in the scene") : words.join(QStringLiteral(", "))));
+}
+
+}  // namespace jointid::gui

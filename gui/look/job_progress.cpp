@@ -1,0 +1,64 @@
+#include "gui/look/job_progress.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <cmath>
+
+#include "gui/look/named.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr double first_s = 0.5;
+constexpr int steps = 1000;
+constexpr int width_px = 300;
+
+}  // namespace
+
+std::optional<double> TimeLeft::note(const QString& stage, double share, double now_s) {
+  if (stage != stage_ || share < begun_share_ || share < 0.0) {
+    stage_ = stage;
+    begun_s_ = now_s;
+    begun_share_ = share;
+    return std::nullopt;
+  }
+  const double elapsed = now_s - begun_s_, done = share - begun_share_;
+  if (elapsed < first_s || !(done > 0.0)) return std::nullopt;
+  return elapsed * (1.0 - share) / done;
+}
+
+QString duration_text(double seconds) {
+  if (seconds < 90.0) return JobProgress::tr("%1 s").arg(std::ceil(seconds));
+  if (seconds < 5400.0) return JobProgress::tr("%1 min").arg(std::ceil(seconds / 60.0));
+  return JobProgress::tr("%1 h").arg(seconds / 3600.0, 0, 'f', 1);
+}
+
+QLayout* status_row(QLabel* status, JobProgress* progress) {
+  status->setWordWrap(true);
+  status->setTextFormat(Qt::PlainText);
+  auto* row = new QHBoxLayout;
+  row->addWidget(status, 1);
+  row->addWidget(progress, 0, Qt::AlignTop);
+  return row;
+}
+
+JobProgress::JobProgress(const char* name, QWidget* parent) : QProgressBar(parent) {
+  named(this, name, tr("Progress"));
+  setFixedWidth(width_px);
+  hide();
+}
+
+void JobProgress::show_stage(const QString& stage, double share) {
+  const auto left = left_.note(stage, share, seconds_since(begun_));
+  setRange(0, share < 0.0 ? 0 : steps);
+  setValue(share < 0.0 ? 0 : static_cast<int>(steps * share));
+  setFormat(stage + QStringLiteral(" %p %") + (left ? tr(", %1 left").arg(duration_text(*left)) : QString()));
+}
+
+void JobProgress::set_busy(bool busy) {
+  left_ = {};
+  setRange(0, 0);
+  setVisible(busy);
+}
+
+}  // namespace jointid::gui

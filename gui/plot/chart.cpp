@@ -1,0 +1,184 @@
+#include "gui/plot/chart.hpp"
+
+#include <qcustomplot.h>
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "gui/look/named.hpp"
+#include "gui/plot/chart_drawing.hpp"
+#include "gui/plot/panel_drawing.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr double nearest_px = 14.0;
+
+}  // namespace
+
+Chart::Chart(const char* name, const QString& accessible_name, const QString& hint, QWidget* parent)
+    : QWidget(parent), hint_(hint), plot_(new QCustomPlot(this)) {
+  setAccessibleName(accessible_name);
+  named(plot_, name, accessible_name);
+  plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setMinimumSize(200, 140);
+  plot_->setAutoAddPlottableToLegend(false);
+  plot_->installEventFilter(this);
+  readout_ = named(new QLabel, "chart_readout", tr("The chosen point"));
+  readout_->setTextFormat(Qt::PlainText);
+  readout_->setWordWrap(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(plot_, 1);
+  add_controls();
+  redraw();
+}
+
+void Chart::add_controls() {
+  auto* copy = named(new QToolButton, "chart_copy", tr("Copy the numbers for a spreadsheet, and the picture"));
+  copy->setText(tr("Copy"));
+  auto* save = named(new QToolButton, "chart_save", tr("Save as PNG, SVG, PDF or CSV"));
+  save->setText(tr("Save…"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(readout_, 1);
+  for (QToolButton* each : {copy, save}) {
+    each->setFocusPolicy(Qt::StrongFocus);
+    row->addWidget(each);
+  }
+  static_cast<QVBoxLayout*>(layout())->addLayout(row);
+  connect(copy, &QToolButton::clicked, this, [this] { copy_plot(saveable()); });
+  connect(save, &QToolButton::clicked, this, [this] { ask_and_save(this, saveable(), inputs_); });
+}
+
+Saveable Chart::saveable() const {
+  return {[this](const QString& ending) { return picture_of(*plot_, ending); },
+          [this](char separator) { return chart_table(scatter_, histograms_, separator); }};
+}
+
+void Chart::draw(report::ScatterPlot plot) {
+  clear();
+  scatter_ = std::move(plot);
+  redraw();
+}
+
+void Chart::draw(std::vector<report::HistogramPlot> plots) {
+  clear();
+  histograms_ = std::move(plots);
+  redraw();
+}
+
+void Chart::clear() {
+  scatter_ = {};
+  histograms_.clear();
+  chosen_.reset();
+  readout_->clear();
+  redraw();
+}
+
+void Chart::redraw() {
+  plot_->clearItems();
+  plot_->clearPlottables();
+  plot_->plotLayout()->clear();
+  plot_->legend = nullptr;
+  const Theme theme = theme_of(palette());
+  plot_->setBackground(colours(theme).background);
+  if (!scatter_.groups.empty())
+    draw_scatter(*plot_, scatter_, theme);
+  else if (!histograms_.empty())
+    draw_histograms(*plot_, histograms_, theme);
+  else
+    draw_hint(*plot_, hint_, theme);
+  ring();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void Chart::ring() {
+  if (!chosen_) return;
+  draw_ring(*plot_, point_at(*chosen_), theme_of(palette()));
+  const report::Point& point = point_at(*chosen_);
+  readout_->setText(QStringLiteral("%1: %2 %3, %4 %5")
+                        .arg(QString::fromStdString(point.label), QString::fromStdString(scatter_.x.label))
+                        .arg(point.x, 0, 'g', 4)
+                        .arg(QString::fromStdString(scatter_.y.label))
+                        .arg(point.y, 0, 'g', 4));
+}
+
+void Chart::choose(std::size_t group, std::size_t point) {
+  chosen_ = Place{group, point};
+  ring();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+QString Chart::readout() const { return readout_->text(); }
+
+QWidget* Chart::canvas() const { return plot_; }
+
+QPoint Chart::pixel_of(std::size_t group, std::size_t point) const {
+  const report::Point& at = point_at({group, point});
+  const QCPAxisRect* const rect = plot_->axisRects().front();
+  return {static_cast<int>(rect->axis(QCPAxis::atBottom)->coordToPixel(at.x)),
+          static_cast<int>(rect->axis(QCPAxis::atLeft)->coordToPixel(at.y))};
+}
+
+const report::Point& Chart::point_at(const Place& place) const { return scatter_.groups[place.first].points[place.second]; }
+
+/// From left to right.
+std::vector<Chart::Place> Chart::places() const {
+  std::vector<Place> all;
+  for (std::size_t g = 0; g < scatter_.groups.size(); ++g) {
+    for (std::size_t p = 0; p < scatter_.groups[g].points.size(); ++p) all.emplace_back(g, p);
+  }
+  std::ranges::stable_sort(all, {}, [this](const Place& place) { return point_at(place).x; });
+  return all;
+}
+
+bool Chart::click(const QPoint& at) {
+  double nearest = nearest_px;
+  std::optional<Place> found;
+  for (const Place& place : places()) {
+    const QPoint off = pixel_of(place.first, place.second) - at;
+    const double distance = std::hypot(off.x(), off.y());
+    if (distance > nearest) continue;
+    nearest = distance;
+    found = place;
+  }
+  if (!found) return false;
+  choose(found->first, found->second);
+  Q_EMIT chosen(found->first, found->second);
+  return true;
+}
+
+bool Chart::press(int key) {
+  const std::vector<Place> all = places();
+  if (all.empty()) return false;
+  const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
+  if (enter && chosen_) {
+    Q_EMIT opened(chosen_->first, chosen_->second);
+    return true;
+  }
+  if (key != Qt::Key_Left && key != Qt::Key_Right) return false;
+  const auto now = chosen_ ? std::ranges::find(all, *chosen_) - all.begin() : (key == Qt::Key_Right ? -1 : 1);
+  const auto last = static_cast<std::ptrdiff_t>(all.size()) - 1;
+  const Place next = all[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(now + (key == Qt::Key_Right ? 1 : -1), 0, last))];
+  choose(next.first, next.second);
+  Q_EMIT chosen(next.first, next.second);
+  return true;
+}
+
+bool Chart::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != plot_) return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::KeyPress) return press(static_cast<QKeyEvent*>(event)->key());
+  if (event->type() != QEvent::MouseButtonPress || static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton) return false;
+  if (click(static_cast<QMouseEvent*>(event)->position().toPoint())) Q_EMIT opened(chosen_->first, chosen_->second);
+  return false;
+}
+
+void Chart::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && plot_ != nullptr) redraw();
+}
+
+}  // namespace jointid::gui

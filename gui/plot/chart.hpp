@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QWidget>
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "gui/plot/picture.hpp"
+#include "report/page/contents.hpp"
+
+class QCustomPlot;
+class QLabel;
+
+namespace jointid::gui {
+
+/// Points or histograms as pages have them. A click on a point opens it; ← and → choose one, and Enter opens it.
+class Chart : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `hint` stands where there is nothing yet.
+  Chart(const char* name, const QString& accessible_name, const QString& hint, QWidget* parent = nullptr);
+
+  void draw(report::ScatterPlot plot);
+  void draw(std::vector<report::HistogramPlot> plots);
+  void clear();
+  const report::ScatterPlot& scatter() const { return scatter_; }
+  const std::vector<report::HistogramPlot>& histograms() const { return histograms_; }
+
+  /// Rings a point, which has to be there, without a signal.
+  void choose(std::size_t group, std::size_t point);
+  QString readout() const;
+  /// Where a point is drawn, in pixels of the canvas.
+  QPoint pixel_of(std::size_t group, std::size_t point) const;
+  QWidget* canvas() const;
+  void protect(std::vector<std::filesystem::path> inputs) { inputs_ = std::move(inputs); }
+  Saveable saveable() const;
+
+ Q_SIGNALS:
+  void chosen(std::size_t group, std::size_t point);
+  void opened(std::size_t group, std::size_t point);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  using Place = std::pair<std::size_t, std::size_t>;
+
+  void add_controls();
+  void redraw();
+  void ring();
+  bool press(int key);
+  bool click(const QPoint& at);
+  std::vector<Place> places() const;
+  const report::Point& point_at(const Place& place) const;
+
+  QString hint_;
+  QCustomPlot* plot_;
+  QLabel* readout_;
+  report::ScatterPlot scatter_;
+  std::vector<report::HistogramPlot> histograms_;
+  std::optional<Place> chosen_;
+  std::vector<std::filesystem::path> inputs_;
+};
+
+}  // namespace jointid::gui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QString>
+
+#include "gui/look/theme.hpp"
+#include "gui/plot/curve.hpp"
+#include "ident/scene/scene.hpp"
+
+class QCPAxisRect;
+class QCustomPlot;
+
+/// How curves become diagrams of a QCustomPlot.
+namespace jointid::gui {
+
+struct Drawing {
+  const std::vector<Curve>& curves;
+  View view;
+  frf::Quantity quantity;
+  ident::Range shown_hz;
+  Theme theme;
+};
+
+/// Colours of axes and grids.
+void style_axes(QCPAxisRect& rect, Theme theme);
+
+/// What to do, in the middle of an empty plot.
+void draw_hint(QCustomPlot& plot, const QString& hint, Theme theme);
+
+/// One legend above all, with names in lines of two.
+void add_legend(QCustomPlot& plot, Theme theme);
+
+/// The diagrams of the view below each other, with their names above.
+void draw_panels(QCustomPlot& plot, const Drawing& drawing);
+
+void draw_nyquist(QCustomPlot& plot, const Drawing& drawing);
+
+/// A diagram of draw_panels() over the shown frequencies, with all that the curves do there.
+void fit_axes(QCPAxisRect& rect, const ident::Range& shown_hz);
+
+/// From the first to the last frequency of all curves; of a single line a hertz around it.
+ident::Range span_of(const std::vector<Curve>& curves);
+
+}  // namespace jointid::gui

@@ -1,0 +1,83 @@
+#include "gui/plot/picture.hpp"
+
+#include <qcustomplot.h>
+
+#include <QApplication>
+#include <QBuffer>
+#include <QClipboard>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+#include "base/error.hpp"
+#include "gui/look/dialogs.hpp"
+#include "gui/look/output.hpp"
+#include "gui/look/said.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr int dpi = 96;
+
+void paint(QCustomPlot& plot, QPaintDevice& device) {
+  QCPPainter painter(&device);
+  painter.setMode(QCPPainter::pmVectorized);
+  plot.toPainter(&painter, plot.width(), plot.height());
+}
+
+}  // namespace
+
+QByteArray picture_of(QCustomPlot& plot, const QString& ending) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  const QSize size = plot.size();
+  if (ending == QLatin1String("png")) {
+    plot.toPixmap(size.width(), size.height(), 2.0).save(&buffer, "PNG");
+  } else if (ending == QLatin1String("svg")) {
+    QSvgGenerator device;
+    device.setOutputDevice(&buffer);
+    device.setSize(size);
+    device.setViewBox(QRect(QPoint(0, 0), size));
+    paint(plot, device);
+  } else {
+    QPdfWriter device(&buffer);
+    device.setResolution(dpi);
+    device.setPageSize(QPageSize(QSizeF(size) / dpi, QPageSize::Inch, QString(), QPageSize::ExactMatch));
+    device.setPageMargins(QMarginsF(0, 0, 0, 0));
+    paint(plot, device);
+  }
+  return buffer.data();
+}
+
+void save_plot(const QString& file, const Saveable& plot, const std::vector<std::filesystem::path>& inputs) {
+  const QString ending = QFileInfo(file).suffix().toLower();
+  if (ending == QLatin1String("csv")) return write_output(file, plot.table(','), inputs);
+  if (!QStringList({"png", "svg", "pdf"}).contains(ending)) {
+    throw InputError({ErrorKind::usage, file.toStdString(), "", "the name does not say what to write",
+                      "end it with .png, .svg, .pdf or .csv"});
+  }
+  const QByteArray bytes = plot.picture(ending);
+  write_output(file, {bytes.data(), static_cast<std::size_t>(bytes.size())}, inputs);
+}
+
+void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs) {
+  const QString filter = said("Pictures and tables (*.png *.svg *.pdf *.csv)");
+  const QString file = choose_file_to_save(parent, said("Save the plot"), QString(), filter, QStringLiteral("png"));
+  if (file.isEmpty()) return;
+  try {
+    save_plot(file, plot, inputs);
+  } catch (const InputError& error) {
+    QMessageBox::warning(parent, said("Not saved"), QString::fromUtf8(error.what()));
+  }
+}
+
+void copy_plot(const Saveable& plot) {
+  auto* data = new QMimeData;
+  data->setText(QString::fromStdString(plot.table('\t')));
+  data->setImageData(QImage::fromData(plot.picture(QStringLiteral("png"))));
+  QApplication::clipboard()->setMimeData(data);
+}
+
+}  // namespace jointid::gui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QByteArray>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+class QCustomPlot;
+class QWidget;
+
+namespace jointid::gui {
+
+/// A plot as it stands, `ending` png, svg or pdf.
+QByteArray picture_of(QCustomPlot& plot, const QString& ending);
+
+/// What a plot can be saved as: its picture by the ending, and its numbers.
+struct Saveable {
+  std::function<QByteArray(const QString& ending)> picture;
+  std::function<std::string(char separator)> table;
+};
+
+/// PNG, SVG or PDF by the ending of the name, or CSV. Throws InputError (usage) for another ending, and where the disk does not
+/// take it or the file is one of `inputs`.
+void save_plot(const QString& file, const Saveable& plot, const std::vector<std::filesystem::path>& inputs);
+
+/// Asks for the name, and says what went wrong.
+void ask_and_save(QWidget* parent, const Saveable& plot, const std::vector<std::filesystem::path>& inputs);
+
+/// Numbers for a spreadsheet, and the picture.
+void copy_plot(const Saveable& plot);
+
+}  // namespace jointid::gui

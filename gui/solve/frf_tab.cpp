@@ -1,0 +1,81 @@
+#include "gui/solve/frf_tab.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "gui/look/named.hpp"
+#include "gui/plot/frf_plot.hpp"
+
+namespace jointid::gui {
+namespace {
+
+void fill(QComboBox& box, const std::vector<frf::Dof>& dofs) {
+  const QString before = box.currentText();
+  box.clear();
+  for (const frf::Dof& dof : dofs) box.addItem(QString::fromStdString(dof.name()));
+  box.setCurrentIndex(std::max(0, box.findText(before)));
+}
+
+}  // namespace
+
+FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worker) {
+  response_ = named(new QComboBox, "asm_response", tr("Response"));
+  reference_ = named(new QComboBox, "asm_reference", tr("Reference"));
+  all_runs_ = named(new QCheckBox(tr("all runs")), "all_runs", tr("Draw what the joints of all runs give"),
+                    tr("Draw what the joints of all runs of the session give, one over the other"));
+  error_db_ = named(new QLabel, "error_db", tr("Error of the regenerated FRF"));
+  plot_ = new FrfPlot(tr("Solve, and the assembly's FRFs stand here as measured and as the joint gives them."));
+  plot_->offer(View::difference);
+  auto* row = new QHBoxLayout;
+  for (QWidget* each : std::initializer_list<QWidget*>{response_, reference_, all_runs_, error_db_}) row->addWidget(each);
+  row->addStretch(1);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(row);
+  column->addWidget(plot_, 1);
+  for (QComboBox* each : {response_, reference_}) connect(each, &QComboBox::activated, this, &FrfTab::show_frf);
+  connect(all_runs_, &QCheckBox::toggled, this, &FrfTab::show_frf);
+}
+
+void FrfTab::show_runs(const std::vector<Solved>& runs, std::size_t front) {
+  runs_ = runs;
+  front_ = front;
+  fill(*response_, ident::regenerable_responses(*runs_[front_].plan));
+  fill(*reference_, ident::regenerable_references(*runs_[front_].plan));
+  plot_->set_marked(outlying_hz(runs_[front_]));
+  show_frf();
+}
+
+void FrfTab::show_frf() {
+  if (runs_.empty() || runs_[front_].solution.bands.empty()) return;
+  if (response_->count() == 0 || reference_->count() == 0) return;
+  const ident::FrfEntry entry{frf::Dof::parse(response_->currentText().toStdString()),
+                              frf::Dof::parse(reference_->currentText().toStdString())};
+  std::vector<Solved> others;
+  for (std::size_t i = 0; i < runs_.size() && all_runs_->isChecked(); ++i) {
+    if (i != front_) others.push_back(runs_[i]);
+  }
+  const std::size_t number = ++wanted_;
+  worker_.add([this, front = runs_[front_], others, entry, number](const Worker::Watch& watch) -> Worker::Deliver {
+    Overlay overlay = regenerate_frf(front, entry, watch);
+    for (const Solved& other : others) add_regenerated(overlay, other, entry, watch);
+    return [this, number, overlay] {
+      if (number == wanted_) show_overlay(overlay);
+    };
+  });
+}
+
+void FrfTab::show_overlay(const Overlay& overlay) {
+  plot_->set_curves(overlay.curves);
+  QString text = overlay.error_db ? tr("error %1 dB (rms)").arg(QString::fromStdString(digits(*overlay.error_db, "%.3g")))
+                                  : tr("not comparable");
+  const int marked = static_cast<int>(outlying_hz(runs_[front_]).size());
+  if (marked > 0) text += tr("; %n outlying line(s), red below the curves", nullptr, marked);
+  error_db_->setText(text);
+}
+
+}  // namespace jointid::gui

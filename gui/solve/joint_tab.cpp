@@ -1,0 +1,46 @@
+#include "gui/solve/joint_tab.hpp"
+
+#include <QComboBox>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "gui/look/named.hpp"
+#include "gui/table/cell_table.hpp"
+#include "gui/solve/solution_tables.hpp"
+
+namespace jointid::gui {
+
+JointTab::JointTab(QWidget* parent) : QWidget(parent) {
+  choice_ = named(new QComboBox, "matrix_choice", tr("Matrix and band"));
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  matrix_ = new CellTable("matrix", tr("Joint matrix"));
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(choice_, 0, Qt::AlignLeft);
+  column->addWidget(matrix_, 1);
+  connect(choice_, &QComboBox::currentIndexChanged, this, &JointTab::show_matrix);
+}
+
+void JointTab::show_run(const Solved& run) {
+  solution_ = run.solution;
+  const QSignalBlocker quiet(choice_);
+  const int before = choice_->currentIndex();
+  choice_->clear();
+  for (std::size_t band = 0; band < solution_.bands.size(); ++band) {
+    const auto& each = solution_.bands[band];
+    for (const auto& [kind, matrix] : each.matrices) {
+      QString text = QString::fromStdString(restrictions::key(kind)).replace('_', ' ') + tr(" (SI)");
+      if (each.band_hz) text += tr(", %1 to %2 Hz").arg((*each.band_hz)[0]).arg((*each.band_hz)[1]);
+      choice_->addItem(text, QVariantList{static_cast<qulonglong>(band), static_cast<int>(kind)});
+    }
+  }
+  choice_->setCurrentIndex(before >= 0 && before < choice_->count() ? before : 0);
+  show_matrix();
+}
+
+void JointTab::show_matrix() {
+  const QVariantList choice = choice_->currentData().toList();
+  if (choice.size() != 2) return matrix_->show_rows({});
+  matrix_->show_rows(matrix_rows(solution_, choice[0].toULongLong(), static_cast<restrictions::Kind>(choice[1].toInt())));
+}
+
+}  // namespace jointid::gui

@@ -1,0 +1,90 @@
+#include "gui/study/study_job.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/stopwatch.hpp"
+#include "ident/study/trial_data.hpp"
+#include "report/result/study_plots.hpp"
+#include "report/result/study_tables.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr double seconds_between_pictures = 0.3;
+constexpr std::size_t most_unknowns_drawn = 300;
+
+void add_choices(report::PlotGroup group, std::vector<HistogramSet>& out) {
+  for (report::Choice& choice : group.choices) {
+    HistogramSet set{choice.name, {}};
+    for (report::Plot& plot : choice.plots) set.plots.push_back(std::get<report::HistogramPlot>(std::move(plot)));
+    out.push_back(std::move(set));
+  }
+}
+
+StudyShown whole(const study::StudyOptions& options, const study::StudyRun& run) {
+  const study::StudyStatistics statistics = study::study_statistics(options.out);
+  StudyShown shown{.complete = true, .done = run.done, .trials = options.trials};
+  add_choices(report::unknown_histograms(options.out, statistics, most_unknowns_drawn), shown.histograms);
+  add_choices(report::quality_histograms(options.out, statistics), shown.histograms);
+  shown.unknowns = report::unknowns_table(statistics);
+  shown.text = "trials: " + report::trials_text(statistics) + "\n" + report::speed_text(run);
+  return shown;
+}
+
+study::StudyOptions options_of(const StudyWish& wish) {
+  study::StudyOptions options;
+  options.trials = wish.trials;
+  options.seed = wish.seed;
+  options.out = wish.out;
+  options.resume = !wish.from_the_beginning && std::filesystem::exists(study::journal_path(wish.out));
+  options.texts = report::study_texts(wish.scene_text);
+  return options;
+}
+
+}  // namespace
+
+LiveTrials::LiveTrials(const std::vector<study::TrialUnknown>& unknowns) : unknowns_(unknowns) {
+  unknowns_.resize(std::min(most_unknowns, unknowns_.size()));
+  values_.resize(unknowns_.size());
+}
+
+/// Trials without an estimate have NaN there, which histograms leave out.
+void LiveTrials::put(std::span<const double> row) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t i = 0; i < unknowns_.size() && values_[i].size() < most_trials; ++i) values_[i].push_back(row[1 + i]);
+}
+
+std::vector<HistogramSet> LiveTrials::histograms() const {
+  const std::lock_guard lock(mutex_);
+  HistogramSet set{"so far", {}};
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    if (auto plot = report::histogram_of(unknowns_[i].name, unknowns_[i].unit, values_[i], unknowns_[i].truth))
+      set.plots.push_back(std::move(*plot));
+  }
+  return set.plots.empty() ? std::vector<HistogramSet>() : std::vector{std::move(set)};
+}
+
+StudyShown run_study_job(const StudyWish& wish, const Worker::Watch& watch, const std::function<void(const StudyShown&)>& so_far) {
+  const study::StudyOptions options = options_of(wish);
+  watch.progress("reading", 0, 0);
+  const auto data = study::load_trial_data(wish.scene);
+  stop_if(watch.interrupted);
+  LiveTrials live(data->unknowns);
+  auto shown_at = Clock::now();
+  study::StudyControl control;
+  control.interrupted = watch.interrupted;
+  control.row = [&](std::size_t, std::span<const double> row) { live.put(row); };
+  control.progress = [&](std::size_t done, std::size_t total) {
+    watch.progress("trials", done, total);
+    if (seconds_since(shown_at) < seconds_between_pictures) return;
+    so_far({.done = done, .trials = total, .histograms = live.histograms()});
+    shown_at = Clock::now();
+  };
+  const auto team = ident::join_team();
+  const study::StudyRun run = study::run_study(data, options, *team, control);
+  if (run.complete) return whole(options, run);
+  return {.done = run.done, .trials = options.trials, .histograms = live.histograms()};
+}
+
+}  // namespace jointid::gui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QTableView>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "gui/look/theme.hpp"
+#include "report/text/table.hpp"
+
+namespace jointid::gui {
+
+/// What a cell of a table shows.
+struct Cell {
+  QString text;
+  QString hint{};                              ///< under the mouse
+  std::optional<double> shade{};               ///< 0 to 1: the depth of its colour
+  std::optional<std::array<double, 3>> bar{};  ///< low, value and high as shares of the width, from −1 to 1
+};
+
+struct CellRows {
+  QStringList columns, rows;  ///< names; no names of rows where empty
+  std::vector<std::vector<Cell>> cells;
+};
+
+/// A table of texts; the first cells of its rows are no names.
+CellRows rows_of(const report::Table& table);
+
+/// A table that is only looked at.
+class CellModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  using QAbstractTableModel::QAbstractTableModel;
+
+  static constexpr int bar_role = Qt::UserRole + 1;
+
+  void set(CellRows rows);
+  void set_theme(Theme theme);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  CellRows rows_;
+  Theme theme_ = Theme::light;
+};
+
+/// Its view: Ctrl+C copies what is chosen, or all, for a spreadsheet.
+class CellTable : public QTableView {
+  Q_OBJECT
+
+ public:
+  CellTable(const char* name, const QString& accessible_name, QWidget* parent = nullptr);
+
+  void show_rows(CellRows rows);
+  CellModel* cells() const { return model_; }
+  /// All cells with their names, a line a row.
+  QString text(QChar separator) const;
+  QString chosen_text() const;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  CellModel* model_;
+};
+
+}  // namespace jointid::gui

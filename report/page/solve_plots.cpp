@@ -1,0 +1,117 @@
+#include "report/page/solve_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "report/decimate.hpp"
+#include "report/frf_curves.hpp"
+#include "report/page/phase_branch.hpp"
+#include "ident/result/decibel_error.hpp"
+
+namespace jointid::report {
+namespace {
+
+using Values = std::vector<double>;
+
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double least_deviation_db = 0.1;  ///< a difference of less looks small
+
+bool has_any(const Values& values) {
+  return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
+}
+
+double largest(const ident::RegeneratedFrf& frf) {
+  double out = 0.0;
+  for (const Complex& value : frf.measured) out = std::fmax(out, std::abs(value));
+  return out;
+}
+
+std::string entry_name(const ident::RegeneratedFrf& frf) {
+  const auto error = ident::decibel_error(frf);
+  return fmt::format("{} / {}{}", frf.entry.response.name(), frf.entry.reference.name(),
+                     error ? fmt::format(" ({:.3g} dB)", *error) : "");
+}
+
+/// "measured" and "regenerated", whichever there is.
+std::vector<Series> overlay(Values measured, Values regenerated) {
+  std::vector<Series> series;
+  if (has_any(measured)) series.push_back({"measured", std::move(measured), Style::reference});
+  if (has_any(regenerated)) series.push_back({"regenerated", std::move(regenerated), Style::line});
+  return series;
+}
+
+/// 20 log10(|regenerated|/|measured|) at some of the lines; NaN where one of them is not there.
+Values level_differences(const Values& measured, const Values& regenerated, const std::vector<std::size_t>& kept) {
+  Values out;
+  for (const std::size_t i : kept) out.push_back(20.0 * std::log10(regenerated[i] / measured[i]));
+  return out;
+}
+
+Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::optional<std::array<double, 2>> used_hz,
+              std::size_t most) {
+  const std::vector<Values> curves = {magnitudes(frf.measured), magnitudes(frf.predicted)};
+  const std::vector<std::size_t> kept = keep_peaks(curves, most);
+  CurvePlot magnitude, phase, difference;
+  magnitude.title = "Magnitude of " + frf.entry.response.name() + " / " + frf.entry.reference.name();
+  magnitude.x = {"frequency (Hz)", false};
+  magnitude.y = {receptance_label(frf.entry.response, frf.entry.reference), true};
+  magnitude.x_values = picked(frequency_hz, kept);
+  magnitude.series = overlay(picked(curves[0], kept), picked(curves[1], kept));
+  magnitude.band = used_hz;
+  difference = phase = magnitude;
+  phase.title = "Phase";
+  phase.y = {"phase (°)", false};
+  phase.series = overlay(phases_deg(frf.measured, kept), phases_deg(frf.predicted, kept));
+  choose_branch(phase);
+  Choice out{entry_name(frf), {magnitude, phase}};
+  Values differences = level_differences(curves[0], curves[1], kept);
+  if (!has_any(differences)) return out;
+  difference.title = "Regenerated over measured";
+  difference.y = {"dB", false};
+  difference.level = 0.0;
+  difference.deviation = least_deviation_db;
+  difference.series = {{"difference", std::move(differences), Style::line}};
+  out.plots.insert(out.plots.begin() + 1, std::move(difference));
+  return out;
+}
+
+}  // namespace
+
+PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most) {
+  PlotGroup group{"FRF", {}};
+  double least = 0.0;  // FRFs that vanish by symmetry are rounding errors
+  for (const ident::RegeneratedFrf& frf : regenerated.frfs) least = std::max(least, ident::zero_level * largest(frf));
+  for (const ident::RegeneratedFrf& frf : regenerated.frfs) {
+    if (largest(frf) <= least) continue;
+    group.choices.push_back(choice(frf, regenerated.frequency_hz, used_hz, most));
+  }
+  return group;
+}
+
+PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines) {
+  PlotGroup group{"matrix", {}};
+  if (lines.size() < 2) return group;
+  for (const auto& last : lines.back().quality) {
+    Values count, rjcf, arvf;
+    for (const ident::LineQuality& line : lines) {
+      const auto found = line.quality.find(last.first);
+      count.push_back(static_cast<double>(line.lines));
+      rjcf.push_back(found == line.quality.end() ? missing : found->second.rjcf);
+      arvf.push_back(found == line.quality.end() ? missing : found->second.arvf);
+    }
+    CurvePlot plot;
+    plot.title = "RJCF and ARVF against the number of frequency lines";
+    plot.x = {"frequency lines used", false};
+    plot.y = {"RJCF, ARVF", false};
+    plot.x_values = std::move(count);
+    plot.series = {{"RJCF", std::move(rjcf), Style::line}, {"ARVF", std::move(arvf), Style::line}};
+    plot.level = 1.0;
+    group.choices.push_back({restrictions::key(last.first), {plot}});
+  }
+  return group;
+}
+
+}  // namespace jointid::report

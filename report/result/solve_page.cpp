@@ -1,0 +1,225 @@
+#include "report/result/solve_page.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/frf_curves.hpp"
+#include "report/page/heat_map.hpp"
+#include "report/page/limits.hpp"
+#include "report/page/page.hpp"
+#include "report/page/solve_plots.hpp"
+#include "report/page/status_banner.hpp"
+#include "report/text/admissibility_text.hpp"
+#include "report/text/identifiability_text.hpp"
+#include "report/text/table.hpp"
+#include "report/text/words.hpp"
+#include "ident/tasks/entry_errors.hpp"
+
+namespace jointid::report {
+namespace {
+
+/// More is no reading matter; the JSON has it.
+constexpr std::size_t most_bars = 1000, most_elements = 10000;
+/// FRFs in the list of those that are met worst.
+constexpr std::size_t most_worst = 20;
+
+std::string duration(double seconds) {
+  return seconds < 1.0 ? fmt::format("{:.3g} ms", 1e3 * seconds) : fmt::format("{:.3g} s", seconds);
+}
+
+std::vector<SuspectLines> suspect_lines(const ident::Solution& solution) {
+  std::vector<SuspectLines> out;
+  if (!solution.check || solution.check->verdict == ident::Verdict::clean) return out;
+  for (const ident::Suspect& suspect : solution.check->suspects) {
+    out.push_back({ident::name(suspect.kind), suspect.file, dofs_text(suspect), suspect.evidence, suspect.remedy});
+  }
+  return out;
+}
+
+void add_summary(const ident::Solution& solution, ReportPage& page) {
+  const ident::Fit& fit = solution.fit;
+  const ident::RunTime& time = solution.runtime_s;
+  page.status(status_banner(ident::name(solution.status), solution.message, solution.warnings, suspect_lines(solution)));
+  page.section("Summary");
+  Facts facts{{{"status", words(ident::name(solution.status))},
+                  {"method", ident::name(solution.used.method)},
+                  {"equations", equations_text(solution.used.equations)},
+                  {"weighting", weighting_text(solution.used.method, solution.used.weighting)},
+                  {"delta", delta_text(solution.used.method, solution.used.delta)},
+                  {"solver", solution.used.solver},
+                  {"frequency lines", fmt::format("{}", fit.lines)},
+                  {"equations used", fmt::format("{}", fit.equations_used)},
+                  {"equations dropped", fmt::format("{}", fit.equations_dropped)},
+                  {"rank", fmt::format("{} of {}", fit.rank, solution.unknowns.size())},
+                  {"condition", fit.chi_square ? "–" : number(fit.condition)},
+                  {"digits that rounding alone leaves", fit.digits ? rounding_digits(solution) : "–"},
+                  {"residuals over what noise explains", fit.misfit ? fmt::format("{:.3g}", std::sqrt(*fit.misfit)) : "–"},
+                  {"iterations", fit.iterations > 0 ? fmt::format("{}", fit.iterations) : "–"},
+                  {"χ² / degrees of freedom", fit.chi_square ? chi_square_text(*fit.chi_square) : "–"},
+                  {"outlying lines", fit.chi_square ? fmt::format("{}", fit.chi_square->outlying_lines) : "–"},
+                  {"assembly FRF error", fit.asm_frf_error ? number(*fit.asm_frf_error) + " dB" : "–"},
+                  {"run time", duration(time.total)}}};
+  for (const auto& [phase, seconds] : ident::run_time_phases) {
+    if (time.*seconds > 0.0) facts.rows.push_back({fmt::format("run time, {}", phase), duration(time.*seconds)});
+  }
+  page.add(std::move(facts));
+}
+
+void add_unknowns(const ident::Solution& solution, ReportPage& page) {
+  if (solution.unknowns.empty()) return;
+  Bars bars;
+  for (const ident::Estimate& estimate : solution.unknowns) {
+    if (bars.bars.size() == most_bars) break;
+    bars.bars.push_back({estimate.name, estimate.value, estimate.unit, estimate.ci95, std::nullopt,
+                         estimate.determined ? estimate.limit : "not determined by the data", estimate.error_estimate});
+  }
+  page.section("Identified values");
+  page.add(bars);
+  if (solution.unknowns.size() > most_bars) {
+    page.add(Text{fmt::format("First {} of {} unknowns; --json and --csv write all of them.", most_bars, solution.unknowns.size())});
+  }
+  const bool intervals = std::ranges::any_of(bars.bars, [](const Bar& bar) { return bar.interval.has_value(); });
+  page.add(Text{intervals ? "Bars of one matrix and unit share a scale; the brackets are 95 % intervals."
+                          : "Bars of one matrix and unit share a scale. This method states no intervals.",
+                true});
+}
+
+void add_constraints(const ident::Solution& solution, ReportPage& page) {
+  if (!solution.admissibility) return;
+  page.section("Constraints");
+  page.add(constraints_table(*solution.admissibility));
+  page.add(Text{constraints_sum(*solution.admissibility) + ".", true});
+}
+
+void add_identifiability(const ident::Solution& solution, ReportPage& page) {
+  if (!solution.identifiability) return;
+  page.section("Identifiability");
+  for (const ident::Finding& finding : solution.identifiability->findings) page.add(Text{finding.text});
+  page.add(Facts{visibility_rows(solution)});
+  page.add(weakest_table(solution.identifiability->weakest), "Weakest combinations, in parts of the estimates");
+}
+
+void add_matrices(const ident::Plan& plan, const ident::Solution& solution, ReportPage& page) {
+  if (solution.bands.empty()) return;
+  page.section("Joint matrices");
+  const std::size_t n = solution.dofs.size();
+  if (solution.bands.size() * plan.restriction.matrices.size() * n * n > most_elements) {
+    page.add(Text{"Too large to show here; --json writes them."});
+    return;
+  }
+  const std::vector<std::string> names = frf::names(solution.dofs);
+  for (const ident::BandMatrices& band : solution.bands) {
+    const std::string where =
+        band.band_hz ? fmt::format(", {:g} to {:g} Hz", (*band.band_hz)[0], (*band.band_hz)[1]) : "";
+    for (const auto& [kind, rows] : band.matrices) {
+      const auto truth = plan.scene.truth.find(kind);
+      const auto errors = band.errors.find(kind);
+      page.add(MatrixTable{fmt::format("{} {}{}", words(restrictions::key(kind)), restrictions::symbol(kind), where),
+                           names, rows, truth == plan.scene.truth.end() ? ident::Matrix() : truth->second,
+                           errors == band.errors.end() ? ident::Matrix() : errors->second});
+    }
+  }
+  page.add(Text{plan.scene.truth.empty() ? "SI units." : "SI units; below each element its deviation from the truth.", true});
+}
+
+/// Numbers of lines to solve with: fewer where a solution takes long.
+std::size_t line_counts(std::size_t unknowns) {
+  const double size = static_cast<double>(std::max<std::size_t>(1, unknowns));
+  return static_cast<std::size_t>(std::clamp(2e8 / (size * size * size), 20.0, 400.0));
+}
+
+void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident::Control& control, ReportPage& page) {
+  if (solution.quality.empty()) return;
+  Table table({{"matrix", Align::left}, {"RJCF"}, {"ARVF"}, {"rms relative error"}});
+  for (const auto& [kind, figures] : solution.quality) {
+    table.add({words(restrictions::key(kind)), number(figures.rjcf), number(figures.arvf),
+               number(figures.rms_relative_error)});
+  }
+  page.section("Against the truth");
+  page.add(table);
+  page.add(quality_plots(
+      ident::quality_by_line(plan, line_counts(solution.unknowns.size()), control)));
+}
+
+/// The FRF of --plot, then some spread over the structure, then those that are met worst.
+std::vector<ident::FrfEntry> entries_of(const ident::Plan& plan, const ident::EntryErrors& errors,
+                                        const std::optional<ident::FrfEntry>& first) {
+  std::vector<ident::FrfEntry> entries = ident::choose_entries(plan, most_frfs - worst_frfs_drawn);
+  for (const std::size_t place : worst_first(errors.rms_db)) {
+    const std::size_t columns = errors.references.size();
+    const ident::FrfEntry entry{errors.responses[place / columns], errors.references[place % columns]};
+    if (entries.size() < most_frfs && std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
+  }
+  if (!first) return entries;
+  std::erase(entries, *first);
+  entries.insert(entries.begin(), *first);
+  return entries;
+}
+
+void add_frf_errors(const ident::EntryErrors& errors, ReportPage& page) {
+  const HeatMap map = error_map("rms error in dB, responses down, references across", errors.responses, errors.references, errors.rms_db);
+  if (worst_first(map.values).empty()) return;
+  page.section("Errors of all assembly FRFs");
+  page.add(map);
+  if (errors.responses.size() < errors.all_responses || errors.references.size() < errors.all_references) {
+    page.add(Text{fmt::format("An even selection of {} of {} responses and {} of {} references.", errors.responses.size(),
+                              errors.all_responses, errors.references.size(), errors.all_references)});
+  }
+  page.add(worst_frfs(map), "Worst first", {most_worst, "the map has all of them"});
+  page.add(Text{fmt::format("rms over all {} lines that both systems have. A row or column that stands out points to its sensor or its "
+                            "excitation.", errors.lines), true});
+}
+
+void add_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+              const ident::Control& control, ReportPage& page) {
+  if (solution.bands.empty()) return;
+  const ident::EntryErrors errors = ident::entry_errors(plan, solution.bands, control);
+  const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, entries_of(plan, errors, first), control);
+  const bool all_used = regenerated.frequency_hz.size() == plan.lines.size();
+  const std::array used_hz = {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz};
+  const PlotGroup overlay = frf_overlay(regenerated, all_used ? std::nullopt : std::optional(used_hz), most_points);
+  if (overlay.choices.empty()) return;
+  page.section("Assembly: measured and regenerated from the identified joint");
+  page.add(overlay);
+  page.add(Text{"In brackets behind a name: rms difference of the magnitudes over all lines.", true});
+  if (!all_used) page.add(Text{"Shaded: from the first to the last line that the joint was identified from.", true});
+  if (const std::string cut = drawn_text(overlay.choices.size(), errors.all_responses * errors.all_references); !cut.empty()) {
+    page.add(Text{cut, true});
+  }
+  if (regenerated.frequency_hz.size() > most_points) {
+    page.add(Text{fmt::format("{} lines are drawn with at most {} points; every peak is kept.",
+                              regenerated.frequency_hz.size(), most_points),
+                  true});
+  }
+  add_frf_errors(errors, page);
+}
+
+void add_plan(const ident::Plan& plan, ReportPage& page) {
+  if (plan.warnings.empty() && plan.notes.empty() && plan.left_out.empty()) return;
+  page.section("Notes");
+  for (const std::string& warning : plan.warnings) page.add(Text{warning});
+  for (const std::string& note : plan.notes) page.add(Text{note});
+  if (!plan.left_out.empty()) page.add(Text{fmt::format("Left out: {}.", fmt::join(plan.left_out, "; ")), true});
+}
+
+}  // namespace
+
+std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+                         const ident::Control& control) {
+  const std::string file = plan.scene.file.filename().string();
+  ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);
+  add_summary(solution, page);
+  add_unknowns(solution, page);
+  add_constraints(solution, page);
+  add_identifiability(solution, page);
+  add_matrices(plan, solution, page);
+  add_quality(plan, solution, control, page);
+  add_frfs(plan, solution, first, control, page);
+  add_plan(plan, page);
+  return page.html();
+}
+
+}  // namespace jointid::report

@@ -1,0 +1,62 @@
+#include "report/text/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace jointid::report {
+
+std::string words(std::string key) {
+  std::ranges::replace(key, '_', ' ');
+  return key;
+}
+
+std::string equations_text(const std::vector<ident::Equation>& equations) {
+  std::vector<std::string> names;
+  for (const auto equation : equations) names.push_back(ident::name(equation));
+  return names.empty() ? "all" : fmt::format("{}", fmt::join(names, " "));
+}
+
+std::string chi_square_text(const ident::ChiSquare& chi_square) {
+  const auto [value, freedom] = std::pair(chi_square.value, chi_square.degrees_of_freedom);
+  return fmt::format("{:.4g} / {:g} = {:.4g}", value, freedom, value / freedom);
+}
+
+std::string rounding_digits(const ident::Solution& solution) {
+  std::map<std::string, double> largest, error;  // per unit
+  for (const ident::Estimate& estimate : solution.unknowns) {
+    largest[estimate.unit] = std::max(largest[estimate.unit], std::abs(estimate.value));
+    error[estimate.unit] = std::max(error[estimate.unit], estimate.error_estimate.value_or(0.0));
+  }
+  double worst = 0.0;
+  for (const auto& [unit, size] : largest) worst = std::max(worst, size > 0.0 ? error[unit] / size : 0.0);
+  const double left = worst > 0.0 ? std::max(0.0, -std::log10(worst)) : HUGE_VAL;
+  if (!(left < *solution.fit.digits)) return fmt::format("{:.1f}", *solution.fit.digits);
+  return fmt::format("{:.1f}, of which the noise leaves {:.1f}", *solution.fit.digits, left);
+}
+
+std::string dofs_text(const ident::Suspect& suspect) {
+  return fmt::format("{}", fmt::join(frf::names(suspect.dofs), ", "));
+}
+
+std::string weighting_text(ident::Method method, weighting::Weighting weighting) {
+  return ident::weighs_equations(method) ? weighting::name(weighting) : "–";
+}
+
+std::string delta_text(ident::Method method, double delta) {
+  return ident::weighs_equations(method) ? fmt::format("{:g}", delta) : "–";
+}
+
+std::string method_text(ident::Method method, const std::vector<ident::Equation>& equations, weighting::Weighting weighting,
+                        double delta, const std::string& solver) {
+  const std::string weights = ident::weighs_equations(method)
+                                  ? fmt::format("weighting {}, delta {:g}, ", weighting::name(weighting), delta)
+                                  : std::string();
+  return fmt::format("{}, equations {}, {}solver {}", ident::name(method), equations_text(equations), weights, solver);
+}
+
+}  // namespace jointid::report

@@ -1,0 +1,178 @@
+#include "gui/geometry/geometry_page.hpp"
+
+#include <gmock/gmock.h>
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include "gui/geometry/structure_view.hpp"
+#include "gui/look/paths.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "widgets.hpp"
+
+namespace jointid::gui {
+namespace {
+
+using testing::HasSubstr;
+
+/// Rig one, whose files know where their nodes are.
+struct Seen {
+  Measured measured{"rig1"};
+  ident::Scene scene = ident::read_scene(as_path(measured.scene()));
+  GeometryPage page;
+  std::vector<std::string> edits;
+
+  Seen() {
+    QObject::connect(&page, &GeometryPage::edit_wanted,
+                     [this](const std::string& table, const std::string& key, const std::string& value) {
+                       edits.push_back(table + "." + key + " = " + value);
+                     });
+    page.resize(800, 600);
+    page.show();
+    page.set_scene(scene, "1");
+    (void)rests();
+  }
+  bool rests() {
+    return QTest::qWaitFor([&] { return !page.is_busy(); }, 60000);
+  }
+  void move() {
+    find<QToolButton>(page, "play")->click();
+    ASSERT_TRUE(rests());
+  }
+  int ticked() {
+    int count = 0;
+    for (int i = 0; i < page.dofs()->count(); ++i) count += page.dofs()->item(i)->checkState() == Qt::Checked ? 1 : 0;
+    return count;
+  }
+};
+
+TEST(GeometryPage, ShowsTheStructureAndTheJointOfTheScene) {
+  Seen seen;
+  EXPECT_GT(seen.page.view()->structure().nodes.size(), 4U);
+  EXPECT_FALSE(seen.page.view()->structure().lines.empty());
+  EXPECT_EQ(seen.ticked(), static_cast<int>(seen.scene.joints.front().dofs.size()));
+  EXPECT_TRUE(seen.edits.empty());
+}
+
+TEST(GeometryPage, ATickIsAnEditOfTheJoint) {
+  Seen seen;
+  seen.page.dofs()->item(0)->setCheckState(Qt::Checked);
+  ASSERT_EQ(seen.edits.size(), 1U);
+  EXPECT_THAT(seen.edits[0], testing::StartsWith("joint.dofs = [\"125:+Y\""));
+  EXPECT_THAT(seen.edits[0], HasSubstr(seen.page.dofs()->item(0)->text().toStdString()));
+  seen.page.dofs()->item(0)->setCheckState(Qt::Unchecked);
+  EXPECT_THAT(seen.edits[1], testing::Not(HasSubstr(seen.page.dofs()->item(0)->text().toStdString())));
+}
+
+TEST(GeometryPage, SpaceTicksADof) {
+  Seen seen;
+  seen.page.dofs()->setCurrentRow(0);
+  seen.page.dofs()->setFocus();
+  QTest::keyClick(seen.page.dofs(), Qt::Key_Space);
+  EXPECT_EQ(seen.edits.size(), 1U);
+}
+
+TEST(GeometryPage, AClickOnAnArrowTakesItIntoTheJointAndOutAgain) {
+  Seen seen;
+  StructureView& view = *seen.page.view();
+  const frf::Dof dof = view.structure().dofs.front();
+  const int before = seen.ticked();
+  for (const int expected : {before + 1, before}) {
+    QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, view.tip_of(dof).toPoint());
+    EXPECT_EQ(seen.ticked(), expected);
+  }
+  EXPECT_EQ(seen.edits.size(), 2U);
+}
+
+TEST(GeometryPage, TheSceneTicksTheListBothWays) {
+  Seen seen;
+  seen.scene.joints.front().dofs.resize(2);
+  seen.page.set_scene(seen.scene, "1");
+  EXPECT_EQ(seen.ticked(), 2);
+  EXPECT_TRUE(seen.edits.empty());
+}
+
+TEST(GeometryPage, TheMotionIsThatOfTheMeasuredFrfs) {
+  Seen seen;
+  seen.page.set_frequency(420.3);
+  seen.move();
+  const Deflection& found = seen.page.deflection();
+  EXPECT_NEAR(found.frequency_hz, 420.3, 3.0);
+  const auto files = open_files(seen.scene.data, {});
+  const LoadedFile& assembly = files.back();
+  ASSERT_TRUE(assembly.is_assembly);
+  ASSERT_GT(found.shape.size(), 4U);
+  for (std::size_t r = 0; r < assembly.header.response.size(); ++r) {
+    const frf::Dof& dof = assembly.header.response[r];
+    const Curve curve = read_curve(assembly, r, 0);
+    const Complex expected = static_cast<double>(dof.sign) * curve.values[nearest_line(curve, 420.3)];
+    EXPECT_EQ(found.shape.at(dof.node)[static_cast<std::size_t>(dof.direction) - 1], expected) << dof.name();
+  }
+}
+
+TEST(GeometryPage, StoppedTheStructureIsAtRest) {
+  Seen seen;
+  seen.move();
+  EXPECT_FALSE(seen.page.deflection().shape.empty());
+  seen.move();
+  EXPECT_TRUE(seen.page.deflection().shape.empty());
+}
+
+TEST(GeometryPage, FilesAreOpenedWhenThePageIsSeen) {
+  Measured measured("rig1");
+  GeometryPage page;
+  page.set_scene(ident::read_scene(as_path(measured.scene())), "1");
+  EXPECT_FALSE(page.is_busy());
+  page.show();
+  EXPECT_TRUE(page.is_busy());
+}
+
+TEST(StructureView, IsTurnedZoomedAndShownWholeAgain) {
+  Seen seen;
+  StructureView& view = *seen.page.view();
+  const auto tip = [&] { return view.tip_of(view.structure().dofs.front()); };
+  const QPointF first = tip();
+  for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Plus}) {
+    const QPointF before = tip();
+    QTest::keyClick(&view, key);
+    EXPECT_NE(tip(), before);
+  }
+  QTest::keyClick(&view, Qt::Key_Home);
+  EXPECT_EQ(tip(), first);
+  QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, QPoint(30, 30));
+  QMouseEvent drag(QEvent::MouseMove, QPointF(90, 60), view.mapToGlobal(QPointF(90, 60)), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&view, &drag);
+  QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, QPoint(90, 60));
+  EXPECT_NE(tip(), first);
+  EXPECT_TRUE(seen.edits.empty());
+}
+
+TEST(StructureView, TheMotionIsDrawn) {
+  Seen seen;
+  seen.move();
+  StructureView& view = *seen.page.view();
+  view.set_phase(0.3);
+  const QImage one = view.grab().toImage();
+  view.set_phase(1.6);
+  EXPECT_NE(view.grab().toImage(), one);
+  view.set_phase(0.3);
+  find<QSlider>(seen.page, "amplitude")->setValue(90);
+  EXPECT_NE(view.grab().toImage(), one);
+}
+
+TEST(StructureView, WithoutPositionsItSaysSo) {
+  StructureView view;
+  view.resize(400, 300);
+  view.show();
+  EXPECT_FALSE(view.grab().isNull());
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, QPoint(100, 100));
+}
+
+}  // namespace
+}  // namespace jointid::gui
