@@ -62,7 +62,7 @@ void read_frequencies(const SceneItem& item, ResponseScene& scene) {
 }
 
 void read_response(const SceneItem& item, ResponseScene& scene) {
-  const SceneTable table = item.table({"dofs", "harmonics", "tolerance", "largest_harmonic", "method"});
+  const SceneTable table = item.table({"dofs", "harmonics", "tolerance", "largest_harmonic", "method", "stability"});
   for (const SceneItem& dof : table.require("dofs").list_not_empty()) scene.responses.push_back(read_dof(dof, scene));
   if (const auto harmonics = table.find("harmonics")) {
     for (const SceneItem& number : harmonics->list_not_empty())
@@ -84,6 +84,10 @@ void read_response(const SceneItem& item, ResponseScene& scene) {
                    "give [structure] and [frequency] range, or use sweep");
     }
   }
+  if (const auto stability = table.find("stability")) {
+    scene.stability = stability->boolean();
+    if (scene.stability && !scene.structure) stability->fail("stability needs mass, damping and stiffness", "give [structure]");
+  }
 }
 
 }  // namespace
@@ -92,7 +96,8 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
   const ident::Value document = ident::parse_toml(text, file);
   const std::string file_name = file.string();
   const SceneItem root(document, file_name, {}, {});
-  const SceneTable table = root.table({"title", "data", "structure", "joints", "force", "frequency", "response"});
+  const SceneTable table =
+      root.table({"title", "data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient"});
   ResponseScene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();
@@ -114,13 +119,18 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
   for (const SceneItem& joint : table.require("joints").list_not_empty()) {
     scene.joints.push_back(read_joint(joint, scene, scene.joints.size() + 1));
   }
-  read_force(table.require("force"), scene);
-  if (const auto frequency = table.find("frequency")) {
-    read_frequencies(*frequency, scene);
-  } else if (scene.structure) {
-    read_frequencies(table.require("frequency"), scene);
-  }
+  if (const auto transient = table.find("transient")) scene.transient = read_transient(*transient, file.parent_path(), scene);
+  const bool own_forces = scene.transient && (!scene.transient->records.empty() || !scene.transient->pulses.empty());
+  const auto force = own_forces ? table.find("force") : table.require("force");
+  if (force) read_force(*force, scene);
+  const auto frequency = table.find("frequency");
+  if (frequency || (force && scene.structure)) read_frequencies(frequency ? *frequency : table.require("frequency"), scene);
   read_response(table.require("response"), scene);
+  if (const auto curves = table.find("curves")) {
+    if (!force) curves->fail("there is no [force]", "say where it acts");
+    for (const SceneItem& curve : curves->list_not_empty()) scene.curves.push_back(read_curve(curve, scene));
+  }
+  if (const auto equivalent = table.find("equivalent")) scene.equivalent = read_equivalent(*equivalent, scene);
   return scene;
 }
 

@@ -8,6 +8,9 @@ std::vector<ident::NamedFile> files_of(const ResponseScene& scene) {
     files.push_back({part.path, "[data] parts"});
     for (const ident::DataFile& repeat : part.repeats) files.push_back({repeat.path, "[data] parts"});
   }
+  if (scene.transient) {
+    for (const SceneRecord& record : scene.transient->records) files.push_back(record.file);
+  }
   files.insert(files.end(), scene.matrix_files.begin(), scene.matrix_files.end());
   return files;
 }

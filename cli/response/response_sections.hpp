@@ -17,4 +17,9 @@ void read_structure(const ident::SceneItem& item, const ident::Path& folder, Res
 /// One of [[joints]]; `number` counts from 1.
 SceneJoint read_joint(const ident::SceneItem& item, const ResponseScene& scene, std::size_t number);
 
+/// One of [[curves]], [equivalent] and [transient]; they stand behind the joints.
+SceneCurve read_curve(const ident::SceneItem& item, const ResponseScene& scene);
+SceneEquivalent read_equivalent(const ident::SceneItem& item, const ResponseScene& scene);
+SceneTransient read_transient(const ident::SceneItem& item, const ident::Path& folder, const ResponseScene& scene);
+
 }  // namespace jointid::cli

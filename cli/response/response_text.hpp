@@ -6,7 +6,8 @@
 
 namespace jointid::cli {
 
-/// Peaks by level, and where there are few points all of them, for people.
+/// Peaks by level, or where there are few points all of them, curves, equivalent joints, transients and what is to be said of
+/// them.
 std::string response_text(const ResponseScene& scene, const ResponseRun& run);
 
 /// Everything: harmonics of responses and joints, losses, what was dropped. The keys stay; numbers that are not there are null.
@@ -15,5 +16,8 @@ std::string response_json(const ResponseScene& scene, const ResponseRun& run);
 /// A line for each level, frequency, harmonic and response: "force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re
 /// [m],std dev im [m]", the last two empty where nothing is known of errors; what did not converge is left out.
 std::string response_csv(const ResponseRun& run);
+
+/// Transients, a line for each time: "motion,time [s],x(DOF) [m] …,q(JOINT) [m],f(JOINT) [N] …".
+std::string history_csv(const ResponseRun& run);
 
 }  // namespace jointid::cli
