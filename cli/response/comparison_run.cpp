@@ -82,7 +82,8 @@ std::string comparison_text(const ResponseScene& scene, const std::vector<WaysRu
   for (const WaysRun& run : runs) {
     text += fmt::format("\n{:.6g} N, {:.6g} Hz\n{}", run.level, run.frequency_hz, ways_table(run).text());
     if (run.ways.front().residual_force_free)
-      text += "a joint never slips fully: the mean depends on the past, and with it max |x|; X and x(t) are compared without it\n";
+      text +=
+          "a joint never slips fully: the mean depends on the past, and with it max |x|; X and x(t) are compared without it\n";
     if (!run.ways.front().found) text += "no exact orbit was found, so there is nothing to compare with\n";
   }
   return text;

@@ -44,16 +44,23 @@ void read_force(const SceneItem& item, ResponseScene& scene) {
 }
 
 void read_frequencies(const SceneItem& item, ResponseScene& scene) {
-  const SceneTable table = item.table({"range", "values", "points"});
+  const SceneTable table = item.table({"range", "values", "points", "modal_model"});
   const auto range = table.find("range"), values = table.find("values"), points = table.find("points");
   if (range && values) item.fail("there are both range and values", "remove one");
   if (range) scene.range_hz = range->interval();
   if (values) {
     for (const SceneItem& value : values->list_not_empty()) scene.values_hz.push_back(value.positive());
   }
+  if (const auto modal = table.find("modal_model")) {
+    scene.modal_model = modal->boolean();
+    if (scene.modal_model && scene.structure) modal->fail("matrices need no modal model", "remove it");
+    if (scene.modal_model && !range && !values)
+      item.fail("there are neither range nor values", "modal models have no lines of their own");
+  }
   if (points) {
-    if (!scene.structure || !range)
-      points->fail("points stand in a range of a structure with matrices", "remove it: the lines of the files count");
+    if ((!scene.structure && !scene.modal_model) || !range)
+      points->fail("points stand in a range of a structure with matrices, or of modal models",
+                   "remove it: the lines of the files count");
     scene.points = static_cast<std::size_t>(read_whole(*points, 2.0, 1e6));
   }
   if (scene.structure && !range && !values) item.fail("there are neither range nor values");

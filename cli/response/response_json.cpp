@@ -114,6 +114,10 @@ std::string response_json(const ResponseScene& scene, const ResponseRun& run) {
           point["response_deviations"].push_back(harmonics_json(level.deviations[i].parts, at(dof)));
         }
       }
+      if (i < level.left_out.size() && level.left_out[i].size() > 0) {
+        for (std::size_t dof = 0; dof < run.dofs.size(); ++dof)
+          point["left_out"].push_back(column_json(level.left_out[i], at(dof)));
+      }
       if (!level.stability.empty()) point["stability"] = stability_json(level.stability[i]);
       one["points"].push_back(std::move(point));
     }
@@ -158,8 +162,8 @@ std::string history_csv(const ResponseRun& run) {
 }
 
 std::string response_csv(const ResponseRun& run) {
-  std::string text =
-      csv_line({"force [N]", "frequency [Hz]", "harmonic", "dof", "re [m]", "im [m]", "std dev re [m]", "std dev im [m]"});
+  std::string text = csv_line(
+      {"force [N]", "frequency [Hz]", "harmonic", "dof", "re [m]", "im [m]", "std dev re [m]", "std dev im [m]", "left out [m]"});
   for (const LevelResponse& level : run.levels) {
     for (std::size_t i = 0; i < level.points.size(); ++i) {
       const HarmonicSolution& point = level.points[i];
@@ -167,14 +171,15 @@ std::string response_csv(const ResponseRun& run) {
       for (Eigen::Index n = 0; n < point.response.rows(); ++n) {
         for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
           const Complex x = point.response(n, at(dof));
-          std::optional<double> re, im;
+          std::optional<double> re, im, bar;
+          if (i < level.left_out.size() && level.left_out[i].size() > 0) bar = level.left_out[i](n, at(dof));
           if (!level.deviations.empty()) {
             re = level.deviations[i].parts(n, at(dof)).real();
             im = level.deviations[i].parts(n, at(dof)).imag();
           }
           text += csv_line({csv_number(level.level), csv_number(hertz(point)),
                             fmt::format("{}", point.harmonics[static_cast<std::size_t>(n)]), run.dofs[dof], csv_number(x.real()),
-                            csv_number(x.imag()), csv_number(re), csv_number(im)});
+                            csv_number(x.imag()), csv_number(re), csv_number(im), csv_number(bar)});
         }
       }
     }

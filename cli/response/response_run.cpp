@@ -10,6 +10,7 @@
 #include "cli/response/further_runs.hpp"
 #include "cli/text/interrupt.hpp"
 #include "response/continuation/sweep.hpp"
+#include "response/harmonic/left_out.hpp"
 #include "response/stability/solution_orbit.hpp"
 
 namespace jointid::cli {
@@ -36,6 +37,16 @@ void find_peak(const response::HarmonicBalance& balance, const ResponseScene& sc
   if (!peak || size_of(*peak) < size_of(*best)) return;
   level.peak = std::move(peak);
   level.refined = true;
+}
+
+/// Error bars of harmonics beyond the lines of the files.
+void find_left_out(const response::HarmonicBalance& balance, LevelResponse& level) {
+  const bool any =
+      std::ranges::any_of(level.points, [](const HarmonicSolution& point) { return point.converged && !point.dropped.empty(); });
+  if (!any) return;
+  for (const HarmonicSolution& point : level.points) {
+    level.left_out.push_back(point.converged ? response::left_out(balance, point) : Eigen::MatrixXd());
+  }
 }
 
 /// Deviations of all points, if the scene or its files tell any error.
@@ -134,6 +145,7 @@ void run_levels(const response::HarmonicBalance& balance, const ResponseScene& s
       find_peak(balance, scene, level);
     }
     find_deviations(balance, scene, level);
+    find_left_out(balance, level);
     describe_peak(balance, prepared, level);
     find_stability(balance, scene, prepared, progress, level);
     run.levels.push_back(std::move(level));

@@ -30,6 +30,7 @@ struct LevelResponse {
   double level = 0.0;  ///< N
   std::vector<response::HarmonicSolution> points{};
   std::vector<response::ResponseDeviations> deviations{};  ///< of the points; none when nothing is known
+  std::vector<Eigen::MatrixXd> left_out{};                 ///< of the points, error bars of dropped harmonics; none when none was
   std::optional<double> peak_deviation{};                  ///< of |X| at the peak
   std::optional<response::HarmonicSolution> peak{};        ///< largest |X| of the first response and lowest harmonic above 0
   bool refined = false;                                    ///< the peak lies between points

@@ -84,7 +84,8 @@ struct ResponseScene {
   response::Excitation force;  ///< of level 1
   std::optional<ident::Range> range_hz;
   std::vector<double> values_hz;  ///< these instead
-  std::size_t points = 201;       ///< over the range, of matrices
+  std::size_t points = 201;       ///< over the range, of matrices and modal models
+  bool modal_model = false;       ///< FRFs of parts by their modal models, at any frequency
   std::vector<SceneDof> responses;
   response::HarmonicChoice harmonics;
   CurveMethod method = CurveMethod::sweep;

@@ -11,6 +11,20 @@ namespace {
 
 using response::HarmonicSolution;
 
+/// Largest error bar of the lowest harmonics of all points, in parts of |X|.
+double largest_bar(const ResponseRun& run) {
+  double largest = 0.0;
+  for (const LevelResponse& level : run.levels) {
+    for (std::size_t i = 0; i < level.left_out.size(); ++i) {
+      if (level.left_out[i].size() == 0) continue;
+      const Eigen::Index row = first_row(level.points[i]);
+      const Eigen::ArrayXd size = level.points[i].response.row(row).cwiseAbs().transpose();
+      largest = std::max(largest, (level.left_out[i].row(row).transpose().array() / size.max(1e-300)).maxCoeff());
+    }
+  }
+  return largest;
+}
+
 /// What is left out by the harmonics, the worst of all points.
 std::string truncation_text(const ResponseScene& scene, const ResponseRun& run) {
   double next = 0.0;
@@ -37,6 +51,7 @@ std::string truncation_text(const ResponseScene& scene, const ResponseRun& run) 
         "harmonics beyond the lines of the files are dropped: at most {:.3g} N at harmonic {} of {:.6g} Hz, about {:.3g} m at "
         "the joint\n",
         worst->force, worst->harmonic, worst_hz, worst->motion);
+    text += fmt::format("their error bar (H of the nearest line): |X| by at most {:.2g} of its size\n", largest_bar(run));
   }
   return text;
 }

@@ -14,7 +14,8 @@ std::string response_text(const ResponseScene& scene, const ResponseRun& run);
 std::string response_json(const ResponseScene& scene, const ResponseRun& run);
 
 /// A line for each level, frequency, harmonic and response: "force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re
-/// [m],std dev im [m]", the last two empty where nothing is known of errors; what did not converge is left out.
+/// [m],std dev im [m],left out [m]": deviations are empty where nothing is known of errors, the last is the error bar of
+/// harmonics beyond the lines of the files; points that did not converge are not there.
 std::string response_csv(const ResponseRun& run);
 
 /// Transients, a line for each time: "motion,time [s],x(DOF) [m] …,q(JOINT) [m],f(JOINT) [N] …".

@@ -123,7 +123,7 @@ TEST(ResponseScene, FindsPeaksOverLevels) {
   EXPECT_EQ(json["levels"][0]["points"].size(), 41u);
   EXPECT_EQ(json["levels"][0]["points"][0]["responses"][1].size(), 3u);
   EXPECT_THAT(response_csv(run),
-              HasSubstr("force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re [m],std dev im [m]\n1,2,1,1,"));
+              HasSubstr("force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re [m],std dev im [m],left out [m]\n1,2,1,1,"));
 }
 
 TEST(ResponseScene, TellsDeviationsOfTheLaw) {
