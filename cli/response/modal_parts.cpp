@@ -8,6 +8,7 @@
 #include "cli/text/interrupt.hpp"
 #include "ident/plan/data_source.hpp"
 #include "modalfit/model/symmetric_model.hpp"
+#include "modalfit/model/synthesis.hpp"
 
 namespace jointid::cli {
 namespace {

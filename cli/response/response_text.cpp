@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "cli/response/response_tables.hpp"
 
@@ -147,6 +148,13 @@ std::string problems_text(const ResponseRun& run) {
 
 }  // namespace
 
+std::vector<std::string> response_remarks(const ResponseScene& scene, const ResponseRun& run) {
+  std::istringstream all(truncation_text(scene, run) + stability_text(run) + problems_text(run) + further_problems(run));
+  std::vector<std::string> remarks;
+  for (std::string line; std::getline(all, line);) remarks.push_back(line);
+  return remarks;
+}
+
 std::string response_text(const ResponseScene& scene, const ResponseRun& run) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   std::size_t points = 0;
@@ -160,8 +168,9 @@ std::string response_text(const ResponseScene& scene, const ResponseRun& run) {
   }
   if (!run.equivalents.empty()) text += "\nequivalent joints\n" + equivalents_table(run).text();
   if (!run.transients.empty()) text += "\nfrom rest\n" + transients_table(run).text();
-  const std::string remarks = truncation_text(scene, run) + stability_text(run) + problems_text(run) + further_problems(run);
-  return remarks.empty() ? text : text + "\n" + remarks;
+  const std::vector<std::string> remarks = response_remarks(scene, run);
+  for (std::size_t i = 0; i < remarks.size(); ++i) text += (i == 0 ? "\n" : "") + remarks[i] + "\n";
+  return text;
 }
 
 }  // namespace jointid::cli

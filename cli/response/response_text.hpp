@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/response/response_run.hpp"
 
@@ -9,6 +10,9 @@ namespace jointid::cli {
 /// Peaks by level, or where there are few points all of them, curves, equivalent joints, transients and what is to be said of
 /// them.
 std::string response_text(const ResponseScene& scene, const ResponseRun& run);
+
+/// What is to be said of the numbers, one sentence each: what is left out, unstable, not found, doubtful.
+std::vector<std::string> response_remarks(const ResponseScene& scene, const ResponseRun& run);
 
 /// Everything: harmonics of responses and joints, losses, what was dropped. The keys stay; numbers that are not there are null.
 std::string response_json(const ResponseScene& scene, const ResponseRun& run);

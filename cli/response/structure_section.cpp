@@ -19,20 +19,21 @@ class StructureReader {
 
   void read() {
     response::MatrixStructure structure;
-    structure.mass = matrix(table_.require("mass"), 0);
+    structure.mass = matrix("mass", 0);
     const Eigen::Index n = structure.mass.rows();
-    structure.stiffness = matrix(table_.require("stiffness"), n);
+    structure.stiffness = matrix("stiffness", n);
     structure.damping = Eigen::MatrixXd::Zero(n, n);
     const auto damping = table_.find("damping"), modal = table_.find("modal_damping");
     if (damping && modal) item_.fail("there are both damping and modal_damping", "remove one");
-    if (damping) structure.damping = matrix(*damping, n);
+    if (damping) structure.damping = matrix("damping", n);
     if (modal) structure.damping = response::modal_damping(structure.mass, structure.stiffness, modal->not_negative());
     scene_.structure = std::move(structure);
   }
 
  private:
-  Eigen::MatrixXd matrix(const SceneItem& item, Eigen::Index size) const {
-    const Eigen::MatrixXd found = item.is_text() ? from_file(item) : inline_matrix(item);
+  Eigen::MatrixXd matrix(const std::string& key, Eigen::Index size) const {
+    const SceneItem item = table_.require(key);
+    const Eigen::MatrixXd found = item.is_text() ? from_file(item, key) : inline_matrix(item);
     if (size > 0 && found.rows() != size) {
       item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
     }
@@ -40,14 +41,14 @@ class StructureReader {
     return found;
   }
 
-  Eigen::MatrixXd from_file(const SceneItem& item) const {
+  Eigen::MatrixXd from_file(const SceneItem& item, const std::string& key) const {
     std::string name = item.text_not_empty(), variable;
     const std::size_t colon = name.rfind(':');
     if (colon != std::string::npos && colon > 0) {
       variable = name.substr(colon + 1);
       name.resize(colon);
     }
-    scene_.matrix_files.push_back({folder_ / name, item.place()});
+    scene_.matrix_files.push_back({folder_ / name, "[structure] " + key});
     return response::read_symmetric_matrix(folder_ / name, variable);
   }
 
