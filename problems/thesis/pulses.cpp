@@ -1,30 +1,25 @@
 #include "problems/thesis/pulses.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_file.hpp"
+#include "problems/thesis/shortest_text.hpp"
 
 namespace jointid::problems {
 namespace {
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 std::string scene_text(const PulseProblem& problem) {
   std::string values;
-  for (const double value : problem.parameters) values += (values.empty() ? "" : ", ") + shortest(value);
+  for (const double value : problem.parameters) values += (values.empty() ? "" : ", ") + shortest_text(value);
   return "title = \"" + problem.name + ": " + problem.description() +
          "\"\n\n[structure]\nmass = [[1.0, 0.0, 0.0], [0.0, 1.2, 0.0], [0.0, 0.0, 0.9]]\n"
          "stiffness = [[500.0, -200.0, 0.0], [-200.0, 250.0, -50.0], [0.0, -50.0, 150.0]]\n"
          "damping = [[0.5, -0.16, 0.0], [-0.16, 0.32, -0.04], [0.0, -0.04, 0.21]]\n\n"
          "[[joints]]\ndofs = [2, 3]\nlaw = \"" +
-         problem.law + "\"\nparameters = [" + values + "]\n\n[transient]\nduration = " + shortest(16.0 * pulse_length) +
-         "  # s\nstep = " + shortest(pulse_length / 50.0) +
-         "\npulses = [{ dof = 1, amplitude = 36.0, length = " + shortest(pulse_length) + " }]\n\n[response]\ndofs = [1, 2, 3]\n";
+         problem.law + "\"\nparameters = [" + values + "]\n\n[transient]\nduration = " + shortest_text(16.0 * pulse_length) +
+         "  # s\nstep = " + shortest_text(pulse_length / 50.0) +
+         "\npulses = [{ dof = 1, amplitude = 36.0, length = " + shortest_text(pulse_length) + " }]\n\n[response]\ndofs = [1, 2, 3]\n";
 }
 
 }  // namespace
