@@ -25,7 +25,10 @@ void require_case(const ResponseScene& scene) {
                       .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
-  if (!scene.structure) fail("the exact motion needs mass, damping and stiffness", "give [structure]");
+  if (!scene.structure) {
+    fail("the exact motion needs mass, damping and stiffness of at most " + std::to_string(most_full) + " coordinates",
+         "give [structure]");
+  }
   if (scene.values_hz.empty() || scene.levels.empty()) fail("there is no case", "give [force], and [frequency] values");
 }
 

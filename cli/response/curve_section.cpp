@@ -46,6 +46,16 @@ void check_ends(const SceneItem& item, const SceneCurve& curve, const ResponseSc
 
 }  // namespace
 
+void require_full(const SceneItem& item, const ResponseScene& scene) {
+  if (scene.structure) return;
+  if (scene.sparse) {
+    item.fail("the structure has " + std::to_string(coordinates(scene)) + " coordinates, full matrices at most " +
+                  std::to_string(most_full),
+              "condense it first");
+  }
+  item.fail("needs mass, damping and stiffness", "give [structure], or remove it");
+}
+
 SceneCurve read_curve(const SceneItem& item, const ResponseScene& scene) {
   const SceneTable table = item.table({"along", "joint", "range", "frequency", "force"});
   SceneCurve curve;
@@ -74,7 +84,7 @@ SceneEquivalent read_equivalent(const SceneItem& item, const ResponseScene& scen
   }
   equivalent.joint = read_joint_number(table, scene);
   if (const auto mode = table.find("mode")) {
-    if (!scene.structure) mode->fail("modes need mass and stiffness", "give [structure], or remove it");
+    require_full(*mode, scene);
     equivalent.mode = static_cast<Eigen::Index>(read_whole(*mode, 1.0, static_cast<double>(scene.structure->mass.rows()))) - 1;
   }
   return equivalent;

@@ -45,7 +45,7 @@ std::vector<double> asked_lines_hz(const ResponseScene& scene) {
 }
 
 Prepared from_matrices(const ResponseScene& scene) {
-  const Eigen::Index n = scene.structure->mass.rows();
+  const Eigen::Index n = coordinates(scene);
   Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(n, at(scene.joints.size())), force = Eigen::MatrixXd::Zero(n, 1);
   Eigen::MatrixXd responses = Eigen::MatrixXd::Zero(n, at(scene.responses.size()));
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
@@ -55,9 +55,14 @@ Prepared from_matrices(const ResponseScene& scene) {
   for (std::size_t r = 0; r < scene.responses.size(); ++r) responses(scene.responses[r].coordinate, at(r)) = 1.0;
   if (!scene.levels.empty()) force(scene.force_dof.coordinate, 0) = 1.0;
   Prepared prepared;
-  prepared.structure = std::make_shared<response::MatrixReceptance>(*scene.structure, joints, responses, force);
+  prepared.everywhere = true;
   prepared.frequency_hz = scene.values_hz;
-  prepared.assembly = {*scene.structure, joints, joints_of(scene), force};
+  if (scene.sparse) {
+    prepared.structure = std::make_shared<response::SparseReceptance>(*scene.sparse, joints, responses, force);
+  } else {
+    prepared.structure = std::make_shared<response::MatrixReceptance>(*scene.structure, joints, responses, force);
+    prepared.assembly = {*scene.structure, joints, joints_of(scene), force};
+  }
   prepared.responses = responses;
   if (scene.method == CurveMethod::sweep) prepared.frequency_hz = asked_hz(scene);
   return prepared;
@@ -138,10 +143,10 @@ std::vector<response::Joint> joints_of(const ResponseScene& scene) {
   return joints;
 }
 
-Prepared prepare(const ResponseScene& scene) { return scene.structure ? from_matrices(scene) : from_files(scene); }
+Prepared prepare(const ResponseScene& scene) { return coordinates(scene) > 0 ? from_matrices(scene) : from_files(scene); }
 
 std::optional<std::array<double, 2>> Prepared::beside(double omega) const {
-  if (assembly) return std::array{omega * (1.0 - between_lines), omega * (1.0 + between_lines)};
+  if (everywhere) return std::array{omega * (1.0 - between_lines), omega * (1.0 + between_lines)};
   std::vector<double> known;
   for (const double hz : lines_hz) known.push_back(angular(hz));
   const auto above = std::ranges::upper_bound(known, omega * (1.0 + between_lines));

@@ -14,7 +14,8 @@ namespace jointid::cli {
 /// The structure of a scene and the frequencies to be computed.
 struct Prepared {
   std::shared_ptr<const response::Receptance> structure;
-  std::optional<response::MatrixAssembly> assembly{};  ///< of matrices
+  bool everywhere = false;                             ///< known at every frequency: matrices
+  std::optional<response::MatrixAssembly> assembly{};  ///< of full matrices
   Eigen::MatrixXd responses{};                         ///< N × responses, of matrices
   std::vector<double> frequency_hz{};
   std::vector<double> lines_hz{};     ///< all of the files

@@ -53,18 +53,18 @@ void read_frequencies(const SceneItem& item, ResponseScene& scene) {
   }
   if (const auto modal = table.find("modal_model")) {
     scene.modal_model = modal->boolean();
-    if (scene.modal_model && scene.structure) modal->fail("matrices need no modal model", "remove it");
+    if (scene.modal_model && coordinates(scene) > 0) modal->fail("matrices need no modal model", "remove it");
     if (scene.modal_model && !range && !values)
       item.fail("there are neither range nor values", "modal models have no lines of their own");
   }
   if (points) {
-    if ((!scene.structure && !scene.modal_model) || !range)
+    if ((coordinates(scene) == 0 && !scene.modal_model) || !range)
       points->fail("points stand in a range of a structure with matrices, or of modal models",
                    "remove it: the lines of the files count");
     scene.points = static_cast<std::size_t>(read_whole(*points, 2.0, 1e6));
   }
-  if (scene.structure && !range && !values) item.fail("there are neither range nor values");
-  if (scene.structure && range && (*scene.range_hz)[0] <= 0.0)
+  if (coordinates(scene) > 0 && !range && !values) item.fail("there are neither range nor values");
+  if (coordinates(scene) > 0 && range && (*scene.range_hz)[0] <= 0.0)
     range->fail("the range begins at 0 Hz, where nothing vibrates", "begin above it");
 }
 
@@ -86,14 +86,14 @@ void read_response(const SceneItem& item, ResponseScene& scene) {
     scene.harmonics.largest = static_cast<int>(read_whole(*largest, 1.0, 1000.0));
   if (const auto method = table.find("method")) {
     scene.method = method->word(methods) == "sweep" ? CurveMethod::sweep : CurveMethod::arc_length;
-    if (scene.method == CurveMethod::arc_length && (!scene.structure || !scene.range_hz)) {
+    if (scene.method == CurveMethod::arc_length && (coordinates(scene) == 0 || !scene.range_hz)) {
       method->fail("arc_length needs the structure between frequency lines, and a range",
                    "give [structure] and [frequency] range, or use sweep");
     }
   }
   if (const auto stability = table.find("stability")) {
     scene.stability = stability->boolean();
-    if (scene.stability && !scene.structure) stability->fail("stability needs mass, damping and stiffness", "give [structure]");
+    if (scene.stability) require_full(*stability, scene);
   }
 }
 
@@ -131,7 +131,8 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
   const auto force = own_forces ? table.find("force") : table.require("force");
   if (force) read_force(*force, scene);
   const auto frequency = table.find("frequency");
-  if (frequency || (force && scene.structure)) read_frequencies(frequency ? *frequency : table.require("frequency"), scene);
+  if (frequency || (force && coordinates(scene) > 0))
+    read_frequencies(frequency ? *frequency : table.require("frequency"), scene);
   read_response(table.require("response"), scene);
   if (const auto curves = table.find("curves")) {
     if (!force) curves->fail("there is no [force]", "say where it acts");

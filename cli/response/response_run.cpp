@@ -30,7 +30,7 @@ void find_peak(const response::HarmonicBalance& balance, const ResponseScene& sc
   }
   if (best == nullptr) return;
   level.peak = *best;
-  if (!scene.structure || level.points.size() < 3 || best == &level.points.front() || best == &level.points.back()) return;
+  if (coordinates(scene) == 0 || level.points.size() < 3 || best == &level.points.front() || best == &level.points.back()) return;
   const double width = 2.0 * std::abs(best->omega - (best - 1)->omega) / best->omega;
   const int harmonic = best->harmonics[static_cast<std::size_t>(first_row(*best))];
   auto peak = response::peak_near(balance, *best, level.level, 0, harmonic, std::max(width, 1e-6));

@@ -2,6 +2,10 @@
 
 namespace jointid::cli {
 
+Eigen::Index coordinates(const ResponseScene& scene) {
+  return scene.structure ? scene.structure->mass.rows() : scene.sparse ? scene.sparse->mass.rows() : 0;
+}
+
 std::vector<ident::NamedFile> files_of(const ResponseScene& scene) {
   std::vector<ident::NamedFile> files = {{scene.file, "the scene"}};
   for (const ident::DataFile& part : scene.parts) {

@@ -9,6 +9,7 @@
 #include "ident/scene/scene_files.hpp"
 #include "response/harmonic/harmonic_balance.hpp"
 #include "response/structure/matrix_structure.hpp"
+#include "response/structure/sparse_receptance.hpp"
 #include "response/time/transient.hpp"
 
 namespace jointid::cli {
@@ -76,7 +77,8 @@ struct ResponseScene {
   std::string title;
   std::vector<ident::DataFile> parts;  ///< [data]; none with matrices
   bool reciprocity = false;
-  std::optional<response::MatrixStructure> structure;  ///< [structure]
+  std::optional<response::MatrixStructure> structure;  ///< [structure] of at most most_full coordinates, or with modal_damping …
+  std::optional<response::SparseStructure> sparse;     ///< … or of more
   std::vector<ident::NamedFile> matrix_files;
   std::vector<SceneJoint> joints;
   SceneDof force_dof;
@@ -94,6 +96,12 @@ struct ResponseScene {
   std::optional<SceneEquivalent> equivalent;
   std::optional<SceneTransient> transient;
 };
+
+/// Coordinates above which [structure] stays sparse.
+inline constexpr Eigen::Index most_full = 300;
+
+/// Coordinates of [structure]; 0 with files.
+Eigen::Index coordinates(const ResponseScene& scene);
 
 /// The scene and every file that it names.
 std::vector<ident::NamedFile> files_of(const ResponseScene& scene);

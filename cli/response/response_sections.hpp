@@ -14,6 +14,10 @@ SceneDof read_dof(const ident::SceneItem& item, const ResponseScene& scene);
 /// [structure]: matrices inline, or from files "m.mtx", "model.mat:M".
 void read_structure(const ident::SceneItem& item, const ident::Path& folder, ResponseScene& scene);
 
+/// Throws InputError (usage) at `item`, which needs full matrices, where the scene has none: files, or more coordinates than
+/// most_full.
+void require_full(const ident::SceneItem& item, const ResponseScene& scene);
+
 /// One of [[joints]]; `number` counts from 1.
 SceneJoint read_joint(const ident::SceneItem& item, const ResponseScene& scene, std::size_t number);
 

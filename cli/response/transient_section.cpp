@@ -59,7 +59,7 @@ void read_method(const SceneTable& table, SceneTransient& transient) {
 
 SceneTransient read_transient(const SceneItem& item, const ident::Path& folder, const ResponseScene& scene) {
   const SceneTable table = item.table({"duration", "step", "method", "delta", "forces", "pulses"});
-  if (!scene.structure) item.fail("transients need mass, damping and stiffness", "give [structure]");
+  require_full(item, scene);
   SceneTransient transient;
   const SceneItem duration = table.require("duration");
   transient.duration = duration.positive();

@@ -74,7 +74,7 @@ std::filesystem::path write(const PulseProblem& problem, const std::filesystem::
   std::error_code ignored;  // a folder that cannot be made shows when the first file is written
   std::filesystem::create_directories(directory, ignored);
   nlohmann::ordered_json truth = {{"name", problem.name}, {"description", problem.description()}};
-  for (const double lengths : {2.0, 4.0, 8.0, 16.0}) truth["times"].push_back(lengths * pulse_length);
+  truth["times"] = pulse_times;
   truth["displacements"] = problem.displacements;
   write_text(directory / "truth.json", truth.dump(1) + "\n");
   const std::filesystem::path scene = directory / (problem.name + ".toml");

@@ -27,14 +27,17 @@ std::optional<PeakMode> peak_mode(const HarmonicBalance& balance, const Harmonic
   const auto place = std::ranges::find(solution.harmonics, harmonic);
   if (force.isZero(0.0) || place == solution.harmonics.end()) return std::nullopt;
   const Eigen::Index n = place - solution.harmonics.begin();
-  Eigen::VectorXcd stiffness(solution.joint_motion.cols());
+  Eigen::VectorXcd stiffness(solution.joint_motion.cols()), dashpots(stiffness.size());
   for (Eigen::Index j = 0; j < stiffness.size(); ++j) {
     const Complex q = solution.joint_motion(n, j);
+    dashpots(j) = balance.joints()[static_cast<std::size_t>(j)].damping;
     stiffness(j) =
         q == 0.0 ? Complex(balance.joints()[static_cast<std::size_t>(j)].stuck_stiffness()) : solution.joint_force(n, j) / q;
   }
   const double omega = harmonic * solution.omega, a = omega - beside[0], b = beside[1] - omega;
-  const auto z = [&](double at) { return inverse_response(balance.structure(), at, stiffness, force, response); };
+  const auto z = [&](double at) {
+    return inverse_response(balance.structure(), at, stiffness + Complex(0.0, at - omega) * dashpots, force, response);
+  };
   const Complex low = z(beside[0]), middle = z(omega), high = z(beside[1]);
   const Complex slope = ((high - middle) * a / b + (middle - low) * b / a) / (a + b), ratio = -middle / slope;
   const double decay = omega * ratio.imag() / (omega + ratio.real());  // ζω_r

@@ -180,5 +180,42 @@ TEST(MatrixFile, ReadsMatrixMarketAndText) {
   EXPECT_THROW(response::read_symmetric_matrix(folder / "absent.mtx"), InputError);
 }
 
+/// More than most_full coordinates stay sparse and give what fewer would: a long chain is the same at its first masses.
+TEST(ResponseScene, LargeModelsStaySparse) {
+  const TestFolder folder;
+  const auto write = [&](const std::string& name, Eigen::Index n, double diagonal, double beside) {
+    std::ofstream out(folder / name);
+    out << "%%MatrixMarket matrix coordinate real symmetric\n" << n << " " << n << " " << 2 * n - 1 << "\n";
+    for (Eigen::Index i = 1; i <= n; ++i) {
+      out << i << " " << i << " " << diagonal << "\n";
+      if (i < n) out << i + 1 << " " << i << " " << beside << "\n";
+    }
+  };
+  const auto run_of = [&](Eigen::Index n, const std::string& further) {
+    write("m.mtx", n, 1.0, 0.0);
+    write("c.mtx", n, 20.0, -9.0);
+    write("k.mtx", n, 2000.0, -900.0);
+    const std::string text =
+        "[structure]\nmass = \"m.mtx\"\ndamping = \"c.mtx\"\nstiffness = \"k.mtx\"\n[[joints]]\ndofs = [2, 3]\nlaw = "
+        "\"bilinear\"\n"
+        "parameters = [0.002, 800.0]\n[force]\ndof = 1\namplitudes = [20.0]\n[frequency]\nvalues = [5.0, 6.0]\n"
+        "[response]\ndofs = [1, 3]\nharmonics = [1, 3, 5]\n" +
+        further;
+    const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
+    EXPECT_EQ(scene.sparse.has_value(), n > most_full);
+    EXPECT_EQ(coordinates(scene), n);
+    Progress progress;
+    return run_response(scene, progress);
+  };
+  const ResponseRun small = run_of(200, ""), large = run_of(1000, "");
+  EXPECT_TRUE(all_converged(large));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Eigen::MatrixXcd &a = large.levels[0].points[i].response, &b = small.levels[0].points[i].response;
+    EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-9 * b.cwiseAbs().maxCoeff());
+  }
+  EXPECT_THROW(run_of(1000, "stability = true\n"), InputError);
+  EXPECT_THROW(run_of(1000, "[transient]\nduration = 1.0\n"), InputError);
+}
+
 }  // namespace
 }  // namespace jointid::cli
