@@ -16,6 +16,7 @@
 #include "friction/law/laws.hpp"
 #include "response/continuation/sweep.hpp"
 #include "response/structure/matrix_receptance.hpp"
+#include "response/structure/sparse_receptance.hpp"
 #include "tests/test_folder.hpp"
 
 namespace {
@@ -171,7 +172,7 @@ void compare(const Case& each, bool quick, bench::Promises& promises) {
 
 /// A step: residual, Jacobian and its solution, with the receptances of the frequency at hand.
 void step_cost(bool quick, bench::Promises& promises) {
-  fmt::print("\none Newton step, two bilinear joints, harmonics to 9\n  coordinates  step µs  receptances of the frequency ms\n");
+  fmt::print("\none Newton step, two bilinear joints, harmonics to 9\n  coordinates  step µs  receptances of the frequency ms, dense; sparse; largest difference\n");
   std::vector<double> all;
   for (const Eigen::Index n : quick ? std::vector<Eigen::Index>{18, 180} : std::vector<Eigen::Index>{18, 180, 1800}) {
     const Eigen::MatrixXd place = unit(n, 0);
@@ -181,6 +182,17 @@ void step_cost(bool quick, bench::Promises& promises) {
     HarmonicLine line;
     const double receptance =
         bench::seconds([&] { line = harmonic_line(structure, equations.harmonics(), Excitation::single(5.0), 6.0); });
+    const SparseReceptance sparse(
+        {chain(n).mass.sparseView(), chain(n).damping.sparseView(), chain(n).stiffness.sparseView()}, two_joints(n), place, place);
+    HarmonicLine same;
+    const double of_sparse =
+        bench::seconds([&] { same = harmonic_line(sparse, equations.harmonics(), Excitation::single(5.0), 6.0); });
+    double difference = 0.0;
+    for (std::size_t i = 0; i < line.harmonics.size(); ++i) {
+      const Eigen::MatrixXcd &a = line.harmonics[i].joints, &b = same.harmonics[i].joints;
+      difference = std::max(difference, (a - b).cwiseAbs().maxCoeff() / a.cwiseAbs().maxCoeff());
+    }
+    promises.at_most("sparse receptances are the dense ones", difference, 1e-10);
     const NewtonResult at = newton(equations, line, 1.0, equations.free(line, 1.0));
     promises.holds("the step's case converges", at.converged);
     std::vector<double> times;
@@ -189,7 +201,7 @@ void step_cost(bool quick, bench::Promises& promises) {
                       bench::seconds([&] { newton(equations, line, 1.0, at.motion, {.most_steps = 1, .tolerance = 0.0}); }, 20));
     }
     all.push_back(bench::least(times));
-    fmt::print("  {:11}  {:7.1f}  {:.3f}\n", n, all.back(), 1e3 * receptance);
+    fmt::print("  {:11}  {:7.1f}  {:.3f}; {:.3f}; {:.0e}\n", n, all.back(), 1e3 * receptance, 1e3 * of_sparse, difference);
   }
   promises.speed_at_most("step of the most coordinates over that of 18", all.back() / all.front(), 1.5);
 }

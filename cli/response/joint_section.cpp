@@ -59,8 +59,8 @@ double read_whole(const scene::Item& item, double least, double most) {
 
 SceneDof read_dof(const scene::Item& item, const ResponseScene& scene) {
   SceneDof found;
-  if (scene.structure) {
-    const double number = read_whole(item, 1.0, static_cast<double>(scene.structure->mass.rows()));
+  if (coordinates(scene) > 0) {
+    const double number = read_whole(item, 1.0, static_cast<double>(coordinates(scene)));
     found.coordinate = static_cast<Eigen::Index>(number) - 1;
     found.name = scene::number_text(number);
   } else {

@@ -44,25 +44,32 @@ void read_force(const scene::Item& item, ResponseScene& scene) {
 }
 
 void read_frequencies(const scene::Item& item, ResponseScene& scene) {
-  const scene::Table table = item.table({"range", "values", "points"});
+  const scene::Table table = item.table({"range", "values", "points", "modal_model"});
   const auto range = table.find("range"), values = table.find("values"), points = table.find("points");
   if (range && values) item.fail("there are both range and values", "remove one");
   if (range) scene.range_hz = range->interval();
   if (values) {
     for (const scene::Item& value : values->list_not_empty()) scene.values_hz.push_back(value.positive());
   }
+  if (const auto modal = table.find("modal_model")) {
+    scene.modal_model = modal->boolean();
+    if (scene.modal_model && coordinates(scene) > 0) modal->fail("matrices need no modal model", "remove it");
+    if (scene.modal_model && !range && !values)
+      item.fail("there are neither range nor values", "modal models have no lines of their own");
+  }
   if (points) {
-    if (!scene.structure || !range)
-      points->fail("points stand in a range of a structure with matrices", "remove it: the lines of the files count");
+    if ((coordinates(scene) == 0 && !scene.modal_model) || !range)
+      points->fail("points stand in a range of a structure with matrices, or of modal models",
+                   "remove it: the lines of the files count");
     scene.points = static_cast<std::size_t>(read_whole(*points, 2.0, 1e6));
   }
-  if (scene.structure && !range && !values) item.fail("there are neither range nor values");
-  if (scene.structure && range && (*scene.range_hz)[0] <= 0.0)
+  if (coordinates(scene) > 0 && !range && !values) item.fail("there are neither range nor values");
+  if (coordinates(scene) > 0 && range && (*scene.range_hz)[0] <= 0.0)
     range->fail("the range begins at 0 Hz, where nothing vibrates", "begin above it");
 }
 
 void read_response(const scene::Item& item, ResponseScene& scene) {
-  const scene::Table table = item.table({"dofs", "harmonics", "tolerance", "largest_harmonic", "method"});
+  const scene::Table table = item.table({"dofs", "harmonics", "tolerance", "largest_harmonic", "method", "stability"});
   for (const scene::Item& dof : table.require("dofs").list_not_empty()) scene.responses.push_back(read_dof(dof, scene));
   if (const auto harmonics = table.find("harmonics")) {
     for (const scene::Item& number : harmonics->list_not_empty())
@@ -79,10 +86,14 @@ void read_response(const scene::Item& item, ResponseScene& scene) {
     scene.harmonics.largest = static_cast<int>(read_whole(*largest, 1.0, 1000.0));
   if (const auto method = table.find("method")) {
     scene.method = method->word(methods) == "sweep" ? CurveMethod::sweep : CurveMethod::arc_length;
-    if (scene.method == CurveMethod::arc_length && (!scene.structure || !scene.range_hz)) {
+    if (scene.method == CurveMethod::arc_length && (coordinates(scene) == 0 || !scene.range_hz)) {
       method->fail("arc_length needs the structure between frequency lines, and a range",
                    "give [structure] and [frequency] range, or use sweep");
     }
+  }
+  if (const auto stability = table.find("stability")) {
+    scene.stability = stability->boolean();
+    if (scene.stability) require_full(*stability, scene);
   }
 }
 
@@ -92,7 +103,8 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
   const scene::Value document = scene::parse_toml(text, file);
   const std::string file_name = file.string();
   const scene::Item root(document, file_name, {}, {});
-  const scene::Table table = root.table({"title", "data", "structure", "joints", "force", "frequency", "response"});
+  const scene::Table table =
+      root.table({"title", "data", "structure", "joints", "force", "frequency", "response", "curves", "equivalent", "transient"});
   ResponseScene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();
@@ -114,13 +126,19 @@ ResponseScene parse_response_scene(const std::string& text, const ident::Path& f
   for (const scene::Item& joint : table.require("joints").list_not_empty()) {
     scene.joints.push_back(read_joint(joint, scene, scene.joints.size() + 1));
   }
-  read_force(table.require("force"), scene);
-  if (const auto frequency = table.find("frequency")) {
-    read_frequencies(*frequency, scene);
-  } else if (scene.structure) {
-    read_frequencies(table.require("frequency"), scene);
-  }
+  if (const auto transient = table.find("transient")) scene.transient = read_transient(*transient, file.parent_path(), scene);
+  const bool own_forces = scene.transient && (!scene.transient->records.empty() || !scene.transient->pulses.empty());
+  const auto force = own_forces ? table.find("force") : table.require("force");
+  if (force) read_force(*force, scene);
+  const auto frequency = table.find("frequency");
+  if (frequency || (force && coordinates(scene) > 0))
+    read_frequencies(frequency ? *frequency : table.require("frequency"), scene);
   read_response(table.require("response"), scene);
+  if (const auto curves = table.find("curves")) {
+    if (!force) curves->fail("there is no [force]", "say where it acts");
+    for (const scene::Item& curve : curves->list_not_empty()) scene.curves.push_back(read_curve(curve, scene));
+  }
+  if (const auto equivalent = table.find("equivalent")) scene.equivalent = read_equivalent(*equivalent, scene);
   return scene;
 }
 

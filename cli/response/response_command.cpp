@@ -2,9 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
+#include "cli/response/comparison_run.hpp"
 #include "cli/response/read_response_scene.hpp"
+#include "cli/response/response_file.hpp"
+#include "cli/response/response_page.hpp"
 #include "cli/response/response_text.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
@@ -17,20 +21,79 @@ void add_response(CLI::App& app, Chosen& chosen) {
       "Find the periodic response of a structure with friction joints, from FRFs of its parts or from matrices");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] or [structure], [[joints]], [force], [response]")
       ->required();
-  add_outputs(command, *arguments, "the responses, joints and peaks", "the harmonics of the responses");
-  command->footer("Example:\n  jointid response rig.toml --csv response.csv");
+  add_outputs(command, *arguments, "the responses, joints and peaks", "the harmonics of the responses",
+              "FRFs of all levels, harmonics, peaks, loops, curves and motions");
+  command->add_option("--out", arguments->out, "Write what --csv has as a table in HDF5 to this file");
+  command->add_option("--history", arguments->history,
+                      "Write the motions of [transient] to a file: HDF5 by the name .h5, else CSV; - for stdout");
+  command->add_flag("--compare", arguments->compare,
+                    "Instead: error against run time of harmonic balance, Algorithms One and Two, against the exact orbit");
+  command->footer(
+      "Examples:\n  jointid response rig.toml --csv response.csv --report response.html\n"
+      "  jointid problem write beams-B b && jointid response b/beams-B.toml --compare");
 }
+
+namespace {
+
+void check_outputs(const ResponseArguments& arguments, const ResponseScene& scene) {
+  const auto refuse = [&](std::string place, std::string problem, std::string remedy) {
+    throw InputError({.kind = ErrorKind::usage,
+                      .file = arguments.scene.string(),
+                      .place = std::move(place),
+                      .problem = std::move(problem),
+                      .remedy = std::move(remedy)});
+  };
+  check_targets(files_of(scene), {{"--json", arguments.json},
+                                  {"--csv", arguments.csv},
+                                  {"--report", arguments.report},
+                                  {"--history", arguments.history},
+                                  {"--out", arguments.out}});
+  if (arguments.history && !scene.transient)
+    refuse("--history", "the scene has no [transient]", "add one, or leave --history out");
+  if (arguments.out && *arguments.out == "-") refuse("--out", "HDF5 does not go to standard output", "name a file");
+  if (arguments.out && scene.levels.empty()) refuse("--out", "the scene has no [force]", "--history writes the motions");
+  if (arguments.compare && (arguments.history || arguments.out || arguments.report)) {
+    refuse("--compare", "it writes --json and --csv alone", "leave the others out");
+  }
+}
+
+void write_history(const std::string& target, const ResponseRun& run, std::ostream& out) {
+  if (names_hdf5(target)) {
+    write_history_table(target, run);
+  } else {
+    write_target(target, history_csv(run), out);
+  }
+}
+
+ExitCode compare(const ResponseArguments& arguments, const ResponseScene& scene, std::ostream& out) {
+  const std::vector<WaysRun> runs = [&] {
+    Progress progress;
+    return run_comparison(scene, progress);
+  }();
+  if (arguments.json) write_target(*arguments.json, comparison_json(scene, runs), out);
+  if (arguments.csv) write_target(*arguments.csv, comparison_csv(runs), out);
+  if (!takes_output({arguments.json, arguments.csv})) out << comparison_text(scene, runs);
+  if (all_known(runs)) return ExitCode::done;
+  print_error(arguments.scene.string() + ": no exact orbit was found");
+  return ExitCode::unusable;
+}
+
+}  // namespace
 
 ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
   const ResponseScene scene = read_response_scene(arguments.scene);
-  check_targets(files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}});
+  check_outputs(arguments, scene);
+  if (arguments.compare) return compare(arguments, scene, out);
   const ResponseRun run = [&] {
     Progress progress;
     return run_response(scene, progress);
   }();
   if (arguments.json) write_target(*arguments.json, response_json(scene, run), out);
   if (arguments.csv) write_target(*arguments.csv, response_csv(run), out);
-  if (!takes_output({arguments.json, arguments.csv})) out << response_text(scene, run);
+  if (arguments.report) write_target(*arguments.report, report::response_report(scene, run), out);
+  if (arguments.history) write_history(*arguments.history, run, out);
+  if (arguments.out) write_response_table(*arguments.out, run);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.history})) out << response_text(scene, run);
   if (all_converged(run)) return ExitCode::done;
   print_error(arguments.scene.string() + ": harmonic balance did not converge everywhere");
   return ExitCode::unusable;

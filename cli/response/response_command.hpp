@@ -14,7 +14,8 @@ namespace jointid::cli {
 
 struct ResponseArguments {
   std::filesystem::path scene;
-  Target json, csv;
+  Target json{}, csv{}, report{}, history{}, out{};
+  bool compare = false;
 };
 
 /// Declares `response`; choosing it stores it.

@@ -4,99 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <numbers>
 
 #include "base/complex.hpp"
-#include "base/error.hpp"
+#include "cli/response/further_runs.hpp"
 #include "cli/text/interrupt.hpp"
-#include "dense/eigen.hpp"
-#include "frf/set/frf_system.hpp"
-#include "ident/plan/data_source.hpp"
-#include "response/continuation/response_curve.hpp"
 #include "response/continuation/sweep.hpp"
-#include "response/structure/frf_receptance.hpp"
-#include "response/structure/matrix_receptance.hpp"
+#include "response/harmonic/left_out.hpp"
+#include "response/stability/solution_orbit.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using response::HarmonicSolution;
 
-constexpr double active = 0.02;  ///< share of |G| by which −Im G may be negative before it is told
-
-/// The structure of a scene and the frequencies to be computed, Hz.
-struct Prepared {
-  std::shared_ptr<const response::Receptance> structure;
-  std::vector<double> frequency_hz;
-  std::vector<std::string> doubts;
-};
-
-Prepared from_matrices(const ResponseScene& scene) {
-  const Eigen::Index n = scene.structure->mass.rows();
-  Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(n, at(scene.joints.size())), force = Eigen::MatrixXd::Zero(n, 1);
-  Eigen::MatrixXd responses = Eigen::MatrixXd::Zero(n, at(scene.responses.size()));
-  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-    joints(scene.joints[j].positive.coordinate, at(j)) += 1.0;
-    if (scene.joints[j].negative) joints(scene.joints[j].negative->coordinate, at(j)) -= 1.0;
-  }
-  for (std::size_t r = 0; r < scene.responses.size(); ++r) responses(scene.responses[r].coordinate, at(r)) = 1.0;
-  force(scene.force_dof.coordinate, 0) = 1.0;
-  Prepared prepared = {
-      std::make_shared<response::MatrixReceptance>(*scene.structure, joints, responses, force), scene.values_hz, {}};
-  if (scene.range_hz && scene.method == CurveMethod::sweep) {
-    const auto [from, to] = *scene.range_hz;
-    for (std::size_t i = 0; i < scene.points; ++i) {
-      prepared.frequency_hz.push_back(from + (to - from) * static_cast<double>(i) / static_cast<double>(scene.points - 1));
-    }
-  }
-  return prepared;
-}
-
-/// Lines at which the parts would feed a joint with energy: −Im WᵀHW has a negative eigenvalue.
-std::vector<std::string> passivity_doubts(const response::FrfReceptance& structure, const std::vector<double>& frequency_hz) {
-  std::size_t lines = 0;
-  double first = 0.0;
-  for (const double hz : frequency_hz) {
-    const Eigen::MatrixXcd g = structure.at(angular(hz)).topLeftCorner(structure.joints(), structure.joints());
-    const Eigen::MatrixXd lost = -0.5 * (g.imag() + g.imag().transpose());
-    if (hz == 0.0 || dense::symmetric_eigenvalues(lost).minCoeff() >= -active * g.cwiseAbs().maxCoeff()) continue;
-    if (lines++ == 0) first = hz;
-  }
-  if (lines == 0) return {};
-  return {
-      fmt::format("the FRFs at the joints are not passive on {} of {} lines (−Im H < 0), first at {:.6g} Hz: `jointid check` "
-                  "finds flipped or "
-                  "late channels",
-                  lines, frequency_hz.size(), first)};
-}
-
-Prepared from_files(const ResponseScene& scene) {
-  frf::FrfSystem parts("[data] parts", ident::open_all(scene.parts), frf::Composition::uncoupled, scene.reciprocity);
-  std::vector<response::JointEnds> joints;
-  std::vector<frf::Dof> responses;
-  for (const SceneJoint& joint : scene.joints) {
-    joints.push_back({joint.positive.dof, joint.negative ? std::optional(joint.negative->dof) : std::nullopt});
-  }
-  for (const SceneDof& dof : scene.responses) responses.push_back(dof.dof);
-  const auto structure =
-      std::make_shared<response::FrfReceptance>(parts, joints, responses, std::vector<frf::Dof>{scene.force_dof.dof});
-  Prepared prepared = {structure, scene.values_hz, {}};
-  if (scene.values_hz.empty()) {
-    for (const double hz : structure->frequency_hz()) {
-      if (hz > 0.0 && (!scene.range_hz || (hz >= (*scene.range_hz)[0] && hz <= (*scene.range_hz)[1])))
-        prepared.frequency_hz.push_back(hz);
-    }
-  }
-  if (prepared.frequency_hz.empty()) {
-    throw InputError({.kind = ErrorKind::data,
-                      .file = scene.file.string(),
-                      .place = "[frequency] range",
-                      .problem = "the files have no line in it; they have " + frf::range_text(structure->frequency_hz()),
-                      .remedy = "choose another range"});
-  }
-  prepared.doubts = passivity_doubts(*structure, structure->frequency_hz());
-  return prepared;
-}
+constexpr int loop_points = 256;
 
 double size_of(const HarmonicSolution& solution) { return std::abs(solution.response(first_row(solution), 0)); }
 
@@ -108,13 +30,23 @@ void find_peak(const response::HarmonicBalance& balance, const ResponseScene& sc
   }
   if (best == nullptr) return;
   level.peak = *best;
-  if (!scene.structure || level.points.size() < 3 || best == &level.points.front() || best == &level.points.back()) return;
+  if (coordinates(scene) == 0 || level.points.size() < 3 || best == &level.points.front() || best == &level.points.back()) return;
   const double width = 2.0 * std::abs(best->omega - (best - 1)->omega) / best->omega;
   const int harmonic = best->harmonics[static_cast<std::size_t>(first_row(*best))];
   auto peak = response::peak_near(balance, *best, level.level, 0, harmonic, std::max(width, 1e-6));
   if (!peak || size_of(*peak) < size_of(*best)) return;
   level.peak = std::move(peak);
   level.refined = true;
+}
+
+/// Error bars of harmonics beyond the lines of the files.
+void find_left_out(const response::HarmonicBalance& balance, LevelResponse& level) {
+  const bool any =
+      std::ranges::any_of(level.points, [](const HarmonicSolution& point) { return point.converged && !point.dropped.empty(); });
+  if (!any) return;
+  for (const HarmonicSolution& point : level.points) {
+    level.left_out.push_back(point.converged ? response::left_out(balance, point) : Eigen::MatrixXd());
+  }
 }
 
 /// Deviations of all points, if the scene or its files tell any error.
@@ -136,6 +68,49 @@ void find_deviations(const response::HarmonicBalance& balance, const ResponseSce
     level.peak_deviation = response::deviations(balance, *level.peak, parameters).amplitude(first_row(*level.peak), 0);
 }
 
+PointStability stability_of(const response::HarmonicBalance& balance, const Prepared& prepared,
+                            const HarmonicSolution& solution) {
+  PointStability told;
+  if (!solution.converged) return told;
+  const response::SolutionStability found = response::stability(*prepared.assembly, balance.force(), solution);
+  told.known = found.orbit.status == response::OrbitStatus::closed;
+  if (!told.known) return told;
+  told.stable = found.orbit.stable;
+  told.difference = found.difference;
+  told.another = found.difference > response::another_orbit;
+  told.multipliers.assign(found.orbit.multipliers.begin(), found.orbit.multipliers.end());
+  if (!told.multipliers.empty()) told.largest = std::abs(told.multipliers.front());
+  for (const std::size_t j : found.residual_force_free) told.residual_force_free.push_back(balance.joints()[j].name);
+  return told;
+}
+
+void find_stability(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
+                    Progress& progress, LevelResponse& level) {
+  if (!scene.stability) return;
+  progress.show(fmt::format("stability at {:.6g} N", level.level));
+  const auto of = [&](const HarmonicSolution& solution) {
+    stop_if(interrupted);
+    return stability_of(balance, prepared, solution);
+  };
+  if (level.peak) level.peak_stability = of(*level.peak);
+  if (level.points.size() > most_told) return;
+  for (const HarmonicSolution& point : level.points) level.stability.push_back(of(point));
+}
+
+/// Mode and loops at the peak.
+void describe_peak(const response::HarmonicBalance& balance, const Prepared& prepared, LevelResponse& level) {
+  if (!level.peak) return;
+  const HarmonicSolution& peak = *level.peak;
+  const int harmonic = peak.harmonics[static_cast<std::size_t>(first_row(peak))];
+  if (const auto beside = prepared.beside(harmonic * peak.omega)) {
+    level.peak_mode = response::peak_mode(balance, peak, 0, harmonic, *beside);
+  }
+  for (std::size_t j = 0; j < balance.joints().size(); ++j) {
+    const response::Motion motion(response::Harmonics(peak.harmonics), peak.joint_motion.col(at(j)));
+    level.loops.push_back(response::joint_loop(balance.joints()[j], motion, peak.omega, loop_points));
+  }
+}
+
 LevelResponse arc_length(const response::HarmonicBalance& balance, const ResponseScene& scene, double amplitude) {
   const auto [from, to] = *scene.range_hz;
   response::CurveRequest request = {.along = response::Along::frequency, .from = angular(from), .to = angular(to)};
@@ -152,46 +127,59 @@ LevelResponse arc_length(const response::HarmonicBalance& balance, const Respons
   return level;
 }
 
-}  // namespace
-
-Eigen::Index first_row(const HarmonicSolution& solution) { return solution.harmonics.front() == 0 ? 1 : 0; }
-
-bool all_converged(const ResponseRun& run) {
-  return std::ranges::all_of(run.levels, [](const LevelResponse& level) {
-    return level.complete && std::ranges::all_of(level.points, &HarmonicSolution::converged);
-  });
-}
-
-ResponseRun run_response(const ResponseScene& scene, Progress& progress) {
-  const Prepared prepared = scene.structure ? from_matrices(scene) : from_files(scene);
-  std::vector<response::Joint> joints;
-  ResponseRun run;
-  run.doubts = prepared.doubts;
-  for (const SceneJoint& joint : scene.joints) {
-    joints.push_back(joint.joint);
-    run.joints.push_back(joint.joint.name);
-  }
-  for (const SceneDof& dof : scene.responses) run.dofs.push_back(dof.name);
-  const response::HarmonicBalance balance(prepared.structure, joints, scene.force, scene.harmonics);
+void run_levels(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
+                Progress& progress, ResponseRun& run) {
   std::vector<double> omegas;
   for (const double hz : prepared.frequency_hz) omegas.push_back(angular(hz));
   for (const double amplitude : scene.levels) {
     const std::string stage = fmt::format("{:.6g} N", amplitude);
+    LevelResponse level = {.level = amplitude};
     if (scene.method == CurveMethod::arc_length) {
       progress.show(stage);
-      run.levels.push_back(arc_length(balance, scene, amplitude));
-      find_deviations(balance, scene, run.levels.back());
-      continue;
+      level = arc_length(balance, scene, amplitude);
+    } else {
+      level.points = response::sweep(balance, omegas, amplitude, [&](std::size_t done) {
+        progress.count(stage, done, omegas.size());
+        stop_if(interrupted);
+      });
+      find_peak(balance, scene, level);
     }
-    LevelResponse level = {.level = amplitude};
-    level.points = response::sweep(balance, omegas, amplitude, [&](std::size_t done) {
-      progress.count(stage, done, omegas.size());
-      stop_if(interrupted);
-    });
-    find_peak(balance, scene, level);
     find_deviations(balance, scene, level);
+    find_left_out(balance, level);
+    describe_peak(balance, prepared, level);
+    find_stability(balance, scene, prepared, progress, level);
     run.levels.push_back(std::move(level));
   }
+}
+
+}  // namespace
+
+Eigen::Index first_row(const HarmonicSolution& solution) { return solution.harmonics.front() == 0 ? 1 : 0; }
+
+double hertz(const HarmonicSolution& solution) { return solution.omega / (2.0 * std::numbers::pi); }
+
+bool all_converged(const ResponseRun& run) {
+  const auto level = [](const LevelResponse& each) {
+    return each.complete && std::ranges::all_of(each.points, &HarmonicSolution::converged);
+  };
+  return std::ranges::all_of(run.levels, level) &&
+         std::ranges::all_of(run.curves, [](const CurveRun& each) { return each.found.end == response::CurveEnd::reached; }) &&
+         std::ranges::all_of(run.transients, [](const TransientRun& each) { return each.motion.complete; });
+}
+
+ResponseRun run_response(const ResponseScene& scene, Progress& progress) {
+  const Prepared prepared = prepare(scene);
+  ResponseRun run;
+  run.doubts = prepared.doubts;
+  for (const SceneJoint& joint : scene.joints) run.joints.push_back(joint.joint.name);
+  for (const SceneDof& dof : scene.responses) run.dofs.push_back(dof.name);
+  if (!scene.levels.empty()) {
+    const response::HarmonicBalance balance(prepared.structure, joints_of(scene), scene.force, scene.harmonics);
+    run_levels(balance, scene, prepared, progress, run);
+    run_curves(balance, scene, progress, run);
+  }
+  run_equivalents(scene, prepared, run);
+  run_transients(scene, prepared, progress, run);
   return run;
 }
 

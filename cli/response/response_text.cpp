@@ -3,93 +3,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <numbers>
+#include <sstream>
 
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
+#include "cli/response/response_tables.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using response::HarmonicSolution;
 
-constexpr std::size_t most_rows = 40;
-
-double hertz(const HarmonicSolution& solution) { return solution.omega / (2.0 * std::numbers::pi); }
-
-std::string numbers_text(const std::vector<int>& numbers) {
-  if (numbers.size() <= 4) return fmt::format("{}", fmt::join(numbers, " "));
-  return fmt::format("{} {} … {}", numbers[0], numbers[1], numbers.back());
-}
-
-double amplitude(const HarmonicSolution& solution, Eigen::Index row, Eigen::Index dof) {
-  return std::abs(solution.response(row, dof));
-}
-
-double phase(const HarmonicSolution& solution, Eigen::Index dof) {
-  return std::arg(solution.response(first_row(solution), dof)) * 180.0 / std::numbers::pi;
-}
-
-bool any_deviation(const ResponseRun& run) {
-  return std::ranges::any_of(run.levels, [](const LevelResponse& level) { return !level.deviations.empty(); });
-}
-
-std::string peaks_text(const ResponseRun& run) {
-  const bool known = any_deviation(run);
-  std::vector<Column> columns = {{"force N"}, {"peak Hz"}, {"|X| m"}};
-  if (known) columns.push_back({"std dev m"});
-  columns.insert(columns.end(), {{"|X|/force m/N"}, {"loss J/period"}, {"harmonics", Align::left}, {"", Align::left}});
-  Table table(columns);
+/// Largest error bar of the lowest harmonics of all points, in parts of |X|.
+double largest_bar(const ResponseRun& run) {
+  double largest = 0.0;
   for (const LevelResponse& level : run.levels) {
-    std::vector<std::string> cells = {number(level.level)};
-    if (level.peak) {
-      const HarmonicSolution& peak = *level.peak;
-      const double size = amplitude(peak, first_row(peak), 0);
-      cells.push_back(number(hertz(peak)));
-      cells.push_back(number(size, level.peak_deviation));
-      if (known) cells.push_back(level.peak_deviation ? fmt::format("{:.2g}", *level.peak_deviation) : "–");
-      cells.insert(cells.end(), {number(size / level.level), number(peak.loss.sum()), numbers_text(peak.harmonics)});
-    } else {
-      cells.resize(columns.size() - 1, "–");
-    }
-    cells.push_back(!level.peak ? "no peak found" : level.refined ? "" : "largest of the points");
-    table.add(cells);
-  }
-  return table.text();
-}
-
-std::string points_text(const ResponseRun& run) {
-  const bool known = any_deviation(run);
-  std::vector<Column> columns = {{"force N"}, {"Hz"}};
-  for (const std::string& dof : run.dofs) {
-    columns.push_back({"|X(" + dof + ")| m"});
-    if (known) columns.push_back({"std dev"});
-    columns.push_back({"phase °"});
-  }
-  columns.insert(columns.end(), {{"loss J/period"}, {"harmonics", Align::left}, {"", Align::left}});
-  Table table(columns);
-  for (const LevelResponse& level : run.levels) {
-    for (std::size_t i = 0; i < level.points.size(); ++i) {
-      const HarmonicSolution& point = level.points[i];
-      std::vector<std::string> cells = {number(level.level), number(hertz(point))};
-      if (point.converged) {
-        for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
-          cells.push_back(number(amplitude(point, first_row(point), at(dof))));
-          if (known) cells.push_back(fmt::format("{:.2g}", level.deviations[i].amplitude(first_row(point), at(dof))));
-          cells.push_back(fmt::format("{:.2f}", phase(point, at(dof))));
-        }
-        cells.push_back(number(point.loss.sum()));
-      } else {
-        cells.resize(columns.size() - 2, "–");
-      }
-      cells.push_back(numbers_text(point.harmonics));
-      cells.push_back(point.converged ? "" : "not converged");
-      table.add(cells);
+    for (std::size_t i = 0; i < level.left_out.size(); ++i) {
+      if (level.left_out[i].size() == 0) continue;
+      const Eigen::Index row = first_row(level.points[i]);
+      const Eigen::ArrayXd size = level.points[i].response.row(row).cwiseAbs().transpose();
+      largest = std::max(largest, (level.left_out[i].row(row).transpose().array() / size.max(1e-300)).maxCoeff());
     }
   }
-  return table.text();
+  return largest;
 }
 
 /// What is left out by the harmonics, the worst of all points.
@@ -118,6 +52,74 @@ std::string truncation_text(const ResponseScene& scene, const ResponseRun& run) 
         "harmonics beyond the lines of the files are dropped: at most {:.3g} N at harmonic {} of {:.6g} Hz, about {:.3g} m at "
         "the joint\n",
         worst->force, worst->harmonic, worst_hz, worst->motion);
+    text += fmt::format("their error bar (H of the nearest line): |X| by at most {:.2g} of its size\n", largest_bar(run));
+  }
+  return text;
+}
+
+/// What shooting found: the unstable, those with residual force, how far the harmonics are from the exact orbits.
+std::string stability_text(const ResponseRun& run) {
+  std::string text;
+  double difference = 0.0;
+  std::vector<std::string> free;
+  const auto add = [&](const PointStability& stability, const HarmonicSolution& at, double level) {
+    const std::string place = fmt::format("{:.6g} N, {:.6g} Hz", level, hertz(at));
+    if (!stability.known) {
+      text += place + ": no exact orbit was found from the solution, its stability is not known\n";
+    } else if (stability.another) {
+      text += place + ": the exact orbit that was found is another one, the solution's stability is not known\n";
+    } else {
+      if (!stability.stable) text += fmt::format("{}: unstable, a multiplier has modulus {:.6g}\n", place, stability.largest);
+      difference = std::max(difference, stability.difference);
+      for (const std::string& joint : stability.residual_force_free) {
+        if (std::ranges::find(free, joint) == free.end()) free.push_back(joint);
+      }
+    }
+  };
+  bool asked = false;
+  for (const LevelResponse& level : run.levels) {
+    asked = asked || level.peak_stability;
+    if (level.peak_stability) add(*level.peak_stability, *level.peak, level.level);
+    for (std::size_t i = 0; i < level.stability.size(); ++i) {
+      if (level.points[i].converged && !(level.peak && level.points[i].omega == level.peak->omega)) {
+        add(level.stability[i], level.points[i], level.level);
+      }
+    }
+  }
+  if (!asked) return text;
+  text += fmt::format(
+      "where nothing else is said, the responses are stable; exact orbits differ from them by at most {:.2g} of the motion\n",
+      difference);
+  if (!free.empty()) {
+    text += fmt::format(
+        "residual force free: {} never slip fully, a multiplier is exactly 1; means depend on the past, harmonics above 0 do "
+        "not\n",
+        fmt::join(free, ", "));
+  }
+  return text;
+}
+
+/// Ends of curves and of transients that are not those asked for.
+std::string further_problems(const ResponseRun& run) {
+  std::string text;
+  for (const CurveRun& curve : run.curves) {
+    for (std::size_t i = 0; i < curve.found.turning_points.size(); ++i) {
+      text += fmt::format("the curve along {} turns back at {:.6g}\n", curve.name, curve.found.turning_parameters[i]);
+    }
+    if (curve.found.end != response::CurveEnd::reached) {
+      text += fmt::format("the curve along {} could not be followed to its end\n", curve.name);
+    }
+  }
+  for (const TransientRun& run_of : run.transients) {
+    const response::Transient& motion = run_of.motion;
+    if (!motion.complete) {
+      text += fmt::format("{}: events come closer to each other than numbers can tell; the motion ends at {:.6g} s\n",
+                          run_of.name, motion.times.back());
+    }
+    if (motion.growth > 1.0 || !motion.too_soft.empty()) {
+      text += fmt::format("{}: Algorithm Two may be boundedly unstable (its character matrix has {:.6g}): plausible and wrong\n",
+                          run_of.name, motion.growth);
+    }
   }
   return text;
 }
@@ -137,100 +139,37 @@ std::string problems_text(const ResponseRun& run) {
       text += fmt::format(
           "{:.6g} N: the curve turns back at {:.6g} Hz, |X| = {:.6g} m: between two such frequencies there are several "
           "responses\n",
-          level.level, hertz(turn), amplitude(turn, first_row(turn), 0));
+          level.level, hertz(turn), std::abs(turn.response(first_row(turn), 0)));
     }
   }
   for (const std::string& doubt : run.doubts) text += doubt + "\n";
   return text;
 }
 
-Json harmonics_json(const Eigen::MatrixXcd& rows, Eigen::Index column) {
-  Json out = Json::array();
-  for (Eigen::Index n = 0; n < rows.rows(); ++n) out.push_back({value(rows(n, column).real()), value(rows(n, column).imag())});
-  return out;
-}
-
-Json point_json(const HarmonicSolution& point, const ResponseRun& run) {
-  Json out = {{"frequency", value(hertz(point))}, {"converged", point.converged}};
-  if (!point.converged) return out;
-  out["harmonics"] = point.harmonics;
-  for (std::size_t i = 0; i < run.dofs.size(); ++i) out["responses"].push_back(harmonics_json(point.response, at(i)));
-  for (std::size_t j = 0; j < run.joints.size(); ++j) {
-    out["joints"].push_back({{"motion", harmonics_json(point.joint_motion, at(j))},
-                             {"force", harmonics_json(point.joint_force, at(j))},
-                             {"loss", value(point.loss(at(j)))}});
-  }
-  out["next_harmonics"] = value(point.next);
-  out["newton_steps"] = point.steps;
-  for (const response::DroppedHarmonic& dropped : point.dropped) {
-    out["dropped"].push_back(
-        {{"harmonic", dropped.harmonic}, {"force", value(dropped.force)}, {"motion", value(dropped.motion)}});
-  }
-  return out;
-}
-
 }  // namespace
+
+std::vector<std::string> response_remarks(const ResponseScene& scene, const ResponseRun& run) {
+  std::istringstream all(truncation_text(scene, run) + stability_text(run) + problems_text(run) + further_problems(run));
+  std::vector<std::string> remarks;
+  for (std::string line; std::getline(all, line);) remarks.push_back(line);
+  return remarks;
+}
 
 std::string response_text(const ResponseScene& scene, const ResponseRun& run) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   std::size_t points = 0;
   for (const LevelResponse& level : run.levels) points += level.points.size();
-  text += fmt::format("response of {} to a force at {}, {} joint{}, {} point{}\n\n", run.dofs.front(), scene.force_dof.name,
-                      run.joints.size(), run.joints.size() == 1 ? "" : "s", points, points == 1 ? "" : "s");
-  text += points <= most_rows ? points_text(run) : peaks_text(run);
-  const std::string remarks = truncation_text(scene, run) + problems_text(run);
-  return remarks.empty() ? text : text + "\n" + remarks;
-}
-
-std::string response_json(const ResponseScene& scene, const ResponseRun& run) {
-  Json out = {{"status", all_converged(run) ? "ok" : "not_converged"},
-              {"force_dof", scene.force_dof.name},
-              {"dofs", run.dofs},
-              {"joints", run.joints},
-              {"levels", Json::array()},
-              {"doubts", run.doubts}};
-  for (const LevelResponse& level : run.levels) {
-    Json one = {{"force", level.level}, {"complete", level.complete}, {"points", Json::array()}};
-    for (std::size_t i = 0; i < level.points.size(); ++i) {
-      Json point = point_json(level.points[i], run);
-      if (!level.deviations.empty() && level.points[i].converged) {
-        for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
-          point["response_deviations"].push_back(harmonics_json(level.deviations[i].parts, at(dof)));
-        }
-      }
-      one["points"].push_back(std::move(point));
-    }
-    one["peak"] = level.peak ? point_json(*level.peak, run) : Json();
-    one["peak_deviation"] = value(level.peak_deviation);
-    one["turning_points"] = Json::array();
-    for (const HarmonicSolution& turn : level.turning_points) one["turning_points"].push_back(point_json(turn, run));
-    out["levels"].push_back(std::move(one));
+  if (!run.levels.empty())
+    text += fmt::format("response of {} to a force at {}, {} joint{}, {} point{}\n\n", run.dofs.front(), scene.force_dof.name,
+                        run.joints.size(), run.joints.size() == 1 ? "" : "s", points, points == 1 ? "" : "s");
+  if (!run.levels.empty()) text += points <= most_told ? points_table(run).text() : peaks_table(run).text();
+  for (const CurveRun& curve : run.curves) {
+    text += fmt::format("\nalong {}{}\n", curve.name, curve_remark(curve)) + curve_table(curve, run, most_told / 2).text();
   }
-  return json_text(out);
-}
-
-std::string response_csv(const ResponseRun& run) {
-  std::string text =
-      csv_line({"force [N]", "frequency [Hz]", "harmonic", "dof", "re [m]", "im [m]", "std dev re [m]", "std dev im [m]"});
-  for (const LevelResponse& level : run.levels) {
-    for (std::size_t i = 0; i < level.points.size(); ++i) {
-      const HarmonicSolution& point = level.points[i];
-      if (!point.converged) continue;
-      for (Eigen::Index n = 0; n < point.response.rows(); ++n) {
-        for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
-          const Complex x = point.response(n, at(dof));
-          std::optional<double> re, im;
-          if (!level.deviations.empty()) {
-            re = level.deviations[i].parts(n, at(dof)).real();
-            im = level.deviations[i].parts(n, at(dof)).imag();
-          }
-          text += csv_line({csv_number(level.level), csv_number(hertz(point)),
-                            fmt::format("{}", point.harmonics[static_cast<std::size_t>(n)]), run.dofs[dof], csv_number(x.real()),
-                            csv_number(x.imag()), csv_number(re), csv_number(im)});
-        }
-      }
-    }
-  }
+  if (!run.equivalents.empty()) text += "\nequivalent joints\n" + equivalents_table(run).text();
+  if (!run.transients.empty()) text += "\nfrom rest\n" + transients_table(run).text();
+  const std::vector<std::string> remarks = response_remarks(scene, run);
+  for (std::size_t i = 0; i < remarks.size(); ++i) text += (i == 0 ? "\n" : "") + remarks[i] + "\n";
   return text;
 }
 

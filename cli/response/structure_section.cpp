@@ -11,6 +11,8 @@ namespace {
 using scene::Item;
 using scene::Table;
 
+constexpr Eigen::Index most_modes = 5000;  ///< of modal damping, which needs them all
+
 /// Reads [structure].
 class StructureReader {
  public:
@@ -18,37 +20,57 @@ class StructureReader {
       : item_(item), folder_(folder), scene_(scene), table_(item.table({"mass", "stiffness", "damping", "modal_damping"})) {}
 
   void read() {
-    response::MatrixStructure structure;
-    structure.mass = matrix(table_.require("mass"), 0);
+    response::SparseStructure structure;
+    structure.mass = matrix("mass", 0);
     const Eigen::Index n = structure.mass.rows();
-    structure.stiffness = matrix(table_.require("stiffness"), n);
-    structure.damping = Eigen::MatrixXd::Zero(n, n);
+    structure.stiffness = matrix("stiffness", n);
+    structure.damping = Sparse(n, n);
     const auto damping = table_.find("damping"), modal = table_.find("modal_damping");
     if (damping && modal) item_.fail("there are both damping and modal_damping", "remove one");
-    if (damping) structure.damping = matrix(*damping, n);
-    if (modal) structure.damping = response::modal_damping(structure.mass, structure.stiffness, modal->not_negative());
-    scene_.structure = std::move(structure);
+    if (damping) structure.damping = matrix("damping", n);
+    if (modal) require_modal(*modal, n);
+    if (n > most_full && !modal) {
+      scene_.sparse = std::move(structure);
+      return;
+    }
+    scene_.structure = {Eigen::MatrixXd(structure.mass), Eigen::MatrixXd(structure.damping),
+                        Eigen::MatrixXd(structure.stiffness)};
+    response::MatrixStructure& full = *scene_.structure;
+    if (modal) full.damping = response::modal_damping(full.mass, full.stiffness, modal->not_negative());
   }
 
  private:
-  Eigen::MatrixXd matrix(const scene::Item& item, Eigen::Index size) const {
-    const Eigen::MatrixXd found = item.is_text() ? from_file(item) : inline_matrix(item);
+  using Sparse = Eigen::SparseMatrix<double>;
+
+  static void require_modal(const scene::Item& item, Eigen::Index n) {
+    if (n <= most_modes) return;
+    item.fail("all modes of " + std::to_string(n) + " coordinates would be needed", "give a damping matrix");
+  }
+
+  Sparse matrix(const std::string& key, Eigen::Index size) const {
+    const scene::Item item = table_.require(key);
+    const Sparse found = item.is_text() ? from_file(item, key) : Sparse(inline_matrix(item).sparseView());
     if (size > 0 && found.rows() != size) {
       item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
     }
-    if (!found.isApprox(found.transpose(), 1e-9)) item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
+    if (!symmetric(found)) item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
     return found;
   }
 
-  Eigen::MatrixXd from_file(const scene::Item& item) const {
+  static bool symmetric(const Sparse& m) {
+    const Sparse transposed = m.transpose();
+    return (m - transposed).norm() <= 1e-9 * m.norm();
+  }
+
+  Sparse from_file(const scene::Item& item, const std::string& key) const {
     std::string name = item.text_not_empty(), variable;
     const std::size_t colon = name.rfind(':');
     if (colon != std::string::npos && colon > 0) {
       variable = name.substr(colon + 1);
       name.resize(colon);
     }
-    scene_.matrix_files.push_back({folder_ / name, item.place()});
-    return response::read_symmetric_matrix(folder_ / name, variable);
+    scene_.matrix_files.push_back({folder_ / name, "[structure] " + key});
+    return response::read_symmetric_sparse(folder_ / name, variable);
   }
 
   static Eigen::MatrixXd inline_matrix(const scene::Item& item) {

@@ -1,10 +1,10 @@
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/random.hpp"
 #include "base/temporary_file.hpp"
 #include "friction/law/laws.hpp"
 #include "problems/thesis/loading_curves.hpp"
+#include "problems/thesis/shortest_text.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -20,15 +20,10 @@ double range(const friction::Element& element) {
   return kinks.empty() ? 4.0 * element.limit() / element.response(0.0).tangent : 1.2 * kinks.back();
 }
 
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
 std::string csv(const LoadingCurve& problem, const friction::Curve& curve) {
   std::string text = "# " + problem.description + "\n" +
                      (problem.ring ? "angle [rad],torque [N·m]\n" : "displacement [m],force [N]\n");
-  for (std::size_t i = 0; i < curve.u.size(); ++i) text += shortest(curve.u[i]) + "," + shortest(curve.value[i]) + "\n";
+  for (std::size_t i = 0; i < curve.u.size(); ++i) text += shortest_text(curve.u[i]) + "," + shortest_text(curve.value[i]) + "\n";
   return text;
 }
 
@@ -74,7 +69,7 @@ std::filesystem::path write(const LoadingCurve& problem, const std::filesystem::
 }
 
 std::string fit_options(const LoadingCurve& problem) {
-  const std::string ring = problem.ring ? " --ring " + shortest(problem.ring->inner) + "," + shortest(problem.ring->outer) : "";
+  const std::string ring = problem.ring ? " --ring " + shortest_text(problem.ring->inner) + "," + shortest_text(problem.ring->outer) : "";
   return "--law " + problem.law + ring;
 }
 

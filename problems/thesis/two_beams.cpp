@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_file.hpp"
 #include "problems/structure/beam.hpp"
+#include "problems/thesis/shortest_text.hpp"
 
 namespace jointid::problems {
 namespace {
@@ -28,11 +28,6 @@ Matrix assembled(const Matrix& element) {
     first += 2 * count;
   }
   return all;
-}
-
-std::string shortest_text(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 std::string market(const Matrix& matrix) {

@@ -8,8 +8,6 @@
 namespace jointid::response {
 namespace {
 
-double square(double x) { return x * x; }
-
 /// The linearised problem at a solution.
 class Sensitivity {
  public:
@@ -79,8 +77,8 @@ class Sensitivity {
       for (Eigen::Index r = 0; r < change.size(); ++r) {
         const bool mean = equations_.harmonics()[n] == 0;
         const Complex x = solution_.response(n, r), along = x == 0.0 ? 1.0 : x / std::abs(x);
-        variance_(n, r) += variance * Complex(square(change(r).real()), mean ? 0.0 : square(change(r).imag()));
-        amplitude_variance_(n, r) += variance * square(std::real(std::conj(along) * change(r)));
+        variance_(n, r) += variance * Complex(Eigen::numext::abs2(change(r).real()), mean ? 0.0 : Eigen::numext::abs2(change(r).imag()));
+        amplitude_variance_(n, r) += variance * Eigen::numext::abs2(std::real(std::conj(along) * change(r)));
       }
     }
   }

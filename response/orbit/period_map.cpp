@@ -36,6 +36,19 @@ bool PeriodMap::bilinear(Index joint) const { return std::ranges::find(bilinear_
 /// Of (x, ẋ, f of the bilinear joints).
 Index PeriodMap::motion_size() const { return 2 * march_.structure().coordinates() + at(bilinear_.size()); }
 
+void PeriodMap::start(const VectorXd& x, const VectorXd& v, const VectorXd& f, const std::vector<std::vector<double>>& turns) {
+  std::vector<double> all(x.begin(), x.end());
+  all.insert(all.end(), v.begin(), v.end());
+  for (const Index joint : bilinear_) all.push_back(f[joint]);
+  for (std::size_t j = 0; j < memory_.size(); ++j) {
+    memory_[j].clear();
+    if (masing(j) == nullptr) continue;
+    for (const double displacement : turns[j]) memory_[j].push_back({displacement, Row()});
+    all.insert(all.end(), turns[j].begin(), turns[j].end());
+  }
+  state_ = Eigen::Map<const VectorXd>(all.data(), at(all.size()));
+}
+
 void PeriodMap::place(Index columns) {
   const JointedStructure& structure = march_.structure();
   const Index n = structure.coordinates();

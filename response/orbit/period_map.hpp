@@ -15,6 +15,10 @@ class PeriodMap {
  public:
   PeriodMap(const PeriodicProblem& problem, const MarchOptions& options);
 
+  /// Another state than rest: x, ẋ, forces of all joints (those of bilinear ones count) and where each turned in the last period.
+  void start(const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& f,
+             const std::vector<std::vector<double>>& turns);
+
   /// Marches one period from state(), with the derivative or without. False when the march stalls.
   bool run(bool with_derivative);
 

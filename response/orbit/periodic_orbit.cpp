@@ -86,13 +86,11 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
   for (const auto& joint : map.march().joint_states()) orbit.joints.push_back(joint->clone());
 }
 
-}  // namespace
-
-PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& options) {
-  PeriodMap map(problem, options.march);
+/// `to_march` periods from the map's state, then Newton's steps while they halve what is lacking within four; else the motion
+/// settles by itself for a while, ever longer.
+PeriodicOrbit find_from(PeriodMap& map, int to_march, const OrbitOptions& options) {
   PeriodicOrbit orbit;
-  // Newton's steps while they halve what is lacking within four; else the motion settles by itself for a while, ever longer.
-  int to_march = options.first_periods, patience = 4, rest = 4;
+  int patience = 4, rest = 4;
   double best = std::numeric_limits<double>::infinity(), last = best;
   while (true) {
     ++orbit.periods;
@@ -132,6 +130,19 @@ PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& opt
   }
   describe(map, orbit);
   return orbit;
+}
+
+}  // namespace
+
+PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& options) {
+  PeriodMap map(problem, options.march);
+  return find_from(map, options.first_periods, options);
+}
+
+PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitStart& start, const OrbitOptions& options) {
+  PeriodMap map(problem, options.march);
+  map.start(start.x, start.v, start.f, start.turns);
+  return find_from(map, 0, options);
 }
 
 }  // namespace jointid::response

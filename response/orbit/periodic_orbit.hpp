@@ -44,4 +44,13 @@ struct PeriodicOrbit {
 /// Throws InputError for input that does not fit (check()).
 PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitOptions& options = {});
 
+/// A state at t = 0 near the orbit, as harmonic balance knows it.
+struct OrbitStart {
+  Eigen::VectorXd x, v, f;                 ///< N, N, J
+  std::vector<std::vector<double>> turns;  ///< of each joint: q where it turned in the period before
+};
+
+/// The same by Newton's steps from there, without periods from rest: also orbits that attract nothing.
+PeriodicOrbit find_orbit(const PeriodicProblem& problem, const OrbitStart& start, const OrbitOptions& options = {});
+
 }  // namespace jointid::response

@@ -43,11 +43,15 @@ class FrfReceptance final : public Receptance {
   /// Whether every file says how exact it is.
   bool knows_errors() const { return !variances_.empty(); }
 
+  /// rms of H_rc − H_cr over that of both, of FRFs that were measured in both roles; 0 where none was.
+  double asymmetry() const { return asymmetry_; }
+
   const std::vector<double>& frequency_hz() const { return frequency_hz_; }
 
  private:
   std::size_t nearest_line(double omega) const;
 
+  double asymmetry_ = 0.0;
   Eigen::Index joints_, responses_, forces_;
   std::vector<double> frequency_hz_;
   std::vector<Eigen::MatrixXcd> lines_;

@@ -15,10 +15,14 @@
 namespace jointid::response {
 namespace {
 
-constexpr long most_rows = 20000;
+using Sparse = Eigen::SparseMatrix<double>;
+
+constexpr double most_rows = 20000.0;  ///< of full matrices
+constexpr double most_sparse_rows = 2000000.0;
 constexpr double symmetric_to = 1e-9;  ///< of the largest element
 
-[[noreturn]] void refuse_file(const std::filesystem::path& path, std::string place, std::string problem, std::string remedy = {}) {
+[[noreturn]] void refuse_file(const std::filesystem::path& path, std::string place, std::string problem,
+                              std::string remedy = {}) {
   throw InputError({.kind = ErrorKind::data,
                     .file = path.string(),
                     .place = std::move(place),
@@ -33,7 +37,7 @@ class MarketReader {
     if (!in_) refuse_file(path_, "", "it cannot be read");
   }
 
-  Eigen::MatrixXd read() {
+  Sparse read() {
     std::string line;
     std::getline(in_, line);
     number_ = 1;
@@ -75,41 +79,49 @@ class MarketReader {
     return static_cast<Eigen::Index>(value) - 1;
   }
 
-  Eigen::MatrixXd empty(double rows, double columns) const {
-    if (!(rows >= 1.0 && rows <= most_rows) || columns != rows || rows != std::floor(rows)) {
-      fail("the matrix is not square with 1 to " + std::to_string(most_rows) + " rows");
+  void begin(double rows, double columns, double most) {
+    if (!(rows >= 1.0 && rows <= most) || columns != rows || rows != std::floor(rows)) {
+      fail("the matrix is not square with 1 to " + std::to_string(static_cast<long>(most)) + " rows");
     }
-    return Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(rows));
+    rows_ = static_cast<Eigen::Index>(rows);
   }
 
-  void set(Eigen::MatrixXd& m, Eigen::Index i, Eigen::Index j, double value) const {
-    m(i, j) += value;
-    if (symmetric_ && i != j) m(j, i) += value;
+  void add(Eigen::Index i, Eigen::Index j, double value) {
+    entries_.emplace_back(i, j, value);
+    if (symmetric_ && i != j) entries_.emplace_back(j, i, value);
   }
 
-  Eigen::MatrixXd coordinates() {
+  Sparse matrix() const {
+    Sparse m(rows_, rows_);
+    m.setFromTriplets(entries_.begin(), entries_.end());
+    return m;
+  }
+
+  Sparse coordinates() {
     const std::vector<double> size = numbers(3);
-    Eigen::MatrixXd m = empty(size[0], size[1]);
+    begin(size[0], size[1], most_sparse_rows);
     for (double i = 0.0; i < size[2]; ++i) {
       const std::vector<double> entry = numbers(3);
-      set(m, index(entry[0], m.rows()), index(entry[1], m.rows()), entry[2]);
+      add(index(entry[0], rows_), index(entry[1], rows_), entry[2]);
     }
-    return m;
+    return matrix();
   }
 
-  Eigen::MatrixXd array() {
+  Sparse array() {
     const std::vector<double> size = numbers(2);
-    Eigen::MatrixXd m = empty(size[0], size[1]);
-    for (Eigen::Index j = 0; j < m.cols(); ++j) {
-      for (Eigen::Index i = symmetric_ ? j : 0; i < m.rows(); ++i) set(m, i, j, numbers(1)[0]);
+    begin(size[0], size[1], most_rows);
+    for (Eigen::Index j = 0; j < rows_; ++j) {
+      for (Eigen::Index i = symmetric_ ? j : 0; i < rows_; ++i) add(i, j, numbers(1)[0]);
     }
-    return m;
+    return matrix();
   }
 
   const std::filesystem::path& path_;
   std::ifstream in_;
   std::size_t number_ = 0;
   bool symmetric_ = false;
+  Eigen::Index rows_ = 0;
+  std::vector<Eigen::Triplet<double>> entries_;
 };
 
 /// Columns "NAME(1)", "NAME(2)", … of one matrix, or "1", "2", … of a text.
@@ -126,15 +138,15 @@ Eigen::MatrixXd from_columns(const std::filesystem::path& path, const std::strin
   const auto found = variable.empty() && matrices.size() == 1 ? matrices.begin() : matrices.find(variable);
   if (found == matrices.end()) {
     refuse_file(path, variable,
-           variable.empty() ? "the file holds several matrices: " + names : "there is no such matrix; there are: " + names,
-           variable.empty() ? "name one: \"" + path.filename().string() + ":NAME\"" : "");
+                variable.empty() ? "the file holds several matrices: " + names : "there is no such matrix; there are: " + names,
+                variable.empty() ? "name one: \"" + path.filename().string() + ":NAME\"" : "");
   }
   const std::size_t size = found->second.size();
   Eigen::MatrixXd m(at(size), at(size));
   for (std::size_t j = 0; j < size; ++j) {
     if (found->second[j]->size() != size) {
       refuse_file(path, variable,
-             "the matrix is not square: " + std::to_string(found->second[j]->size()) + " × " + std::to_string(size));
+                  "the matrix is not square: " + std::to_string(found->second[j]->size()) + " × " + std::to_string(size));
     }
     for (std::size_t i = 0; i < size; ++i) m(at(i), at(j)) = (*found->second[j])[i];
   }
@@ -143,17 +155,24 @@ Eigen::MatrixXd from_columns(const std::filesystem::path& path, const std::strin
 
 }  // namespace
 
-Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const std::string& variable) {
-  const Eigen::MatrixXd m = path.extension() == ".mtx" ? MarketReader(path).read() : from_columns(path, variable);
-  const double largest = m.cwiseAbs().maxCoeff();
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    for (Eigen::Index j = 0; j < i; ++j) {
-      if (std::abs(m(i, j) - m(j, i)) <= symmetric_to * largest) continue;
-      refuse_file(path, "element (" + std::to_string(i + 1) + ", " + std::to_string(j + 1) + ")", "the matrix is not symmetric",
-             "mass, damping and stiffness are");
+Eigen::SparseMatrix<double> read_symmetric_sparse(const std::filesystem::path& path, const std::string& variable) {
+  const Sparse m = path.extension() == ".mtx" ? MarketReader(path).read() : Sparse(from_columns(path, variable).sparseView());
+  const Sparse transposed = m.transpose(), difference = m - transposed;
+  const double largest = m.nonZeros() > 0 ? m.coeffs().abs().maxCoeff() : 0.0;
+  for (Eigen::Index j = 0; j < difference.outerSize(); ++j) {
+    for (Sparse::InnerIterator entry(difference, j); entry; ++entry) {
+      if (!(std::abs(entry.value()) > symmetric_to * largest)) continue;
+      refuse_file(path, "element (" + std::to_string(entry.row() + 1) + ", " + std::to_string(j + 1) + ")",
+                  "the matrix is not symmetric", "mass, damping and stiffness are");
     }
   }
-  return 0.5 * (m + m.transpose());
+  return 0.5 * (m + transposed);
+}
+
+Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const std::string& variable) {
+  const Sparse m = read_symmetric_sparse(path, variable);
+  if (static_cast<double>(m.rows()) > most_rows) refuse_file(path, variable, "the matrix has more than 20000 rows");
+  return m;
 }
 
 }  // namespace jointid::response

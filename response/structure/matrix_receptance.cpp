@@ -6,6 +6,7 @@
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "dense/lu.hpp"
+#include "response/structure/infinite_receptance.hpp"
 
 namespace jointid::response {
 namespace {
@@ -31,17 +32,6 @@ Eigen::MatrixXd beside(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   Eigen::MatrixXd both(a.rows(), a.cols() + b.cols());
   both << a, b;
   return both;
-}
-
-void require_finite(const Eigen::MatrixXcd& h, double omega) {
-  if (h.allFinite()) return;
-  throw InputError({.kind = ErrorKind::data,
-                    .file = "",
-                    .place = "[structure]",
-                    .problem = "the receptance is infinite at " + std::to_string(omega) + " rad/s",
-                    .remedy = omega == 0.0
-                                  ? "a structure that is free to move has no mean position: use odd harmonics and no mean force"
-                                  : "an undamped resonance: add damping or choose another frequency"});
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
+#include "problems/thesis/two_beams.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {
@@ -91,6 +92,13 @@ void add_curves(const InputFolder& folder) {
   problems::write(*problems::find_loading_curve("table2.1-2"), folder.path(), {});
 }
 
+void add_response(const InputFolder& folder) {
+  problems::write(*problems::find_two_beams("beams-B"), folder.path());
+  folder.write("push.csv", "time,F\n0,0\n0.01,9\n0.02,1\n");
+  folder.replace("beams-B.toml", "[response]",
+                 "[transient]\nduration = 0.02\nforces = [{ dof = 5, file = \"push.csv\", column = \"F\" }]\n\n[response]");
+}
+
 void add_blows(const InputFolder& folder) {
   for (const char* name : {"blow.csv", "second.csv"}) folder.write(name, "time,F,a\n0,0,0\n0.1,9,1\n0.2,0,3\n0.3,0,-2\n");
 }
@@ -125,6 +133,14 @@ const Reader readers[] = {
      {"modalfit", "a.h5", "b.uff"},
      {"--regenerate", "--shapes", "--json", "--csv", "--report"},
      {{"a.h5", "FILES"}, {"b.uff", "FILES"}}},
+    {"Response",
+     {"response", "beams-B.toml"},
+     {"--json", "--csv", "--history", "--report", "--out"},
+     {{"beams-B.toml", "the scene"},
+      {"beams-B_mass.mtx", "[structure] mass"},
+      {"beams-B_stiffness.mtx", "[structure] stiffness"},
+      {"push.csv", "[transient] forces"}},
+     add_response},
     {"Frf",
      {"frf", "blow.csv", "second.csv", "--channel", "2=1:+Z N", "--channel", "3=2:+Z m/s^2"},
      {"--output", "--json", "--csv", "--report"},

@@ -10,57 +10,14 @@
 #include "cli/response/response_command.hpp"
 #include "cli/response/response_run.hpp"
 #include "cli/response/response_text.hpp"
-#include "frf/file/write.hpp"
 #include "response/structure/matrix_file.hpp"
-#include "response/structure/matrix_receptance.hpp"
 #include "response/structure/modal_damping.hpp"
-#include "tests/test_folder.hpp"
+#include "response_sample.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using testing::HasSubstr;
-
-const std::string chain = R"(
-[structure]
-mass = [[1.0, 0.0, 0.0], [0.0, 1.2, 0.0], [0.0, 0.0, 0.9]]
-stiffness = [[500.0, -200.0, 0.0], [-200.0, 250.0, -50.0], [0.0, -50.0, 150.0]]
-damping = [[0.5, -0.16, 0.0], [-0.16, 0.32, -0.04], [0.0, -0.04, 0.21]]
-)";
-
-const std::string rest = R"(
-[[joints]]
-dofs = [2, 3]
-law = "ren"
-parameters = { a = 0.004, b = 1.5, k = 150.0 }
-
-[force]
-dof = 1
-amplitudes = [1.0, 3.0]
-
-[frequency]
-range = [2.0, 4.0]
-points = 41
-
-[response]
-dofs = [1, 3]
-harmonics = [1, 3, 5]
-)";
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t place = text.find(what);
-  EXPECT_NE(place, std::string::npos) << what;
-  return text.replace(place, what.size(), by);
-}
-
-std::string error_of(const std::string& text) {
-  try {
-    parse_response_scene(text, "scene.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 TEST(ResponseScene, ReadsAllThatItSays) {
   const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
@@ -122,8 +79,9 @@ TEST(ResponseScene, FindsPeaksOverLevels) {
   EXPECT_EQ(json["status"], "ok");
   EXPECT_EQ(json["levels"][0]["points"].size(), 41u);
   EXPECT_EQ(json["levels"][0]["points"][0]["responses"][1].size(), 3u);
-  EXPECT_THAT(response_csv(run),
-              HasSubstr("force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re [m],std dev im [m]\n1,2,1,1,"));
+  EXPECT_THAT(
+      response_csv(run),
+      HasSubstr("force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re [m],std dev im [m],left out [m]\n1,2,1,1,"));
 }
 
 TEST(ResponseScene, TellsDeviationsOfTheLaw) {
@@ -138,24 +96,6 @@ TEST(ResponseScene, TellsDeviationsOfTheLaw) {
   EXPECT_THAT(response_text(scene, run), HasSubstr("std dev"));
   EXPECT_EQ(nlohmann::json::parse(response_json(scene, run))["levels"][0]["points"][0]["response_deviations"][0].size(), 3u);
   EXPECT_THAT(error_of(replaced(known, "k = 5.0", "q = 5.0")), HasSubstr("'q' is not known here"));
-}
-
-/// FRFs of single coordinates of a structure, written as a file.
-void write_part(const std::filesystem::path& path, const response::MatrixStructure& structure, int first_node) {
-  const Eigen::Index n = structure.mass.rows();
-  const Eigen::MatrixXd none(n, 0), all = Eigen::MatrixXd::Identity(n, n);
-  const response::MatrixReceptance receptance(structure, none, all, all);
-  frf::FrfSet set;
-  for (int line = 1; line <= 400; ++line) set.header.frequency_hz.push_back(0.05 * line);
-  for (Eigen::Index i = 0; i < n; ++i) set.header.response.push_back({first_node + static_cast<int>(i), frf::Direction::x, 1});
-  set.header.reference = set.header.response;
-  for (const double hz : set.header.frequency_hz) {
-    const Eigen::MatrixXcd h = receptance.at(angular(hz));
-    for (Eigen::Index i = 0; i < n; ++i) {
-      for (Eigen::Index j = 0; j < n; ++j) set.values.push_back(h(i, j));
-    }
-  }
-  frf::write(set, path);
 }
 
 /// The point of it all: two parts known by their FRFs alone respond as their matrices say.
@@ -238,6 +178,43 @@ TEST(MatrixFile, ReadsMatrixMarketAndText) {
     EXPECT_THROW(response::read_symmetric_matrix(written("d.mtx", head + text)), InputError) << text;
   }
   EXPECT_THROW(response::read_symmetric_matrix(folder / "absent.mtx"), InputError);
+}
+
+/// More than most_full coordinates stay sparse and give what fewer would: a long chain is the same at its first masses.
+TEST(ResponseScene, LargeModelsStaySparse) {
+  const TestFolder folder;
+  const auto write = [&](const std::string& name, Eigen::Index n, double diagonal, double beside) {
+    std::ofstream out(folder / name);
+    out << "%%MatrixMarket matrix coordinate real symmetric\n" << n << " " << n << " " << 2 * n - 1 << "\n";
+    for (Eigen::Index i = 1; i <= n; ++i) {
+      out << i << " " << i << " " << diagonal << "\n";
+      if (i < n) out << i + 1 << " " << i << " " << beside << "\n";
+    }
+  };
+  const auto run_of = [&](Eigen::Index n, const std::string& further) {
+    write("m.mtx", n, 1.0, 0.0);
+    write("c.mtx", n, 20.0, -9.0);
+    write("k.mtx", n, 2000.0, -900.0);
+    const std::string text =
+        "[structure]\nmass = \"m.mtx\"\ndamping = \"c.mtx\"\nstiffness = \"k.mtx\"\n[[joints]]\ndofs = [2, 3]\nlaw = "
+        "\"bilinear\"\n"
+        "parameters = [0.002, 800.0]\n[force]\ndof = 1\namplitudes = [20.0]\n[frequency]\nvalues = [5.0, 6.0]\n"
+        "[response]\ndofs = [1, 3]\nharmonics = [1, 3, 5]\n" +
+        further;
+    const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
+    EXPECT_EQ(scene.sparse.has_value(), n > most_full);
+    EXPECT_EQ(coordinates(scene), n);
+    Progress progress;
+    return run_response(scene, progress);
+  };
+  const ResponseRun small = run_of(200, ""), large = run_of(1000, "");
+  EXPECT_TRUE(all_converged(large));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Eigen::MatrixXcd &a = large.levels[0].points[i].response, &b = small.levels[0].points[i].response;
+    EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-9 * b.cwiseAbs().maxCoeff());
+  }
+  EXPECT_THROW(run_of(1000, "stability = true\n"), InputError);
+  EXPECT_THROW(run_of(1000, "[transient]\nduration = 1.0\n"), InputError);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/response/response_scene.hpp"
+#include "response/stability/matrix_assembly.hpp"
+
+namespace jointid::cli {
+
+/// The structure of a scene and the frequencies to be computed.
+struct Prepared {
+  std::shared_ptr<const response::Receptance> structure;
+  bool everywhere = false;                             ///< known at every frequency: matrices
+  std::optional<response::MatrixAssembly> assembly{};  ///< of full matrices
+  Eigen::MatrixXd responses{};                         ///< N × responses, of matrices
+  std::vector<double> frequency_hz{};
+  std::vector<double> lines_hz{};     ///< all of the files
+  std::vector<std::string> doubts{};  ///< one phrase each
+
+  /// ω (rad/s) below and above this one at which the structure is known; none at the ends of the files' lines.
+  std::optional<std::array<double, 2>> beside(double omega) const;
+};
+
+/// Reads what the scene needs. Throws InputError (data).
+Prepared prepare(const ResponseScene& scene);
+
+std::vector<response::Joint> joints_of(const ResponseScene& scene);
+
+}  // namespace jointid::cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "cli/response/response_run.hpp"
+
+namespace jointid::cli {
+
+/// The lines of response_csv() as a table in HDF5 (frf::TableWriter): force, frequency, harmonic, number of the response (from 1,
+/// as in the attribute `dofs`), re, im, deviations of both, error bar of harmonics left out; NaN where nothing is known.
+void write_response_table(const std::filesystem::path& path, const ResponseRun& run);
+
+/// The lines of history_csv(): number of the motion (attribute `motions`), time, responses, motions and forces of the joints.
+void write_history_table(const std::filesystem::path& path, const ResponseRun& run);
+
+/// Whether the name is that of an HDF5 file.
+bool names_hdf5(const std::filesystem::path& path);
+
+}  // namespace jointid::cli

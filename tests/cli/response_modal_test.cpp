@@ -1,0 +1,103 @@
+// Responses of parts by their modal models, between the lines of their files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/response/response_run.hpp"
+#include "cli/response/response_text.hpp"
+#include "response/structure/modal_damping.hpp"
+#include "response_sample.hpp"
+
+namespace jointid::cli {
+namespace {
+
+using testing::HasSubstr;
+
+void write_parts(const TestFolder& folder) {
+  Eigen::MatrixXd k1(2, 2), k2(1, 1);
+  k1 << 500.0, -200.0, -200.0, 210.0;
+  k2 << 90.0;
+  const Eigen::MatrixXd m1 = Eigen::MatrixXd::Identity(2, 2), m2 = Eigen::MatrixXd::Identity(1, 1);
+  write_part(folder / "one.csv", {m1, response::modal_damping(m1, k1, 0.02), k1}, 1);
+  write_part(folder / "two.csv", {m2, response::modal_damping(m2, k2, 0.02), k2}, 3);
+}
+
+const std::string joint = "law = \"bilinear\"\nparameters = [0.01, 150.0]\n";
+
+std::string parts_scene(const std::string& frequency, const std::string& harmonics) {
+  return "[data]\nparts = [\"one.csv\", \"two.csv\"]\n[[joints]]\ndofs = [\"2:+X\", \"3:+X\"]\n" + joint +
+         "[force]\ndof = \"1:+X\"\namplitudes = [8.0]\n[frequency]\n" + frequency +
+         "[response]\ndofs = [\"1:+X\", \"3:+X\"]\nharmonics = " + harmonics + "\n";
+}
+
+ResponseRun run_of(const std::string& text, const TestFolder& folder) {
+  Progress progress;
+  return run_response(parse_response_scene(text, folder / "scene.toml"), progress);
+}
+
+/// Frequencies that are no lines: the response of the matrices to the accuracy of the models.
+TEST(ResponseModal, ModelsOfPartsAnswerBetweenLines) {
+  const TestFolder folder;
+  write_parts(folder);
+  const ResponseRun modal = run_of(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 9\n", "[1, 3]"), folder);
+  const ResponseRun exact = run_of(
+      "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
+      "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
+          joint +
+          "[force]\ndof = 1\namplitudes = [8.0]\n[frequency]\nrange = [2.013, 3.987]\npoints = 9\n"
+          "[response]\ndofs = [1, 3]\nharmonics = [1, 3]\n",
+      folder);
+  EXPECT_TRUE(modal.doubts.empty());
+  ASSERT_EQ(modal.levels[0].points.size(), 9u);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const Eigen::MatrixXcd& a = modal.levels[0].points[i].response;
+    const Eigen::MatrixXcd& b = exact.levels[0].points[i].response;
+    ASSERT_EQ(a.rows(), b.rows());
+    EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-4 * b.cwiseAbs().maxCoeff()) << i;
+  }
+}
+
+/// Harmonics beyond the band become error bars.
+TEST(ResponseModal, HarmonicsBeyondTheBandAreErrorBars) {
+  const TestFolder folder;
+  write_parts(folder);
+  const std::string text = parts_scene("modal_model = true\nvalues = [3.3333]\n", "[1, 3, 5, 7, 9]");
+  const ResponseRun run = run_of(text, folder);
+  ASSERT_EQ(run.levels[0].left_out.size(), 1u);
+  EXPECT_EQ(run.levels[0].points[0].harmonics, (std::vector<int>{1, 3, 5}));
+  EXPECT_GT(run.levels[0].left_out[0](0, 0), 0.0);
+  EXPECT_LT(run.levels[0].left_out[0](0, 0), 0.05 * std::abs(run.levels[0].points[0].response(0, 0)));
+  const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
+  EXPECT_THAT(response_text(scene, run), HasSubstr("their error bar"));
+  EXPECT_EQ(nlohmann::json::parse(response_json(scene, run))["levels"][0]["points"][0]["left_out"][0].size(), 3u);
+}
+
+TEST(ResponseModal, SaysWhereThereIsNoModel) {
+  const TestFolder folder;
+  write_parts(folder);
+  EXPECT_THROW(run_of(parts_scene("modal_model = true\nvalues = [50.0]\n", "[1]"), folder), InputError);
+  EXPECT_THAT(error_of(parts_scene("modal_model = true\n", "[1]")), HasSubstr("neither range nor values"));
+  EXPECT_THAT(error_of(chain + replaced(rest, "points = 41", "modal_model = true")), HasSubstr("matrices need no modal model"));
+  EXPECT_THAT(error_of(parts_scene("range = [2.0, 3.0]\npoints = 5\n", "[1]")), HasSubstr("points stand in a range"));
+}
+
+/// One line each: FRFs that are not reciprocal, and such as would feed the joint with energy.
+TEST(ResponseModal, DoubtsFrfsThatNoStructureHas) {
+  const TestFolder folder;
+  write_parts(folder);
+  frf::FrfSet set = frf::load(*frf::open(folder / "one.csv"));
+  for (std::size_t line = 0; line < set.header.lines(); ++line) {
+    set.values[set.index(line, 0, 1)] *= 1.5;
+    set.values[set.index(line, 1, 1)] *= -1.0;
+  }
+  frf::write(set, folder / "one.csv");
+  const std::string text = replaced(parts_scene("values = [3.0]\n", "[1]"), "[\"2:+X\", \"3:+X\"]", "[\"1:+X\", \"2:+X\"]");
+  const ResponseRun run = run_of(text, folder);
+  ASSERT_EQ(run.doubts.size(), 2u);
+  EXPECT_THAT(run.doubts[0], HasSubstr("not reciprocal"));
+  EXPECT_THAT(run.doubts[1], HasSubstr("not passive"));
+}
+
+}  // namespace
+}  // namespace jointid::cli
