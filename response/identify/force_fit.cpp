@@ -45,7 +45,7 @@ class ForceResiduals {
       const Eigen::VectorXd deviation = harmonics.pack(point.deviation), missing = harmonics.pack(found.force - point.force);
       out.residual.segment(row, missing.size()) = missing.cwiseQuotient(deviation);
       for (Eigen::Index i = 0; i < unknowns.size(); ++i) {
-        const Eigen::Index column = at(unknowns.free()[static_cast<std::size_t>(i)].parameter);
+        const Eigen::Index column = at(unknowns.unknown(i).parameter.parameter);
         out.jacobian.col(i).segment(row, missing.size()) =
             slopes(i) * harmonics.pack(found.by_parameters.col(column)).cwiseQuotient(deviation);
       }
@@ -96,7 +96,7 @@ LawUnknowns unknowns_inside(const Joint& joint) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].value > parameters[i].lower && parameters[i].value < parameters[i].upper) free.push_back({0, i});
   }
-  return {{joint}, std::move(free)};
+  return {{joint}, free};
 }
 
 struct RankedStart {

@@ -14,14 +14,33 @@ namespace {
       {.kind = ErrorKind::usage, .file = "", .place = "laws", .problem = std::move(problem), .remedy = std::move(remedy)});
 }
 
+/// Unknown springs and dashpots that begin nowhere.
+void begin_beside(const std::vector<DirectStep>& steps, const LawConstraints& constraints, std::vector<Joint>& joints) {
+  constexpr double share = 0.1;
+  for (std::size_t j = 0; j < joints.size() && j < constraints.beside.size(); ++j) {
+    const double stiffness = joints[j].friction->response(0.0).tangent;
+    for (const std::string& name : constraints.beside[j]) {
+      if (name == "stiffness" && !(joints[j].stiffness > 0.0)) joints[j].stiffness = share * stiffness;
+      if (name == "damping" && !(joints[j].damping > 0.0)) joints[j].damping = share * stiffness / steps.front().omega;
+    }
+  }
+}
+
 /// One set of joints for each rank of start that every joint has.
 std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
-                                          const std::vector<Joint>& beside) {
+                                          const std::vector<Joint>& beside, const LawConstraints& constraints) {
   if (laws.size() != beside.size()) {
     fail_laws(std::to_string(laws.size()) + " laws for " + std::to_string(beside.size()) + " joints", "name one for each joint");
   }
   std::vector<std::vector<Joint>> starts;
   for (std::size_t j = 0; j < laws.size(); ++j) {
+    if (const auto leader = constraints.leader(j)) {
+      for (std::vector<Joint>& start : starts) {
+        start.push_back(beside[j]);
+        start.back().friction = start[*leader].friction;
+      }
+      continue;
+    }
     try {
       ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
       if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
@@ -33,6 +52,7 @@ std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, 
       fail_laws(wrong.what(), "");
     }
   }
+  for (std::vector<Joint>& start : starts) begin_beside(steps, constraints, start);
   return starts;
 }
 
@@ -52,15 +72,16 @@ std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vec
 }  // namespace
 
 std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const std::vector<MeasuredState>& states,
-                                           const std::vector<std::string>& laws, const std::vector<Joint>& beside) {
-  return starts_of(direct_steps(structure, states), laws, beside);
+                                           const std::vector<std::string>& laws, const std::vector<Joint>& beside,
+                                           const LawConstraints& constraints) {
+  return starts_of(direct_steps(structure, states), laws, beside, constraints);
 }
 
 LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options) {
+                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options, const LawConstraints& constraints) {
   LawFit best;
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    LawFit fit = fit_laws(structure, states, LawUnknowns(starts[i]), options);
+    LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
     if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
   }
   return best;
@@ -69,11 +90,11 @@ LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::v
 std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure,
                                        const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
-                                       const LawFitOptions& options) {
+                                       const LawFitOptions& options, const LawConstraints& constraints) {
   const std::vector<DirectStep> steps = direct_steps(*structure, states);
   std::vector<LawCandidate> fitted;
   for (const std::vector<std::string>& laws : candidates) {
-    fitted.push_back({laws, fit_from(structure, states, starts_of(steps, laws, beside), options)});
+    fitted.push_back({laws, fit_from(structure, states, starts_of(steps, laws, beside, constraints), options, constraints)});
   }
   std::ranges::stable_sort(fitted, {}, [](const LawCandidate& each) { return rank(each.fit); });
   return fitted;

@@ -111,7 +111,7 @@ class FittedJoints {
     out.joint = joint;
     const Eigen::VectorXd values = unknowns_.values(numbers_), slopes = unknowns_.slopes(numbers_);
     for (Eigen::Index i = 0; i < unknowns_.size(); ++i) {
-      if (unknowns_.free()[static_cast<std::size_t>(i)].joint != j) continue;
+      if (!moves(j, i)) continue;
       friction::Parameter parameter = unknowns_.parameter(i);
       parameter.value = values(i);
       out.parameters.push_back(described(parameter, Eigen::RowVectorXd::Unit(unknowns_.size(), i) * slopes(i)));
@@ -122,6 +122,14 @@ class FittedJoints {
   }
 
  private:
+  /// Whether unknown i is a parameter of joint j.
+  bool moves(std::size_t j, Eigen::Index i) const {
+    for (std::size_t k = 0; k < unknowns_.moved().size(); ++k) {
+      if (unknowns_.moved_by()[k] == i && unknowns_.moved()[k].joint == j) return true;
+    }
+    return false;
+  }
+
   friction::FittedValue described(const friction::Parameter& parameter, const Eigen::RowVectorXd& gradient) const {
     if (!(gradient.norm() > 0.0)) return {parameter.name, parameter.unit, parameter.value, {}, {}, friction::Knowledge::preset};
     return friction::fitted_value(parameter, information_.deviation(gradient), normal_95);
@@ -129,10 +137,12 @@ class FittedJoints {
 
   /// A derivative by all parameters of the law of joint j as one by the numbers.
   Eigen::RowVectorXd by_numbers(std::size_t j, const std::vector<double>& by_parameters) const {
-    Eigen::RowVectorXd gradient = unknowns_.slopes(numbers_).transpose();
-    for (Eigen::Index i = 0; i < gradient.size(); ++i) {
-      const JointParameter& free = unknowns_.free()[static_cast<std::size_t>(i)];
-      gradient(i) *= free.joint == j && free.parameter < by_parameters.size() ? by_parameters[free.parameter] : 0.0;
+    const Eigen::VectorXd slopes = unknowns_.slopes(numbers_);
+    Eigen::RowVectorXd gradient = Eigen::RowVectorXd::Zero(slopes.size());
+    for (std::size_t i = 0; i < unknowns_.moved().size(); ++i) {
+      const auto [joint, parameter] = unknowns_.moved()[i];
+      const Eigen::Index unknown = unknowns_.moved_by()[i];
+      if (joint == j && parameter < by_parameters.size()) gradient(unknown) += slopes(unknown) * by_parameters[parameter];
     }
     return gradient;
   }
@@ -199,7 +209,7 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
                       .remedy = "give a joint a friction law whose parameters are to be found"});
   }
   LawFit out;
-  out.numbers = measured_numbers(states);
+  out.numbers = measured_numbers(states) + unknowns.priors();
   out.freedom = out.numbers - unknowns.size();
   if (out.freedom <= 0) {
     out.status = LawFitStatus::too_few_data;

@@ -47,10 +47,10 @@ struct FittedJoint {
 struct LawFit {
   LawFitStatus status = LawFitStatus::converged;
   std::vector<FittedJoint> joints;
-  Eigen::VectorXd values;                 ///< of the unknown parameters, in the order of LawUnknowns::free()
+  Eigen::VectorXd values;                 ///< of the unknown parameters, in the order of LawUnknowns
   Eigen::MatrixXd covariance;             ///< of the values, along what the states see
   double chi_square = 0.0;                ///< rᵀΣ⁻¹r, r the residuals; Σ|X − Y|²/σ² where receptances are exact
-  Eigen::Index numbers = 0, freedom = 0;  ///< measured; less the unknown ones
+  Eigen::Index numbers = 0, freedom = 0;  ///< measured, and priors; less the unknown ones
   double aic = 0.0;                       ///< χ² + ln det Σ (Σ in σ²) + 2 · unknowns
   int steps = 0;
   std::vector<StatePrediction> states;
