@@ -28,10 +28,11 @@ std::vector<DirectBin> direct_bins(const std::vector<response::DirectStep>& step
       for (std::size_t i = from; i < to; ++i) values.push_back(of(points[i]));
       return median(std::move(values));
     };
-    bins.push_back({middle([](const Point& p) { return p.motion; }),
-                    {middle([](const Point& p) { return p.equivalent.real(); }), middle([](const Point& p) { return p.equivalent.imag(); })},
-                    {middle([](const Point& p) { return p.deviation.real(); }), middle([](const Point& p) { return p.deviation.imag(); })},
-                    to - from});
+    bins.push_back(
+        {middle([](const Point& p) { return p.motion; }),
+         {middle([](const Point& p) { return p.equivalent.real(); }), middle([](const Point& p) { return p.equivalent.imag(); })},
+         {middle([](const Point& p) { return p.deviation.real(); }), middle([](const Point& p) { return p.deviation.imag(); })},
+         to - from});
   }
   return bins;
 }

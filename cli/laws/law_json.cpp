@@ -26,7 +26,8 @@ Json fitted(const friction::FittedValue& of) {
 Json candidate(const response::LawCandidate& of) {
   Json rounds = Json::array();
   for (const response::HarmonicsRound& round : of.fit.rounds) {
-    rounds.push_back({{"largest_harmonic", round.largest}, {"chi_square", value(round.chi_square)}, {"moved", value(round.moved)}});
+    rounds.push_back(
+        {{"largest_harmonic", round.largest}, {"chi_square", value(round.chi_square)}, {"moved", value(round.moved)}});
   }
   return {{"laws", of.laws},
           {"status", response::word(of.fit.status)},

@@ -35,8 +35,9 @@ std::string law_page(const laws::LawScene& scene, const laws::LawIdentification&
   page.add(law_table(found));
   page.section("Over the motion of the joint");
   page.add(law_plots(scene, found));
-  page.add(Text{"Points are F₁/Q₁ of every state, found from the data and the FRFs of the parts without any law; the line is the law's.",
-                true});
+  page.add(Text{
+      "Points are F₁/Q₁ of every state, found from the data and the FRFs of the parts without any law; the line is the law's.",
+      true});
   page.section("Residuals by level");
   page.add(level_table(scene, found));
   return page.html();

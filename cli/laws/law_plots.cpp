@@ -30,7 +30,8 @@ Complex by_law(const laws::LawIdentification& found, std::size_t joint, double m
   const response::Joint& fitted = found.fit().joints[joint].joint;
   if (!fitted.friction) return {nan, nan};
   const friction::Equivalent friction = friction::equivalent(*fitted.friction, motion);
-  return {friction.stiffness + fitted.stiffness + 0.75 * fitted.cubic * motion * motion, friction.damping + omega * fitted.damping};
+  return {friction.stiffness + fitted.stiffness + 0.75 * fitted.cubic * motion * motion,
+          friction.damping + omega * fitted.damping};
 }
 
 std::vector<JointPoint> points_of(const laws::LawIdentification& found, std::size_t joint) {
@@ -73,11 +74,16 @@ PlotGroup law_plots(const laws::LawScene& scene, const laws::LawIdentification& 
     CurvePlot damping = over_motion(points, "Equivalent damping", "d_e (N/m)");
     CurvePlot residuals = over_motion(points, "Residuals of the fit", "rms (standard deviations)");
     const std::string law = found.laws()[j];
-    add_series(points, "without a law", Style::reference_points, [](const JointPoint& p) { return p.measured.real(); }, stiffness);
-    add_series(points, law, Style::line, [](const JointPoint& p) { return p.by_law.real(); }, stiffness);
-    add_series(points, "without a law", Style::reference_points, [](const JointPoint& p) { return p.measured.imag(); }, damping);
-    add_series(points, law, Style::line, [](const JointPoint& p) { return p.by_law.imag(); }, damping);
-    add_series(points, law, Style::points, [](const JointPoint& p) { return p.residual; }, residuals);
+    add_series(
+        points, "without a law", Style::reference_points, [](const JointPoint& p) { return p.measured.real(); }, stiffness);
+    add_series(
+        points, law, Style::line, [](const JointPoint& p) { return p.by_law.real(); }, stiffness);
+    add_series(
+        points, "without a law", Style::reference_points, [](const JointPoint& p) { return p.measured.imag(); }, damping);
+    add_series(
+        points, law, Style::line, [](const JointPoint& p) { return p.by_law.imag(); }, damping);
+    add_series(
+        points, law, Style::points, [](const JointPoint& p) { return p.residual; }, residuals);
     residuals.level = 1.0;
     group.choices.push_back({scene.joints[j].beside.name, {stiffness, damping, residuals}});
   }

@@ -22,8 +22,9 @@ std::string interval_text(const friction::FittedValue& value) {
 }
 
 void add_value(Table& table, const friction::FittedValue& value) {
-  table.add({value.name, number(value.value, value.std_error), value.unit, value.std_error ? fmt::format("{:.2g}", *value.std_error) : "–",
-             interval_text(value), friction::name(value.knowledge)});
+  table.add({value.name, number(value.value, value.std_error), value.unit,
+             value.std_error ? fmt::format("{:.2g}", *value.std_error) : "–", interval_text(value),
+             friction::name(value.knowledge)});
 }
 
 std::string harmonics_text(const std::vector<int>& numbers) {
@@ -77,7 +78,8 @@ Table law_table(const LawIdentification& found) {
 }
 
 Table joint_table(const response::FittedJoint& joint) {
-  Table table({{"", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval", Align::left}, {"", Align::left}});
+  Table table(
+      {{"", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval", Align::left}, {"", Align::left}});
   if (joint.joint.friction) {
     add_value(table, joint.stiffness);
     if (std::isfinite(joint.limit.value)) add_value(table, joint.limit);

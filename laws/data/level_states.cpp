@@ -200,7 +200,8 @@ LevelStates read_level_states(const LawScene& scene) {
     LevelReader reader(scene, level, forces, out);
     reader.read();
     for (const auto& [what, count] : reader.left_out()) {
-      out.notes.push_back(level.name + ": left out: " + what + " (" + std::to_string(count) + (count == 1 ? " line)" : " lines)"));
+      out.notes.push_back(level.name + ": left out: " + what + " (" + std::to_string(count) +
+                          (count == 1 ? " line)" : " lines)"));
     }
   }
   if (out.states.empty()) {

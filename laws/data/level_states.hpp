@@ -13,10 +13,10 @@ namespace jointid::laws {
 /// The measured states of a scene over the FRFs of its parts.
 struct LevelStates {
   std::shared_ptr<const response::FrfReceptance> structure;
-  std::vector<frf::Dof> responses;                ///< of the structure and of every state
-  std::vector<response::MeasuredState> states;    ///< level by level, of each ascending in frequency
-  std::vector<std::size_t> level;                 ///< of each state
-  std::vector<std::string> notes;                 ///< what was left out, one phrase each
+  std::vector<frf::Dof> responses;              ///< of the structure and of every state
+  std::vector<response::MeasuredState> states;  ///< level by level, of each ascending in frequency
+  std::vector<std::size_t> level;               ///< of each state
+  std::vector<std::string> notes;               ///< what was left out, one phrase each
 };
 
 /// Reads the files of a scene. States are the lines of [frequency] that a level and the parts have; a harmonic whose line nω one

@@ -40,7 +40,8 @@ Phasors read_phasors(const ident::DataFile& file, const std::vector<frf::Dof>& d
   std::vector<std::size_t> lines(out.frequency_hz.size());
   std::iota(lines.begin(), lines.end(), std::size_t{0});
   RowMatrixXc values(at(lines.size()), at(dofs.size()));
-  frf::BlockReader(system, dofs, system.references()).read(lines, std::span(values.data(), static_cast<std::size_t>(values.size())));
+  frf::BlockReader(system, dofs, system.references())
+      .read(lines, std::span(values.data(), static_cast<std::size_t>(values.size())));
   out.values = values;
   const std::vector<Eigen::MatrixXcd> variances = response::read_variances(system, dofs, system.references());
   if (variances.empty()) return out;

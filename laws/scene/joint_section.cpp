@@ -77,7 +77,8 @@ class JointReader {
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) {
       const std::string near = nearest_word(name, names);
-      same->fail("there is no joint '" + name + "' before this one", near.empty() ? "name it, and put it first" : "did you mean " + near + "?");
+      same->fail("there is no joint '" + name + "' before this one",
+                 near.empty() ? "name it, and put it first" : "did you mean " + near + "?");
     }
     leader_ = static_cast<std::size_t>(found - names.begin());
     if (const auto further = scene_.constraints.tied_to[*leader_]) leader_ = further;
@@ -94,7 +95,8 @@ class JointReader {
       unknown_.push_back(word.word(beside_words));
       if (std::ranges::count(unknown_, unknown_.back()) > 1) word.fail("it is named twice", "name it once");
       const auto start = table_.find(unknown_.back());
-      if (start && !(start->number() > 0.0)) start->fail("an unknown " + unknown_.back() + " begins above 0", "remove it, or give a guess");
+      if (start && !(start->number() > 0.0))
+        start->fail("an unknown " + unknown_.back() + " begins above 0", "remove it, or give a guess");
       if (!start && unknown_.back() == "cubic") word.fail("where does the cubic spring begin?", "give cubic, a guess in N/m³");
     }
   }

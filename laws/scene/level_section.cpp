@@ -27,8 +27,9 @@ std::vector<ident::DataFile> read_files(const SceneItem& item, const ident::Path
     files.resize(harmonics, files.front());
   }
   if (files.size() != harmonics) {
-    item.fail(std::to_string(files.size()) + " files for " + std::to_string(harmonics) + " harmonics",
-              "give one file, or one for each number of harmonics in their order; lines are at n times the frequency of the force");
+    item.fail(
+        std::to_string(files.size()) + " files for " + std::to_string(harmonics) + " harmonics",
+        "give one file, or one for each number of harmonics in their order; lines are at n times the frequency of the force");
   }
   return files;
 }
@@ -77,7 +78,8 @@ ForceLevel read_level(const SceneItem& item, const ident::Path& folder, std::siz
   read_force(table, folder, level, names);
   if (level.amplitude) level.name += level.name.starts_with("level ") ? " (" + ident::number_text(*level.amplitude) + " N)" : "";
   if (level.per_force && level.harmonics.front().harmonic != 1) {
-    table.require("per_force").fail("responses over the force of harmonic 1, which is not there", "give the files of harmonic 1 too");
+    table.require("per_force")
+        .fail("responses over the force of harmonic 1, which is not there", "give the files of harmonic 1 too");
   }
   return level;
 }
@@ -87,7 +89,8 @@ ForceLevel read_level(const SceneItem& item, const ident::Path& folder, std::siz
 int read_whole(const SceneItem& item, int least, int most) {
   const double number = item.number();
   if (number != std::floor(number) || number < least || number > most) {
-    item.fail(ident::number_text(number) + " is not a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    item.fail(ident::number_text(number) + " is not a whole number from " + std::to_string(least) + " to " +
+              std::to_string(most));
   }
   return static_cast<int>(number);
 }

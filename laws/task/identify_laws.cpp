@@ -31,9 +31,7 @@ std::vector<std::vector<std::string>> combinations(const LawScene& scene) {
 }
 
 /// χ² of the freedom above which data contradict laws and deviations, at 4 deviations.
-bool is_poor(const LawFit& fit) {
-  return fit.chi_square > chi_square_quantile(static_cast<double>(fit.freedom), 4.0);
-}
+bool is_poor(const LawFit& fit) { return fit.chi_square > chi_square_quantile(static_cast<double>(fit.freedom), 4.0); }
 
 void judge_fit(LawIdentification& found) {
   const LawFit& fit = found.fit();
@@ -54,7 +52,8 @@ void judge_fit(LawIdentification& found) {
       found.status = LawStatus::doubtful;
       found.message = "harmonics that the parts' lines do not hold may still move the estimate";
       break;
-    case LawFitStatus::converged: break;
+    case LawFitStatus::converged:
+      break;
   }
   if (!is_poor(fit)) return;
   found.status = LawStatus::poor_fit;
@@ -68,7 +67,8 @@ void find_rivals(LawIdentification& found) {
   for (std::size_t i = 0; i < found.compared.size(); ++i) {
     const LawFit& fit = found.compared[i].fit;
     const bool minimum = fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
-    if (i != found.chosen && minimum && fit.aic <= best + as_good) found.not_told_apart.push_back(laws_text(found.compared[i].laws));
+    if (i != found.chosen && minimum && fit.aic <= best + as_good)
+      found.not_told_apart.push_back(laws_text(found.compared[i].laws));
   }
 }
 

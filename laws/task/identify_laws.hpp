@@ -19,11 +19,11 @@ struct LawIdentification {
   LawStatus status = LawStatus::ok;
   std::string message;  ///< why, and what helps; empty when ok
   LevelStates data;
-  std::vector<response::DirectStep> steps;         ///< of each state, no law in them
-  std::vector<response::LawCandidate> compared;    ///< best first
-  std::size_t chosen = 0;                          ///< of compared
-  std::vector<std::string> not_told_apart;         ///< laws within 2 of the smallest AIC, the chosen one aside
-  std::vector<std::string> notes;                  ///< one phrase each
+  std::vector<response::DirectStep> steps;       ///< of each state, no law in them
+  std::vector<response::LawCandidate> compared;  ///< best first
+  std::size_t chosen = 0;                        ///< of compared
+  std::vector<std::string> not_told_apart;       ///< laws within 2 of the smallest AIC, the chosen one aside
+  std::vector<std::string> notes;                ///< one phrase each
 
   const response::LawFit& fit() const { return compared[chosen].fit; }
   const std::vector<std::string>& laws() const { return compared[chosen].laws; }

@@ -41,13 +41,16 @@ std::vector<frf::FrfSet> parts_of(const LawProblem& problem) {
     if (joint.ends.negative) wanted.push_back(*joint.ends.negative);
   }
   wanted.push_back(problem.force);
+  std::vector<int> harmonics = problem.model;
+  harmonics.push_back(harmonics.back() + 2);
   std::vector<frf::FrfSet> sets;
   for (const Structure& part : problem.parts) {
     std::vector<frf::Dof> own;
     for (const frf::Dof& dof : part.dofs()) {
       if (frf::has(wanted, dof)) own.push_back(dof);
     }
-    sets.push_back(frequency_response(part, {.response = own, .reference = own, .frequency_hz = lines_of(problem, problem.model)}));
+    sets.push_back(
+        frequency_response(part, {.response = own, .reference = own, .frequency_hz = lines_of(problem, problem.model)}));
     sets.back().header.file = problem.name + "_part_" + std::to_string(sets.size()) + ".h5";
   }
   return sets;
@@ -78,7 +81,8 @@ response::Excitation shaker(double level) {
 void measure_level(const LawProblem& problem, const std::shared_ptr<const response::Receptance>& structure,
                    const std::vector<response::Joint>& joints, double level, LawMeasurement& to) {
   const std::string file = problem.name + "_level_" + std::to_string(to.responses.size() + 1);
-  frf::FrfSet responses = phasors(problem, problem.responses, file + ".h5"), forces = phasors(problem, {problem.force}, file + "_force.h5");
+  frf::FrfSet responses = phasors(problem, problem.responses, file + ".h5"),
+              forces = phasors(problem, {problem.force}, file + "_force.h5");
   const response::HarmonicBalance balance(structure, joints, shaker(level), {.fixed = problem.model});
   response::HarmonicSolution last;
   for (const double hz : problem.frequency_hz) {
@@ -109,7 +113,9 @@ std::vector<ProblemInfo> list_law_problems() {
   return all;
 }
 
-bool is_law_problem(const std::string& name) { return std::ranges::find(all_law_problems(), name, &LawProblem::name) != all_law_problems().end(); }
+bool is_law_problem(const std::string& name) {
+  return std::ranges::find(all_law_problems(), name, &LawProblem::name) != all_law_problems().end();
+}
 
 LawProblem make_law_problem(const std::string& name) {
   std::vector<std::string> names;

@@ -32,7 +32,7 @@ struct LawProblem {
   std::vector<double> levels;        ///< N
   std::vector<double> frequency_hz;  ///< of the force
   std::vector<int> measured = {1, 3};
-  std::vector<int> model = {1, 3, 5, 7, 9};  ///< harmonics of the true motion, at which the parts' FRFs are given
+  std::vector<int> model = {1, 3, 5, 7, 9};  ///< harmonics of the true motion; the parts' FRFs are given at one more
   double noise = 0.01;                       ///< circular, of parts and phasors
 };
 
@@ -48,8 +48,8 @@ struct LawMeasurement {
   std::vector<frf::FrfSet> parts, responses, forces;
 };
 
-/// Periodic responses by harmonic balance with all harmonics of the model. The force is a cosine with a third harmonic of 2 %, as of
-/// a shaker.
+/// Periodic responses by harmonic balance with all harmonics of the model. The force is a cosine with a third harmonic of 2 %, as
+/// of a shaker.
 LawMeasurement measure(const LawProblem& problem);
 
 /// With the problem's circular noise on parts and responses, whose files tell their variances.

@@ -26,8 +26,8 @@ std::string joint_text(const LawProblemJoint& joint) {
 std::string level_text(const LawProblem& problem, std::size_t level, const std::string& responses, const std::string& forces) {
   std::string harmonics;
   for (const int n : problem.measured) harmonics += (harmonics.empty() ? "" : ", ") + std::to_string(n);
-  return "[[data.levels]]\nname = \"" + number(problem.levels[level]) + " N\"\nresponses = \"" + responses + "\"\nforces = \"" + forces +
-         "\"\nforce_dofs = [\"" + problem.force.name() + "\"]\nharmonics = [" + harmonics + "]\n\n";
+  return "[[data.levels]]\nname = \"" + number(problem.levels[level]) + " N\"\nresponses = \"" + responses + "\"\nforces = \"" +
+         forces + "\"\nforce_dofs = [\"" + problem.force.name() + "\"]\nharmonics = [" + harmonics + "]\n\n";
 }
 
 nlohmann::ordered_json truth_of(const LawProblem& problem) {

@@ -1,10 +1,13 @@
 #include "response/identify/law_choice.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::response {
 namespace {
@@ -63,10 +66,48 @@ bool is_minimum(const LawFit& fit) {
 
 std::pair<bool, double> rank(const LawFit& fit) { return {!is_minimum(fit), fit.aic}; }
 
+/// Of responses and forces of all states.
+std::vector<int> measured_harmonics(const std::vector<MeasuredState>& states) {
+  std::set<int> all;
+  for (const MeasuredState& state : states) {
+    all.insert(state.harmonics.begin(), state.harmonics.end());
+    all.insert(state.force.harmonics.begin(), state.force.harmonics.end());
+  }
+  return {all.begin(), all.end()};
+}
+
 std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vector<MeasuredState>& states) {
   std::vector<DirectStep> steps;
   for (const MeasuredState& state : states) steps.push_back(direct_step(structure, state));
   return steps;
+}
+
+/// Whether another start need not be tried: the data do not contradict the fit.
+bool is_good(const LawFit& fit) {
+  constexpr double far = 5.0;  // deviations of χ²
+  return is_minimum(fit) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
+}
+
+/// The best of all starts; harmonics are not added yet.
+LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                 const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
+  if (options.harmonics.empty()) options.harmonics = measured_harmonics(states);
+  LawFit best;
+  for (std::size_t i = 0; i < starts.size() && !(i > 0 && is_good(best)); ++i) {
+    LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
+    if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
+  }
+  return best;
+}
+
+/// From the first fit as the options say.
+LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states, LawFit first,
+                const LawFitOptions& options, const LawConstraints& constraints) {
+  if (!options.harmonics.empty() || first.joints.empty()) return first;
+  std::vector<Joint> joints;
+  for (const FittedJoint& joint : first.joints) joints.push_back(joint.joint);
+  LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), options);
+  return is_minimum(fit) || !is_minimum(first) ? fit : first;
 }
 
 }  // namespace
@@ -79,22 +120,24 @@ std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const st
 
 LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                 const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options, const LawConstraints& constraints) {
-  LawFit best;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
-    if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
-  }
-  return best;
+  return last_fit(structure, states, first_fit(structure, states, starts, options, constraints), options, constraints);
 }
 
 std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure,
                                        const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
                                        const LawFitOptions& options, const LawConstraints& constraints) {
+  constexpr double hopeless = 4.0, room = 100.0;
   const std::vector<DirectStep> steps = direct_steps(*structure, states);
   std::vector<LawCandidate> fitted;
+  double least = std::numeric_limits<double>::infinity();
   for (const std::vector<std::string>& laws : candidates) {
-    fitted.push_back({laws, fit_from(structure, states, starts_of(steps, laws, beside, constraints), options, constraints)});
+    fitted.push_back({laws, first_fit(structure, states, starts_of(steps, laws, beside, constraints), options, constraints)});
+    if (is_minimum(fitted.back().fit)) least = std::min(least, fitted.back().fit.aic);
+  }
+  for (LawCandidate& each : fitted) {
+    const bool is_hopeless = each.fit.joints.empty() || each.fit.aic > hopeless * least + room;
+    if (!is_hopeless) each.fit = last_fit(structure, states, std::move(each.fit), options, constraints);
   }
   std::ranges::stable_sort(fitted, {}, [](const LawCandidate& each) { return rank(each.fit); });
   return fitted;

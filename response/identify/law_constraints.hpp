@@ -20,13 +20,11 @@ struct ParameterRule {
 
 /// What is known of the laws of joints beforehand, and what is unknown beside them.
 struct LawConstraints {
-  std::vector<std::optional<std::size_t>> tied_to{};   ///< of each joint the one before it whose law it has; empty: none is tied
-  std::vector<std::vector<std::string>> beside{};      ///< of each joint the unknown ones of stiffness, damping, cubic
+  std::vector<std::optional<std::size_t>> tied_to{};  ///< of each joint the one before it whose law it has; empty: none is tied
+  std::vector<std::vector<std::string>> beside{};     ///< of each joint the unknown ones of stiffness, damping, cubic
   std::vector<ParameterRule> rules{};
 
-  std::optional<std::size_t> leader(std::size_t joint) const {
-    return joint < tied_to.size() ? tied_to[joint] : std::nullopt;
-  }
+  std::optional<std::size_t> leader(std::size_t joint) const { return joint < tied_to.size() ? tied_to[joint] : std::nullopt; }
 };
 
 /// All parameters of the friction laws and those beside them, as the constraints say; values outside their bounds start a little

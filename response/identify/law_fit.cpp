@@ -9,6 +9,7 @@
 #include "base/statistics.hpp"
 #include "friction/fit/tied_limit.hpp"
 #include "response/identify/information.hpp"
+#include "response/identify/nuisance_residuals.hpp"
 
 namespace jointid::response {
 namespace {
@@ -54,7 +55,9 @@ struct FitOfHarmonics {
   std::vector<StatePrediction> states;
 };
 
-FitOfHarmonics fit_harmonics(const ResponseResiduals& residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
+/// `residuals`: ResponseResiduals or NuisanceResiduals.
+template <class R>
+FitOfHarmonics fit_harmonics(R residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
                              const GaussNewtonOptions& options) {
   FitOfHarmonics fit;
   const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
@@ -74,20 +77,6 @@ bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>&
   return std::ranges::any_of(states, [&](const MeasuredState& state) {
     return std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
   });
-}
-
-/// Again with the covariance of the estimate.
-void refit(ResponseResiduals& residuals, const GaussNewtonOptions& options, FitOfHarmonics& fit, LawFit& out) {
-  constexpr int times = 2;
-  for (int i = 0; i < times && fit.result.converged; ++i) {
-    const auto value = residuals.evaluate(fit.result.unknowns, fit.states);
-    if (!value) return;
-    residuals.weigh(*value, fit.result.unknowns);
-    fit = fit_harmonics(residuals, fit.result.unknowns, std::move(fit.states), options);
-    out.steps += fit.result.steps;
-  }
-  out.aic = residuals.log_determinant();
-  if (!fit.result.converged) out.status = LawFitStatus::not_converged;
 }
 
 LawFitStatus status_of(const GaussNewtonResult& result) {
@@ -183,7 +172,7 @@ void describe_fit(const LawUnknowns& unknowns, FitOfHarmonics fit, LawFit& out) 
   if (!fit.result.defined) return;
   out.values = unknowns.values(fit.result.unknowns);
   out.chi_square = fit.result.at.residual.squaredNorm();
-  out.aic += out.chi_square + 2.0 * static_cast<double>(unknowns.size());
+  out.aic = out.chi_square + 2.0 * static_cast<double>(unknowns.size());
   const FittedJoints fitted(unknowns, fit.result);
   out.covariance = fitted.covariance();
   out.states = std::move(fit.states);
@@ -218,11 +207,14 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
   const HarmonicsToAdd add(*structure, states, options.largest);
   const bool adds = options.harmonics.empty();
   FitOfHarmonics fit;
-  std::optional<ResponseResiduals> residuals;
+  const bool nuisance = options.receptance_errors && knows_errors(*structure, states);
   Eigen::VectorXd numbers = unknowns.start();
   for (int largest = add.first(); largest > 0; largest = add.after(largest)) {
-    residuals.emplace(structure, states, unknowns, adds ? add.to(largest) : options.harmonics);
-    fit = fit_harmonics(*residuals, numbers, std::move(fit.states), options.steps);
+    const std::vector<int> harmonics = adds ? add.to(largest) : options.harmonics;
+    fit = nuisance ? fit_harmonics(NuisanceResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states),
+                                   options.steps)
+                   : fit_harmonics(ResponseResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states),
+                                   options.steps);
     out.status = status_of(fit.result);
     out.steps += fit.result.steps;
     if (!fit.result.defined) break;
@@ -231,9 +223,6 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
     out.rounds.push_back({adds ? largest : 0, unknowns.values(numbers), fit.result.at.residual.squaredNorm(), moved});
     if (out.status != LawFitStatus::converged || !adds || (out.rounds.size() > 1 && moved < options.settled)) break;
     if (add.after(largest) == 0) out.status = LawFitStatus::harmonics_not_enough;
-  }
-  if (options.receptance_errors && fit.result.converged && knows_errors(*structure, states)) {
-    refit(*residuals, options.steps, fit, out);
   }
   describe_fit(unknowns, std::move(fit), out);
   return out;

@@ -3,10 +3,24 @@
 #include <utility>
 
 namespace jointid::response {
+namespace {
+
+std::vector<StateModel> models_of(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                  const std::vector<int>& harmonics) {
+  std::vector<StateModel> models;
+  for (const MeasuredState& state : states) models.emplace_back(structure, state, harmonics);
+  return models;
+}
+
+}  // namespace
+
 ResponseResiduals::ResponseResiduals(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                                      LawUnknowns unknowns, const std::vector<int>& harmonics)
-    : unknowns_(std::move(unknowns)), rows_(measured_numbers(states) + unknowns_.priors()) {
-  for (const MeasuredState& state : states) models_.emplace_back(structure, state, harmonics);
+    : ResponseResiduals(models_of(structure, states, harmonics), std::move(unknowns)) {}
+
+ResponseResiduals::ResponseResiduals(std::vector<StateModel> models, LawUnknowns unknowns)
+    : models_(std::move(models)), unknowns_(std::move(unknowns)), rows_(unknowns_.priors()) {
+  for (const StateModel& model : models_) rows_ += measured_numbers(model.state());
 }
 
 std::optional<ResponseResiduals::Value> ResponseResiduals::evaluate(const Eigen::VectorXd& numbers,
@@ -22,14 +36,9 @@ std::optional<ResponseResiduals::Value> ResponseResiduals::evaluate(const Eigen:
     if (!value.states.back().solution.converged) return std::nullopt;
     fill(models_[i], value.states.back(), slopes, row, value.linearised);
   }
-  if (correlation_) correlation_->whiten(value.linearised);
   fill_priors(numbers, row, value.linearised);
   if (!value.linearised.residual.allFinite() || !value.linearised.jacobian.allFinite()) return std::nullopt;
   return value;
-}
-
-void ResponseResiduals::weigh(const Value& value, const Eigen::VectorXd& numbers) {
-  correlation_.emplace(models_, value.states, *unknowns_.at_numbers(numbers));
 }
 
 void ResponseResiduals::fill(const StateModel& model, const StatePrediction& prediction, const Eigen::VectorXd& slopes,
