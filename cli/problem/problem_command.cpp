@@ -17,6 +17,7 @@
 #include "problems/thesis/loading_curves.hpp"
 #include "problems/thesis/pulses.hpp"
 #include "problems/thesis/two_beams.hpp"
+#include "problems/vibration/law_problem.hpp"
 
 namespace jointid::cli {
 
@@ -51,6 +52,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   for (const auto& set : problems::list_modal_sets()) table.add({set.name, set.description});
   for (const auto& beams : problems::list_two_beams()) table.add({beams.name, beams.description});
   for (const auto& pulse : problems::list_pulses()) table.add({pulse.name, pulse.description()});
+  for (const auto& problem : problems::list_law_problems()) table.add({problem.name, problem.description});
   out << table.text(0);
   return ExitCode::done;
 }
@@ -105,6 +107,11 @@ ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   if (const auto* pulse = problems::find_pulse(arguments.name)) {
     const auto scene = problems::write(*pulse, arguments.directory);
     out << "wrote " << scene.string() << "\nnext: jointid response " << scene.string() << " --history motion.csv\n";
+    return ExitCode::done;
+  }
+  if (problems::is_law_problem(arguments.name)) {
+    const auto scene = problems::write(problems::make_law_problem(arguments.name), arguments.directory, arguments.options);
+    out << "wrote " << scene.string() << "\nnext: jointid solve " << scene.string() << '\n';
     return ExitCode::done;
   }
   const auto problem = problems::make(arguments.name);

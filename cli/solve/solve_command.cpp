@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "cli/laws/laws_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/output.hpp"
@@ -92,6 +93,15 @@ void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution
   out << frf_plot(regenerated, regenerated.frfs.front());
 }
 
+/// A scene of friction laws has no FRFs of an assembly to plot.
+ExitCode solve_law_scene(const SolveArguments& arguments, std::ostream& out) {
+  if (arguments.plot) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot", "the scene is one of friction laws: there is no FRF of an assembly",
+                      "leave --plot out"});
+  }
+  return solve_laws(arguments.scene, {arguments.json, arguments.csv, arguments.report}, out);
+}
+
 }  // namespace
 
 void add_solve(CLI::App& app, Chosen& chosen) {
@@ -107,6 +117,7 @@ void add_solve(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
+  if (holds_law_scene(arguments.scene)) return solve_law_scene(arguments, out);
   const auto team = ident::join_team();
   std::optional<ident::Scene> read;
   ident::start_together(*team, [&] {

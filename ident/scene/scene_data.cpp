@@ -105,8 +105,10 @@ DataSection read_data(const scene::Item& item, const Path& folder) {
 }
 
 DataSection read_parts_section(const scene::Item& item, const Path& folder, std::vector<std::string>& names,
-                               const std::vector<FurtherFile>& further) {
-  const scene::Table table = item.table({"parts", "reciprocity", "files"});
+                               const std::vector<FurtherFile>& further, const std::vector<std::string>& beside) {
+  std::vector<std::string> keys = {"parts", "reciprocity", "files"};
+  keys.insert(keys.end(), beside.begin(), beside.end());
+  const scene::Table table = item.table(keys);
   DataSection data;
   Names all;
   data.substructures = read_files(table.require("parts"), folder, all);

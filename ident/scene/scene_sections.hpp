@@ -18,9 +18,10 @@ struct FurtherFile {
   DataFile* file = nullptr;
 };
 
-/// [data] of a coupling scene: `substructures` are its parts, and `names` gets their names as written.
+/// [data] of a coupling scene: `substructures` are its parts, and `names` gets their names as written; `beside`: keys that the
+/// caller reads.
 DataSection read_parts_section(const scene::Item& item, const Path& folder, std::vector<std::string>& names,
-                               const std::vector<FurtherFile>& further = {});
+                               const std::vector<FurtherFile>& further = {}, const std::vector<std::string>& beside = {});
 
 /// [frequency]
 FrequencySection read_frequency(const scene::Item& item);

@@ -24,8 +24,8 @@ class ForceResiduals {
   ForceResiduals(const std::vector<DirectStep>& steps, Eigen::Index joint) {
     for (const DirectStep& step : steps) {
       const Harmonics harmonics(step.harmonics);
-      points_.push_back({step.omega, Motion(harmonics, step.joint_motion.col(joint)), step.joint_force.col(joint),
-                         step.force_deviation.col(joint)});
+      points_.push_back(
+          {step.omega, Motion(harmonics, step.joint_motion.col(joint)), step.joint_force.col(joint), deviation(step, joint)});
       rows_ += harmonics.unknowns();
     }
   }
@@ -45,7 +45,7 @@ class ForceResiduals {
       const Eigen::VectorXd deviation = harmonics.pack(point.deviation), missing = harmonics.pack(found.force - point.force);
       out.residual.segment(row, missing.size()) = missing.cwiseQuotient(deviation);
       for (Eigen::Index i = 0; i < unknowns.size(); ++i) {
-        const Eigen::Index column = at(unknowns.free()[static_cast<std::size_t>(i)].parameter);
+        const Eigen::Index column = at(unknowns.unknown(i).parameter.parameter);
         out.jacobian.col(i).segment(row, missing.size()) =
             slopes(i) * harmonics.pack(found.by_parameters.col(column)).cwiseQuotient(deviation);
       }
@@ -56,6 +56,17 @@ class ForceResiduals {
   }
 
  private:
+  /// √(σ_F² + |F/Q|²σ_Q²): an error of the motion is one of the force along a secant.
+  static Eigen::VectorXcd deviation(const DirectStep& step, Eigen::Index joint) {
+    Eigen::VectorXcd all = step.force_deviation.col(joint);
+    for (Eigen::Index n = 0; n < all.size(); ++n) {
+      const double secant = std::abs(step.joint_force(n, joint) / step.joint_motion(n, joint));
+      const Complex motion = secant * step.motion_deviation(n, joint);
+      all(n) = {std::hypot(all(n).real(), motion.real()), std::hypot(all(n).imag(), motion.imag())};
+    }
+    return all;
+  }
+
   struct Point {
     double omega;
     Motion motion;
@@ -65,17 +76,23 @@ class ForceResiduals {
   Eigen::Index rows_ = 0;
 };
 
-/// Stiffness of the third of the steps with the smallest motions, largest force.
-friction::Features features_of(const std::vector<DirectStep>& steps, Eigen::Index joint, const Joint& beside) {
+/// Stiffness of the third of the steps with the smallest motions, largest force; of those steps whose F₁/Q₁ is known to 30 % if
+/// there are any.
+friction::Features features_of(const std::vector<DirectStep>& steps, Eigen::Index joint, const Joint& beside,
+                               bool only_known = true) {
+  constexpr double known = 0.3;
+  constexpr std::size_t fewest = 3;
   std::vector<std::pair<double, double>> by_motion;
   double limit = 0.0;
   for (const DirectStep& step : steps) {
     const Eigen::Index first = Harmonics(step.harmonics).find(1);
     if (first < 0) continue;
     const Complex motion = step.joint_motion(first, joint), friction = step.joint_force(first, joint) - beside.stiffness * motion;
+    if (only_known && std::abs(step.equivalent_deviation(joint)) > known * std::abs(friction / motion)) continue;
     by_motion.emplace_back(std::abs(motion), std::abs(friction / motion));
     limit = std::max(limit, std::abs(friction));
   }
+  if (only_known && by_motion.size() < fewest) return features_of(steps, joint, beside, false);
   if (by_motion.empty()) {
     throw InputError({.kind = ErrorKind::data,
                       .file = "",
@@ -96,7 +113,7 @@ LawUnknowns unknowns_inside(const Joint& joint) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].value > parameters[i].lower && parameters[i].value < parameters[i].upper) free.push_back({0, i});
   }
-  return {{joint}, std::move(free)};
+  return {{joint}, free};
 }
 
 struct RankedStart {

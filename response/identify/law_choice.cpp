@@ -1,10 +1,13 @@
 #include "response/identify/law_choice.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::response {
 namespace {
@@ -14,14 +17,33 @@ namespace {
       {.kind = ErrorKind::usage, .file = "", .place = "laws", .problem = std::move(problem), .remedy = std::move(remedy)});
 }
 
+/// Unknown springs and dashpots that begin nowhere.
+void begin_beside(const std::vector<DirectStep>& steps, const LawConstraints& constraints, std::vector<Joint>& joints) {
+  constexpr double share = 0.1;
+  for (std::size_t j = 0; j < joints.size() && j < constraints.beside.size(); ++j) {
+    const double stiffness = joints[j].friction->response(0.0).tangent;
+    for (const std::string& name : constraints.beside[j]) {
+      if (name == "stiffness" && !(joints[j].stiffness > 0.0)) joints[j].stiffness = share * stiffness;
+      if (name == "damping" && !(joints[j].damping > 0.0)) joints[j].damping = share * stiffness / steps.front().omega;
+    }
+  }
+}
+
 /// One set of joints for each rank of start that every joint has.
 std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
-                                          const std::vector<Joint>& beside) {
+                                          const std::vector<Joint>& beside, const LawConstraints& constraints) {
   if (laws.size() != beside.size()) {
     fail_laws(std::to_string(laws.size()) + " laws for " + std::to_string(beside.size()) + " joints", "name one for each joint");
   }
   std::vector<std::vector<Joint>> starts;
   for (std::size_t j = 0; j < laws.size(); ++j) {
+    if (const auto leader = constraints.leader(j)) {
+      for (std::vector<Joint>& start : starts) {
+        start.push_back(beside[j]);
+        start.back().friction = start[*leader].friction;
+      }
+      continue;
+    }
     try {
       ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
       if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
@@ -33,6 +55,7 @@ std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, 
       fail_laws(wrong.what(), "");
     }
   }
+  for (std::vector<Joint>& start : starts) begin_beside(steps, constraints, start);
   return starts;
 }
 
@@ -43,37 +66,78 @@ bool is_minimum(const LawFit& fit) {
 
 std::pair<bool, double> rank(const LawFit& fit) { return {!is_minimum(fit), fit.aic}; }
 
+/// Of responses and forces of all states.
+std::vector<int> measured_harmonics(const std::vector<MeasuredState>& states) {
+  std::set<int> all;
+  for (const MeasuredState& state : states) {
+    all.insert(state.harmonics.begin(), state.harmonics.end());
+    all.insert(state.force.harmonics.begin(), state.force.harmonics.end());
+  }
+  return {all.begin(), all.end()};
+}
+
 std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vector<MeasuredState>& states) {
   std::vector<DirectStep> steps;
   for (const MeasuredState& state : states) steps.push_back(direct_step(structure, state));
   return steps;
 }
 
-}  // namespace
-
-std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const std::vector<MeasuredState>& states,
-                                           const std::vector<std::string>& laws, const std::vector<Joint>& beside) {
-  return starts_of(direct_steps(structure, states), laws, beside);
+/// Whether another start need not be tried: the data do not contradict the fit.
+bool is_good(const LawFit& fit) {
+  constexpr double far = 5.0;  // deviations of χ²
+  return is_minimum(fit) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
 }
 
-LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options) {
+/// The best of all starts; harmonics are not added yet.
+LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                 const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
+  if (options.harmonics.empty()) options.harmonics = measured_harmonics(states);
   LawFit best;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    LawFit fit = fit_laws(structure, states, LawUnknowns(starts[i]), options);
+  for (std::size_t i = 0; i < starts.size() && !(i > 0 && is_good(best)); ++i) {
+    LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
     if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
   }
   return best;
 }
 
+/// From the first fit as the options say.
+LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states, LawFit first,
+                const LawFitOptions& options, const LawConstraints& constraints) {
+  if (!options.harmonics.empty() || first.joints.empty()) return first;
+  std::vector<Joint> joints;
+  for (const FittedJoint& joint : first.joints) joints.push_back(joint.joint);
+  LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), options);
+  return is_minimum(fit) || !is_minimum(first) ? fit : first;
+}
+
+}  // namespace
+
+std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const std::vector<MeasuredState>& states,
+                                           const std::vector<std::string>& laws, const std::vector<Joint>& beside,
+                                           const LawConstraints& constraints) {
+  return starts_of(direct_steps(structure, states), laws, beside, constraints);
+}
+
+LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options, const LawConstraints& constraints) {
+  return last_fit(structure, states, first_fit(structure, states, starts, options, constraints), options, constraints);
+}
+
 std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure,
                                        const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
-                                       const LawFitOptions& options) {
+                                       const LawFitOptions& options, const LawConstraints& constraints) {
+  constexpr double hopeless = 4.0, room = 100.0;
   const std::vector<DirectStep> steps = direct_steps(*structure, states);
   std::vector<LawCandidate> fitted;
+  double least = std::numeric_limits<double>::infinity();
   for (const std::vector<std::string>& laws : candidates) {
-    fitted.push_back({laws, fit_from(structure, states, starts_of(steps, laws, beside), options)});
+    fitted.push_back({laws, first_fit(structure, states, starts_of(steps, laws, beside, constraints), options, constraints)});
+    if (is_minimum(fitted.back().fit)) least = std::min(least, fitted.back().fit.aic);
+  }
+  for (LawCandidate& each : fitted) {
+    const bool is_hopeless = each.fit.joints.empty() || each.fit.aic > hopeless * least + room;
+    if (!is_hopeless) each.fit = last_fit(structure, states, std::move(each.fit), options, constraints);
   }
   std::ranges::stable_sort(fitted, {}, [](const LawCandidate& each) { return rank(each.fit); });
   return fitted;

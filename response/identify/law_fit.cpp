@@ -9,6 +9,7 @@
 #include "base/statistics.hpp"
 #include "friction/fit/tied_limit.hpp"
 #include "response/identify/information.hpp"
+#include "response/identify/nuisance_residuals.hpp"
 
 namespace jointid::response {
 namespace {
@@ -54,7 +55,9 @@ struct FitOfHarmonics {
   std::vector<StatePrediction> states;
 };
 
-FitOfHarmonics fit_harmonics(const ResponseResiduals& residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
+/// `residuals`: ResponseResiduals or NuisanceResiduals.
+template <class R>
+FitOfHarmonics fit_harmonics(R residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
                              const GaussNewtonOptions& options) {
   FitOfHarmonics fit;
   const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
@@ -74,20 +77,6 @@ bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>&
   return std::ranges::any_of(states, [&](const MeasuredState& state) {
     return std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
   });
-}
-
-/// Again with the covariance of the estimate.
-void refit(ResponseResiduals& residuals, const GaussNewtonOptions& options, FitOfHarmonics& fit, LawFit& out) {
-  constexpr int times = 2;
-  for (int i = 0; i < times && fit.result.converged; ++i) {
-    const auto value = residuals.evaluate(fit.result.unknowns, fit.states);
-    if (!value) return;
-    residuals.weigh(*value, fit.result.unknowns);
-    fit = fit_harmonics(residuals, fit.result.unknowns, std::move(fit.states), options);
-    out.steps += fit.result.steps;
-  }
-  out.aic = residuals.log_determinant();
-  if (!fit.result.converged) out.status = LawFitStatus::not_converged;
 }
 
 LawFitStatus status_of(const GaussNewtonResult& result) {
@@ -111,7 +100,7 @@ class FittedJoints {
     out.joint = joint;
     const Eigen::VectorXd values = unknowns_.values(numbers_), slopes = unknowns_.slopes(numbers_);
     for (Eigen::Index i = 0; i < unknowns_.size(); ++i) {
-      if (unknowns_.free()[static_cast<std::size_t>(i)].joint != j) continue;
+      if (!moves(j, i)) continue;
       friction::Parameter parameter = unknowns_.parameter(i);
       parameter.value = values(i);
       out.parameters.push_back(described(parameter, Eigen::RowVectorXd::Unit(unknowns_.size(), i) * slopes(i)));
@@ -122,6 +111,14 @@ class FittedJoints {
   }
 
  private:
+  /// Whether unknown i is a parameter of joint j.
+  bool moves(std::size_t j, Eigen::Index i) const {
+    for (std::size_t k = 0; k < unknowns_.moved().size(); ++k) {
+      if (unknowns_.moved_by()[k] == i && unknowns_.moved()[k].joint == j) return true;
+    }
+    return false;
+  }
+
   friction::FittedValue described(const friction::Parameter& parameter, const Eigen::RowVectorXd& gradient) const {
     if (!(gradient.norm() > 0.0)) return {parameter.name, parameter.unit, parameter.value, {}, {}, friction::Knowledge::preset};
     return friction::fitted_value(parameter, information_.deviation(gradient), normal_95);
@@ -129,10 +126,12 @@ class FittedJoints {
 
   /// A derivative by all parameters of the law of joint j as one by the numbers.
   Eigen::RowVectorXd by_numbers(std::size_t j, const std::vector<double>& by_parameters) const {
-    Eigen::RowVectorXd gradient = unknowns_.slopes(numbers_).transpose();
-    for (Eigen::Index i = 0; i < gradient.size(); ++i) {
-      const JointParameter& free = unknowns_.free()[static_cast<std::size_t>(i)];
-      gradient(i) *= free.joint == j && free.parameter < by_parameters.size() ? by_parameters[free.parameter] : 0.0;
+    const Eigen::VectorXd slopes = unknowns_.slopes(numbers_);
+    Eigen::RowVectorXd gradient = Eigen::RowVectorXd::Zero(slopes.size());
+    for (std::size_t i = 0; i < unknowns_.moved().size(); ++i) {
+      const auto [joint, parameter] = unknowns_.moved()[i];
+      const Eigen::Index unknown = unknowns_.moved_by()[i];
+      if (joint == j && parameter < by_parameters.size()) gradient(unknown) += slopes(unknown) * by_parameters[parameter];
     }
     return gradient;
   }
@@ -173,7 +172,7 @@ void describe_fit(const LawUnknowns& unknowns, FitOfHarmonics fit, LawFit& out) 
   if (!fit.result.defined) return;
   out.values = unknowns.values(fit.result.unknowns);
   out.chi_square = fit.result.at.residual.squaredNorm();
-  out.aic += out.chi_square + 2.0 * static_cast<double>(unknowns.size());
+  out.aic = out.chi_square + 2.0 * static_cast<double>(unknowns.size());
   const FittedJoints fitted(unknowns, fit.result);
   out.covariance = fitted.covariance();
   out.states = std::move(fit.states);
@@ -199,7 +198,7 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
                       .remedy = "give a joint a friction law whose parameters are to be found"});
   }
   LawFit out;
-  out.numbers = measured_numbers(states);
+  out.numbers = measured_numbers(states) + unknowns.priors();
   out.freedom = out.numbers - unknowns.size();
   if (out.freedom <= 0) {
     out.status = LawFitStatus::too_few_data;
@@ -208,11 +207,14 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
   const HarmonicsToAdd add(*structure, states, options.largest);
   const bool adds = options.harmonics.empty();
   FitOfHarmonics fit;
-  std::optional<ResponseResiduals> residuals;
+  const bool nuisance = options.receptance_errors && knows_errors(*structure, states);
   Eigen::VectorXd numbers = unknowns.start();
   for (int largest = add.first(); largest > 0; largest = add.after(largest)) {
-    residuals.emplace(structure, states, unknowns, adds ? add.to(largest) : options.harmonics);
-    fit = fit_harmonics(*residuals, numbers, std::move(fit.states), options.steps);
+    const std::vector<int> harmonics = adds ? add.to(largest) : options.harmonics;
+    fit = nuisance ? fit_harmonics(NuisanceResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states),
+                                   options.steps)
+                   : fit_harmonics(ResponseResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states),
+                                   options.steps);
     out.status = status_of(fit.result);
     out.steps += fit.result.steps;
     if (!fit.result.defined) break;
@@ -221,9 +223,6 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
     out.rounds.push_back({adds ? largest : 0, unknowns.values(numbers), fit.result.at.residual.squaredNorm(), moved});
     if (out.status != LawFitStatus::converged || !adds || (out.rounds.size() > 1 && moved < options.settled)) break;
     if (add.after(largest) == 0) out.status = LawFitStatus::harmonics_not_enough;
-  }
-  if (options.receptance_errors && fit.result.converged && knows_errors(*structure, states)) {
-    refit(*residuals, options.steps, fit, out);
   }
   describe_fit(unknowns, std::move(fit), out);
   return out;

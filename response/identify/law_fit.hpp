@@ -13,7 +13,7 @@ struct LawFitOptions {
   std::vector<int> harmonics{};  ///< of the model beside those measured; or, when empty, added until …
   double settled = 0.1;          ///< … the estimate moves by less than this many standard deviations, whichever way …
   int largest = 21;              ///< … up to this one
-  /// Whether the errors that the structure knows of its receptances count (LineCorrelation), where it knows any.
+  /// Whether the receptances are unknowns of their own (NuisanceResiduals), where the structure knows their errors.
   bool receptance_errors = true;
   GaussNewtonOptions steps{};
 };
@@ -47,20 +47,19 @@ struct FittedJoint {
 struct LawFit {
   LawFitStatus status = LawFitStatus::converged;
   std::vector<FittedJoint> joints;
-  Eigen::VectorXd values;                 ///< of the unknown parameters, in the order of LawUnknowns::free()
+  Eigen::VectorXd values;                 ///< of the unknown parameters, in the order of LawUnknowns
   Eigen::MatrixXd covariance;             ///< of the values, along what the states see
-  double chi_square = 0.0;                ///< rᵀΣ⁻¹r, r the residuals; Σ|X − Y|²/σ² where receptances are exact
-  Eigen::Index numbers = 0, freedom = 0;  ///< measured; less the unknown ones
-  double aic = 0.0;                       ///< χ² + ln det Σ (Σ in σ²) + 2 · unknowns
+  double chi_square = 0.0;                ///< Σ|X − Y|²/σ², and Σ|δH|²/σ_H² where receptances are unknown, too
+  Eigen::Index numbers = 0, freedom = 0;  ///< measured, and priors; less the unknown ones
+  double aic = 0.0;                       ///< χ² + 2 · unknowns
   int steps = 0;
   std::vector<StatePrediction> states;
   std::vector<HarmonicsRound> rounds;  ///< one, unless harmonics were added
 };
 
-/// min Σ|Y − X(θ)|²/σ² over the unknown parameters, X by harmonic balance, from the values of `unknowns`. Then, where
-/// the structure knows errors, min rᵀΣ⁻¹r with the covariance Σ that they give at the last estimate, twice. Forces are taken as
-/// exact. Throws InputError for states that do not fit the structure, or nothing unknown; want of convergence is a
-/// status.
+/// min Σ|Y − X(θ, H)|²/σ² over the unknown parameters, X by harmonic balance, from the values of `unknowns`; where the structure
+/// knows errors of H, over the true H as well, + Σ|δH|²/σ_H² (NuisanceResiduals). Forces are taken as exact. Throws InputError
+/// for states that do not fit the structure, or nothing unknown; want of convergence is a status.
 LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                 const LawUnknowns& unknowns, const LawFitOptions& options = {});
 

@@ -1,5 +1,6 @@
 #include "response/identify/law_unknowns.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -39,26 +40,55 @@ std::vector<JointParameter> all_of_laws(const std::vector<Joint>& joints) {
   return all;
 }
 
+std::vector<Unknown> each_alone(const std::vector<JointParameter>& free) {
+  std::vector<Unknown> all;
+  for (const JointParameter& each : free) all.push_back({each});
+  return all;
+}
+
 }  // namespace
 
 LawUnknowns::LawUnknowns(std::vector<Joint> joints) : LawUnknowns(joints, all_of_laws(joints)) {}
 
-LawUnknowns::LawUnknowns(std::vector<Joint> joints, std::vector<JointParameter> free)
-    : joints_(std::move(joints)), free_(std::move(free)) {
-  for (std::size_t i = 0; i < free_.size(); ++i) {
-    const auto [joint, place] = free_[i];
-    if (joint >= joints_.size()) fail_unknown(joint, "there is no such joint", "");
-    const std::vector<friction::Parameter> all = parameters_of(joints_[joint]);
-    if (place >= all.size()) fail_unknown(joint, "it has no parameter " + std::to_string(place + 1), "");
-    for (std::size_t before = 0; before < i; ++before) {
-      if (free_[before].joint == joint && free_[before].parameter == place)
-        fail_unknown(joint, "its parameter " + all[place].name + " is unknown twice", "name it once");
+LawUnknowns::LawUnknowns(std::vector<Joint> joints, const std::vector<JointParameter>& free)
+    : LawUnknowns(std::move(joints), each_alone(free)) {}
+
+LawUnknowns::LawUnknowns(std::vector<Joint> joints, std::vector<Unknown> unknowns)
+    : joints_(std::move(joints)), unknowns_(std::move(unknowns)) {
+  for (const Unknown& unknown : unknowns_) {
+    std::vector<JointParameter> members = {unknown.parameter};
+    members.insert(members.end(), unknown.ties.begin(), unknown.ties.end());
+    for (const JointParameter& member : members) {
+      require_new(member);
+      moved_by_.push_back(at(parameters_.size()));
+      moved_.push_back(member);
     }
-    const friction::Parameter& own = all[place];
-    if (!(own.value > own.lower && own.value < own.upper))
-      fail_unknown(joint, own.name + " = " + std::to_string(own.value) + " is at a bound", "start an unknown inside its bounds");
+    friction::Parameter own = parameters_of(joints_[unknown.parameter.joint])[unknown.parameter.parameter];
+    if (unknown.bounds) {
+      own.lower = std::max(own.lower, (*unknown.bounds)[0]);
+      own.upper = std::min(own.upper, (*unknown.bounds)[1]);
+    }
+    if (!(own.value > own.lower && own.value < own.upper)) {
+      fail_unknown(unknown.parameter.joint, own.name + " = " + std::to_string(own.value) + " is at a bound",
+                   "start an unknown inside its bounds");
+    }
     parameters_.push_back(own);
   }
+}
+
+void LawUnknowns::require_new(const JointParameter& member) const {
+  const auto [joint, place] = member;
+  if (joint >= joints_.size()) fail_unknown(joint, "there is no such joint", "");
+  const std::vector<friction::Parameter> all = parameters_of(joints_[joint]);
+  if (place >= all.size()) fail_unknown(joint, "it has no parameter " + std::to_string(place + 1), "");
+  for (const JointParameter& before : moved_) {
+    if (before.joint == joint && before.parameter == place)
+      fail_unknown(joint, "its parameter " + all[place].name + " is unknown twice", "name it once");
+  }
+}
+
+Eigen::Index LawUnknowns::priors() const {
+  return std::ranges::count_if(unknowns_, [](const Unknown& unknown) { return unknown.prior.has_value(); });
 }
 
 Eigen::VectorXd LawUnknowns::start() const {
@@ -80,13 +110,13 @@ Eigen::VectorXd LawUnknowns::slopes(const Eigen::VectorXd& numbers) const {
 }
 
 std::optional<std::vector<Joint>> LawUnknowns::at_numbers(const Eigen::VectorXd& numbers) const {
-  const Eigen::VectorXd unknown = values(numbers);
-  if (!unknown.allFinite()) return std::nullopt;
+  const Eigen::VectorXd found = values(numbers);
+  if (!found.allFinite()) return std::nullopt;
   std::vector<Joint> joints = joints_;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     std::vector<double> own = joints[j].values();
-    for (std::size_t i = 0; i < free_.size(); ++i) {
-      if (free_[i].joint == j) own[free_[i].parameter] = unknown(at(i));
+    for (std::size_t i = 0; i < moved_.size(); ++i) {
+      if (moved_[i].joint == j) own[moved_[i].parameter] = found(moved_by_[i]);
     }
     try {
       joints[j] = joints[j].with(own);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "response/identify/gauss_newton.hpp"
@@ -7,27 +8,54 @@
 
 namespace jointid::response {
 
-/// What errors of the receptances do to the residuals: all levels of a line have the same H, so their residuals are correlated.
-/// In deviations of the responses the covariance of a line is I + Σ_n B_nB_nᵀ, B_n = StateModel::by_receptances at nω. Lines are
-/// taken as independent: a receptance at 3ω that is also one at another line's ω counts twice.
-class LineCorrelation {
+/// Errors of the receptances of each line, in standard deviations: those of its harmonics one after the other, two numbers for
+/// each of Receptance::errors().
+using LineErrors = std::vector<Eigen::VectorXd>;
+
+/// Which states and harmonics belong to the lines of a set of models.
+class LineLayout {
  public:
-  LineCorrelation(const std::vector<StateModel>& models, const std::vector<StatePrediction>& states,
-                  const std::vector<Joint>& joints);
+  struct Harmonic {
+    int number = 1;
+    Eigen::Index first = 0, count = 0;  ///< of its errors in those of the line
+  };
+  struct Line {
+    double omega = 0.0;
+    std::vector<std::size_t> states;
+    std::vector<Eigen::Index> rows;  ///< of the residuals
+    std::vector<Harmonic> harmonics;
+    Eigen::Index errors = 0;
+  };
 
-  /// L⁻¹ times the rows of each line, LLᵀ its covariance.
-  void whiten(Linearised& linearised) const;
+  LineLayout(const std::vector<StateModel>& models, const Receptance& structure);
 
-  double log_determinant() const;
+  const std::vector<Line>& lines() const { return lines_; }
+  LineErrors no_errors() const;
 
  private:
-  struct Line {
-    double omega;
-    std::vector<std::size_t> states;
-    std::vector<Eigen::Index> rows;
-    Eigen::MatrixXd lower;
-  };
   std::vector<Line> lines_;
+};
+
+/// What errors of the receptances do to the residuals: all levels of a line have the same H, so their residuals are correlated.
+/// In deviations of the responses the covariance of a line is S = I + BBᵀ, B = [B_1 B_3 …] of ReceptanceResponse at nω.
+/// Lines are taken as independent: a receptance at 3ω that is also one at another line's ω counts twice.
+class LineCorrelation {
+ public:
+  LineCorrelation(const LineLayout& layout, const std::vector<StateModel>& models, const std::vector<StatePrediction>& states,
+                  const std::vector<Joint>& joints);
+
+  /// L⁻¹ times the rows of each line, LLᵀ = S.
+  void whiten(Linearised& linearised) const;
+
+  /// The residuals less what the errors do to them, r − Bu.
+  Eigen::VectorXd without(const LineErrors& errors, const Eigen::VectorXd& residual) const;
+
+  /// The errors v that minimise ‖r − Bu + Bv‖² + ‖v‖²: v = −BᵀS⁻¹(r − Bu), from r − Bu.
+  LineErrors best_errors(const Eigen::VectorXd& without) const;
+
+ private:
+  const LineLayout& layout_;
+  std::vector<Eigen::MatrixXd> by_errors_, lower_;  ///< B and L of each line
 };
 
 }  // namespace jointid::response

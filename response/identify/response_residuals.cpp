@@ -3,32 +3,42 @@
 #include <utility>
 
 namespace jointid::response {
+namespace {
+
+std::vector<StateModel> models_of(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                  const std::vector<int>& harmonics) {
+  std::vector<StateModel> models;
+  for (const MeasuredState& state : states) models.emplace_back(structure, state, harmonics);
+  return models;
+}
+
+}  // namespace
+
 ResponseResiduals::ResponseResiduals(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                                      LawUnknowns unknowns, const std::vector<int>& harmonics)
-    : unknowns_(std::move(unknowns)), rows_(measured_numbers(states)) {
-  for (const MeasuredState& state : states) models_.emplace_back(structure, state, harmonics);
+    : ResponseResiduals(models_of(structure, states, harmonics), std::move(unknowns)) {}
+
+ResponseResiduals::ResponseResiduals(std::vector<StateModel> models, LawUnknowns unknowns)
+    : models_(std::move(models)), unknowns_(std::move(unknowns)), rows_(unknowns_.priors()) {
+  for (const StateModel& model : models_) rows_ += measured_numbers(model.state());
 }
 
 std::optional<ResponseResiduals::Value> ResponseResiduals::evaluate(const Eigen::VectorXd& numbers,
                                                                     const std::vector<StatePrediction>& last) const {
   const auto joints = unknowns_.at_numbers(numbers);
   if (!joints) return std::nullopt;
-  Value value = {{Eigen::VectorXd(rows_), Eigen::MatrixXd(rows_, unknowns_.size())}, {}};
+  Value value = {{Eigen::VectorXd::Zero(rows_), Eigen::MatrixXd::Zero(rows_, unknowns_.size())}, {}};
   const Eigen::VectorXd slopes = unknowns_.slopes(numbers);
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < models_.size(); ++i) {
     const HarmonicSolution* start = i < last.size() ? &last[i].solution : nullptr;
-    value.states.push_back(models_[i].predict(*joints, unknowns_.free(), start));
+    value.states.push_back(models_[i].predict(*joints, unknowns_.moved(), start));
     if (!value.states.back().solution.converged) return std::nullopt;
     fill(models_[i], value.states.back(), slopes, row, value.linearised);
   }
-  if (correlation_) correlation_->whiten(value.linearised);
+  fill_priors(numbers, row, value.linearised);
   if (!value.linearised.residual.allFinite() || !value.linearised.jacobian.allFinite()) return std::nullopt;
   return value;
-}
-
-void ResponseResiduals::weigh(const Value& value, const Eigen::VectorXd& numbers) {
-  correlation_.emplace(models_, value.states, *unknowns_.at_numbers(numbers));
 }
 
 void ResponseResiduals::fill(const StateModel& model, const StatePrediction& prediction, const Eigen::VectorXd& slopes,
@@ -36,11 +46,22 @@ void ResponseResiduals::fill(const StateModel& model, const StatePrediction& pre
   const MeasuredState& state = model.state();
   const Eigen::Index count = measured_numbers(state);
   linearised.residual.segment(row, count) = in_deviations(state, prediction.response - state.response);
-  for (Eigen::Index i = 0; i < slopes.size(); ++i) {
-    linearised.jacobian.col(i).segment(row, count) =
-        slopes(i) * in_deviations(state, prediction.by_parameter[static_cast<std::size_t>(i)]);
+  for (std::size_t i = 0; i < unknowns_.moved().size(); ++i) {
+    const Eigen::Index unknown = unknowns_.moved_by()[i];
+    linearised.jacobian.col(unknown).segment(row, count) += slopes(unknown) * in_deviations(state, prediction.by_parameter[i]);
   }
   row += count;
+}
+
+void ResponseResiduals::fill_priors(const Eigen::VectorXd& numbers, Eigen::Index row, Linearised& linearised) const {
+  const Eigen::VectorXd values = unknowns_.values(numbers), slopes = unknowns_.slopes(numbers);
+  for (Eigen::Index i = 0; i < unknowns_.size(); ++i) {
+    const auto& prior = unknowns_.unknown(i).prior;
+    if (!prior) continue;
+    const auto [mean, deviation] = *prior;
+    linearised.residual(row) = (values(i) - mean) / deviation;
+    linearised.jacobian(row++, i) = slopes(i) / deviation;
+  }
 }
 
 }  // namespace jointid::response

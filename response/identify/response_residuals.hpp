@@ -6,19 +6,21 @@
 
 #include "response/identify/gauss_newton.hpp"
 #include "response/identify/law_unknowns.hpp"
-#include "response/identify/line_correlation.hpp"
 #include "response/identify/state_model.hpp"
 
 namespace jointid::response {
 
 /// (X − Y)/σ of all measured states over the unknown parameters of the joints. Rows: states in their order, of each the
-/// harmonics, of each the responses, of each Re and Im (of the mean Re alone).
+/// harmonics, of each the responses, of each Re and Im (of the mean Re alone); then (value − prior)/deviation of the unknowns
+/// that have a prior.
 class ResponseResiduals {
  public:
   /// `harmonics`: of the model, see StateModel. The states must be valid.
   ResponseResiduals(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, LawUnknowns unknowns,
                     const std::vector<int>& harmonics);
+  ResponseResiduals(std::vector<StateModel> models, LawUnknowns unknowns);
 
+  const std::vector<StateModel>& models() const { return models_; }
   const LawUnknowns& unknowns() const { return unknowns_; }
   Eigen::Index rows() const { return rows_; }
 
@@ -29,20 +31,14 @@ class ResponseResiduals {
   /// Nothing where a law makes no sense or harmonic balance does not converge. Starts at the motions of `last` if there are any.
   std::optional<Value> evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last = {}) const;
 
-  /// From now on residuals and Jacobian are those of uncorrelated numbers with the receptances' errors in them (LineCorrelation),
-  /// at this value.
-  void weigh(const Value& value, const Eigen::VectorXd& numbers);
-  /// ln det of their covariance in the responses' variances; 0 where they have not been weighed.
-  double log_determinant() const { return correlation_ ? correlation_->log_determinant() : 0.0; }
-
  private:
   void fill(const StateModel& model, const StatePrediction& prediction, const Eigen::VectorXd& slopes, Eigen::Index& row,
             Linearised& linearised) const;
+  void fill_priors(const Eigen::VectorXd& numbers, Eigen::Index row, Linearised& linearised) const;
 
   std::vector<StateModel> models_;
   LawUnknowns unknowns_;
   Eigen::Index rows_ = 0;
-  std::optional<LineCorrelation> correlation_;
 };
 
 }  // namespace jointid::response

@@ -80,36 +80,54 @@ void StateModel::differentiate(const CondensedEquations& equations, const Eigen:
   }
 }
 
-Eigen::MatrixXd StateModel::by_receptances(int harmonic, const std::vector<Joint>& joints,
-                                           const StatePrediction& prediction) const {
-  const CondensedEquations equations(joints, harmonics_);
-  const Eigen::VectorXd motion = equations.pack(prediction.solution.joint_motion);
-  const dense::RealLu jacobian(equations.evaluate(line_, 1.0, motion).by_motion);
-  const std::vector<Eigen::MatrixXcd> slopes = equations.forces_by_motion(line_.omega, motion);
-  const Eigen::Index n = harmonics_.find(harmonic), count = structure_->joints();
-  Eigen::VectorXcd acting(count + structure_->forces());
-  acting << -prediction.solution.joint_force.row(n).transpose(), state_.force.of(harmonic);
+ReceptanceResponse::ReceptanceResponse(const StateModel& model, const std::vector<Joint>& joints,
+                                       const StatePrediction& prediction)
+    : model_(model), prediction_(prediction), equations_(joints, model.harmonics_) {
+  const Eigen::VectorXd motion = equations_.pack(prediction.solution.joint_motion);
+  const dense::RealLu jacobian(equations_.evaluate(model.line_, 1.0, motion).by_motion);
+  inverse_ = jacobian.solve(Eigen::MatrixXd::Identity(motion.size(), motion.size()));
+  slopes_ = equations_.forces_by_motion(model.line_.omega, motion);
+}
 
-  const auto change = [&](const Eigen::VectorXcd& moved) {
-    Eigen::MatrixXcd at_joints = Eigen::MatrixXcd::Zero(harmonics_.size(), count);
-    at_joints.row(n) = moved.head(count).transpose();
-    const Eigen::VectorXd by_motion = jacobian.solve(equations.pack(at_joints));
-    Eigen::MatrixXcd response(harmonics_.size(), structure_->responses());
-    for (Eigen::Index m = 0; m < harmonics_.size(); ++m) {
-      const std::size_t at_m = static_cast<std::size_t>(m);
-      response.row(m) = -(line_.harmonics[at_m].to_joints * (slopes[at_m] * by_motion)).transpose();
+Eigen::MatrixXd ReceptanceResponse::by_motion(Eigen::Index harmonic) const {
+  const Harmonics& harmonics = model_.harmonics_;
+  const Eigen::Index joints = model_.structure_->joints(), responses = model_.structure_->responses();
+  Eigen::MatrixXd columns(measured_numbers(model_.state_), 2 * (joints + responses));
+  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+    const Complex unit = k % 2 == 0 ? Complex(1.0) : Complex(0.0, 1.0);
+    Eigen::MatrixXcd response = Eigen::MatrixXcd::Zero(harmonics.size(), responses);
+    if (k / 2 < joints) {
+      Eigen::MatrixXcd at_joints = Eigen::MatrixXcd::Zero(harmonics.size(), joints);
+      at_joints(harmonic, k / 2) = unit;
+      const Eigen::VectorXd moved = inverse_ * equations_.pack(at_joints);
+      for (Eigen::Index m = 0; m < harmonics.size(); ++m) {
+        const std::size_t at_m = static_cast<std::size_t>(m);
+        response.row(m) = -(model_.line_.harmonics[at_m].to_joints * (slopes_[at_m] * moved)).transpose();
+      }
+    } else {
+      response(harmonic, k / 2 - joints) = unit;
     }
-    response.row(n) += moved.tail(structure_->responses()).transpose();
-    return in_deviations(state_, measured(response));
-  };
-  const std::vector<ReceptanceError> errors = structure_->errors(harmonic * state_.omega);
-  Eigen::MatrixXd columns(measured_numbers(state_), 2 * at(errors.size()));
-  for (std::size_t e = 0; e < errors.size(); ++e) {
-    const Eigen::VectorXcd moved = errors[e].shape * acting;
-    columns.col(2 * at(e)) = std::sqrt(errors[e].variance.real()) * change(moved);
-    columns.col(2 * at(e) + 1) = std::sqrt(errors[e].variance.imag()) * change(Complex(0.0, 1.0) * moved);
+    columns.col(k) = in_deviations(model_.state_, model_.measured(response));
   }
   return columns;
+}
+
+Eigen::MatrixXd ReceptanceResponse::by_errors(int harmonic) const {
+  const Eigen::Index n = model_.harmonics_.find(harmonic), joints = model_.structure_->joints();
+  Eigen::VectorXcd acting(joints + model_.structure_->forces());
+  acting << -prediction_.solution.joint_force.row(n).transpose(), model_.state_.force.of(harmonic);
+  const Eigen::MatrixXd motion = by_motion(n);
+  const std::vector<ReceptanceError> errors = model_.structure_->errors(harmonic * model_.state_.omega);
+  Eigen::MatrixXd shares(motion.cols(), 2 * at(errors.size()));
+  for (std::size_t e = 0; e < errors.size(); ++e) {
+    const Eigen::VectorXcd moved = errors[e].shape * acting;
+    const double re = std::sqrt(errors[e].variance.real()), im = std::sqrt(errors[e].variance.imag());
+    for (Eigen::Index k = 0; k < moved.size(); ++k) {
+      shares.block<2, 1>(2 * k, 2 * at(e)) << re * moved(k).real(), re * moved(k).imag();
+      shares.block<2, 1>(2 * k, 2 * at(e) + 1) << -im * moved(k).imag(), im * moved(k).real();
+    }
+  }
+  return motion * shares;
 }
 
 }  // namespace jointid::response

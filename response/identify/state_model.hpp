@@ -28,16 +28,11 @@ class StateModel {
   StatePrediction predict(const std::vector<Joint>& joints, const std::vector<JointParameter>& parameters,
                           const HarmonicSolution* last = nullptr) const;
 
-  /// Harmonics of the model and the errors of the structure at each, in this order; the same for all states of a line that
-  /// measure the same harmonics.
+  /// Of the model.
   const Harmonics& harmonics() const { return harmonics_; }
 
-  /// What the structure's errors at one harmonic of the model change of the measured responses, to first order: δu = δH(P − WF),
-  /// (I + G F_Q) δQ = Wᵀδu, δX = δu − HW F_Q δQ. In deviations; two columns for each error, one deviation of its real part and
-  /// one of its imaginary part. [measured numbers, 2 · errors]
-  Eigen::MatrixXd by_receptances(int harmonic, const std::vector<Joint>& joints, const StatePrediction& prediction) const;
-
  private:
+  friend class ReceptanceResponse;
   void differentiate(const CondensedEquations& equations, const Eigen::VectorXd& motion,
                      const std::vector<JointParameter>& parameters, StatePrediction& prediction) const;
   Eigen::MatrixXcd measured(const Eigen::MatrixXcd& of_model) const;
@@ -46,6 +41,27 @@ class StateModel {
   MeasuredState state_;
   Harmonics harmonics_;
   HarmonicLine line_;
+};
+
+/// What the structure's errors change of the measured responses at one prediction, to first order: δu = δH(P − WF),
+/// (I + G F_Q) δQ = Wᵀδu, δX = δu − HW F_Q δQ. The model, joints and prediction must outlive it.
+class ReceptanceResponse {
+ public:
+  ReceptanceResponse(const StateModel& model, const std::vector<Joint>& joints, const StatePrediction& prediction);
+
+  /// In deviations of the responses; two columns for each of the errors at that harmonic of the model, one deviation of its real
+  /// part and one of its imaginary part. [measured numbers, 2 · errors]
+  Eigen::MatrixXd by_errors(int harmonic) const;
+
+ private:
+  /// Of real and imaginary part of each element of δu at one harmonic. [measured numbers, 2 · (joints + responses)]
+  Eigen::MatrixXd by_motion(Eigen::Index harmonic) const;
+
+  const StateModel& model_;
+  const StatePrediction& prediction_;
+  CondensedEquations equations_;
+  std::vector<Eigen::MatrixXcd> slopes_;  ///< ∂F_n/∂Q
+  Eigen::MatrixXd inverse_;               ///< (I + G F_Q)⁻¹
 };
 
 }  // namespace jointid::response

@@ -1,0 +1,46 @@
+#include "cli/laws/law_page.hpp"
+
+#include <fmt/format.h>
+
+#include "cli/laws/law_plots.hpp"
+#include "cli/laws/law_text.hpp"
+#include "cli/report/page.hpp"
+#include "cli/report/status_banner.hpp"
+
+namespace jointid::cli::report {
+namespace {
+
+void add_summary(const laws::LawScene& scene, const laws::LawIdentification& found, ReportPage& page) {
+  page.section("Summary");
+  std::string rivals;
+  for (const std::string& each : found.not_told_apart) rivals += (rivals.empty() ? "" : ", ") + each;
+  page.add(Facts{{{"laws", laws::laws_text(found.laws())},
+                  {"not told apart from", rivals.empty() ? "–" : rivals},
+                  {"force levels", fmt::format("{}", scene.levels.size())},
+                  {"measured states", fmt::format("{}", found.data.states.size())},
+                  {"χ² of degrees of freedom", fmt::format("{:.5g} of {}", found.fit().chi_square, found.fit().freedom)}}});
+  for (const std::string& note : found.notes) page.add(Text{note, true});
+}
+
+}  // namespace
+
+std::string law_page(const laws::LawScene& scene, const laws::LawIdentification& found) {
+  ReportPage page(scene.title.empty() ? "Friction laws from vibration" : scene.title, "jointid solve");
+  page.status(status_banner(std::string(word(found.status)), found.message));
+  add_summary(scene, found, page);
+  page.section("Joints");
+  for (std::size_t j = 0; j < found.fit().joints.size(); ++j)
+    page.add(joint_table(found.fit().joints[j]), scene.joints[j].beside.name + ": " + found.laws()[j]);
+  page.section("Laws compared");
+  page.add(law_table(found));
+  page.section("Over the motion of the joint");
+  page.add(law_plots(scene, found));
+  page.add(Text{
+      "Points are F₁/Q₁ of every state, found from the data and the FRFs of the parts without any law; the line is the law's.",
+      true});
+  page.section("Residuals by level");
+  page.add(level_table(scene, found));
+  return page.html();
+}
+
+}  // namespace jointid::cli::report

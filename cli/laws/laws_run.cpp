@@ -1,0 +1,33 @@
+#include "cli/laws/laws_run.hpp"
+
+#include "cli/laws/law_page.hpp"
+#include "cli/laws/law_text.hpp"
+#include "cli/options/output.hpp"
+#include "cli/text/failure.hpp"
+#include "cli/text/progress.hpp"
+#include "scene/text.hpp"
+#include "laws/scene/read_law_scene.hpp"
+
+namespace jointid::cli {
+
+bool holds_law_scene(const std::filesystem::path& scene) { return laws::is_law_scene(scene::read_text(scene), scene); }
+
+ExitCode solve_laws(const std::filesystem::path& file, const LawTargets& targets, std::ostream& out) {
+  const laws::LawScene scene = laws::read_law_scene(file);
+  check_targets(laws::files_of(scene), {{"--json", targets.json}, {"--csv", targets.csv}, {"--report", targets.report}});
+  const laws::LawIdentification found = with_progress("fitting friction laws", [&] { return laws::identify_laws(scene); });
+  if (targets.json) write_target(*targets.json, law_json(scene, found), out);
+  if (targets.csv) write_target(*targets.csv, law_csv(scene, found), out);
+  if (targets.report) write_target(*targets.report, report::law_page(scene, found), out);
+  if (!takes_output({targets.json, targets.csv, targets.report})) out << law_text(scene, found);
+  if (found.status == laws::LawStatus::ok) return ExitCode::done;
+  const std::string what = file.string() + ": ";
+  if (laws::is_usable(found.status)) {
+    print_warning(what + "doubtful: " + found.message);
+    return ExitCode::done;
+  }
+  print_error(what + found.message);
+  return ExitCode::unusable;
+}
+
+}  // namespace jointid::cli

@@ -1,0 +1,220 @@
+#include "laws/data/level_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/error.hpp"
+#include "frf/set/frf_system.hpp"
+#include "ident/plan/data_source.hpp"
+#include "laws/data/phasor_file.hpp"
+#include "weighting/line_selection.hpp"
+
+namespace jointid::laws {
+namespace {
+
+using frf::Dof;
+
+[[noreturn]] void fail(std::string file, std::string place, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::data,
+                    .file = std::move(file),
+                    .place = std::move(place),
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+/// Those of the scene, or all that the parts and every file of responses have.
+std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts) {
+  if (!scene.responses.empty()) return scene.responses;
+  std::vector<Dof> common = parts.responses();
+  for (const ForceLevel& level : scene.levels) {
+    for (const HarmonicFiles& each : level.harmonics) {
+      const std::vector<Dof> own = phasor_dofs(each.responses);
+      std::erase_if(common, [&](const Dof& dof) { return !frf::has(own, dof); });
+    }
+  }
+  if (common.empty()) {
+    fail(scene.file.string(), "[[data.levels]] responses", "no response is in the parts and in the files of every level",
+         "`jointid info` shows the DOFs of a file");
+  }
+  return common;
+}
+
+std::vector<Dof> forces_of(const LawScene& scene) {
+  std::vector<Dof> all;
+  for (const ForceLevel& level : scene.levels) {
+    for (const Dof& dof : level.force_dofs) {
+      if (!frf::has(all, dof)) all.push_back(dof);
+    }
+  }
+  return all;
+}
+
+/// One harmonic of a level, with the lines of its files that belong to the lines of the force.
+struct HarmonicData {
+  int harmonic = 1;
+  Phasors responses;
+  std::optional<Phasors> forces;
+  std::vector<std::size_t> response_line, force_line;
+};
+
+/// Force files hold N, whatever their header calls them.
+ident::DataFile in_newton(ident::DataFile file) {
+  if (!file.options.quantity) file.options.quantity = frf::Quantity::receptance;
+  return file;
+}
+
+/// The states of one level.
+class LevelReader {
+ public:
+  LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, LevelStates& to)
+      : scene_(scene), level_(level), forces_(forces), to_(to) {
+    for (const HarmonicFiles& each : level.harmonics) {
+      harmonics_.push_back({each.harmonic, read_phasors(each.responses, to.responses), {}, {}, {}});
+      if (each.forces) harmonics_.back().forces = read_phasors(in_newton(*each.forces), level.force_dofs);
+    }
+    find_lines();
+  }
+
+  void read() {
+    const weighting::LineSelection selection = {
+        .range_hz = scene_.frequency.range_hz, .step_hz = scene_.frequency.step_hz, .exclude_hz = scene_.frequency.exclude_hz};
+    for (const std::size_t line : weighting::select_lines(lines_hz_, selection)) add_line(line);
+  }
+
+  /// How often each thing was left out.
+  const std::map<std::string, std::size_t>& left_out() const { return left_out_; }
+
+ private:
+  void find_lines() {
+    const HarmonicData& first = harmonics_.front();
+    for (const double hz : first.responses.frequency_hz) {
+      if (hz > 0.0) lines_hz_.push_back(hz / first.harmonic);
+    }
+    structure_line_ = frf::match_lines(lines_hz_, to_.structure->frequency_hz());
+    for (HarmonicData& each : harmonics_) {
+      std::vector<double> wanted = lines_hz_;
+      for (double& hz : wanted) hz *= each.harmonic;
+      each.response_line = frf::match_lines(wanted, each.responses.frequency_hz);
+      if (each.forces) each.force_line = frf::match_lines(wanted, each.forces->frequency_hz);
+    }
+  }
+
+  void add_line(std::size_t line) {
+    if (structure_line_[line] == frf::npos) {
+      ++left_out_["lines that the parts do not have"];
+      return;
+    }
+    response::MeasuredState state;
+    state.omega = angular(to_.structure->frequency_hz()[structure_line_[line]]);
+    state.harmonics.clear();
+    state.force.harmonics.clear();
+    state.force.amplitudes.resize(0, at(forces_.size()));
+    const Eigen::Index most = at(harmonics_.size()), responses = at(to_.responses.size());
+    state.response.resize(most, responses);
+    state.deviation.resize(most, responses);
+    for (const HarmonicData& each : harmonics_) add_harmonic(each, line, state);
+    if (state.harmonics.empty() || state.force.harmonics.empty()) return;
+    state.response.conservativeResize(at(state.harmonics.size()), Eigen::NoChange);
+    state.deviation.conservativeResize(at(state.harmonics.size()), Eigen::NoChange);
+    to_.states.push_back(std::move(state));
+    to_.level.push_back(static_cast<std::size_t>(&level_ - scene_.levels.data()));
+  }
+
+  void add_harmonic(const HarmonicData& data, std::size_t line, response::MeasuredState& state) {
+    const std::string name = "harmonic " + std::to_string(data.harmonic);
+    if (!add_force(data, line, state)) {
+      ++left_out_[name + " without its force"];
+      return;
+    }
+    const std::size_t own = data.response_line[line];
+    if (own == frf::npos || !data.responses.values.row(at(own)).allFinite()) {
+      ++left_out_[name + " where it was not measured"];
+      return;
+    }
+    if (!to_.structure->covers(data.harmonic * state.omega)) {
+      ++left_out_[name + " where the parts have no line"];
+      return;
+    }
+    const Eigen::Index row = at(state.harmonics.size());
+    const Complex factor = level_.per_force ? state.force.amplitudes(0, column_of(level_.force_dofs.front())) : Complex(1.0);
+    state.response.row(row) = factor * data.responses.values.row(at(own));
+    for (Eigen::Index r = 0; r < state.response.cols(); ++r) {
+      state.deviation(row, r) = deviation(data.responses, at(own), r, std::abs(factor), std::abs(state.response(row, r)));
+    }
+    state.harmonics.push_back(data.harmonic);
+  }
+
+  Eigen::Index column_of(const Dof& dof) const { return at(frf::find_coordinate(forces_, dof)); }
+
+  /// Whether the harmonic's force is known: measured, or none above the first with an amplitude.
+  bool add_force(const HarmonicData& data, std::size_t line, response::MeasuredState& state) const {
+    Eigen::RowVectorXcd row = Eigen::RowVectorXcd::Zero(at(forces_.size()));
+    if (level_.amplitude) {
+      if (!state.force.harmonics.empty()) return true;
+      row(column_of(level_.force_dofs.front())) = *level_.amplitude;
+    } else {
+      if (data.force_line[line] == frf::npos) return false;
+      for (std::size_t i = 0; i < level_.force_dofs.size(); ++i) {
+        const Dof& dof = level_.force_dofs[i];
+        const double sign = forces_[static_cast<std::size_t>(column_of(dof))] == dof ? 1.0 : -1.0;
+        row(column_of(dof)) = sign * data.forces->values(at(data.force_line[line]), at(i));
+      }
+    }
+    if (!row.allFinite()) return false;
+    state.force.harmonics.push_back(level_.amplitude ? 1 : data.harmonic);
+    state.force.amplitudes.conservativeResize(state.force.amplitudes.rows() + 1, Eigen::NoChange);
+    state.force.amplitudes.bottomRows(1) = row;
+    return true;
+  }
+
+  double deviation(const Phasors& phasors, Eigen::Index line, Eigen::Index r, double factor, double size) const {
+    if (phasors.variances.size() > 0 && phasors.variances(line, r) > 0.0) return factor * std::sqrt(phasors.variances(line, r));
+    if (scene_.errors) return std::sqrt(0.5 * std::pow(scene_.errors->relative * size, 2) + std::pow(scene_.errors->floor, 2));
+    fail(phasors.file, "responses", "nobody says how exact they are",
+         "give [errors] relative = 0.01 (or floor, m), or a file with variances or coherences");
+  }
+
+  const LawScene& scene_;
+  const ForceLevel& level_;
+  const std::vector<Dof>& forces_;
+  LevelStates& to_;
+  std::vector<HarmonicData> harmonics_;
+  std::vector<double> lines_hz_;
+  std::vector<std::size_t> structure_line_;
+  std::map<std::string, std::size_t> left_out_;
+};
+
+}  // namespace
+
+LevelStates read_level_states(const LawScene& scene) {
+  frf::FrfSystem parts("[data] parts", ident::open_all(scene.parts), frf::Composition::uncoupled, scene.reciprocity);
+  LevelStates out;
+  out.responses = responses_of(scene, parts);
+  const std::vector<Dof> forces = forces_of(scene);
+  std::vector<response::JointEnds> joints;
+  for (const FrictionJoint& joint : scene.joints) joints.push_back({joint.positive, joint.negative});
+  out.structure = std::make_shared<response::FrfReceptance>(parts, joints, out.responses, forces);
+  for (const ForceLevel& level : scene.levels) {
+    LevelReader reader(scene, level, forces, out);
+    reader.read();
+    for (const auto& [what, count] : reader.left_out()) {
+      out.notes.push_back(level.name + ": left out: " + what + " (" + std::to_string(count) +
+                          (count == 1 ? " line)" : " lines)"));
+    }
+  }
+  if (out.states.empty()) {
+    std::string why;
+    for (const std::string& note : out.notes) why += (why.empty() ? "" : "; ") + note;
+    fail(scene.file.string(), "[[data.levels]]", "no line of any level can be used" + (why.empty() ? "" : ": " + why),
+         "the parts have " + frf::range_text(out.structure->frequency_hz()) + "; see [frequency] range");
+  }
+  if (!out.structure->knows_errors()) {
+    out.notes.push_back("the FRFs of the parts are taken as exact: their files tell neither variances nor coherences");
+  }
+  response::require_valid(out.states, *out.structure);
+  return out;
+}
+
+}  // namespace jointid::laws

@@ -1,0 +1,22 @@
+#include "laws/scene/law_scene.hpp"
+
+namespace jointid::laws {
+
+std::vector<ident::NamedFile> files_of(const LawScene& scene) {
+  std::vector<ident::NamedFile> files;
+  if (!scene.file.empty()) files.push_back({scene.file, "the scene"});
+  const auto add = [&](const ident::DataFile& file, const char* place) {
+    files.push_back({file.path, place});
+    for (const ident::DataFile& repeat : file.repeats) files.push_back({repeat.path, place});
+  };
+  for (const ident::DataFile& part : scene.parts) add(part, "[data] parts");
+  for (const ForceLevel& level : scene.levels) {
+    for (const HarmonicFiles& each : level.harmonics) {
+      add(each.responses, "[[data.levels]] responses");
+      if (each.forces) add(*each.forces, "[[data.levels]] forces");
+    }
+  }
+  return files;
+}
+
+}  // namespace jointid::laws

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ident/scene/scene.hpp"
+#include "ident/scene/scene_files.hpp"
+#include "response/identify/law_constraints.hpp"
+#include "response/joint/joint.hpp"
+
+namespace jointid::laws {
+
+/// One of [[joint.friction]]: a relative coordinate between two DOFs, or from one to ground.
+struct FrictionJoint {
+  frf::Dof positive;
+  std::optional<frf::Dof> negative;
+  std::vector<std::string> laws;  ///< to choose from, at least one; those of the joint that it is tied to
+  response::Joint beside;         ///< name and the spring, dashpot and cubic spring beside the law
+};
+
+/// The files of one harmonic, which other harmonics may share; its lines are at nω, the frequencies of the phasors themselves.
+struct HarmonicFiles {
+  int harmonic = 1;
+  ident::DataFile responses;
+  std::optional<ident::DataFile> forces;
+};
+
+/// One of [[data.levels]]: what was measured of the assembly at one force level.
+struct ForceLevel {
+  std::string name;
+  std::vector<HarmonicFiles> harmonics;  ///< ascending
+  std::vector<frf::Dof> force_dofs;
+  std::optional<double> amplitude;  ///< N, of harmonic 1 at the one force DOF; without files of forces
+  bool per_force = false;           ///< the responses are over the phasor of harmonic 1 of the force: FRFs at that level
+};
+
+/// Standard deviations of phasors whose files tell none: (relative·|Y|)²/2 + floor² of real and imaginary part each.
+struct PhasorErrors {
+  double relative = 0.0;
+  double floor = 0.0;  ///< m
+};
+
+/// A scene of friction joints identified from vibration, checked for all that can be checked without opening the data.
+struct LawScene {
+  ident::Path file;
+  std::string title;
+  std::vector<ident::DataFile> parts;
+  bool reciprocity = false;
+  std::vector<ForceLevel> levels;
+  ident::FrequencySection frequency;  ///< of the forces: ω/2π
+  std::vector<frf::Dof> responses;    ///< those used; empty: all that every level and the parts have
+  std::vector<FrictionJoint> joints;
+  response::LawConstraints constraints;
+  std::optional<PhasorErrors> errors;
+  std::vector<int> harmonics;  ///< of the model; empty: added until they do not matter
+};
+
+/// The scene and every file that it names.
+std::vector<ident::NamedFile> files_of(const LawScene& scene);
+
+}  // namespace jointid::laws

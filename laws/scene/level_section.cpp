@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "laws/scene/sections.hpp"
+
+namespace jointid::laws {
+namespace {
+
+using scene::Item;
+using scene::Table;
+
+/// A name or a list of names.
+std::vector<scene::Item> one_or_several(const scene::Item& item) {
+  return item.is_list() ? item.list_not_empty() : std::vector<scene::Item>{item};
+}
+
+/// A file for each harmonic; one alone holds them all.
+std::vector<ident::DataFile> read_files(const scene::Item& item, const ident::Path& folder, std::size_t harmonics,
+                                        std::vector<std::string>& names) {
+  std::vector<ident::DataFile> files;
+  for (const scene::Item& name : one_or_several(item)) {
+    names.push_back(name.text_not_empty());
+    files.push_back({folder / names.back(), {}});
+  }
+  if (files.size() == 1) {
+    names.resize(names.size() + harmonics - 1, names.back());
+    files.resize(harmonics, files.front());
+  }
+  if (files.size() != harmonics) {
+    item.fail(
+        std::to_string(files.size()) + " files for " + std::to_string(harmonics) + " harmonics",
+        "give one file, or one for each number of harmonics in their order; lines are at n times the frequency of the force");
+  }
+  return files;
+}
+
+std::vector<int> read_harmonics(const scene::Table& table) {
+  const auto item = table.find("harmonics");
+  if (!item) return {1};
+  std::vector<int> numbers;
+  for (const scene::Item& number : item->list_not_empty()) {
+    numbers.push_back(read_whole(number, 1, 100));
+    if (numbers.size() > 1 && numbers[numbers.size() - 2] >= numbers.back())
+      number.fail("harmonics do not ascend", "give them in ascending order, none twice, with their files in the same order");
+  }
+  return numbers;
+}
+
+void read_force(const scene::Table& table, const ident::Path& folder, ForceLevel& level, std::vector<std::string>& names) {
+  const scene::Item dofs = table.require("force_dofs");
+  level.force_dofs = dofs.dofs();
+  const auto files = table.find("forces"), amplitude = table.find("amplitude");
+  if (files.has_value() == amplitude.has_value()) {
+    table.itself().fail(files ? "there are both forces and amplitude" : "the force is not told",
+                        "give forces (files of the measured phasors, N) or amplitude (N, phase 0)");
+  }
+  if (files) {
+    const auto each = read_files(*files, folder, level.harmonics.size(), names);
+    for (std::size_t i = 0; i < each.size(); ++i) level.harmonics[i].forces = each[i];
+  } else {
+    level.amplitude = amplitude->positive();
+  }
+  const auto per_force = table.find("per_force");
+  level.per_force = per_force && per_force->boolean();
+  if (level.force_dofs.size() == 1) return;
+  if (amplitude) amplitude->fail("one amplitude for several force DOFs", "give files of their phasors as forces");
+  if (level.per_force) per_force->fail("responses over which of several forces?", "give phasors of the responses themselves");
+}
+
+ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::size_t number, std::vector<std::string>& names) {
+  const scene::Table table = item.table({"name", "harmonics", "responses", "forces", "amplitude", "force_dofs", "per_force"});
+  ForceLevel level;
+  level.name = "level " + std::to_string(number);
+  if (const auto name = table.find("name")) level.name = name->text_not_empty();
+  for (const int harmonic : read_harmonics(table)) level.harmonics.push_back({harmonic, {}, {}});
+  const auto files = read_files(table.require("responses"), folder, level.harmonics.size(), names);
+  for (std::size_t i = 0; i < files.size(); ++i) level.harmonics[i].responses = files[i];
+  read_force(table, folder, level, names);
+  if (level.amplitude) level.name += level.name.starts_with("level ") ? " (" + ident::number_text(*level.amplitude) + " N)" : "";
+  if (level.per_force && level.harmonics.front().harmonic != 1) {
+    table.require("per_force")
+        .fail("responses over the force of harmonic 1, which is not there", "give the files of harmonic 1 too");
+  }
+  return level;
+}
+
+}  // namespace
+
+int read_whole(const scene::Item& item, int least, int most) {
+  const double number = item.number();
+  if (number != std::floor(number) || number < least || number > most) {
+    item.fail(ident::number_text(number) + " is not a whole number from " + std::to_string(least) + " to " +
+              std::to_string(most));
+  }
+  return static_cast<int>(number);
+}
+
+void read_levels(const scene::Item& item, const ident::Path& folder, LawScene& scene, std::vector<std::string>& names) {
+  for (const scene::Item& level : item.list_not_empty()) {
+    scene.levels.push_back(read_level(level, folder, scene.levels.size() + 1, names));
+  }
+}
+
+std::vector<ident::FurtherFile> level_files(LawScene& scene, const std::vector<std::string>& names) {
+  std::vector<ident::FurtherFile> files;
+  const auto add = [&](ident::DataFile& file) { files.push_back({names[files.size()], &file}); };
+  for (ForceLevel& level : scene.levels) {
+    for (HarmonicFiles& each : level.harmonics) add(each.responses);
+    for (HarmonicFiles& each : level.harmonics) {
+      if (each.forces) add(*each.forces);
+    }
+  }
+  return files;
+}
+
+}  // namespace jointid::laws

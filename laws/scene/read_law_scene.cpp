@@ -1,0 +1,89 @@
+#include "laws/scene/read_law_scene.hpp"
+
+#include <algorithm>
+
+#include "scene/text.hpp"
+#include "laws/scene/sections.hpp"
+#include "response/fourier/harmonics.hpp"
+
+namespace jointid::laws {
+namespace {
+
+using scene::Item;
+using scene::Table;
+
+const ident::Value* member(const ident::Value& table, const std::string& key) {
+  const auto* members = std::get_if<ident::Members>(&table.content);
+  if (members == nullptr) return nullptr;
+  const auto found = std::ranges::find(*members, key, &ident::Member::key);
+  return found == members->end() ? nullptr : &found->value;
+}
+
+void read_errors(const scene::Item& item, LawScene& scene) {
+  const scene::Table table = item.table({"relative", "floor"});
+  PhasorErrors errors;
+  const auto relative = table.find("relative"), floor = table.find("floor");
+  if (relative) errors.relative = relative->not_negative();
+  if (floor) errors.floor = floor->not_negative();
+  if (!(errors.relative > 0.0) && !(errors.floor > 0.0))
+    item.fail("no phasor has an error", "give relative (a share of each phasor) or floor (m) above 0");
+  scene.errors = errors;
+}
+
+void read_model(const scene::Item& item, LawScene& scene) {
+  const scene::Table table = item.table({"responses", "harmonics"});
+  if (const auto responses = table.find("responses")) scene.responses = responses->dofs();
+  const auto harmonics = table.find("harmonics");
+  if (!harmonics) return;
+  for (const scene::Item& number : harmonics->list_not_empty()) scene.harmonics.push_back(read_whole(number, 0, 200));
+  harmonics->here([&] { return response::Harmonics(scene.harmonics); });
+}
+
+/// Which lines of a file that holds several harmonics are those of the first, only the range tells.
+void require_range(const scene::Table& table, const LawScene& scene) {
+  for (const ForceLevel& level : scene.levels) {
+    if (level.harmonics.size() == 1 || level.harmonics[0].responses.path != level.harmonics[1].responses.path) continue;
+    if (scene.frequency.range_hz) return;
+    table.itself().fail(level.name + ": one file holds several harmonics, and nothing tells the lines of the first",
+                        "give [frequency] range, the frequencies of the force");
+  }
+}
+
+}  // namespace
+
+bool is_law_scene(const std::string& text, const ident::Path& file) {
+  const scene::Value document = scene::parse_toml(text, file);
+  const ident::Value *joint = member(document, "joint"), *data = member(document, "data");
+  return (joint != nullptr && member(*joint, "friction") != nullptr) || (data != nullptr && member(*data, "levels") != nullptr);
+}
+
+LawScene parse_law_scene(const std::string& text, const ident::Path& file) {
+  const scene::Value document = scene::parse_toml(text, file);
+  const std::string file_name = file.string();
+  const scene::Item root(document, file_name, {}, {});
+  const scene::Table table = root.table({"title", "data", "frequency", "joint", "errors", "identify"});
+  LawScene scene;
+  scene.file = file;
+  if (const auto title = table.find("title")) scene.title = title->text();
+  const scene::Item data = table.require("data");
+  std::vector<std::string> level_names, part_names;
+  read_levels(data.open_table().require("levels"), file.parent_path(), scene, level_names);
+  const ident::DataSection parts =
+      ident::read_parts_section(data, file.parent_path(), part_names, level_files(scene, level_names), {"levels"});
+  scene.parts = parts.substructures;
+  scene.reciprocity = parts.reciprocity;
+  read_friction_joints(table.require("joint").table({"friction"}).require("friction"), scene);
+  if (const auto frequency = table.find("frequency")) {
+    scene.frequency = ident::read_frequency(*frequency);
+    if (scene.frequency.exclude_resonances)
+      frequency->fail("friction shows at resonances", "remove exclude_resonances; exclude takes ranges");
+  }
+  require_range(table, scene);
+  if (const auto errors = table.find("errors")) read_errors(*errors, scene);
+  if (const auto identify = table.find("identify")) read_model(*identify, scene);
+  return scene;
+}
+
+LawScene read_law_scene(const ident::Path& file) { return parse_law_scene(ident::read_text(file), file); }
+
+}  // namespace jointid::laws

@@ -1,0 +1,127 @@
+#include "laws/task/identify_laws.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/statistics.hpp"
+
+namespace jointid::laws {
+namespace {
+
+using response::LawCandidate;
+using response::LawFit;
+using response::LawFitStatus;
+
+/// Every choice of one law for each joint that is not tied; tied ones follow.
+std::vector<std::vector<std::string>> combinations(const LawScene& scene) {
+  std::vector<std::vector<std::string>> all = {{}};
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    const auto leader = scene.constraints.leader(j);
+    std::vector<std::vector<std::string>> longer;
+    for (const auto& before : all) {
+      for (const std::string& law : leader ? std::vector<std::string>{before[*leader]} : scene.joints[j].laws) {
+        longer.push_back(before);
+        longer.back().push_back(law);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// χ² of the freedom above which data contradict laws and deviations, at 4 deviations.
+bool is_poor(const LawFit& fit) { return fit.chi_square > chi_square_quantile(static_cast<double>(fit.freedom), 4.0); }
+
+void judge_fit(LawIdentification& found) {
+  const LawFit& fit = found.fit();
+  switch (fit.status) {
+    case LawFitStatus::no_response:
+      found.status = LawStatus::no_response;
+      found.message = "harmonic balance has no solution for any law to start with: name other laws, or check the forces";
+      return;
+    case LawFitStatus::too_few_data:
+      found.status = LawStatus::too_few_data;
+      found.message = fmt::format("{} numbers measured do not fix the unknowns: give more lines or levels", fit.numbers);
+      return;
+    case LawFitStatus::not_converged:
+      found.status = LawStatus::not_converged;
+      found.message = "the fit did not end in a minimum: give priors or bounds, or levels that make the joint slip";
+      return;
+    case LawFitStatus::harmonics_not_enough:
+      found.status = LawStatus::doubtful;
+      found.message = "harmonics that the parts' lines do not hold may still move the estimate";
+      break;
+    case LawFitStatus::converged:
+      break;
+  }
+  if (!is_poor(fit)) return;
+  found.status = LawStatus::poor_fit;
+  found.message = fmt::format("χ² = {:.4g} of {} degrees of freedom: the laws or the stated errors are wrong", fit.chi_square,
+                              static_cast<long>(fit.freedom));
+}
+
+void find_rivals(LawIdentification& found) {
+  constexpr double as_good = 2.0;
+  const double best = found.compared.front().fit.aic;
+  for (std::size_t i = 0; i < found.compared.size(); ++i) {
+    const LawFit& fit = found.compared[i].fit;
+    const bool minimum = fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
+    if (i != found.chosen && minimum && fit.aic <= best + as_good)
+      found.not_told_apart.push_back(laws_text(found.compared[i].laws));
+  }
+}
+
+/// What the states do not show of each joint.
+void note_unseen(const LawScene& scene, LawIdentification& found) {
+  for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
+    const response::FittedJoint& joint = found.fit().joints[j];
+    const std::string& name = scene.joints[j].beside.name;
+    const auto unseen = [](const friction::FittedValue& value) { return value.knowledge == friction::Knowledge::undetermined; };
+    if (joint.joint.friction && unseen(joint.limit))
+      found.notes.push_back(name + ": the friction limit is not seen: the joint hardly slips; measure a higher level");
+    if (joint.joint.friction && joint.limit.knowledge == friction::Knowledge::extrapolated)
+      found.notes.push_back(name + ": the friction limit is extrapolated: no state comes near macroslip");
+    if (joint.joint.friction && unseen(joint.stiffness))
+      found.notes.push_back(name + ": the initial stiffness is not seen: the joint always slips; measure a lower level");
+  }
+}
+
+}  // namespace
+
+std::string_view word(LawStatus status) {
+  constexpr std::string_view words[] = {"ok", "doubtful", "poor_fit", "not_converged", "no_response", "too_few_data"};
+  return words[static_cast<std::size_t>(status)];
+}
+
+bool is_usable(LawStatus status) { return status == LawStatus::ok || status == LawStatus::doubtful; }
+
+std::string laws_text(const std::vector<std::string>& laws) {
+  std::string text;
+  for (const std::string& law : laws) text += (text.empty() ? "" : " + ") + law;
+  return text;
+}
+
+std::vector<response::DirectStep> direct_steps(const LevelStates& data) {
+  std::vector<response::DirectStep> steps;
+  for (const response::MeasuredState& state : data.states) steps.push_back(response::direct_step(*data.structure, state));
+  return steps;
+}
+
+LawIdentification identify_laws(const LawScene& scene) {
+  LawIdentification found;
+  found.data = read_level_states(scene);
+  found.notes = found.data.notes;
+  found.steps = direct_steps(found.data);
+  std::vector<response::Joint> beside;
+  for (const FrictionJoint& joint : scene.joints) beside.push_back(joint.beside);
+  found.compared = response::compare_laws(found.data.structure, found.data.states, combinations(scene), beside,
+                                          {.harmonics = scene.harmonics}, scene.constraints);
+  found.chosen = response::chosen_law(found.compared);
+  judge_fit(found);
+  find_rivals(found);
+  note_unseen(scene, found);
+  return found;
+}
+
+}  // namespace jointid::laws

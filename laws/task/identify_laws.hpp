@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "laws/data/level_states.hpp"
+#include "response/identify/direct_step.hpp"
+#include "response/identify/law_choice.hpp"
+
+namespace jointid::laws {
+
+/// Whether the numbers can be used.
+enum class LawStatus { ok, doubtful, poor_fit, not_converged, no_response, too_few_data };
+std::string_view word(LawStatus status);
+bool is_usable(LawStatus status);
+
+/// Laws of the joints of a scene from its measured states.
+struct LawIdentification {
+  LawStatus status = LawStatus::ok;
+  std::string message;  ///< why, and what helps; empty when ok
+  LevelStates data;
+  std::vector<response::DirectStep> steps;       ///< of each state, no law in them
+  std::vector<response::LawCandidate> compared;  ///< best first
+  std::size_t chosen = 0;                        ///< of compared
+  std::vector<std::string> not_told_apart;       ///< laws within 2 of the smallest AIC, the chosen one aside
+  std::vector<std::string> notes;                ///< one phrase each
+
+  const response::LawFit& fit() const { return compared[chosen].fit; }
+  const std::vector<std::string>& laws() const { return compared[chosen].laws; }
+};
+
+/// "ren", or "ren + iwan" of two joints.
+std::string laws_text(const std::vector<std::string>& laws);
+
+/// F and Q of every state without a law.
+std::vector<response::DirectStep> direct_steps(const LevelStates& data);
+
+/// Reads the files of the scene, fits every combination of its laws and chooses one. Throws InputError where read_level_states or
+/// the fits do; what the numbers are worth is the status.
+LawIdentification identify_laws(const LawScene& scene);
+
+}  // namespace jointid::laws

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "friction/path/element.hpp"
+#include "problems/case/problem_info.hpp"
+#include "problems/case/write_options.hpp"
+#include "problems/structure/structure.hpp"
+#include "response/structure/frf_receptance.hpp"
+
+namespace jointid::problems {
+
+/// A friction joint of a problem with its true law.
+struct LawProblemJoint {
+  std::string name;
+  response::JointEnds ends;
+  std::string law;
+  std::vector<double> parameters;
+  std::vector<std::string> candidates;  ///< laws that the scene names
+};
+
+/// Structures with friction joints, vibrating under a sine at several force levels. Its answer is the law of every joint.
+struct LawProblem {
+  std::string name, description;
+  std::vector<Structure> parts;
+  std::vector<LawProblemJoint> joints;
+  std::vector<frf::Dof> responses;
+  frf::Dof force;
+  std::vector<double> levels;        ///< N
+  std::vector<double> frequency_hz;  ///< of the force
+  std::vector<int> measured = {1, 3};
+  std::vector<int> model = {1, 3, 5, 7, 9};  ///< harmonics of the true motion; the parts' FRFs are given at one more
+  double noise = 0.01;                       ///< circular, of parts and phasors
+};
+
+std::vector<ProblemInfo> list_law_problems();
+bool is_law_problem(const std::string& name);
+
+/// Throws InputError (usage) with the nearest name when there is none.
+LawProblem make_law_problem(const std::string& name);
+
+/// What was measured: a file for each part, and one of responses and one of forces for each level, without noise, their lines at
+/// all harmonics.
+struct LawMeasurement {
+  std::vector<frf::FrfSet> parts, responses, forces;
+};
+
+/// Periodic responses by harmonic balance with all harmonics of the model. The force is a cosine with a third harmonic of 2 %, as
+/// of a shaker.
+LawMeasurement measure(const LawProblem& problem);
+
+/// With the problem's circular noise on parts and responses, whose files tell their variances.
+LawMeasurement polluted(const LawProblem& problem, LawMeasurement exact, std::uint64_t seed);
+
+/// Writes files, NAME.toml and truth.json into `directory` and returns the scene's path.
+std::filesystem::path write(const LawProblem& problem, const std::filesystem::path& directory, const WriteOptions& options);
+
+}  // namespace jointid::problems
