@@ -1,6 +1,6 @@
-#include <cmath>
 #include <stdexcept>
 
+#include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
 #include "friction/law/laws.hpp"
 
@@ -47,15 +47,6 @@ void read_law(const SceneTable& table, response::Joint& joint) {
 }
 
 }  // namespace
-
-double read_whole(const SceneItem& item, double least, double most) {
-  const double number = item.number();
-  if (number != std::floor(number) || number < least || number > most) {
-    item.fail(ident::number_text(number) + " is not a whole number from " + ident::number_text(least) + " to " +
-              ident::number_text(most));
-  }
-  return number;
-}
 
 SceneDof read_dof(const SceneItem& item, const ResponseScene& scene) {
   SceneDof found;

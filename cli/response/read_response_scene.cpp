@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
 #include "ident/scene/scene_sections.hpp"
 #include "ident/scene/scene_text.hpp"

@@ -1,8 +1,7 @@
-#include <cmath>
 #include <utility>
 
+#include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
-#include "response/structure/matrix_file.hpp"
 #include "response/structure/modal_damping.hpp"
 
 namespace jointid::cli {
@@ -32,32 +31,7 @@ class StructureReader {
 
  private:
   Eigen::MatrixXd matrix(const SceneItem& item, Eigen::Index size) const {
-    const Eigen::MatrixXd found = item.is_text() ? from_file(item) : inline_matrix(item);
-    if (size > 0 && found.rows() != size) {
-      item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
-    }
-    if (!found.isApprox(found.transpose(), 1e-9)) item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
-    return found;
-  }
-
-  Eigen::MatrixXd from_file(const SceneItem& item) const {
-    std::string name = item.text_not_empty(), variable;
-    const std::size_t colon = name.rfind(':');
-    if (colon != std::string::npos && colon > 0) {
-      variable = name.substr(colon + 1);
-      name.resize(colon);
-    }
-    scene_.matrix_files.push_back({folder_ / name, item.place()});
-    return response::read_symmetric_matrix(folder_ / name, variable);
-  }
-
-  static Eigen::MatrixXd inline_matrix(const SceneItem& item) {
-    const ident::Matrix rows = item.square_matrix(item.list_not_empty().size());
-    Eigen::MatrixXd found(at(rows.size()), at(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t j = 0; j < rows.size(); ++j) found(at(i), at(j)) = rows[i][j];
-    }
-    return found;
+    return read_matrix(item, folder_, size, scene_.matrix_files);
   }
 
   const SceneItem& item_;

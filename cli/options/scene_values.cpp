@@ -1,0 +1,62 @@
+#include "cli/options/scene_values.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "response/structure/matrix_file.hpp"
+
+namespace jointid::cli {
+
+using ident::SceneItem;
+
+namespace {
+
+Eigen::MatrixXd matrix_from_file(const SceneItem& item, const ident::Path& folder, std::vector<ident::NamedFile>& files) {
+  std::string name = item.text_not_empty(), variable;
+  const std::size_t colon = name.rfind(':');
+  if (colon != std::string::npos && colon > 0) {
+    variable = name.substr(colon + 1);
+    name.resize(colon);
+  }
+  files.push_back({folder / name, item.place()});
+  return response::read_symmetric_matrix(folder / name, variable);
+}
+
+Eigen::MatrixXd inline_matrix(const SceneItem& item) {
+  const ident::Matrix rows = item.square_matrix(item.list_not_empty().size());
+  Eigen::MatrixXd found(at(rows.size()), at(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < rows.size(); ++j) found(at(i), at(j)) = rows[i][j];
+  }
+  return found;
+}
+
+}  // namespace
+
+double read_whole(const SceneItem& item, double least, double most) {
+  const double number = item.number();
+  if (number != std::floor(number) || number < least || number > most) {
+    item.fail(ident::number_text(number) + " is not a whole number from " + ident::number_text(least) + " to " +
+              ident::number_text(most));
+  }
+  return number;
+}
+
+Eigen::MatrixXd read_matrix(const SceneItem& item, const ident::Path& folder, Eigen::Index size,
+                            std::vector<ident::NamedFile>& files) {
+  const Eigen::MatrixXd found = item.is_text() ? matrix_from_file(item, folder, files) : inline_matrix(item);
+  if (size > 0 && found.rows() != size) {
+    item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
+  }
+  if (!found.isApprox(found.transpose(), 1e-9)) item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
+  return found;
+}
+
+Eigen::VectorXd read_vector(const SceneItem& item) {
+  const std::vector<SceneItem> list = item.list_not_empty();
+  Eigen::VectorXd out(at(list.size()));
+  for (std::size_t i = 0; i < list.size(); ++i) out(at(i)) = list[i].number();
+  return out;
+}
+
+}  // namespace jointid::cli
