@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
+#include "base/statistics.hpp"
 #include "cli/report/decimate.hpp"
 #include "cli/report/limits.hpp"
 
@@ -26,7 +28,7 @@ PointGroup points_of(const std::string& name, const Eigen::Ref<const Eigen::Vect
 CurvePlot over_time(const SampledMotion& motion, std::size_t column) {
   std::vector<double> time, y;
   for (Eigen::Index i = 0; i < motion.samples.rows(); ++i) time.push_back(motion.samples(i, 0)), y.push_back(motion.samples(i, at(column)));
-  const std::vector<std::size_t> kept = keep_peaks(std::vector{y}, most_points);
+  const std::vector<std::size_t> kept = keep_peaks(std::array{y}, most_points);
   CurvePlot plot;
   plot.title = motion.columns[column].name + " over time";
   plot.x = {"time (s)", false};

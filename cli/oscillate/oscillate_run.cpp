@@ -150,7 +150,7 @@ class Oscillating {
       case BasisKind::craig_bampton:
         return craig_bampton(model_.mechanics, at(order));
     }
-    return proper_modes(*pod, at(order));
+    return oscillation::proper_modes(*pod, at(order));
   }
 
   void reduce() {

@@ -15,6 +15,7 @@
 #include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
+#include "problems/thesis/oscillations.hpp"
 #include "problems/thesis/two_beams.hpp"
 
 namespace jointid::cli {
@@ -49,6 +50,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   for (const auto& rig : problems::list_rig_two()) table.add({rig.name, rig.description});
   for (const auto& set : problems::list_modal_sets()) table.add({set.name, set.description});
   for (const auto& beams : problems::list_two_beams()) table.add({beams.name, beams.description});
+  for (const auto& each : problems::list_oscillations()) table.add({each.name, each.description});
   out << table.text(0);
   return ExitCode::done;
 }
@@ -98,6 +100,11 @@ ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   if (const auto* beams = problems::find_two_beams(arguments.name)) {
     const auto scene = problems::write(*beams, arguments.directory);
     out << "wrote " << scene.string() << "\nnext: jointid response " << scene.string() << '\n';
+    return ExitCode::done;
+  }
+  if (const auto* oscillation = problems::find_oscillation(arguments.name)) {
+    const auto scene = problems::write(*oscillation, arguments.directory);
+    out << "wrote " << scene.string() << "\nnext: jointid oscillate " << scene.string() << " --report " << arguments.name << ".html\n";
     return ExitCode::done;
   }
   const auto problem = problems::make(arguments.name);
