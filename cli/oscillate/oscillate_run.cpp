@@ -62,7 +62,12 @@ class Oscillating {
   }
 
  private:
-  void count(const char* stage, double share) { progress_.count(stage, static_cast<std::size_t>(1000.0 * share), 1000); }
+  void count(const char* stage, double share) {
+    const int percent = static_cast<int>(100.0 * share);
+    if (percent == percent_) return;
+    percent_ = percent;
+    progress_.show(fmt::format("{}: {} %", stage, percent));
+  }
   void keep() { so_far_.put(run_); }
 
   template <class Work>
@@ -122,7 +127,7 @@ class Oscillating {
     options.done = [&](const oscillation::SweepPoint& point) {
       const auto place = std::ranges::lower_bound(run_.sweep, point.parameter, {}, &oscillation::SweepPoint::parameter);
       run_.sweep.insert(place, point);
-      progress_.count("sweep", run_.sweep.size(), asked.points);
+      count("sweep", static_cast<double>(run_.sweep.size()) / static_cast<double>(asked.points));
       keep();
     };
     oscillation::sweep(values, [&](double value) { return swept_case(value); }, options);
@@ -184,6 +189,7 @@ class Oscillating {
   Model model_;
   ContactSystem system_;
   OscillateRun run_;
+  int percent_ = -1;
 };
 
 }  // namespace

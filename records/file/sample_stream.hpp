@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace jointid::records {
+
+/// What the samples of a stream are of.
+struct StreamChannel {
+  std::string name, unit;
+};
+
+/// Which of the columns of a file, and which part of its samples.
+struct StreamOptions {
+  std::vector<std::string> channels;  ///< names, or numbers from 1; empty: all but a column of times
+  std::size_t part = 0, parts = 1;    ///< the part-th of so many stretches of about equal size, part < parts
+};
+
+/// The samples of a record in order of time, an instant a row, without holding it in memory.
+class SampleStream {
+ public:
+  virtual ~SampleStream() = default;
+  SampleStream(const SampleStream&) = delete;
+  SampleStream& operator=(const SampleStream&) = delete;
+
+  const std::string& file() const { return file_; }
+  const std::vector<StreamChannel>& channels() const { return channels_; }
+  /// Numbers at the ends of longer channels that are left out, of all channels of the whole file together.
+  std::size_t cut() const { return cut_; }
+  /// Samples per second where the file says them (UFF), else empty.
+  const std::optional<double>& rate_hz() const { return rate_hz_; }
+
+  /// Fills rows of as many numbers as there are channels, from the front of `rows` on, and returns how many; 0 at the end. NaN
+  /// where a sample is missing.
+  virtual std::size_t read(std::span<double> rows) = 0;
+
+ protected:
+  explicit SampleStream(std::string file) : file_(std::move(file)) {}
+
+  std::string file_;
+  std::vector<StreamChannel> channels_;
+  std::size_t cut_ = 0;
+  std::optional<double> rate_hz_;
+};
+
+/// Opens a file by its content:
+///   - columns of text (as frf::read_columns()), a line after another; the parts are of bytes;
+///   - UFF 58 time data in SI units (uff_runs()), runs after each other; binary channels are read a block at a time, those of text
+///     go through a temporary file, one in memory after another;
+///   - HDF5 and MATLAB v7.3, a block at a time;
+///   - MATLAB v5 to v7 and .npy, which are held in memory (2 GiB at most).
+/// Channels of a file that differ in length are cut to the shortest. Throws InputError.
+std::unique_ptr<SampleStream> open_samples(const std::filesystem::path& path, const StreamOptions& options = {});
+
+}  // namespace jointid::records
