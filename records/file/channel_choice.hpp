@@ -11,4 +11,7 @@ namespace jointid::records {
 /// one that is not there and where none is left.
 std::vector<std::size_t> chosen_columns(const frf::Columns& columns, const std::vector<std::string>& wanted);
 
+/// The name of the column of times, or empty.
+std::string time_column(const frf::Columns& columns);
+
 }  // namespace jointid::records

@@ -22,6 +22,7 @@ class Hdf5Samples final : public SampleStream {
     for (std::size_t v = 0; v < mat_->variables().size(); ++v) add(v, titles, sources);
     if (titles.columns.empty())
       throw InputError({ErrorKind::data, file_, "", "has no real vector or matrix", "store the channels as vectors of doubles"});
+    time_column_ = records::time_column(titles);
     std::size_t shortest = static_cast<std::size_t>(-1);
     for (const std::size_t k : chosen_columns(titles, options.channels)) {
       channels_.push_back({titles.columns[k].name, ""});

@@ -19,6 +19,7 @@ namespace {
 class ColumnSamples final : public SampleStream {
  public:
   ColumnSamples(frf::Columns columns, const StreamOptions& options) : SampleStream(columns.file), columns_(std::move(columns)) {
+    time_column_ = records::time_column(columns_);
     chosen_ = chosen_columns(columns_, options.channels);
     std::size_t shortest = columns_.columns[chosen_.front()].values.size();
     for (const std::size_t k : chosen_) shortest = std::min(shortest, columns_.columns[k].values.size());

@@ -32,6 +32,8 @@ class SampleStream {
   const std::vector<StreamChannel>& channels() const { return channels_; }
   /// Numbers at the ends of longer channels that are left out, of all channels of the whole file together.
   std::size_t cut() const { return cut_; }
+  /// The column of times among those that are left out by default; empty: none.
+  const std::string& time_column() const { return time_column_; }
   /// Samples per second where the file says them (UFF), else empty.
   const std::optional<double>& rate_hz() const { return rate_hz_; }
 
@@ -45,6 +47,7 @@ class SampleStream {
   std::string file_;
   std::vector<StreamChannel> channels_;
   std::size_t cut_ = 0;
+  std::string time_column_;
   std::optional<double> rate_hz_;
 };
 

@@ -75,6 +75,7 @@ class TextSamples final : public SampleStream {
  public:
   TextSamples(const std::filesystem::path& path, const StreamOptions& options) : SampleStream(path.string()), lines_(path) {
     begin();
+    time_column_ = records::time_column(titles_);
     std::vector<std::size_t> chosen = chosen_columns(titles_, options.channels);
     place_.assign(titles_.columns.size(), {});
     for (std::size_t k = 0; k < chosen.size(); ++k) {
