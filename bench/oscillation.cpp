@@ -1,5 +1,5 @@
 // The thesis's friction oscillations: 100,000 events of the chain of ten masses beside numpy's, a bifurcation sweep on two
-// threads, the proper orthogonal fractions of Table 3.1 and of the cantilever at 12 Hz, reduced models. docs/oscillations.md.
+// threads, the proper orthogonal fractions of Table 3.1 and of the cantilever at 12 Hz. docs/oscillations.md.
 // Promised: the first 34 events are numpy's to 1e-9, at least 100 times as fast; 500 parameters on two threads 1.9 times as fast
 // as on one.
 #include <fmt/core.h>
@@ -14,7 +14,6 @@
 #include "bench/bench.hpp"
 #include "oscillation/orbit/return_map.hpp"
 #include "oscillation/orbit/sweep.hpp"
-#include "oscillation/reduction/reduction_error.hpp"
 #include "oscillation/system/thesis_systems.hpp"
 #include "series/pod/fraction_error.hpp"
 
@@ -103,33 +102,6 @@ void table_3_1(bench::Promises& promises) {
   }
 }
 
-/// Models on the proper orthogonal modes of the chain's stable orbit at c = 0.05: errors (3.36), (3.37) over one period.
-void reduced_models(bench::Promises& promises) {
-  BeltChain chain;
-  chain.damping = 0.05;
-  const ContactSystem full = contact_system(chain);
-  StickSlip transient(full, chain_start(full));
-  transient.advance(4000.0);
-  transient.advance_break_aways(1, 5000.0);
-  const PeriodicOrbit orbit = break_away_orbit(full, transient.state(), 8);
-  promises.holds("the orbit of eight slips is found", orbit.converged);
-  promises.at_most("its period less 126.774673206315", std::abs(orbit.period - 126.77467320631536), 1e-9);
-  const Motion truth = integrate(full, orbit.state, orbit.period, equal_times(orbit.period / 600.0, 600));
-  const series::Pod modes = series::pod(series::Samples(truth.samples.topRows(10).transpose()));
-  const Model whole{mechanics(chain), {chain.velocity, 0.0, 0.0}, chain.friction};
-  const ComparedMotion motion{orbit.state.head(10), orbit.state.segment(10, 10), 0.0, orbit.period, 600, {}};
-  const Trajectory exact = trajectory(whole, motion);
-  fmt::print(
-      "\nreduced models of the chain, c = 0.05, stable orbit, on its own modes; one period from a "
-      "break-away\n{:<4}{:>12}{:>12}\n",
-      "m", "dX %", "dE %");
-  for (Eigen::Index m = 10; m >= 3; --m) {
-    const ReductionError error = reduction_error(whole, exact, trajectory(whole, proper_modes(modes, m), motion), {});
-    fmt::print("{:<4}{:>12.3f}{:>12.3f}\n", m, 100.0 * error.motion, 100.0 * error.energy);
-    if (m == 10) promises.at_most("ten modes of ten: dX, %", 100.0 * error.motion, 1e-3);
-  }
-}
-
 void cantilever(bench::Promises& promises) {
   Cantilever beam;
   beam.damping = one_per_cent(beam);
@@ -184,7 +156,6 @@ void measure_all(const bench::CommandLine& line, bench::Promises& promises) {
   speed(line, promises);
   sweeps(line, promises);
   table_3_1(promises);
-  reduced_models(promises);
   cantilever(promises);
   exponents(promises);
 }

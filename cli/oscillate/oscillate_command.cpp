@@ -25,7 +25,8 @@ void write(const OscillateArguments& arguments, const OscillateRun& run, std::os
   if (arguments.sweep) write_target(*arguments.sweep, sweep_csv(run), out);
   if (arguments.events) write_target(*arguments.events, events_csv(run), out);
   if (arguments.report) write_target(*arguments.report, report::oscillate_report(run), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.sweep, arguments.events})) out << oscillate_text(run);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.sweep, arguments.events}))
+    out << oscillate_text(run);
 }
 
 /// Writes what was found when the command was interrupted.
@@ -46,9 +47,11 @@ void add_oscillate(CLI::App& app, Chosen& chosen) {
   add_whole_number(command, "--threads", arguments->threads, "Of the sweep; 0 for all cores; the results do not depend on it",
                    counts_of_threads());
   command->add_option("--sweep", arguments->sweep, "Write the bifurcation diagram as CSV to a file, or - for stdout");
-  command->add_option("--events", arguments->events, "Write the break-aways or cycles of the Poincaré section as CSV to a file, or - for stdout");
+  command->add_option("--events", arguments->events,
+                      "Write the break-aways or cycles of the Poincaré section as CSV to a file, or - for stdout");
   add_outputs(command, *arguments, "all results", "the samples of the motion", "plots and tables");
-  command->footer("Examples:\n  jointid problem write chain-10 chain && jointid oscillate chain/chain-10.toml --report chain.html");
+  command->footer(
+      "Examples:\n  jointid problem write chain-10 chain && jointid oscillate chain/chain-10.toml --report chain.html");
 }
 
 ExitCode execute(const OscillateArguments& arguments, std::ostream& out) {

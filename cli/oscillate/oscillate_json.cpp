@@ -53,7 +53,8 @@ Json exponents_json(const oscillation::Exponents& exponents) {
 Json sweep_json(const OscillateRun& run) {
   Json out = {{"parameter", run.swept->parameter}, {"unit", swept_unit(run.swept->parameter)}, {"points", Json::array()}};
   for (const oscillation::SweepPoint& point : run.sweep)
-    out["points"].push_back({{"parameter", value(point.parameter)}, {"status", word(point.status)}, {"values", values(point.values)}});
+    out["points"].push_back(
+        {{"parameter", value(point.parameter)}, {"status", word(point.status)}, {"values", values(point.values)}});
   return out;
 }
 
@@ -79,7 +80,9 @@ Json reduction_json(const ReductionTable& reduction) {
 
 std::string oscillate_json(const OscillateRun& run) {
   const std::string failure = failure_of(run);
-  Json out = {{"status", run.interrupted ? "interrupted" : failure.empty() ? "ok" : "unusable"},
+  Json out = {{"status", run.interrupted   ? "interrupted"
+                         : failure.empty() ? "ok"
+                                           : "unusable"},
               {"message", failure},
               {"title", run.title},
               {"remarks", run.remarks},
@@ -94,7 +97,9 @@ std::string oscillate_json(const OscillateRun& run) {
 
 namespace {
 
-std::string title(const SampledColumn& column) { return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]"; }
+std::string title(const SampledColumn& column) {
+  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+}
 
 }  // namespace
 
@@ -119,7 +124,8 @@ std::string sweep_csv(const OscillateRun& run) {
   std::string text = csv_line({parameter, "status", run.motion->columns[1].name});
   for (const oscillation::SweepPoint& point : run.sweep) {
     if (point.values.empty()) text += csv_line({csv_number(point.parameter), word(point.status), ""});
-    for (const double value : point.values) text += csv_line({csv_number(point.parameter), word(point.status), csv_number(value)});
+    for (const double value : point.values)
+      text += csv_line({csv_number(point.parameter), word(point.status), csv_number(value)});
   }
   return text;
 }

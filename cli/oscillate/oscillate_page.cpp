@@ -24,9 +24,10 @@ void add_modes(const OscillateRun& run, ReportPage& page) {
   page.add(mode_plots(run, most_modes));
   page.add(fractions_table(*run.modes), "Shares");
   page.add(shapes_table(run), "Shapes");
-  page.add(Text{"Shares of Σσ², mean removed; standard errors by a jackknife over 20 stretches, which mean nothing for a periodic motion. "
-                "Values are mean squares, not energies.",
-                true});
+  page.add(Text{
+      "Shares of Σσ², mean removed; standard errors by a jackknife over 20 stretches, which mean nothing for a periodic motion. "
+      "Values are mean squares, not energies.",
+      true});
 }
 
 void add_orbit(const OscillateRun& run, ReportPage& page) {
@@ -45,9 +46,10 @@ void add_reduction(const OscillateRun& run, ReportPage& page) {
   page.section("Reduced models");
   page.add(reduction_plots(*run.reduction));
   page.add(reduction_table(*run.reduction));
-  page.add(Text{"craig_bampton: static shape of a force at the contact and modes with the contact held. ΔX and ΔE of sums over the samples "
-                "(Kappagantu 3.37, 3.36). The stick force follows from the reduced model itself.",
-                true});
+  page.add(Text{
+      "craig_bampton: static shape of a force at the contact and modes with the contact held. ΔX and ΔE of sums over the samples "
+      "(Kappagantu 3.37, 3.36). The stick force follows from the reduced model itself.",
+      true});
 }
 
 }  // namespace

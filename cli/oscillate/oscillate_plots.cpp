@@ -14,10 +14,13 @@
 namespace jointid::cli::report {
 namespace {
 
-std::string label(const SampledColumn& column) { return column.unit.empty() ? column.name : column.name + " (" + column.unit + ")"; }
+std::string label(const SampledColumn& column) {
+  return column.unit.empty() ? column.name : column.name + " (" + column.unit + ")";
+}
 
 /// Two columns against each other, every so-manieth row.
-PointGroup points_of(const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& y) {
+PointGroup points_of(const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& x,
+                     const Eigen::Ref<const Eigen::VectorXd>& y) {
   PointGroup out{name, {}};
   const Eigen::Index step = std::max<Eigen::Index>(1, x.size() / at(most_points));
   for (Eigen::Index i = 0; i < x.size(); i += step) out.points.push_back({x(i), y(i), ""});
@@ -27,7 +30,8 @@ PointGroup points_of(const std::string& name, const Eigen::Ref<const Eigen::Vect
 /// A column over time, with its peaks.
 CurvePlot over_time(const SampledMotion& motion, std::size_t column) {
   std::vector<double> time, y;
-  for (Eigen::Index i = 0; i < motion.samples.rows(); ++i) time.push_back(motion.samples(i, 0)), y.push_back(motion.samples(i, at(column)));
+  for (Eigen::Index i = 0; i < motion.samples.rows(); ++i)
+    time.push_back(motion.samples(i, 0)), y.push_back(motion.samples(i, at(column)));
   const std::vector<std::size_t> kept = keep_peaks(std::array{y}, most_points);
   CurvePlot plot;
   plot.title = motion.columns[column].name + " over time";

@@ -7,7 +7,6 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "cli/oscillate/sampled_motion.hpp"
 #include "frf/file/columns.hpp"
 
 namespace jointid::cli {
@@ -34,7 +33,8 @@ series::Samples recorded(const ident::Path& file, Eigen::Index degrees) {
   series::Samples out(at(chosen.front()->values.size()), degrees);
   for (Eigen::Index k = 0; k < degrees; ++k) {
     const std::vector<double>& values = chosen[static_cast<std::size_t>(k)]->values;
-    if (at(values.size()) != out.rows()) throw InputError({ErrorKind::data, columns.file, "", "has columns of different length", ""});
+    if (at(values.size()) != out.rows())
+      throw InputError({ErrorKind::data, columns.file, "", "has columns of different length", ""});
     out.col(k) = Eigen::Map<const Eigen::VectorXd>(values.data(), out.rows());
   }
   return out;
@@ -44,13 +44,19 @@ series::Samples recorded(const ident::Path& file, Eigen::Index degrees) {
 class Oscillating {
  public:
   Oscillating(const OscillateScene& scene, std::size_t threads, Progress& progress, SoFar<OscillateRun>& so_far)
-      : scene_(scene), threads_(threads), progress_(progress), so_far_(so_far), model_(model_of(scene.system)), system_(contact_system(model_)) {
+      : scene_(scene),
+        threads_(threads),
+        progress_(progress),
+        so_far_(so_far),
+        model_(model_of(scene.system)),
+        system_(contact_system(model_)) {
     run_.title = scene.title;
     run_.system = scene.system;
   }
 
   OscillateRun run() {
-    run_.motion = std::make_shared<const SampledMotion>(sampled_motion(scene_, system_, [&](double share) { count("motion", share); }));
+    run_.motion =
+        std::make_shared<const SampledMotion>(sampled_motion(scene_, system_, [&](double share) { count("motion", share); }));
     run_.modes = modes_of(*run_.motion);
     keep();
     if (run_.motion->status != Status::ok) return std::move(run_);
@@ -130,12 +136,14 @@ class Oscillating {
       count("sweep", static_cast<double>(run_.sweep.size()) / static_cast<double>(asked.points));
       keep();
     };
-    oscillation::sweep(values, [&](double value) { return swept_case(value); }, options);
+    oscillation::sweep(
+        values, [&](double value) { return swept_case(value); }, options);
   }
 
   oscillation::ComparedMotion compared() const {
     const MotionSection& motion = scene_.motion;
-    oscillation::ComparedMotion out{scene_.q, scene_.v, motion.transient, motion.length, 600, judged_form(scene_.system).row, interrupted};
+    oscillation::ComparedMotion out{scene_.q,   scene_.v, motion.transient, motion.length, 600, judged_form(scene_.system).row,
+                                    interrupted};
     if (scene_.reduction->from_orbit) {
       const Eigen::Index n = system_.degrees();
       out.q = run_.orbit->state.head(n), out.v = run_.orbit->state.segment(n, n);
@@ -170,7 +178,8 @@ class Oscillating {
     std::optional<series::Pod> pod;
     if (std::ranges::find(asked.bases, BasisKind::pod) != asked.bases.end()) {
       const series::PodOptions options{true, model_.mechanics.mass};
-      pod = series::pod(asked.record ? recorded(*asked.record, system_.degrees()) : series::Samples(truth.q.transpose()), options);
+      pod =
+          series::pod(asked.record ? recorded(*asked.record, system_.degrees()) : series::Samples(truth.q.transpose()), options);
     }
     for (const BasisKind kind : asked.bases) {
       for (const std::size_t order : asked.orders) {
@@ -200,7 +209,8 @@ std::string failure_of(const OscillateRun& run) {
   if (run.exponents && run.exponents->status != Status::ok) return fmt::format("exponents: {}", word(run.exponents->status));
   const auto lost = std::ranges::count_if(run.sweep, [](const auto& point) { return point.status != Status::ok; });
   if (lost > 0) return fmt::format("{} of {} motions of the sweep did not end well", lost, run.sweep.size());
-  if (run.reduction && std::ranges::any_of(run.reduction->rows, [](const ReducedRow& row) { return row.error.status != Status::ok; }))
+  if (run.reduction &&
+      std::ranges::any_of(run.reduction->rows, [](const ReducedRow& row) { return row.error.status != Status::ok; }))
     return "a reduced model did not end well";
   return "";
 }

@@ -43,7 +43,7 @@ std::string word(BasisKind kind);
 struct ReductionSection {
   std::vector<BasisKind> bases;
   std::vector<std::size_t> orders;
-  bool from_orbit = false;       ///< one period of the orbit; else the motion of the scene
+  bool from_orbit = false;            ///< one period of the orbit; else the motion of the scene
   std::optional<ident::Path> record;  ///< columns q1 … qn for the proper orthogonal modes; default: the motion itself
 };
 

@@ -26,12 +26,12 @@ enum class DampingKind { stiffness, first_mode, modal };
 /// [system] and [friction] of a scene, with the numbers that a sweep may vary in their place.
 struct SystemSpec {
   SystemKind kind = SystemKind::belt_chain;
-  oscillation::BeltChain chain;      ///< of a belt chain: masses, mass, stiffness
-  oscillation::Cantilever beam;      ///< of a cantilever: all but damping, drive and friction
-  Eigen::MatrixXd mass, stiffness;   ///< of matrices
-  Eigen::VectorXd contact;           ///< p of matrices
-  std::vector<double> points;        ///< of a cantilever, where its displacement is seen, m
-  double strain_at = 0.05;           ///< of a cantilever, m
+  oscillation::BeltChain chain;     ///< of a belt chain: masses, mass, stiffness
+  oscillation::Cantilever beam;     ///< of a cantilever: all but damping, drive and friction
+  Eigen::MatrixXd mass, stiffness;  ///< of matrices
+  Eigen::VectorXd contact;          ///< p of matrices
+  std::vector<double> points;       ///< of a cantilever, where its displacement is seen, m
+  double strain_at = 0.05;          ///< of a cantilever, m
   DampingKind damping_kind = DampingKind::stiffness;
   double damping = 0.0;
   double velocity = 0.0, amplitude = 0.0, frequency_hz = 0.0;  ///< of what the contact slides on

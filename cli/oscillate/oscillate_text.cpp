@@ -74,23 +74,29 @@ Table exponents_table(const oscillation::Exponents& exponents, const std::string
 Table reduction_table(const ReductionTable& reduction) {
   const bool strain = reduction.judged.unit == "m/m";
   const double scale = strain ? 1e6 : 1.0;
-  Table table({{"basis", Align::left}, {"m"}, {"ΔX %"}, {"ΔE %"},
-               {fmt::format("largest error of {}{}", reduction.judged.name, strain ? ", µε" : "")}, {"run time ms"}, {"", Align::left}});
+  Table table({{"basis", Align::left},
+               {"m"},
+               {"ΔX %"},
+               {"ΔE %"},
+               {fmt::format("largest error of {}{}", reduction.judged.name, strain ? ", µε" : "")},
+               {"run time ms"},
+               {"", Align::left}});
   table.add({"full model", "", "", "", fmt::format("of {:.4g}", scale * reduction.largest_judged),
              fmt::format("{:.2f}", 1e3 * reduction.full_seconds), ""});
   for (const ReducedRow& row : reduction.rows) {
     table.add({word(row.basis), fmt::format("{}", row.order), fmt::format("{:.3g}", 100.0 * row.error.motion),
                fmt::format("{:.3g}", 100.0 * row.error.energy), fmt::format("{:.3g}", scale * row.error.observed(0)),
-               fmt::format("{:.2f}", 1e3 * row.error.seconds), row.error.status == oscillation::Status::ok ? "" : word(row.error.status)});
+               fmt::format("{:.2f}", 1e3 * row.error.seconds),
+               row.error.status == oscillation::Status::ok ? "" : word(row.error.status)});
   }
   return table;
 }
 
 std::string motion_line(const OscillateRun& run) {
   const SampledMotion& motion = *run.motion;
-  return fmt::format("{} samples, {} events, {} {} of the Poincaré section, sticking {:.1f} % of the time; status {}", motion.samples.rows(),
-                     motion.events, motion.section.rows(), run.system.is_driven() ? "cycles" : "break-aways", 100.0 * motion.stick_share,
-                     word(motion.status));
+  return fmt::format("{} samples, {} events, {} {} of the Poincaré section, sticking {:.1f} % of the time; status {}",
+                     motion.samples.rows(), motion.events, motion.section.rows(),
+                     run.system.is_driven() ? "cycles" : "break-aways", 100.0 * motion.stick_share, word(motion.status));
 }
 
 std::string orbit_line(const OscillateRun& run) {
@@ -111,7 +117,8 @@ std::string sweep_line(const OscillateRun& run) {
     many += count > 20 ? 1 : 0;
   }
   return fmt::format("{} from {:g} to {:g}: {} of {} parameters, {} values; one value at {}, more than 20 at {}, none at {}",
-                     run.swept->parameter, run.swept->from, run.swept->to, run.sweep.size(), run.swept->points, values, single, many, none);
+                     run.swept->parameter, run.swept->from, run.swept->to, run.sweep.size(), run.swept->points, values, single,
+                     many, none);
 }
 
 std::string oscillate_text(const OscillateRun& run) {
@@ -119,9 +126,10 @@ std::string oscillate_text(const OscillateRun& run) {
   for (const std::string& remark : run.remarks) text += "note: " + remark + "\n";
   text += "motion: " + motion_line(run) + "\n";
   if (run.modes) {
-    text += "\nproper orthogonal modes of what is seen; standard errors by a jackknife over 20 stretches, which mean nothing for a "
-            "periodic motion\n" +
-            fractions_table(*run.modes).text() + "\n" + shapes_table(run).text();
+    text +=
+        "\nproper orthogonal modes of what is seen; standard errors by a jackknife over 20 stretches, which mean nothing for a "
+        "periodic motion\n" +
+        fractions_table(*run.modes).text() + "\n" + shapes_table(run).text();
   }
   if (run.orbit) {
     text += "\nperiodic orbit: " + orbit_line(run) + "\n";

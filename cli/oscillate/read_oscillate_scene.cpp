@@ -27,7 +27,8 @@ Eigen::VectorXd start_of(const SceneTable& table, const char* key, Eigen::Index 
   const auto item = table.find(key);
   if (!item) return Eigen::VectorXd::Zero(degrees);
   const Eigen::VectorXd out = read_vector(*item);
-  if (out.size() != degrees) item->fail("has " + std::to_string(out.size()) + " numbers, the system " + std::to_string(degrees) + " coordinates");
+  if (out.size() != degrees)
+    item->fail("has " + std::to_string(out.size()) + " numbers, the system " + std::to_string(degrees) + " coordinates");
   return out;
 }
 
@@ -48,7 +49,8 @@ MotionSection read_motion(const SceneItem& item) {
   const SceneItem step = table.require("step");
   out.step = step.positive();
   const double samples = out.length / out.step;
-  if (samples < 20.0 || samples > most_samples) step.fail("gives " + ident::number_text(std::floor(samples)) + " samples", "take 20 to 1e7");
+  if (samples < 20.0 || samples > most_samples)
+    step.fail("gives " + ident::number_text(std::floor(samples)) + " samples", "take 20 to 1e7");
   return out;
 }
 

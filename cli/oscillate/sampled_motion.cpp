@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "oscillation/integrate/stick_slip.hpp"
+#include "cli/text/interrupt.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -79,7 +79,8 @@ class Sampler {
     }
     if (!scene_.system.is_driven()) return;
     const double cycle = 1.0 / scene_.system.frequency_hz;
-    for (double turn = std::ceil(piece.start / cycle - 1e-9); turn * cycle < piece.start + piece.length - 1e-9 * cycle; turn += 1.0)
+    for (double turn = std::ceil(piece.start / cycle - 1e-9); turn * cycle < piece.start + piece.length - 1e-9 * cycle;
+         turn += 1.0)
       section_.push_back(seen_at(piece.at(std::max(turn * cycle - piece.start, 0.0))));
   }
 

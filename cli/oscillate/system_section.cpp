@@ -14,8 +14,8 @@ using ident::SceneTable;
 constexpr double most_degrees = 1000.0;
 
 const std::vector<std::string> kinds = {"belt_chain", "cantilever", "matrices"};
-const std::vector<std::string> common = {"kind",      "velocity",   "amplitude",     "frequency",
-                                         "damping",   "first_mode_damping", "modal_damping"};
+const std::vector<std::string> common = {"kind",    "velocity",           "amplitude",    "frequency",
+                                         "damping", "first_mode_damping", "modal_damping"};
 
 /// Keys of a cantilever and what they set, all > 0.
 std::vector<std::pair<std::string, double*>> beam_numbers(oscillation::Cantilever& beam) {
@@ -83,13 +83,15 @@ void read_matrices(const SceneTable& table, OscillateScene& scene) {
   const SceneItem contact = table.require("contact");
   spec.contact = read_vector(contact);
   if (spec.contact.size() != spec.mass.rows()) {
-    contact.fail("has " + std::to_string(spec.contact.size()) + " numbers, the matrices " + std::to_string(spec.mass.rows()) + " rows");
+    contact.fail("has " + std::to_string(spec.contact.size()) + " numbers, the matrices " + std::to_string(spec.mass.rows()) +
+                 " rows");
   }
 }
 
 void read_damping(const SceneTable& table, SystemSpec& spec) {
-  const std::pair<const char*, DampingKind> choices[] = {
-      {"damping", DampingKind::stiffness}, {"first_mode_damping", DampingKind::first_mode}, {"modal_damping", DampingKind::modal}};
+  const std::pair<const char*, DampingKind> choices[] = {{"damping", DampingKind::stiffness},
+                                                         {"first_mode_damping", DampingKind::first_mode},
+                                                         {"modal_damping", DampingKind::modal}};
   bool found = false;
   for (const auto& [key, kind] : choices) {
     const auto item = table.find(key);
@@ -108,7 +110,8 @@ void read_drive(const SceneTable& table, SystemSpec& spec) {
   if (amplitude.has_value() != frequency.has_value())
     (amplitude ? *amplitude : *frequency).fail("a slider A sin 2πft has amplitude and frequency", "give both");
   if (amplitude) spec.amplitude = amplitude->positive(), spec.frequency_hz = frequency->positive();
-  if (!velocity && !amplitude) table.itself().fail("nothing moves the contact", "give velocity (a belt) or amplitude and frequency (a slider)");
+  if (!velocity && !amplitude)
+    table.itself().fail("nothing moves the contact", "give velocity (a belt) or amplitude and frequency (a slider)");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace jointid::cli {
 
 struct PodArguments {
   std::vector<std::filesystem::path> files;
-  std::vector<std::string> channels;  ///< names or numbers of columns; empty: all but that of time
+  std::vector<std::string> channels;     ///< names or numbers of columns; empty: all but that of time
   std::string mass, stiffness, compare;  ///< files; empty: none
   bool keep_mean = false;
   std::size_t threads = 1;  ///< 0: all cores

@@ -45,9 +45,11 @@ Eigen::MatrixXd modes_to_compare(const PodArguments& arguments, const Eigen::Mat
   report.compared = "the normal modes of --stiffness and --mass";
   const Eigen::MatrixXd stiffness = read_pod_matrix(arguments.stiffness, report.names.size(), "--stiffness");
   if (stiffness.cols() != stiffness.rows() || !stiffness.isApprox(stiffness.transpose(), 1e-9))
-    throw InputError({ErrorKind::data, arguments.stiffness, "", "is not a symmetric matrix", "give the stiffness at the channels"});
+    throw InputError(
+        {ErrorKind::data, arguments.stiffness, "", "is not a symmetric matrix", "give the stiffness at the channels"});
   const dense::SymmetricEigen normal = dense::symmetric_eigen(stiffness, mass);
-  for (const double square : normal.values) report.frequencies_hz.push_back(std::sqrt(std::max(square, 0.0)) / (2.0 * std::numbers::pi));
+  for (const double square : normal.values)
+    report.frequencies_hz.push_back(std::sqrt(std::max(square, 0.0)) / (2.0 * std::numbers::pi));
   return normal.vectors;
 }
 
@@ -55,8 +57,16 @@ PodReport make_report(const PodArguments& arguments, PodRecord record) {
   series::PodOptions options;
   options.remove_mean = !arguments.keep_mean;
   if (!arguments.mass.empty()) options.mass = read_pod_matrix(arguments.mass, record.names.size(), "--mass");
-  PodReport report{std::move(record.names), std::move(record.units), record.cut, series::pod(record.triangle, options),
-                   !arguments.mass.empty(), arguments.keep_mean,     "",         {}, {}, {}};
+  PodReport report{std::move(record.names),
+                   std::move(record.units),
+                   record.cut,
+                   series::pod(record.triangle, options),
+                   !arguments.mass.empty(),
+                   arguments.keep_mean,
+                   "",
+                   {},
+                   {},
+                   {}};
   if (arguments.compare.empty() && arguments.stiffness.empty()) return report;
   const Eigen::MatrixXd modes = modes_to_compare(arguments, options.mass, report);
   report.cosines = series::mode_cosines(report.pod.modes, modes, options.mass);
@@ -69,12 +79,14 @@ PodReport make_report(const PodArguments& arguments, PodRecord record) {
 void add_pod(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] =
       add_command<PodArguments>(app, chosen, "pod", "Find the proper orthogonal modes of time records of many channels");
-  command->add_option("FILES", arguments->files, "Samples: text, UFF 58, MATLAB, HDF5 or numpy; several files are further samples")
+  command
+      ->add_option("FILES", arguments->files, "Samples: text, UFF 58, MATLAB, HDF5 or numpy; several files are further samples")
       ->required();
   command->add_option("--channels", arguments->channels, "Names or numbers of the columns (default: all but the time)")
       ->delimiter(',');
   command->add_option("--mass", arguments->mass, "File of the mass matrix of the channels: modes in its inner product");
-  command->add_option("--stiffness", arguments->stiffness, "File of the stiffness matrix: cosines and MAC with the normal modes, with --mass");
+  command->add_option("--stiffness", arguments->stiffness,
+                      "File of the stiffness matrix: cosines and MAC with the normal modes, with --mass");
   command->add_option("--compare", arguments->compare,
                       "File of modes, a column each, a row a channel: cosines and MAC with them");
   command->add_flag("--keep-mean", arguments->keep_mean, "Do not remove the mean");

@@ -61,7 +61,10 @@ std::string pod_report(const PodReport& report) {
   page.section("Values");
   page.add(PlotGroup{"", {{"", {values_plot(pod)}}}});
   page.add(values_table(pod));
-  page.add(Text{"Values are mean squares of uncorrelated coordinates: an energy only of velocities with the mass matrix in the inner product.", true});
+  page.add(
+      Text{"Values are mean squares of uncorrelated coordinates: an energy only of velocities with the mass matrix in the inner "
+           "product.",
+           true});
   page.section("Modes");
   page.add(shape_plots(pod));
   page.add(shapes_table(report));

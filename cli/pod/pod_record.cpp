@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "cli/text/interrupt.hpp"
 #include "frf/file/columns.hpp"
-#include "records/file/sample_stream.hpp"
+#include "records/file/open_samples.hpp"
 
 namespace jointid::cli {
 namespace {

@@ -52,8 +52,8 @@ Table comparison_table(const PodReport& report) {
   auto pairs = series::matched_modes(report.cosines);
   std::ranges::sort(pairs, {}, &series::ModePair::phi);
   for (const series::ModePair& pair : pairs) {
-    table.add({fmt::format("{}", pair.phi + 1), fmt::format("{}", pair.psi + 1), hertz ? number(report.frequencies_hz[pair.psi]) : "",
-               fmt::format("{:.6f}", pair.cosine),
+    table.add({fmt::format("{}", pair.phi + 1), fmt::format("{}", pair.psi + 1),
+               hertz ? number(report.frequencies_hz[pair.psi]) : "", fmt::format("{:.6f}", pair.cosine),
                fmt::format("{:.6f}", report.assurance(at(pair.phi), at(pair.psi)))});
   }
   return table;
@@ -81,7 +81,8 @@ std::string pod_text(const PodReport& report) {
       fmt::format("{} samples of {} channels, {}, inner product {}\n", pod.samples, report.names.size(),
                   report.mean_kept ? "mean kept" : "mean removed", report.weighted ? "of the mass matrix" : "plain");
   for (const std::string& remark : pod_remarks(report)) text += "note: " + remark + "\n";
-  text += fmt::format("\nproper orthogonal values; energy by Σσ² (mean squares; the usual one) and by Σσ\n{}", values_table(pod).text());
+  text += fmt::format("\nproper orthogonal values; energy by Σσ² (mean squares; the usual one) and by Σσ\n{}",
+                      values_table(pod).text());
   text += fmt::format("\nmodes for 99 % of Σσ²: {}; for 99.99 %: {}", pod.modes_for(0.99), pod.modes_for(0.9999));
   if (const auto rank = series::rank_above_noise(pod)) text += fmt::format("; above white noise (Gavish and Donoho): {}", *rank);
   text += fmt::format("\n\nproper orthogonal modes\n{}", shapes_table(report).text());

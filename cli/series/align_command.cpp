@@ -35,7 +35,8 @@ std::vector<Late> delays_of(const SeriesAlignArguments& arguments, const records
   std::vector<Late> out;
   for (std::size_t k = 0; k < record.samples.size(); ++k) {
     const auto& x = record.samples[k];
-    out.push_back({record.channels[k].name, series::fit_harmonics(x, step, arguments.frequency_hz, arguments.harmonics).amplitude.front(),
+    out.push_back({record.channels[k].name,
+                   series::fit_harmonics(x, step, arguments.frequency_hz, arguments.harmonics).amplitude.front(),
                    series::sensor_delay(reference, x, step, arguments.frequency_hz, arguments.harmonics)});
   }
   return out;
@@ -44,15 +45,21 @@ std::vector<Late> delays_of(const SeriesAlignArguments& arguments, const records
 std::string delays_text(const std::vector<Late>& found, const SeriesAlignArguments& arguments) {
   Table table({{"channel", Align::left}, {"amplitude"}, {"late by s"}, {"degrees"}});
   for (const Late& each : found) {
-    table.add({each.name, number(each.amplitude), number(each.delay), fmt::format("{:.3f}", 360.0 * arguments.frequency_hz * each.delay)});
+    table.add({each.name, number(each.amplitude), number(each.delay),
+               fmt::format("{:.3f}", 360.0 * arguments.frequency_hz * each.delay)});
   }
-  return fmt::format("against {} at {} Hz; a delay is known up to whole periods, and holds the phase that the motion itself has between the places\n",
-                     arguments.reference, number(arguments.frequency_hz)) +
+  return fmt::format(
+             "against {} at {} Hz; a delay is known up to whole periods, and holds the phase that the motion itself has between "
+             "the places\n",
+             arguments.reference, number(arguments.frequency_hz)) +
          table.text();
 }
 
 std::string delays_json(const std::vector<Late>& found, const SeriesAlignArguments& arguments) {
-  Json out = {{"status", "ok"}, {"reference", arguments.reference}, {"frequency_hz", value(arguments.frequency_hz)}, {"channels", Json::array()}};
+  Json out = {{"status", "ok"},
+              {"reference", arguments.reference},
+              {"frequency_hz", value(arguments.frequency_hz)},
+              {"channels", Json::array()}};
   for (const Late& each : found) {
     out["channels"].push_back({{"name", each.name},
                                {"amplitude", value(each.amplitude)},

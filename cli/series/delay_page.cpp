@@ -13,7 +13,8 @@ CurvePlot information_plot(const DelayReport& report) {
   plot.title = "Mutual information";
   plot.x = {"lag (s)", false};
   plot.y = {"bits", false};
-  for (std::size_t k = 0; k < report.information.bits.size(); ++k) plot.x_values.push_back(static_cast<double>(k) / report.rate_hz);
+  for (std::size_t k = 0; k < report.information.bits.size(); ++k)
+    plot.x_values.push_back(static_cast<double>(k) / report.rate_hz);
   plot.series.push_back({"I", report.information.bits, Style::line});
   plot.level = report.information_bias;
   return plot;
@@ -62,10 +63,13 @@ CurvePlot divergence_plot(const std::string& title, const series::RecordExponent
 
 std::string delay_page(const DelayReport& report) {
   ReportPage page(report.file + ", " + report.channel, "jointid series delay");
-  page.status(status_banner(report.remarks.empty() ? "ok" : "doubtful", fmt::format("{} samples at {:g} Hz.", report.samples, report.rate_hz), report.remarks));
+  page.status(status_banner(report.remarks.empty() ? "ok" : "doubtful",
+                            fmt::format("{} samples at {:g} Hz.", report.samples, report.rate_hz), report.remarks));
   page.section("Answers");
   page.add(answers_table(report));
-  page.add(Text{"Exponents are in nats per second; a number only where the curves of d, d + 1 and d + 2 have plateaus with one slope.", true});
+  page.add(
+      Text{"Exponents are in nats per second; a number only where the curves of d, d + 1 and d + 2 have plateaus with one slope.",
+           true});
   page.section("Delay and dimension");
   page.add(PlotGroup{"", {{"", {information_plot(report), neighbours_plot(report), correlation_plot(report)}}}});
   page.add(neighbours_table(report));

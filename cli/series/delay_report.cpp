@@ -45,8 +45,7 @@ class DelayRun {
     if (record.is_cut) out_.remarks.push_back(fmt::format("the first {} samples are used; --samples takes more", x_.size()));
     step("mutual information", [&] { find_delay(); });
     step("false neighbours", [&] { find_dimension(); });
-    step("correlation dimension",
-         [&] { out_.correlation = series::correlation_dimension(x_, out_.embedding, out_.theiler); });
+    step("correlation dimension", [&] { out_.correlation = series::correlation_dimension(x_, out_.embedding, out_.theiler); });
     const series::DivergenceOptions divergence{out_.embedding, out_.theiler, arguments_.steps, 1.0 / out_.rate_hz};
     step("exponent by Rosenstein", [&] { out_.rosenstein = series::largest_exponent_rosenstein(x_, divergence); });
     step("exponent by Kantz", [&] { out_.kantz = series::largest_exponent_kantz(x_, divergence); });
@@ -73,19 +72,23 @@ class DelayRun {
       out_.embedding.delay = *out_.information.first_minimum;
     } else {
       out_.embedding.delay = 1;
-      out_.remarks.push_back(fmt::format("the mutual information has no minimum up to lag {}: a delay of 1 is used; give --delay or --most-lag", most));
+      out_.remarks.push_back(fmt::format(
+          "the mutual information has no minimum up to lag {}: a delay of 1 is used; give --delay or --most-lag", most));
     }
   }
 
   void find_dimension() {
-    const std::size_t window = arguments_.theiler > 0 ? arguments_.theiler : 2 * out_.embedding.delay * std::max<std::size_t>(arguments_.dimension, 3);
+    const std::size_t window =
+        arguments_.theiler > 0 ? arguments_.theiler : 2 * out_.embedding.delay * std::max<std::size_t>(arguments_.dimension, 3);
     out_.theiler = window;
     out_.neighbours = series::false_neighbours(x_, {out_.embedding.delay, arguments_.most_dimension, window, 10.0, 2.0});
     out_.dimension_given = arguments_.dimension > 0;
     out_.embedding.dimension = out_.dimension_given ? arguments_.dimension : dimension_of(out_.neighbours);
     if (out_.embedding.dimension == 0) {
       out_.embedding.dimension = arguments_.most_dimension;
-      out_.remarks.push_back(fmt::format("more than 1 % of the neighbours are false in all dimensions up to {}: noise, or a larger dimension", arguments_.most_dimension));
+      out_.remarks.push_back(
+          fmt::format("more than 1 % of the neighbours are false in all dimensions up to {}: noise, or a larger dimension",
+                      arguments_.most_dimension));
     }
   }
 
@@ -104,6 +107,8 @@ class DelayRun {
 
 }  // namespace
 
-DelayReport delay_report(const SeriesDelayArguments& arguments, Progress& progress) { return DelayRun(arguments, progress).run(); }
+DelayReport delay_report(const SeriesDelayArguments& arguments, Progress& progress) {
+  return DelayRun(arguments, progress).run();
+}
 
 }  // namespace jointid::cli

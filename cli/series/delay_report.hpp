@@ -23,7 +23,7 @@ struct DelayReport {
   series::InformationCurve information;
   double information_bias = 0.0;  ///< bits
   std::vector<series::FalseNeighbours> neighbours;
-  series::Embedding embedding;    ///< used below
+  series::Embedding embedding;  ///< used below
   bool delay_given = false, dimension_given = false;
   std::size_t theiler = 0;
   series::CorrelationDimension correlation;

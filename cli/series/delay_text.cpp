@@ -36,8 +36,9 @@ Table neighbours_table(const DelayReport& report) {
 Table answers_table(const DelayReport& report) {
   Table table({{"", Align::left}, {"", Align::left}});
   const series::Embedding& embedding = report.embedding;
-  table.add({"delay", fmt::format("{} samples = {} s{}", embedding.delay, number(static_cast<double>(embedding.delay) / report.rate_hz),
-                                  report.delay_given ? ", given" : "")});
+  table.add(
+      {"delay", fmt::format("{} samples = {} s{}", embedding.delay, number(static_cast<double>(embedding.delay) / report.rate_hz),
+                            report.delay_given ? ", given" : "")});
   table.add({"dimension", fmt::format("{}{}", embedding.dimension, report.dimension_given ? ", given" : "")});
   table.add({"Theiler window", fmt::format("{} samples", report.theiler)});
   const auto& dimension = report.correlation.dimension;
@@ -51,14 +52,15 @@ Table answers_table(const DelayReport& report) {
 Table recurrences_table(const DelayReport& report) {
   Table table({{"period samples"}, {"period s"}, {"how often"}, {"closest"}, {"at sample"}});
   for (const series::RecurrentPeriod& each : report.recurrences) {
-    table.add({fmt::format("{}", each.best.period), number(static_cast<double>(each.best.period) / report.rate_hz), fmt::format("{}", each.count),
-               number(each.best.distance), fmt::format("{}", each.best.start + 1)});
+    table.add({fmt::format("{}", each.best.period), number(static_cast<double>(each.best.period) / report.rate_hz),
+               fmt::format("{}", each.count), number(each.best.distance), fmt::format("{}", each.best.start + 1)});
   }
   return table;
 }
 
 std::string delay_text(const DelayReport& report) {
-  std::string text = fmt::format("{}, channel {}: {} samples at {} Hz\n", report.file, report.channel, report.samples, number(report.rate_hz));
+  std::string text =
+      fmt::format("{}, channel {}: {} samples at {} Hz\n", report.file, report.channel, report.samples, number(report.rate_hz));
   for (const std::string& remark : report.remarks) text += "note: " + remark + "\n";
   text += answers_table(report).text();
   text += "\nfalse neighbours (Kennel: ratio above 10, size above 2)\n" + neighbours_table(report).text();
@@ -95,8 +97,10 @@ std::string delay_json(const DelayReport& report) {
   out["recurrence_radius"] = value(report.recurrence_radius);
   out["recurrences"] = Json::array();
   for (const series::RecurrentPeriod& each : report.recurrences) {
-    out["recurrences"].push_back(
-        {{"period", each.best.period}, {"count", each.count}, {"distance", value(each.best.distance)}, {"start", each.best.start}});
+    out["recurrences"].push_back({{"period", each.best.period},
+                                  {"count", each.count},
+                                  {"distance", value(each.best.distance)},
+                                  {"start", each.best.start}});
   }
   out["remarks"] = report.remarks;
   return json_text(out);
@@ -111,7 +115,8 @@ std::string delay_csv(const DelayReport& report) {
   for (const series::DivergenceCurve& curve : report.rosenstein.curves)
     add_curve(text, fmt::format("Rosenstein d={} ln distance over s", curve.dimension), curve.time, curve.mean_log);
   for (const series::DivergenceCurve& curve : report.kantz.curves)
-    add_curve(text, fmt::format("Kantz d={} r={:.4g} ln distance over s", curve.dimension, curve.radius), curve.time, curve.mean_log);
+    add_curve(text, fmt::format("Kantz d={} r={:.4g} ln distance over s", curve.dimension, curve.radius), curve.time,
+              curve.mean_log);
   return text;
 }
 

@@ -29,12 +29,14 @@ struct ContactSamples {
 
 ContactSamples read_contact(const SeriesFrictionArguments& arguments) {
   if (arguments.normal.empty() == (arguments.load == 0.0))
-    throw InputError({ErrorKind::usage, "", "--normal", "or --load says the normal load, one of them", "give a column, or a constant load in N"});
+    throw InputError({ErrorKind::usage, "", "--normal", "or --load says the normal load, one of them",
+                      "give a column, or a constant load in N"});
   records::SeriesOptions options{{arguments.velocity, arguments.force}, arguments.rate_hz, 0};
   if (!arguments.normal.empty()) options.channels.push_back(arguments.normal);
   if (arguments.force_delay == 0.0 && !options.rate_hz) options.rate_hz = 1.0;  // no time is needed
   records::SeriesRecord record = records::read_series(arguments.file, options);
-  if (arguments.force_delay != 0.0) record.samples[1] = series::advanced(record.samples[1], 1.0 / record.rate_hz, arguments.force_delay);
+  if (arguments.force_delay != 0.0)
+    record.samples[1] = series::advanced(record.samples[1], 1.0 / record.rate_hz, arguments.force_delay);
   ContactSamples out{record.file, {}, {}, {}, 0};
   for (std::size_t i = 0; i < record.samples[0].size(); ++i) {
     const bool there = std::ranges::all_of(record.samples, [i](const auto& channel) { return std::isfinite(channel[i]); });
@@ -99,7 +101,8 @@ std::string samples_csv(const ContactSamples& samples) {
 std::string law_page(const ContactSamples& samples, const series::FrictionLaw& law) {
   report::ReportPage page(samples.file, "jointid series friction");
   const std::vector<std::string> remarks = remarks_of(samples, law);
-  page.status(report::status_banner(remarks.empty() ? "ok" : "doubtful", law.falls ? "A law that falls with speed." : "A constant coefficient.", remarks));
+  page.status(report::status_banner(remarks.empty() ? "ok" : "doubtful",
+                                    law.falls ? "A law that falls with speed." : "A constant coefficient.", remarks));
   page.section("Law");
   page.add(law_table(law));
   report::ScatterPlot plot;
@@ -108,7 +111,8 @@ std::string law_page(const ContactSamples& samples, const series::FrictionLaw& l
   plot.y = {"f/N", false};
   report::PointGroup points{"samples", {}};
   const std::size_t step = std::max<std::size_t>(1, samples.velocity.size() / report::most_points);
-  for (std::size_t i = 0; i < samples.velocity.size(); i += step) points.points.push_back({samples.velocity[i], samples.force[i] / samples.normal[i], ""});
+  for (std::size_t i = 0; i < samples.velocity.size(); i += step)
+    points.points.push_back({samples.velocity[i], samples.force[i] / samples.normal[i], ""});
   plot.groups.push_back(std::move(points));
   const double most = *std::ranges::max_element(samples.velocity);
   for (int k = 0; k <= 100 && most > 0.0; ++k) {
@@ -117,7 +121,8 @@ std::string law_page(const ContactSamples& samples, const series::FrictionLaw& l
   }
   plot.front_name = "law, forwards";
   page.add(report::PlotGroup{"", {{"", {plot}}}});
-  page.add(report::Text{"Sticking samples only bound μ_S from below; μ(V) = μ_K + (μ_S − μ_K) exp(−αV) is fitted to slipping samples.", true});
+  page.add(report::Text{
+      "Sticking samples only bound μ_S from below; μ(V) = μ_K + (μ_S − μ_K) exp(−αV) is fitted to slipping samples.", true});
   return page.html();
 }
 
@@ -126,7 +131,8 @@ std::string law_page(const ContactSamples& samples, const series::FrictionLaw& l
 ExitCode execute(const SeriesFrictionArguments& arguments, std::ostream& out) {
   check_series_targets(arguments.file, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   const ContactSamples samples = read_contact(arguments);
-  const series::FrictionLaw law = series::friction_law({samples.velocity, samples.force, samples.normal}, {arguments.stick_speed, 0.0});
+  const series::FrictionLaw law =
+      series::friction_law({samples.velocity, samples.force, samples.normal}, {arguments.stick_speed, 0.0});
   if (arguments.json) write_target(*arguments.json, law_json(samples, law), out);
   if (arguments.csv) write_target(*arguments.csv, samples_csv(samples), out);
   if (arguments.report) write_target(*arguments.report, law_page(samples, law), out);

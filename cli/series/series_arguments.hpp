@@ -13,15 +13,15 @@ namespace jointid::cli {
 /// `series delay`: delay, dimension and exponents of one channel.
 struct SeriesDelayArguments {
   std::filesystem::path file;
-  std::string channel;             ///< name or number; empty: the only one
+  std::string channel;  ///< name or number; empty: the only one
   std::optional<double> rate_hz;
-  std::size_t samples = 20'000;    ///< the first so many
+  std::size_t samples = 20'000;  ///< the first so many
   std::size_t cells = 16, most_lag = 100;
-  std::size_t delay = 0;           ///< samples; 0: the first minimum of the information
-  std::size_t dimension = 0;       ///< 0: by false neighbours
+  std::size_t delay = 0;      ///< samples; 0: the first minimum of the information
+  std::size_t dimension = 0;  ///< 0: by false neighbours
   std::size_t most_dimension = 8;
-  std::size_t theiler = 0;         ///< samples; 0: twice the delay times the dimension
-  std::size_t steps = 150;         ///< of divergence curves
+  std::size_t theiler = 0;  ///< samples; 0: twice the delay times the dimension
+  std::size_t steps = 150;  ///< of divergence curves
   Target json, csv, report;
 };
 
@@ -31,7 +31,7 @@ struct SeriesStrainArguments {
   std::vector<std::string> channels;
   double length = 0.0, thickness = 0.0;
   std::vector<double> gauges, points;
-  std::size_t shapes = 0;          ///< 0: as many as gauges
+  std::size_t shapes = 0;  ///< 0: as many as gauges
   bool static_shapes = false;
   Target output, json;
 };
@@ -43,7 +43,7 @@ struct SeriesFrictionArguments {
   double load = 0.0;                    ///< N where there is no column of it
   double stick_speed = 0.0;
   std::optional<double> rate_hz;
-  double force_delay = 0.0;             ///< s by which the force is late
+  double force_delay = 0.0;  ///< s by which the force is late
   Target json, csv, report;
 };
 

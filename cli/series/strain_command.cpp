@@ -11,6 +11,7 @@
 #include "cli/text/interrupt.hpp"
 #include "cli/text/json_value.hpp"
 #include "cli/text/table.hpp"
+#include "records/file/open_samples.hpp"
 #include "series/measurement/strain.hpp"
 
 namespace jointid::cli {
@@ -27,9 +28,10 @@ std::vector<double> points_of(const SeriesStrainArguments& arguments) {
 series::StrainMap map_of(const SeriesStrainArguments& arguments) {
   const std::size_t shapes = arguments.shapes > 0 ? arguments.shapes : arguments.gauges.size();
   if (arguments.static_shapes && shapes < 2)
-    throw InputError({ErrorKind::usage, "", "--static-shapes", "are two, and the basis has one shape", "take more gauges, or leave it out"});
-  return series::strain_map({arguments.length, arguments.thickness, arguments.gauges}, series::beam_basis(shapes, arguments.static_shapes),
-                            points_of(arguments));
+    throw InputError(
+        {ErrorKind::usage, "", "--static-shapes", "are two, and the basis has one shape", "take more gauges, or leave it out"});
+  return series::strain_map({arguments.length, arguments.thickness, arguments.gauges},
+                            series::beam_basis(shapes, arguments.static_shapes), points_of(arguments));
 }
 
 std::string titles(const SeriesStrainArguments& arguments) {
@@ -40,7 +42,8 @@ std::string titles(const SeriesStrainArguments& arguments) {
 
 /// Displacements block by block; each block's text goes to `write`.
 template <class Write>
-std::size_t convert(const SeriesStrainArguments& arguments, const series::StrainMap& map, SampleStream& stream, const Write& write) {
+std::size_t convert(const SeriesStrainArguments& arguments, const series::StrainMap& map, SampleStream& stream,
+                    const Write& write) {
   RowMatrixXd block(block_rows, map.matrix.cols());
   std::size_t samples = 0;
   write(titles(arguments));
@@ -61,7 +64,8 @@ std::size_t convert(const SeriesStrainArguments& arguments, const series::Strain
 }
 
 /// To a file whole or not at all, or to `out`.
-std::size_t write_displacements(const SeriesStrainArguments& arguments, const series::StrainMap& map, SampleStream& stream, std::ostream& out) {
+std::size_t write_displacements(const SeriesStrainArguments& arguments, const series::StrainMap& map, SampleStream& stream,
+                                std::ostream& out) {
   if (*arguments.output == "-") return convert(arguments, map, stream, [&](const std::string& text) { out << text; });
   TemporaryFile file(*arguments.output);
   std::ofstream to(file.path(), std::ios::binary);
@@ -73,9 +77,10 @@ std::size_t write_displacements(const SeriesStrainArguments& arguments, const se
 }
 
 std::string map_text(const SeriesStrainArguments& arguments, const series::StrainMap& map) {
-  std::string text = fmt::format("{} gauges, {} shapes{}, condition {}\n", arguments.gauges.size(),
-                                 arguments.shapes > 0 ? arguments.shapes : arguments.gauges.size(),
-                                 arguments.static_shapes ? " with those of a tip force and a tip moment" : "", number(map.condition));
+  std::string text =
+      fmt::format("{} gauges, {} shapes{}, condition {}\n", arguments.gauges.size(),
+                  arguments.shapes > 0 ? arguments.shapes : arguments.gauges.size(),
+                  arguments.static_shapes ? " with those of a tip force and a tip moment" : "", number(map.condition));
   Table table({{"x m"}, {"noise, m rms per unit strain rms"}});
   const std::vector<double> points = points_of(arguments);
   for (std::size_t k = 0; k < points.size(); ++k) table.add({number(points[k]), number(map.noise(at(k)))});
@@ -83,7 +88,9 @@ std::string map_text(const SeriesStrainArguments& arguments, const series::Strai
 }
 
 std::string map_json(const SeriesStrainArguments& arguments, const series::StrainMap& map) {
-  Json out = {{"status", "ok"}, {"condition", value(map.condition)}, {"points", values(points_of(arguments))},
+  Json out = {{"status", "ok"},
+              {"condition", value(map.condition)},
+              {"points", values(points_of(arguments))},
               {"noise", values(std::vector<double>(map.noise.begin(), map.noise.end()))}};
   for (Eigen::Index k = 0; k < map.matrix.rows(); ++k) {
     const Eigen::VectorXd row = map.matrix.row(k);
@@ -99,7 +106,8 @@ ExitCode execute(const SeriesStrainArguments& arguments, std::ostream& out) {
   const series::StrainMap map = map_of(arguments);
   const auto stream = records::open_samples(arguments.file, {arguments.channels, 0, 1});
   if (stream->channels().size() != arguments.gauges.size()) {
-    throw InputError({ErrorKind::data, stream->file(), "", fmt::format("has {} channels for {} gauges", stream->channels().size(), arguments.gauges.size()),
+    throw InputError({ErrorKind::data, stream->file(), "",
+                      fmt::format("has {} channels for {} gauges", stream->channels().size(), arguments.gauges.size()),
                       "name the channels of the gauges with --channels, in the order of --gauges"});
   }
   std::size_t samples = 0;

@@ -109,8 +109,9 @@ std::string listed(const Columns& columns) {
 }  // namespace
 
 NumberColumn titled_column(std::string_view header) {
-  const std::size_t open = header.find_first_of("[(");
-  if (open == std::string_view::npos || (header.back() != ']' && header.back() != ')')) return {std::string(header), {}, {}};
+  const bool bracket = header.ends_with(']');
+  const std::size_t open = bracket || header.ends_with(')') ? header.rfind(bracket ? '[' : '(') : std::string_view::npos;
+  if (open == std::string_view::npos) return {std::string(header), {}, {}};
   return {std::string(trimmed(header.substr(0, open))), std::string(trimmed(header.substr(open + 1, header.size() - open - 2))), {}};
 }
 

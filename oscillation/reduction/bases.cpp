@@ -22,7 +22,9 @@ void check_count(Index count, Index most) {
 }
 
 /// An orthonormal basis of what is at right angles to p.
-MatrixXd held(const VectorXd& p) { return dense::svd(p.transpose(), dense::Vectors::none, dense::Vectors::full).v.rightCols(p.size() - 1); }
+MatrixXd held(const VectorXd& p) {
+  return dense::svd(p.transpose(), dense::Vectors::none, dense::Vectors::full).v.rightCols(p.size() - 1);
+}
 
 MatrixXd weighted(const Mechanics& full, const ReductionBasis& basis, const VectorXd& q) {
   const MatrixXd left = basis.columns.transpose() * full.mass;
@@ -42,7 +44,8 @@ ReductionBasis craig_bampton(const Mechanics& mechanics, Index count) {
   check_count(count, n);
   const auto lower = dense::cholesky(mechanics.stiffness);
   if (!lower) {
-    throw InputError({ErrorKind::usage, "", "craig_bampton", "the structure is not held: a force at the contact has no static shape",
+    throw InputError({ErrorKind::usage, "", "craig_bampton",
+                      "the structure is not held: a force at the contact has no static shape",
                       "reduce it on normal modes or proper orthogonal modes"});
   }
   ReductionBasis out{MatrixXd(n, count), VectorXd::Zero(n)};

@@ -37,8 +37,8 @@ Trajectory trajectory(const Model& model, const ComparedMotion& motion) {
   }
   const ContactSystem system = contact_system(model);
   const Clock::time_point begin = Clock::now();
-  const Motion found = integrate(system, system.state(motion.q, motion.v), motion.transient + motion.length, times_of(motion),
-                                 motion.interrupted);
+  const Motion found =
+      integrate(system, system.state(motion.q, motion.v), motion.transient + motion.length, times_of(motion), motion.interrupted);
   const Index n = system.degrees();
   return {found.status, found.samples.topRows(n), found.samples.middleRows(n, n), seconds_since(begin)};
 }

@@ -20,11 +20,11 @@ Model reduced(const Model& full, const ReductionBasis& basis);
 
 /// The motion that full and reduced models are compared over.
 struct ComparedMotion {
-  Eigen::VectorXd q, v;      ///< start of the full model, [n]
-  double transient = 0.0;    ///< s before the window, ≥ 0
-  double length = 0.0;       ///< s of the window, > 0
-  std::size_t samples = 600; ///< in the window, at equal steps from its beginning on; ≥ 1
-  Eigen::MatrixXd observed;  ///< linear forms of q, e.g. a strain, [forms, n]; empty: none
+  Eigen::VectorXd q, v;       ///< start of the full model, [n]
+  double transient = 0.0;     ///< s before the window, ≥ 0
+  double length = 0.0;        ///< s of the window, > 0
+  std::size_t samples = 600;  ///< in the window, at equal steps from its beginning on; ≥ 1
+  Eigen::MatrixXd observed;   ///< linear forms of q, e.g. a strain, [forms, n]; empty: none
   std::function<bool()> interrupted = {};
 };
 
@@ -47,6 +47,7 @@ struct ReductionError {
   double seconds = 0.0;      ///< of run time
 };
 /// Numbers are NaN where one of the two motions did not end well.
-ReductionError reduction_error(const Model& full, const Trajectory& truth, const Trajectory& found, const Eigen::MatrixXd& observed);
+ReductionError reduction_error(const Model& full, const Trajectory& truth, const Trajectory& found,
+                               const Eigen::MatrixXd& observed);
 
 }  // namespace jointid::oscillation

@@ -41,30 +41,35 @@ const std::string chain_3_rest =
 
 /// The cantilever of chapter 6 on its slider, parameters of Tables 4.x.
 std::string beam_scene(bool rigid) {
-  return "[system]\nkind = \"cantilever\"\nlength = 0.4              # m\nwidth = 0.0128\nthickness = 0.00086\nyoungs_modulus = 128e9   # N/m^2\n"
-         "density = 7488.0         # kg/m^3\nextension = 0.076        # m, to the nub\nextension_free = 0.064\nextension_width = 0.0134\n"
+  return "[system]\nkind = \"cantilever\"\nlength = 0.4              # m\nwidth = 0.0128\nthickness = 0.00086\nyoungs_modulus = "
+         "128e9   # N/m^2\n"
+         "density = 7488.0         # kg/m^3\nextension = 0.076        # m, to the nub\nextension_free = 0.064\nextension_width = "
+         "0.0134\n"
          "extension_thickness = 0.00056\nextension_density = 6777.0\nfixture_mass = 0.01226   # kg\n"
          "modes = 8                # clamped-free modes of the Ritz model; the thesis has six\n"
          "first_mode_damping = 0.01  # C = cK, c = 2*0.01/omega_1: \"one per cent proportional damping\"\n"
          "amplitude = 0.0023       # m, of the slider; only a figure of the thesis: ours\nfrequency = 12.0         # Hz\n"
          "points = [0.05, 0.1, 0.15, 0.2, 0.25, 0.3]  # m, where the gauges are\nstrain_at = 0.05\n\n"
-         "[friction]\nkinetic = 0.55\nstatic = 0.748           # 1.36 kinetic\nnormal = 0.345           # N\nnormal_slope = -1.54     # N/m\n" +
+         "[friction]\nkinetic = 0.55\nstatic = 0.748           # 1.36 kinetic\nnormal = 0.345           # N\nnormal_slope = "
+         "-1.54     # N/m\n" +
          std::string(rigid ? "" : "contact_stiffness = 20000.0  # N/m\n") +
-         "\n[motion]                 # 600 cycles, the last 100 kept\ntransient = 41.6666666666666667\nlength = 8.3333333333333333\nstep = 0.000868055555555555556\n\n"
+         "\n[motion]                 # 600 cycles, the last 100 kept\ntransient = 41.6666666666666667\nlength = "
+         "8.3333333333333333\nstep = 0.000868055555555555556\n\n"
          "[orbit]\ncycles = 3\n\n"
          "[exponents]\ncount = 2\nlength = 33.3333333333333333\ninterval = 0.0833333333333333333\n\n"
-         "[sweep]\nparameter = \"frequency\"\nrange = [8.0, 14.0]\npoints = 25\ntransient = 300.0        # cycles\nlength = 60.0\n\n"
+         "[sweep]\nparameter = \"frequency\"\nrange = [8.0, 14.0]\npoints = 25\ntransient = 300.0        # cycles\nlength = "
+         "60.0\n\n"
          "[reduction]\nbases = [\"pod\", \"normal_modes\", \"craig_bampton\"]\norders = [3, 4, 6]\n";
 }
 
 std::string scene_of(const std::string& name) {
   if (name == "chain-10") {
-    return chain_scene("masses = 10\ndamping = 0.01           # c of C = cK\n", "2.0", "[0.9, 1.8, 2.7, 3.6, 4.5, 5.4, 6.3, 7.2, 8.1, 9.0]",
-                       chain_10_rest);
+    return chain_scene("masses = 10\ndamping = 0.01           # c of C = cK\n", "2.0",
+                       "[0.9, 1.8, 2.7, 3.6, 4.5, 5.4, 6.3, 7.2, 8.1, 9.0]", chain_10_rest);
   }
   if (name == "chain-10-orbit") {
-    return chain_scene("masses = 10\ndamping = 0.05           # c of C = cK\n", "2.0", "[0.9, 1.8, 2.7, 3.6, 4.5, 5.4, 6.3, 7.2, 8.1, 9.0]",
-                       chain_10_orbit_rest);
+    return chain_scene("masses = 10\ndamping = 0.05           # c of C = cK\n", "2.0",
+                       "[0.9, 1.8, 2.7, 3.6, 4.5, 5.4, 6.3, 7.2, 8.1, 9.0]", chain_10_orbit_rest);
   }
   if (name == "chain-3")
     return chain_scene("masses = 3\ndamping = 0.005          # c of C = cK\n", "1.0", "[0.9, 1.8, 2.7]", chain_3_rest);
@@ -75,13 +80,15 @@ std::string scene_of(const std::string& name) {
 Json printed(const std::string& name) {
   if (name == "chain-3") return Json();
   if (name.starts_with("chain")) {
-    return {{"table_3_1",
-             {{"modes", {3, 4, 5, 6, 7, 8, 9}},
-              {"fractions_percent", {94.05, 96.50, 98.53, 99.59, 99.90, 99.95, 99.99}},
-              {"deviation_X_percent", {6.07, 4.67, 2.17, 1.08, 0.39, 0.25, 0.05}},
-              {"deviation_E_percent", {2.07, 0.99, 0.44, 0.06, 0.01, 0.02, 0.01}}}},
-            {"table_3_2", {{"period", {1, 3, 5}}, {"deviation_X_percent", {0.614, 2.527, 4.873}}, {"deviation_E_percent", {0.095, 1.350, 0.610}}}},
-            {"largest_exponent", {{"value", 0.2833}, {"unit", "not printed"}}}};
+    return {
+        {"table_3_1",
+         {{"modes", {3, 4, 5, 6, 7, 8, 9}},
+          {"fractions_percent", {94.05, 96.50, 98.53, 99.59, 99.90, 99.95, 99.99}},
+          {"deviation_X_percent", {6.07, 4.67, 2.17, 1.08, 0.39, 0.25, 0.05}},
+          {"deviation_E_percent", {2.07, 0.99, 0.44, 0.06, 0.01, 0.02, 0.01}}}},
+        {"table_3_2",
+         {{"period", {1, 3, 5}}, {"deviation_X_percent", {0.614, 2.527, 4.873}}, {"deviation_E_percent", {0.095, 1.350, 0.610}}}},
+        {"largest_exponent", {{"value", 0.2833}, {"unit", "not printed"}}}};
   }
   return {{"fractions_at_12_hz", {0.9913, 0.0083, 0.0003}},
           {"frequencies_hz", {3.13, 21.97, 64.72, 130.64, 220.55, 334.12}},

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "records/file/limits.hpp"
+#include "records/file/open_samples.hpp"
 #include "records/file/time_axis.hpp"
 
 namespace jointid::records {
@@ -17,7 +18,8 @@ bool take(SampleStream& stream, std::size_t most, std::vector<std::vector<double
   std::vector<double> rows(block_rows * width);
   for (std::size_t count = stream.read(rows); count > 0; count = stream.read(rows)) {
     if ((columns.front().size() + count) * width > most_numbers)
-      throw InputError({ErrorKind::data, stream.file(), "", "holds more than 268 million numbers", "name fewer channels, or take fewer samples"});
+      throw InputError({ErrorKind::data, stream.file(), "", "holds more than 268 million numbers",
+                        "name fewer channels, or take fewer samples"});
     for (std::size_t k = 0; k < width; ++k) {
       for (std::size_t i = 0; i < count; ++i) columns[k].push_back(rows[i * width + k]);
     }
@@ -31,7 +33,8 @@ bool take(SampleStream& stream, std::size_t most, std::vector<std::vector<double
 double rate_of_file(const SampleStream& stream, const std::filesystem::path& path, std::size_t most) {
   if (stream.rate_hz()) return *stream.rate_hz();
   if (stream.time_column().empty())
-    throw InputError({ErrorKind::data, stream.file(), "", "does not say when its samples were taken", "give --rate HZ, or a column named time"});
+    throw InputError({ErrorKind::data, stream.file(), "", "does not say when its samples were taken",
+                      "give --rate HZ, or a column named time"});
   const auto times = open_samples(path, {{stream.time_column()}, 0, 1});
   std::vector<std::vector<double>> column(1);
   take(*times, most, column);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "records/file/sample_stream.hpp"
 
 namespace jointid::records {

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
 #include "records/file/sample_stream.hpp"
 
 /// The kinds of streams that open_samples() chooses from.
@@ -15,6 +19,9 @@ std::unique_ptr<SampleStream> open_column_samples(const std::filesystem::path& p
 struct SampleRange {
   std::size_t first = 0, last = 0;
 };
-SampleRange range_of(const StreamOptions& options, std::size_t count);
+inline SampleRange range_of(const StreamOptions& options, std::size_t count) {
+  const std::size_t each = count / options.parts, rest = count % options.parts;
+  return {each * options.part + std::min(options.part, rest), each * (options.part + 1) + std::min(options.part + 1, rest)};
+}
 
 }  // namespace jointid::records

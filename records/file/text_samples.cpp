@@ -116,10 +116,11 @@ class TextSamples final : public SampleStream {
     std::uint64_t byte = 0;
     for (;;) {
       byte = lines_.position();
-      if (!lines_.next(line)) throw InputError({ErrorKind::data, file_, "", "holds no numbers", "give columns of numbers, e.g. t,x"});
+      if (!lines_.next(line))
+        throw InputError({ErrorKind::data, file_, "", "holds no numbers", "give columns of numbers, e.g. t,x"});
       if (line.find('\0') != std::string_view::npos) {
-        throw InputError({ErrorKind::data, file_, "", "is no text, UFF, MATLAB, HDF5 or numpy file",
-                          "export the record as one of them"});
+        throw InputError(
+            {ErrorKind::data, file_, "", "is no text, UFF, MATLAB, HDF5 or numpy file", "export the record as one of them"});
       }
       if (byte == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
       if (!is_comment(frf::trimmed(line))) break;

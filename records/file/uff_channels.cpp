@@ -88,7 +88,9 @@ UffChannel channel_of(frf::uff::ByteFile& file, const Dataset& dataset, const fr
 
 }  // namespace
 
-double UffChannel::rate_hz(const std::string& file, const std::vector<double>& abscissa) const { return rate(file, dataset, abscissa); }
+double UffChannel::rate_hz(const std::string& file, const std::vector<double>& abscissa) const {
+  return rate(file, dataset, abscissa);
+}
 
 std::vector<std::vector<UffChannel>> uff_runs(frf::uff::ByteFile& file) {
   const std::vector<Dataset> datasets = frf::uff::scan(file);
@@ -97,7 +99,9 @@ std::vector<std::vector<UffChannel>> uff_runs(frf::uff::ByteFile& file) {
   for (const Dataset& dataset : datasets) {
     if (!dataset.function || dataset.function->function_type != function_time) continue;
     UffChannel channel = channel_of(file, dataset, units.at(dataset));
-    const auto same = [&](const UffChannel& other) { return other.kind == channel.kind && other.dof.same_coordinate(channel.dof); };
+    const auto same = [&](const UffChannel& other) {
+      return other.kind == channel.kind && other.dof.same_coordinate(channel.dof);
+    };
     if (runs.empty() || std::ranges::any_of(runs.back(), same)) runs.emplace_back();
     runs.back().push_back(std::move(channel));
   }

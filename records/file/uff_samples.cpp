@@ -40,7 +40,8 @@ class Spool {
     std::ranges::transform(values, reals.begin(), [](const auto& value) { return value.real(); });
     const std::size_t begin = count_;
     if (!out_ || std::fwrite(reals.data(), sizeof(double), reals.size(), out_.get()) != reals.size())
-      throw InputError({ErrorKind::data, file_, "", "needs a temporary file as large as its numbers, which cannot be written", "export it as binary UFF (58b)"});
+      throw InputError({ErrorKind::data, file_, "", "needs a temporary file as large as its numbers, which cannot be written",
+                        "export it as binary UFF (58b)"});
     count_ += reals.size();
     return begin;
   }
@@ -110,7 +111,8 @@ class UffSamples final : public SampleStream {
         return channel.name == titles.columns[k].name && unit_of(channel) == titles.columns[k].unit;
       });
       if (found == run.end()) {
-        throw InputError({ErrorKind::data, file_, "", fmt::format("channel {} [{}] is not in all runs", titles.columns[k].name, titles.columns[k].unit),
+        throw InputError({ErrorKind::data, file_, "",
+                          fmt::format("channel {} [{}] is not in all runs", titles.columns[k].name, titles.columns[k].unit),
                           "name the channels that are"});
       }
       shortest = std::min<std::size_t>(shortest, found->dataset.function->points);
@@ -118,7 +120,8 @@ class UffSamples final : public SampleStream {
     }
     for (Stored& stored : out.channels) {
       cut_ += stored.channel.dataset.function->points - shortest;
-      if (!stored.channel.dataset.binary) stored.spooled = spool_.put(frf::uff::read_points(bytes_, stored.channel.dataset).values);
+      if (!stored.channel.dataset.binary)
+        stored.spooled = spool_.put(frf::uff::read_points(bytes_, stored.channel.dataset).values);
     }
     out.range = range_of(options, shortest);
     return out;

@@ -10,8 +10,8 @@ namespace jointid::series {
 Fractions square_fractions(const Eigen::Ref<const Samples>& record, std::size_t blocks, const PodOptions& options) {
   const Eigen::Index size = blocks < 2 ? 0 : record.rows() / at(blocks);
   if (size == 0) {
-    throw InputError({ErrorKind::usage, "", "record", "has " + std::to_string(record.rows()) + " samples for errors of its shares",
-                      "take at least 20"});
+    throw InputError({ErrorKind::usage, "", "record",
+                      "has " + std::to_string(record.rows()) + " samples for errors of its shares", "take at least 20"});
   }
   std::vector<RecordTriangle> parts(blocks, RecordTriangle(static_cast<std::size_t>(record.cols())));
   for (std::size_t b = 0; b < blocks; ++b) {

@@ -60,7 +60,8 @@ std::vector<double> RecordTriangle::numbers() const {
 
 RecordTriangle RecordTriangle::of_numbers(std::size_t channels, const std::vector<double>& numbers) {
   RecordTriangle out(channels);
-  if (at(numbers.size()) != out.triangle_.size() + 2) throw InputError({ErrorKind::data, "", "records", "differ in channels", ""});
+  if (at(numbers.size()) != out.triangle_.size() + 2)
+    throw InputError({ErrorKind::data, "", "records", "differ in channels", ""});
   out.samples_ = static_cast<std::size_t>(numbers[0]);
   out.missing_ = static_cast<std::size_t>(numbers[1]);
   std::copy(numbers.begin() + 2, numbers.end(), out.triangle_.data());

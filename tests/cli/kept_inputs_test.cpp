@@ -158,7 +158,7 @@ const Reader readers[] = {
     {"Oscillate",
      {"oscillate", "chain-3.toml"},
      {"--json", "--csv", "--report", "--sweep", "--events"},
-     {{"chain-3.toml", "the scene"}, {"record.csv", "line 33, [reduction] record"}},
+     {{"chain-3.toml", "the scene"}, {"record.csv", "line 39, [reduction] record"}},
      add_chain},
     {"SeriesDelay", {"series", "delay", "table2.1-1.csv", "--channel", "1"}, three, {{"table2.1-1.csv", "FILE"}}, add_curves},
     {"SeriesStrain",

@@ -69,8 +69,9 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 TEST(Oscillate, OneMassHasThePeriodOfItsClosedForm) {
   const TestFolder folder;
   OscillateArguments arguments;
-  arguments.scene = write(folder / "one.toml", one_mass + "[orbit]\nslips = 1\n[sweep]\nparameter = \"velocity\"\nrange = [0.1, 0.4]\n"
-                                                          "points = 4\ntransient = 10.0\nlength = 60.0\n");
+  arguments.scene = write(folder / "one.toml", one_mass +
+                                                   "[orbit]\nslips = 1\n[sweep]\nparameter = \"velocity\"\nrange = [0.15, 0.3]\n"
+                                                   "points = 4\ntransient = 10.0\nlength = 60.0\n");
   arguments.threads = 2;
   const auto found = run(arguments);
   // Slip (2/ω)(π − atan(Δω/V)), stick 2Δ/V, Δ = (μ_S − μ_K)N/k.
@@ -137,17 +138,19 @@ orders = [1, 2]
   ASSERT_EQ(found["reduction"]["models"].size(), 6u);
   for (const auto& model : found["reduction"]["models"]) {
     const double error = model["error_of_motion"];
-    if (model["order"] == 2) EXPECT_LT(error, 1e-8) << model;
-    if (model["order"] == 1) EXPECT_GT(error, 1e-4) << model;
+    const bool whole = model["order"] == 2;
+    EXPECT_TRUE(whole ? error < 1e-8 : error > 1e-4) << model;
   }
   EXPECT_EQ(found["exponents"]["nats_per_second"].size(), 1u);
 }
 
 TEST(OscillateScene, SaysWhatIsWrong) {
   EXPECT_THAT(error_of(replaced(one_mass, "static = 0.5", "static = 0.2")), HasSubstr("[friction] static: is below kinetic"));
-  EXPECT_THAT(error_of(replaced(one_mass, "velocity = 0.2\n\n[friction]", "\n[friction]")), HasSubstr("nothing moves the contact"));
+  EXPECT_THAT(error_of(replaced(one_mass, "velocity = 0.2\n\n[friction]", "\n[friction]")),
+              HasSubstr("nothing moves the contact"));
   EXPECT_THAT(error_of(replaced(one_mass, "step = 0.01", "step = 10.0")), HasSubstr("take 20 to 1e7"));
-  EXPECT_THAT(error_of(replaced(one_mass, "velocity = [0.2]", "velocity = [0.2, 0.1]")), HasSubstr("has 2 numbers, the system 1"));
+  EXPECT_THAT(error_of(replaced(one_mass, "velocity = [0.2]", "velocity = [0.2, 0.1]")),
+              HasSubstr("has 2 numbers, the system 1"));
   EXPECT_THAT(error_of(replaced(one_mass, "masses = 1", "masses = 0")), HasSubstr("masses"));
   EXPECT_THAT(error_of(replaced(one_mass, "mass = 1.3", "length = 1.3")), HasSubstr("length"));
   EXPECT_THAT(error_of(one_mass + "[orbit]\ncycles = 1\n"), HasSubstr("no drive with cycles"));
@@ -157,7 +160,8 @@ TEST(OscillateScene, SaysWhatIsWrong) {
   EXPECT_THAT(error_of(one_mass + "[sweep]\nparameter = \"normal\"\nrange = [0.0, 2.0]\npoints = 3\nlength = 9.0\n"),
               HasSubstr("not above 0"));
   EXPECT_THAT(error_of(one_mass + "[reduction]\nbases = [\"pod\"]\norders = [2]\n"), HasSubstr("from 1 to 1"));
-  EXPECT_THAT(error_of(one_mass + "[reduction]\nbases = [\"pod\"]\norders = [1]\nfrom = \"orbit\"\n"), HasSubstr("there is no [orbit]"));
+  EXPECT_THAT(error_of(one_mass + "[reduction]\nbases = [\"pod\"]\norders = [1]\nfrom = \"orbit\"\n"),
+              HasSubstr("there is no [orbit]"));
   EXPECT_THAT(error_of(replaced(one_mass, "kinetic = 0.3", "kinetic = 0.3\ncontact_stiffness = 9.0") + "[orbit]\nslips = 1\n"),
               HasSubstr("rigid contacts only"));
 }

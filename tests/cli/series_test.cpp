@@ -89,12 +89,15 @@ TEST(SeriesStrain, GivesTheDisplacementsOfModes) {
   std::ostringstream text;
   text.precision(17);
   text << "a,b,c\n";
-  const auto amplitude = [](int i, std::size_t mode) { return 1e-3 * std::cos(0.1 * i * static_cast<double>(mode)) / static_cast<double>(mode); };
+  const auto amplitude = [](int i, std::size_t mode) {
+    return 1e-3 * std::cos(0.1 * i * static_cast<double>(mode)) / static_cast<double>(mode);
+  };
   const auto shape = [&](std::size_t mode, double x) { return series::deflection({series::ShapeKind::mode, mode}, length, x); };
   for (int i = 0; i < 50; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       double strain = 0.0;
-      for (std::size_t mode = 1; mode <= 3; ++mode) strain += amplitude(i, mode) * 0.5 * thickness * shape(mode, gauges[k]).curvature;
+      for (std::size_t mode = 1; mode <= 3; ++mode)
+        strain += amplitude(i, mode) * 0.5 * thickness * shape(mode, gauges[k]).curvature;
       text << (k > 0 ? "," : "") << strain;
     }
     text << "\n";
@@ -151,7 +154,8 @@ TEST(SeriesAlign, TakesTheDelayOfASensorAway) {
   text << "time,slider,beam\n";
   const double hz = 12.0, late = 0.0031;
   const auto motion = [&](double t) { return std::sin(2.0 * M_PI * hz * t) + 0.2 * std::cos(6.0 * M_PI * hz * t); };
-  for (int i = 0; i < 2000; ++i) text << 0.0005 * i << "," << motion(0.0005 * i) << "," << 0.4 * motion(0.0005 * i - late) << "\n";
+  for (int i = 0; i < 2000; ++i)
+    text << 0.0005 * i << "," << motion(0.0005 * i) << "," << 0.4 * motion(0.0005 * i - late) << "\n";
   SeriesAlignArguments arguments;
   arguments.file = write(folder / "run.csv", text.str());
   arguments.reference = "slider";

@@ -48,8 +48,8 @@ TEST(Reduced, MeetsTheGoldenModels) {
   for (const auto& [count, expected] : golden["expected"].items()) {
     const ReductionBasis basis = proper_modes(modes, std::stol(count));
     const ContactSystem small = contact_system(reduced(full, basis));
-    const VectorXd start = small.state(reduced_displacements(full.mechanics, basis, motion.q),
-                                       reduced_velocities(full.mechanics, basis, motion.v));
+    const VectorXd start =
+        small.state(reduced_displacements(full.mechanics, basis, motion.q), reduced_velocities(full.mechanics, basis, motion.v));
     const Motion found = integrate(small, start, motion.length);
     const auto times = expected["event_times"].get<std::vector<double>>();
     ASSERT_GE(found.events.size(), times.size());

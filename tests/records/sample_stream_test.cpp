@@ -1,4 +1,4 @@
-#include "records/file/sample_stream.hpp"
+#include "records/file/open_samples.hpp"
 
 #include <gmock/gmock.h>
 #include <hdf5.h>
@@ -38,7 +38,8 @@ std::vector<double> rows_of(SampleStream& stream, std::size_t step) {
 }
 
 /// However many parts and rows at a time, the file is the same.
-void expect_rows(const std::filesystem::path& path, const std::vector<std::string>& channels, const std::vector<double>& expected) {
+void expect_rows(const std::filesystem::path& path, const std::vector<std::string>& channels,
+                 const std::vector<double>& expected) {
   for (const std::size_t parts : {1, 2, 3, 7}) {
     for (const std::size_t step : {1, 2, 5, 1000}) {
       std::vector<double> all;
@@ -74,7 +75,7 @@ TEST(SampleStream, ReadsTextLineByLine) {
   expect_rows(write(folder / "c.csv", "x;y\n1,5;2\n;3\n"), {}, {1.5, 2, -999, 3});
   EXPECT_THAT(message(write(folder / "d.csv", "x,y\n1,2\n3\n")), HasSubstr("byte 8: has 1 cells"));
   EXPECT_THAT(message(write(folder / "e.csv", "x,y\n1,2\n3,a\n")), HasSubstr("column 2: 'a' is not a number"));
-  EXPECT_THAT(message(write(folder / "f.csv", "")), HasSubstr("holds no numbers"));
+  EXPECT_THAT(message(write(folder / "f.csv", "# nothing\n")), HasSubstr("holds no numbers"));
   EXPECT_THAT(message(plain, {"absent"}), HasSubstr("there is no column 'absent'"));
   EXPECT_THAT(message(write(folder / "g.csv", "time\n1\n")), HasSubstr("no channel beside the time"));
 }
@@ -101,14 +102,16 @@ TEST(SampleStream, OfALongTextIsTheTable) {
 std::string uff58(int node, int type, const std::string& unit, const std::vector<double>& samples, bool binary) {
   char line[200];
   std::string text = "    -1\n";
-  std::snprintf(line, sizeof line, "    58%s\n", binary ? "b     1     2          11         100     0     0           0           0" : "");
+  std::snprintf(line, sizeof line, "    58%s\n",
+                binary ? "b     1     2          11         100     0     0           0           0" : "");
   text += line;
   for (int k = 0; k < 5; ++k) text += "NONE\n";
   std::snprintf(line, sizeof line, "%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d\n", 1, 0, 0, 0, "NONE", node, 3, "NONE", 0, 0);
   text += line;
   std::snprintf(line, sizeof line, "%10d%10d%10d%13.5E%13.5E%13.5E\n", 4, static_cast<int>(samples.size()), 1, 0.0, 0.01, 0.0);
   text += line;
-  for (const auto& [kind, label] : {std::pair{17, std::string("s")}, std::pair{type, unit}, std::pair{0, std::string("NONE")}, std::pair{0, std::string("NONE")}}) {
+  for (const auto& [kind, label] : {std::pair{17, std::string("s")}, std::pair{type, unit}, std::pair{0, std::string("NONE")},
+                                    std::pair{0, std::string("NONE")}}) {
     std::snprintf(line, sizeof line, "%10d%5d%5d%5d %-20s %-20s\n", kind, 0, 0, 0, "NONE", label.c_str());
     text += line;
   }
@@ -127,7 +130,8 @@ std::string uff58(int node, int type, const std::string& unit, const std::vector
 TEST(SampleStream, ReadsTimeDataOfUffInSiUnitsRunAfterRun) {
   const TestFolder folder;
   for (const bool binary : {false, true}) {
-    const std::string force = uff58(1, 13, "kN", {1, 2, 3, 4, 5}, binary), motion = uff58(4, 12, "m/s^2", {6, 7, 8, 9, 10}, binary);
+    const std::string force = uff58(1, 13, "kN", {1, 2, 3, 4, 5}, binary),
+                      motion = uff58(4, 12, "m/s^2", {6, 7, 8, 9, 10}, binary);
     const auto path = write(folder / "a.uff", force + motion);
     expect_rows(path, {}, {1000, 6, 2000, 7, 3000, 8, 4000, 9, 5000, 10});
     expect_rows(path, {"2"}, {6, 7, 8, 9, 10});

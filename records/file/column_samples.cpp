@@ -1,12 +1,8 @@
-#include "records/file/sample_stream.hpp"
-
 #include <algorithm>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
-#include "frf/uff/uff_file.hpp"
 #include "records/file/channel_choice.hpp"
 #include "records/file/limits.hpp"
 #include "records/file/npy_file.hpp"
@@ -46,20 +42,7 @@ class ColumnSamples final : public SampleStream {
   SampleRange range_;
 };
 
-std::string head_of(const std::filesystem::path& path) {
-  std::string head(512, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  return head;
-}
-
 }  // namespace
-
-SampleRange range_of(const StreamOptions& options, std::size_t count) {
-  return {count / options.parts * options.part + std::min(options.part, count % options.parts),
-          count / options.parts * (options.part + 1) + std::min(options.part + 1, count % options.parts)};
-}
 
 std::unique_ptr<SampleStream> open_column_samples(const std::filesystem::path& path, const StreamOptions& options) {
   const std::uint64_t size = std::filesystem::file_size(path);
@@ -68,18 +51,7 @@ std::unique_ptr<SampleStream> open_column_samples(const std::filesystem::path& p
                       std::to_string(size >> 20) + " MiB are more than the 2048 MiB that are read into memory",
                       "export the record as HDF5, MATLAB v7.3, UFF or text, which are read in parts"});
   }
-  return std::make_unique<ColumnSamples>(looks_like_npy(head_of(path)) ? read_npy(path) : frf::read_columns(path), options);
-}
-
-std::unique_ptr<SampleStream> open_samples(const std::filesystem::path& path, const StreamOptions& options) {
-  if (options.part >= options.parts)
-    throw InputError({ErrorKind::usage, path.string(), "part", "is not one of " + std::to_string(options.parts), ""});
-  const auto binary = frf::detect_binary_format(path);
-  if (binary && *binary == frf::FileFormat::matlab_v5) return open_column_samples(path, options);
-  if (binary) return open_hdf5_samples(path, options);
-  const std::string head = head_of(path);
-  if (frf::looks_like_uff(head)) return open_uff_samples(path, options);
-  return looks_like_npy(head) ? open_column_samples(path, options) : open_text_samples(path, options);
+  return std::make_unique<ColumnSamples>(frf::detect_binary_format(path) ? frf::read_columns(path) : read_npy(path), options);
 }
 
 }  // namespace jointid::records
