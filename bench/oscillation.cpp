@@ -1,5 +1,5 @@
 // The thesis's friction oscillations: 100,000 events of the chain of ten masses beside numpy's, a bifurcation sweep on two
-// threads, the proper orthogonal fractions of Table 3.1 and of the cantilever at 12 Hz, reduced models. docs/oscillations.md.
+// threads, the proper orthogonal fractions of Table 3.1 and of the cantilever at 12 Hz. docs/oscillations.md.
 // Promised: the first 34 events are numpy's to 1e-9, at least 100 times as fast; 500 parameters on two threads 1.9 times as fast
 // as on one.
 #include <fmt/core.h>
@@ -15,7 +15,7 @@
 #include "oscillation/orbit/return_map.hpp"
 #include "oscillation/orbit/sweep.hpp"
 #include "oscillation/system/thesis_systems.hpp"
-#include "series/pod/pod.hpp"
+#include "series/pod/fraction_error.hpp"
 
 namespace {
 
@@ -60,7 +60,7 @@ void speed(const bench::CommandLine& line, bench::Promises& promises) {
 SweepCase chain_at(double velocity) {
   BeltChain chain;
   chain.velocity = velocity;
-  SweepCase out{contact_system(chain), {}, {}};
+  SweepCase out{contact_system(chain), {}, {}, 500.0, 300.0, 0.0};
   out.start = chain_start(out.system);
   out.form = Eigen::VectorXd::Unit(out.system.size(), 0);
   return out;
@@ -71,8 +71,8 @@ void sweeps(const bench::CommandLine& line, bench::Promises& promises) {
   for (std::size_t k = 0; k < (line.quick() ? 20u : 500u); ++k) velocities.push_back(0.5 - 0.001 * static_cast<double>(k));
   std::vector<SweepPoint> one, two;
   bench::Times alone, both;
-  alone.add([&] { one = sweep(velocities, chain_at, {500.0, 300.0, 0.0, 1}); });
-  both.add([&] { two = sweep(velocities, chain_at, {500.0, 300.0, 0.0, 2}); });
+  alone.add([&] { one = sweep(velocities, chain_at, {1}); });
+  both.add([&] { two = sweep(velocities, chain_at, {2}); });
   const double times = alone.wall[0] / both.wall[0], work = both.processor[0] / alone.processor[0];
   bool same = true;
   for (std::size_t k = 0; k < one.size(); ++k) same = same && one[k].values == two[k].values;
@@ -84,31 +84,12 @@ void sweeps(const bench::CommandLine& line, bench::Promises& promises) {
   promises.speed_at_least("a sweep on two threads, times as fast", times, 1.9);
 }
 
-struct Fractions {
-  Eigen::VectorXd value, error;
-};
-
-/// Fractions of sigma^2 of the first coordinates, with a jackknife over 20 blocks.
-Fractions fractions(const Eigen::MatrixXd& samples) {
-  const series::Samples rows = samples.transpose();
-  Fractions out{series::pod(rows).square_fractions(), {}};
-  const Eigen::Index size = rows.rows() / 20;
-  Eigen::MatrixXd left(rows.cols(), 20);
-  for (Eigen::Index b = 0; b < 20; ++b) {
-    series::RecordTriangle rest(static_cast<std::size_t>(rows.cols()));
-    rest.add(rows.topRows(b * size));
-    rest.add(rows.bottomRows(rows.rows() - (b + 1) * size));
-    left.col(b) = series::pod(rest).square_fractions();
-  }
-  out.error = ((left.colwise() - left.rowwise().mean()).array().square().rowwise().sum() * 19.0 / 20.0).sqrt();
-  return out;
-}
-
 void table_3_1(bench::Promises& promises) {
   const ContactSystem system = contact_system(BeltChain{});
   std::vector<double> times;
   for (int i = 0; i < 30'000; ++i) times.push_back(1500.0 + 0.2 * i);
-  const Fractions found = fractions(integrate(system, chain_start(system), 7500.0, times).samples.topRows(10));
+  const series::Samples samples = integrate(system, chain_start(system), 7500.0, times).samples.topRows(10).transpose();
+  const series::Fractions found = series::square_fractions(samples);
   constexpr std::array thesis = {94.05, 96.50, 98.53, 99.59, 99.90, 99.95, 99.99};
   constexpr std::array sheet = {92.2, 94.9, 97.4, 99.62, 99.94, 99.97, 99.99};
   fmt::print("\nTable 3.1, sum of sigma^2, %\n{:<4}{:>10}{:>18}\n", "m", "thesis", "ours");
@@ -118,46 +99,6 @@ void table_3_1(bench::Promises& promises) {
     promises.at_most(
         fmt::format("fraction of {} modes less that of the sheet, in four of their errors", m),
         std::abs(100.0 * found.value(m - 1) - sheet[k]) / std::max(0.05, 4.0 * std::hypot(100.0 * found.error(m - 1), 0.8)), 1.0);
-  }
-}
-
-/// Models on the proper orthogonal modes of the chain's stable orbit at c = 0.05: errors (3.36), (3.37) over one period.
-void reduced_models(bench::Promises& promises) {
-  BeltChain chain;
-  chain.damping = 0.05;
-  const ContactSystem full = contact_system(chain);
-  StickSlip transient(full, chain_start(full));
-  transient.advance(4000.0);
-  transient.advance_break_aways(1, 5000.0);
-  const PeriodicOrbit orbit = break_away_orbit(full, transient.state(), 8);
-  promises.holds("the orbit of eight slips is found", orbit.converged);
-  promises.at_most("its period less 126.774673206315", std::abs(orbit.period - 126.77467320631536), 1e-9);
-  const Motion truth = integrate(full, orbit.state, orbit.period, equal_times(orbit.period / 600.0, 600));
-  const series::Pod modes = series::pod(series::Samples(truth.samples.topRows(10).transpose()));
-  const Mechanics whole = mechanics(chain);
-  const auto energy = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& v) {
-    return 0.5 * v.dot(whole.mass * v) + 0.5 * x.dot(whole.stiffness * x);
-  };
-  fmt::print(
-      "\nreduced models of the chain, c = 0.05, stable orbit, on its own modes; one period from a "
-      "break-away\n{:<4}{:>12}{:>12}\n",
-      "m", "dX %", "dE %");
-  for (Eigen::Index m = 10; m >= 3; --m) {
-    const Eigen::MatrixXd basis = modes.modes.leftCols(m);
-    const ContactSystem small(reduced(whole, basis, modes.mean), {chain.velocity, 0.0, 0.0}, chain.friction);
-    const Eigen::VectorXd start =
-        small.state(basis.transpose() * (orbit.state.head(10) - modes.mean), basis.transpose() * orbit.state.segment(10, 10));
-    const Motion motion = integrate(small, start, orbit.period, equal_times(orbit.period / 600.0, 600));
-    double off = 0.0, size = 0.0, energies = 0.0, all = 0.0;
-    for (Eigen::Index i = 0; i < 600; ++i) {
-      const Eigen::VectorXd x = modes.mean + basis * motion.samples.col(i).head(m),
-                            v = basis * motion.samples.col(i).segment(m, m);
-      const Eigen::VectorXd fx = truth.samples.col(i).head(10), fv = truth.samples.col(i).segment(10, 10);
-      off += (x - fx).squaredNorm() + (v - fv).squaredNorm(), size += fx.squaredNorm() + fv.squaredNorm();
-      energies += energy(x, v), all += energy(fx, fv);
-    }
-    fmt::print("{:<4}{:>12.3f}{:>12.3f}\n", m, 100.0 * std::sqrt(off / size), 100.0 * std::abs(energies / all - 1.0));
-    if (m == 10) promises.at_most("ten modes of ten: dX, %", 100.0 * std::sqrt(off / size), 1e-3);
   }
 }
 
@@ -215,7 +156,6 @@ void measure_all(const bench::CommandLine& line, bench::Promises& promises) {
   speed(line, promises);
   sweeps(line, promises);
   table_3_1(promises);
-  reduced_models(promises);
   cantilever(promises);
   exponents(promises);
 }

@@ -11,9 +11,11 @@
 #include "cli/frf/frf_command.hpp"
 #include "cli/loading_curve/loading_curve_command.hpp"
 #include "cli/modalfit/modalfit_command.hpp"
+#include "cli/oscillate/oscillate_command.hpp"
 #include "cli/pod/pod_command.hpp"
 #include "cli/problem/problem_command.hpp"
 #include "cli/response/response_command.hpp"
+#include "cli/series/series_command.hpp"
 #include "cli/solve/plan_command.hpp"
 #include "cli/solve/solve_command.hpp"
 #include "cli/stability/stability_command.hpp"
@@ -25,6 +27,7 @@ namespace {
 /// The one place that names them all, in the order of the help.
 constexpr std::array all_commands = {add_solve, add_plan, add_check, add_study, add_compare,
                                      add_loading_curve, add_couple, add_equivalent, add_response, add_modalfit, add_pod,
+                                     add_oscillate, add_series,
                                      add_stability, add_frf, add_info, add_convert, add_problem};
 
 }  // namespace

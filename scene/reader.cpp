@@ -48,12 +48,16 @@ std::string number_text(double number) {
   return std::string(buffer, static_cast<std::size_t>(length));
 }
 
-std::string Item::place() const {
-  const std::string at = value_->line > 0 ? "line " + std::to_string(value_->line) : "";
+std::string Item::path() const {
   const bool is_table = std::holds_alternative<Members>(value_->content);
   std::string name = key_;
   if (is_table && !key_.empty()) name = "[" + (table_.empty() ? "" : table_ + ".") + key_ + "]";
   if (!is_table && !table_.empty()) name = "[" + table_ + "] " + key_;
+  return name;
+}
+
+std::string Item::place() const {
+  const std::string at = value_->line > 0 ? "line " + std::to_string(value_->line) : "", name = path();
   return name.empty() ? at : at + ", " + name;
 }
 

@@ -49,7 +49,8 @@ class Item {
   bool is_text() const { return std::holds_alternative<std::string>(value_->content); }
   bool is_table() const { return std::holds_alternative<Members>(value_->content); }
   bool is_list() const { return std::holds_alternative<Array>(value_->content); }
-  std::string place() const;
+  std::string path() const;   ///< "[frequency] range"
+  std::string place() const;  ///< "line 12, [frequency] range"
   [[noreturn]] void fail(const std::string& problem, const std::string& remedy = {}) const;
 
   /// Runs `check`; an InputError of it gets this item's place.

@@ -2,87 +2,78 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <thread>
 
 #include "base/error.hpp"
+#include "cli/text/interrupt.hpp"
 #include "frf/file/columns.hpp"
+#include "records/file/open_samples.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using frf::Columns;
-using frf::NumberColumn;
+using records::SampleStream;
 
-std::vector<const NumberColumn*> chosen_channels(const Columns& columns, const std::vector<std::string>& wanted) {
-  std::vector<const NumberColumn*> out;
-  for (const std::string& name : wanted) out.push_back(&columns.column(name));
-  if (!wanted.empty()) return out;
-  const NumberColumn* time = columns.find({"time", "t"}, {"rate"});
-  for (const NumberColumn& column : columns.columns) {
-    if (&column != time) out.push_back(&column);
-  }
-  return out;
-}
-
-/// The samples that all channels have.
-std::size_t common_length(const std::vector<const NumberColumn*>& channels) {
-  std::size_t shortest = channels.front()->values.size();
-  for (const NumberColumn* channel : channels) shortest = std::min(shortest, channel->values.size());
-  return shortest;
-}
-
-series::NextSamples reader(const std::vector<const NumberColumn*>& channels, std::size_t length) {
-  return [channels, length, next = std::size_t{0}](series::Samples& block) mutable {
-    const std::size_t count = std::min(static_cast<std::size_t>(block.rows()), length - next);
-    for (std::size_t k = 0; k < channels.size(); ++k) {
-      for (std::size_t i = 0; i < count; ++i) block(at(i), at(k)) = channels[k]->values[next + i];
-    }
-    next += count;
-    return count;
-  };
-}
-
-void check_same(const PodRecord& record, const std::vector<const NumberColumn*>& channels, const std::string& file) {
-  if (channels.size() != record.names.size()) {
-    throw InputError({ErrorKind::data, file, "",
-                      fmt::format("has {} channels, the files before {}", channels.size(), record.names.size()),
+/// Throws InputError unless a file has the channels of the first one.
+void check_same(const PodRecord& record, const SampleStream& stream) {
+  if (stream.channels().size() != record.names.size()) {
+    throw InputError({ErrorKind::data, stream.file(), "",
+                      fmt::format("has {} channels, the files before {}", stream.channels().size(), record.names.size()),
                       "name the channels with --channels; several files are further samples of the same ones"});
   }
-  for (std::size_t k = 0; k < channels.size(); ++k) {
-    if (channels[k]->name != record.names[k] || channels[k]->unit != record.units[k]) {
-      throw InputError({ErrorKind::data, file, "",
-                        fmt::format("channel {} is '{}' [{}], in the files before '{}' [{}]", k + 1, channels[k]->name,
-                                    channels[k]->unit, record.names[k], record.units[k]),
-                        "name the channels in one order with --channels"});
-    }
+  for (std::size_t k = 0; k < record.names.size(); ++k) {
+    const auto& [name, unit] = stream.channels()[k];
+    if (name == record.names[k] && unit == record.units[k]) continue;
+    throw InputError({ErrorKind::data, stream.file(), "",
+                      fmt::format("channel {} is '{}' [{}], in the files before '{}' [{}]", k + 1, name, unit, record.names[k],
+                                  record.units[k]),
+                      "name the channels in one order with --channels"});
   }
+}
+
+/// All threads that were asked for; of all cores this process's part.
+std::size_t own_threads(const PodArguments& arguments, const ident::Team& team) {
+  if (arguments.threads > 0) return arguments.threads;
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency() / team.size());
+}
+
+/// This process's part of the files.
+PodRecord own_part(const PodArguments& arguments, const ident::Team& team, const std::function<void(std::size_t)>& read) {
+  std::optional<PodRecord> out;
+  std::size_t samples = 0;
+  for (const auto& file : arguments.files) {
+    const auto stream = records::open_samples(file, {arguments.channels, team.rank(), team.size()});
+    const std::size_t channels = stream->channels().size();
+    if (!out) {
+      out.emplace(PodRecord{{}, {}, 0, series::RecordTriangle(channels)});
+      for (const auto& channel : stream->channels()) out->names.push_back(channel.name), out->units.push_back(channel.unit);
+    }
+    check_same(*out, *stream);
+    out->cut += stream->cut();
+    const auto next = [&](series::Samples& block) {
+      stop_if(interrupted);
+      const std::size_t count = stream->read({block.data(), static_cast<std::size_t>(block.size())});
+      read(samples += count);
+      return count;
+    };
+    out->triangle.join(series::record_triangle(channels, next, own_threads(arguments, team)));
+  }
+  return std::move(*out);
 }
 
 }  // namespace
 
-PodRecord read_pod_record(const PodArguments& arguments) {
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t threads = arguments.threads > 0 ? arguments.threads : cores;
-  std::optional<PodRecord> out;
-  for (const auto& file : arguments.files) {
-    const Columns columns = frf::read_columns(file);
-    const auto channels = chosen_channels(columns, arguments.channels);
-    if (channels.empty()) {
-      throw InputError(
-          {ErrorKind::data, columns.file, "", "has no channel beside the time", "name the channels with --channels"});
-    }
-    if (!out) {
-      out.emplace(PodRecord{{}, {}, 0, series::RecordTriangle(channels.size())});
-      for (const NumberColumn* channel : channels) out->names.push_back(channel->name), out->units.push_back(channel->unit);
-    }
-    check_same(*out, channels, columns.file);
-    const std::size_t length = common_length(channels);
-    for (const NumberColumn* channel : channels) out->cut += channel->values.size() - length;
-    out->triangle.join(series::record_triangle(channels.size(), reader(channels, length), threads));
-  }
-  return std::move(*out);
+PodRecord read_pod_record(const PodArguments& arguments, ident::Team& team, const std::function<void(std::size_t)>& read) {
+  std::optional<PodRecord> own;
+  ident::start_together(team, [&] { own = own_part(arguments, team, read); });
+  if (team.size() == 1) return std::move(*own);
+  series::RecordTriangle all(own->names.size());
+  for (const std::vector<double>& part : team.gathered(own->triangle.numbers()))
+    all.join(series::RecordTriangle::of_numbers(own->names.size(), part));
+  own->triangle = std::move(all);
+  return std::move(*own);
 }
 
 Eigen::MatrixXd read_pod_matrix(const std::filesystem::path& file, std::size_t rows, const std::string& option) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "cli/pod/pod_arguments.hpp"
+#include "ident/team/team.hpp"
 #include "series/pod/pod.hpp"
 
 namespace jointid::cli {
@@ -15,9 +17,10 @@ struct PodRecord {
   series::RecordTriangle triangle;
 };
 
-/// The one place that knows how records are read: columns of text, MATLAB and HDF5 files (frf::read_columns()). Several files are
-/// further samples of the same channels. Channels of one file that differ in length are cut to the shortest. Throws InputError.
-PodRecord read_pod_record(const PodArguments& arguments);
+/// Reads the files block by block (records::open_samples()); several files are further samples of the same channels. Each process
+/// of the team reads its part of every file, and all get the whole. `read` is told how many samples this process has read. Throws
+/// InputError, and Interrupted when that was asked for.
+PodRecord read_pod_record(const PodArguments& arguments, ident::Team& team, const std::function<void(std::size_t)>& read);
 
 /// A matrix of numbers, a column a column; `rows` of them. Throws InputError for another number of rows or numbers that are
 /// missing.

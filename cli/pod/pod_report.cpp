@@ -16,17 +16,25 @@ std::vector<double> list(const Eigen::VectorXd& values) { return {values.begin()
 /// As many modes as the table of shapes shows: those of 99.99 %, six at most.
 std::size_t shown(const PodReport& report) { return std::min<std::size_t>(report.pod.modes_for(0.9999), 6); }
 
-std::string values_table(const series::Pod& pod) {
+Json matrix(const Eigen::MatrixXd& m) {
+  std::vector<std::vector<double>> out;
+  for (Eigen::Index i = 0; i < m.rows(); ++i) out.emplace_back(m.row(i).begin(), m.row(i).end());
+  return values(out);
+}
+
+}  // namespace
+
+Table values_table(const series::Pod& pod) {
   Table table({{"mode"}, {"σ"}, {"mean square λ"}, {"Σσ² %"}, {"Σσ %"}});
   const Eigen::VectorXd squares = pod.square_fractions(), sigmas = pod.sigma_fractions();
   for (Eigen::Index k = 0; k < std::min<Eigen::Index>(pod.sigma.size(), 12); ++k) {
     table.add({fmt::format("{}", k + 1), number(pod.sigma(k)), number(pod.values(k)), fmt::format("{:.4f}", 100.0 * squares(k)),
                fmt::format("{:.2f}", 100.0 * sigmas(k))});
   }
-  return table.text();
+  return table;
 }
 
-std::string shapes_table(const PodReport& report) {
+Table shapes_table(const PodReport& report) {
   std::vector<Column> columns = {{"channel", Align::left}, {"mean"}};
   for (std::size_t k = 0; k < shown(report); ++k) columns.push_back({fmt::format("mode {}", k + 1)});
   Table table(columns);
@@ -35,27 +43,21 @@ std::string shapes_table(const PodReport& report) {
     for (std::size_t k = 0; k < shown(report); ++k) row.push_back(fmt::format("{:.5f}", report.pod.modes(at(i), at(k))));
     table.add(row);
   }
-  return table.text();
+  return table;
 }
 
-std::string comparison_table(const PodReport& report) {
-  Table table({{"mode"}, {"most alike"}, {report.weighted ? "M-cosine" : "cosine"}, {"MAC"}});
+Table comparison_table(const PodReport& report) {
+  const bool hertz = !report.frequencies_hz.empty();
+  Table table({{"mode"}, {"most alike"}, {hertz ? "Hz" : ""}, {report.weighted ? "M-cosine" : "cosine"}, {"MAC"}});
   auto pairs = series::matched_modes(report.cosines);
   std::ranges::sort(pairs, {}, &series::ModePair::phi);
   for (const series::ModePair& pair : pairs) {
-    table.add({fmt::format("{}", pair.phi + 1), fmt::format("{}", pair.psi + 1), fmt::format("{:.6f}", pair.cosine),
+    table.add({fmt::format("{}", pair.phi + 1), fmt::format("{}", pair.psi + 1),
+               hertz ? number(report.frequencies_hz[pair.psi]) : "", fmt::format("{:.6f}", pair.cosine),
                fmt::format("{:.6f}", report.assurance(at(pair.phi), at(pair.psi)))});
   }
-  return table.text();
+  return table;
 }
-
-Json matrix(const Eigen::MatrixXd& m) {
-  std::vector<std::vector<double>> out;
-  for (Eigen::Index i = 0; i < m.rows(); ++i) out.emplace_back(m.row(i).begin(), m.row(i).end());
-  return values(out);
-}
-
-}  // namespace
 
 std::vector<std::string> pod_remarks(const PodReport& report) {
   std::vector<std::string> out;
@@ -79,11 +81,12 @@ std::string pod_text(const PodReport& report) {
       fmt::format("{} samples of {} channels, {}, inner product {}\n", pod.samples, report.names.size(),
                   report.mean_kept ? "mean kept" : "mean removed", report.weighted ? "of the mass matrix" : "plain");
   for (const std::string& remark : pod_remarks(report)) text += "note: " + remark + "\n";
-  text += fmt::format("\nproper orthogonal values; energy by Σσ² (mean squares; the usual one) and by Σσ\n{}", values_table(pod));
+  text += fmt::format("\nproper orthogonal values; energy by Σσ² (mean squares; the usual one) and by Σσ\n{}",
+                      values_table(pod).text());
   text += fmt::format("\nmodes for 99 % of Σσ²: {}; for 99.99 %: {}", pod.modes_for(0.99), pod.modes_for(0.9999));
   if (const auto rank = series::rank_above_noise(pod)) text += fmt::format("; above white noise (Gavish and Donoho): {}", *rank);
-  text += fmt::format("\n\nproper orthogonal modes\n{}", shapes_table(report));
-  if (report.cosines.size() > 0) text += fmt::format("\nbeside the modes of --compare\n{}", comparison_table(report));
+  text += fmt::format("\n\nproper orthogonal modes\n{}", shapes_table(report).text());
+  if (report.cosines.size() > 0) text += fmt::format("\nbeside {}\n{}", report.compared, comparison_table(report).text());
   return text;
 }
 
@@ -111,6 +114,7 @@ std::string pod_json(const PodReport& report) {
   if (report.cosines.size() > 0) {
     out["cosines"] = matrix(report.cosines);
     out["mac"] = matrix(report.assurance);
+    if (!report.frequencies_hz.empty()) out["normal_frequencies_hz"] = values(report.frequencies_hz);
   }
   return json_text(out);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/pod/pod_record.hpp"
+#include "cli/text/table.hpp"
 #include "series/pod/mode_comparison.hpp"
 
 namespace jointid::cli {
@@ -14,11 +15,18 @@ struct PodReport {
   std::size_t cut = 0;
   series::Pod pod;
   bool weighted = false, mean_kept = false;
-  Eigen::MatrixXd cosines, assurance;  ///< [modes, modes of --compare]; empty without it
+  std::string compared;                ///< "the modes of --compare", "the normal modes of --stiffness and --mass"; or empty
+  Eigen::MatrixXd cosines, assurance;  ///< [modes, those that they are compared with]; empty without them
+  std::vector<double> frequencies_hz;  ///< of the normal modes, where they were computed
 };
 
 /// What one should know before one uses it: missing samples, cut channels, units that differ, too few samples.
 std::vector<std::string> pod_remarks(const PodReport& report);
+
+/// Tables on the terminal and in the page.
+Table values_table(const series::Pod& pod);
+Table shapes_table(const PodReport& report);
+Table comparison_table(const PodReport& report);
 
 /// For people.
 std::string pod_text(const PodReport& report);

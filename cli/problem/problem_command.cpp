@@ -15,6 +15,7 @@
 #include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
+#include "problems/thesis/oscillations.hpp"
 #include "problems/thesis/pulses.hpp"
 #include "problems/thesis/two_beams.hpp"
 #include "problems/vibration/law_problem.hpp"
@@ -53,6 +54,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   for (const auto& beams : problems::list_two_beams()) table.add({beams.name, beams.description});
   for (const auto& pulse : problems::list_pulses()) table.add({pulse.name, pulse.description()});
   for (const auto& problem : problems::list_law_problems()) table.add({problem.name, problem.description});
+  for (const auto& each : problems::list_oscillations()) table.add({each.name, each.description});
   out << table.text(0);
   return ExitCode::done;
 }
@@ -112,6 +114,11 @@ ExitCode execute(const ProblemWriteArguments& arguments, std::ostream& out) {
   if (problems::is_law_problem(arguments.name)) {
     const auto scene = problems::write(problems::make_law_problem(arguments.name), arguments.directory, arguments.options);
     out << "wrote " << scene.string() << "\nnext: jointid solve " << scene.string() << '\n';
+    return ExitCode::done;
+  }
+  if (const auto* oscillation = problems::find_oscillation(arguments.name)) {
+    const auto scene = problems::write(*oscillation, arguments.directory);
+    out << "wrote " << scene.string() << "\nnext: jointid oscillate " << scene.string() << " --report " << arguments.name << ".html\n";
     return ExitCode::done;
   }
   const auto problem = problems::make(arguments.name);

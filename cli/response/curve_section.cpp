@@ -6,9 +6,6 @@
 namespace jointid::cli {
 namespace {
 
-using scene::Item;
-using scene::Table;
-
 std::size_t read_joint_number(const scene::Table& table, const ResponseScene& scene) {
   const auto joint = table.find("joint");
   if (!joint) return 0;

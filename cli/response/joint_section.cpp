@@ -1,14 +1,11 @@
-#include <cmath>
 #include <stdexcept>
 
+#include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
 #include "friction/law/laws.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using scene::Item;
-using scene::Table;
 
 /// Parameters in the order of the law, from a list or a table by name.
 std::vector<double> read_parameters(const scene::Item& item, const friction::Law& law) {
@@ -47,15 +44,6 @@ void read_law(const scene::Table& table, response::Joint& joint) {
 }
 
 }  // namespace
-
-double read_whole(const scene::Item& item, double least, double most) {
-  const double number = item.number();
-  if (number != std::floor(number) || number < least || number > most) {
-    item.fail(scene::number_text(number) + " is not a whole number from " + scene::number_text(least) + " to " +
-              scene::number_text(most));
-  }
-  return number;
-}
 
 SceneDof read_dof(const scene::Item& item, const ResponseScene& scene) {
   SceneDof found;

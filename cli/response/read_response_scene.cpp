@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <numbers>
 
+#include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
 #include "ident/scene/scene_sections.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using scene::Item;
-using scene::Table;
 
 const std::vector<std::string> methods = {"sweep", "arc_length"};
 

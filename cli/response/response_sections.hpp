@@ -5,9 +5,6 @@
 
 namespace jointid::cli {
 
-/// A whole number between two others.
-double read_whole(const scene::Item& item, double least, double most);
-
 /// A coordinate of [structure] by its number from 1, or a DOF of the files of [data].
 SceneDof read_dof(const scene::Item& item, const ResponseScene& scene);
 

@@ -1,15 +1,11 @@
-#include <cmath>
 #include <utility>
 
+#include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
-#include "response/structure/matrix_file.hpp"
 #include "response/structure/modal_damping.hpp"
 
 namespace jointid::cli {
 namespace {
-
-using scene::Item;
-using scene::Table;
 
 constexpr Eigen::Index most_modes = 5000;  ///< of modal damping, which needs them all
 
@@ -48,38 +44,7 @@ class StructureReader {
   }
 
   Sparse matrix(const std::string& key, Eigen::Index size) const {
-    const scene::Item item = table_.require(key);
-    const Sparse found = item.is_text() ? from_file(item, key) : Sparse(inline_matrix(item).sparseView());
-    if (size > 0 && found.rows() != size) {
-      item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
-    }
-    if (!symmetric(found)) item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
-    return found;
-  }
-
-  static bool symmetric(const Sparse& m) {
-    const Sparse transposed = m.transpose();
-    return (m - transposed).norm() <= 1e-9 * m.norm();
-  }
-
-  Sparse from_file(const scene::Item& item, const std::string& key) const {
-    std::string name = item.text_not_empty(), variable;
-    const std::size_t colon = name.rfind(':');
-    if (colon != std::string::npos && colon > 0) {
-      variable = name.substr(colon + 1);
-      name.resize(colon);
-    }
-    scene_.matrix_files.push_back({folder_ / name, "[structure] " + key});
-    return response::read_symmetric_sparse(folder_ / name, variable);
-  }
-
-  static Eigen::MatrixXd inline_matrix(const scene::Item& item) {
-    const ident::Matrix rows = item.square_matrix(item.list_not_empty().size());
-    Eigen::MatrixXd found(at(rows.size()), at(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      for (std::size_t j = 0; j < rows.size(); ++j) found(at(i), at(j)) = rows[i][j];
-    }
-    return found;
+    return read_sparse_matrix(table_.require(key), folder_, size, scene_.matrix_files);
   }
 
   const scene::Item& item_;

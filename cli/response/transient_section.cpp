@@ -5,8 +5,6 @@
 namespace jointid::cli {
 namespace {
 
-using scene::Item;
-using scene::Table;
 using response::TransientMethod;
 
 const std::vector<std::string> march_methods = {"exact", "one", "two"};

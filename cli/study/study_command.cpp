@@ -18,7 +18,7 @@
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "scene/text.hpp"
-#include "ident/study/study_options.hpp"
+#include "study/study_options.hpp"
 #include "report/result/study_tables.hpp"
 
 namespace jointid::cli {

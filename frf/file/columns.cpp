@@ -22,13 +22,6 @@ std::string lower(std::string_view text) {
   return out;
 }
 
-/// "Position [mm]" and "Position (mm)" into name and unit.
-NumberColumn named(std::string_view header) {
-  const std::size_t open = header.find_first_of("[(");
-  if (open == std::string_view::npos || (header.back() != ']' && header.back() != ')')) return {std::string(header), {}, {}};
-  return {std::string(trimmed(header.substr(0, open))), std::string(trimmed(header.substr(open + 1, header.size() - open - 2))), {}};
-}
-
 char separator_of(std::string_view line) {
   const char separator = csv_separator(trimmed(line));
   return separator == '\0' ? ' ' : separator;
@@ -59,7 +52,7 @@ class TextColumns {
     double value = 0.0;
     const bool numbers = std::ranges::all_of(cells, [&](std::string_view cell) { return parse_cell(cell, separator_ == ';', value); });
     for (std::size_t i = 0; i < cells.size(); ++i)
-      out_.columns.push_back(numbers ? NumberColumn{std::to_string(i + 1), {}, {}} : named(cells[i]));
+      out_.columns.push_back(numbers ? NumberColumn{std::to_string(i + 1), {}, {}} : titled_column(cells[i]));
     if (numbers) add(line);
   }
 
@@ -114,6 +107,13 @@ std::string listed(const Columns& columns) {
 }
 
 }  // namespace
+
+NumberColumn titled_column(std::string_view header) {
+  const bool bracket = header.ends_with(']');
+  const std::size_t open = bracket || header.ends_with(')') ? header.rfind(bracket ? '[' : '(') : std::string_view::npos;
+  if (open == std::string_view::npos) return {std::string(header), {}, {}};
+  return {std::string(trimmed(header.substr(0, open))), std::string(trimmed(header.substr(open + 1, header.size() - open - 2))), {}};
+}
 
 const NumberColumn& Columns::column(std::string_view name_or_number) const {
   const std::string wanted = lower(name_or_number);

@@ -14,6 +14,9 @@ struct NumberColumn {
   std::vector<double> values;
 };
 
+/// "Position [mm]" and "Position (mm)" into name and unit; no values.
+NumberColumn titled_column(std::string_view title);
+
 /// The columns of one file, in its order.
 struct Columns {
   std::string file;

@@ -209,6 +209,29 @@ std::vector<double> read_doubles(const Dataset& dataset) {
   return values;
 }
 
+std::vector<double> read_samples(const Dataset& dataset, std::size_t first, std::size_t count) {
+  if (!is_real(dataset)) fail(dataset, "does not hold real numbers");
+  if (dataset.dims.empty() || dataset.dims.size() > 2) fail(dataset, "is no vector or matrix");
+  const std::size_t along = dataset.dims.size() == 2 && dataset.dims[0] > dataset.dims[1] ? 0 : dataset.dims.size() - 1;
+  std::vector<hsize_t> from(dataset.dims.size(), 0), extent(dataset.dims.begin(), dataset.dims.end());
+  if (first + count > dataset.dims[along]) fail(dataset, "has " + std::to_string(dataset.dims[along]) + " samples only");
+  from[along] = first, extent[along] = count;
+  const int rank = static_cast<int>(extent.size());
+  const Handle stored(H5Dget_space(dataset.id.get())), memory(H5Screate_simple(rank, extent.data(), nullptr));
+  H5Sselect_hyperslab(stored.get(), H5S_SELECT_SET, from.data(), nullptr, extent.data(), nullptr);
+  const std::size_t others = dataset.dims.size() == 2 ? dataset.dims[1 - along] : 1;
+  std::vector<double> values(count * others);
+  if (H5Dread(dataset.id.get(), H5T_NATIVE_DOUBLE, memory.get(), stored.get(), H5P_DEFAULT, values.data()) < 0) {
+    fail(dataset, "cannot be read: " + last_failure());
+  }
+  if (along == 0 || others == 1) return values;
+  std::vector<double> turned(values.size());
+  for (std::size_t k = 0; k < others; ++k) {
+    for (std::size_t i = 0; i < count; ++i) turned[i * others + k] = values[k * count + i];
+  }
+  return turned;
+}
+
 std::vector<std::string> read_texts(const Dataset& dataset) {
   const Handle type(H5Dget_type(dataset.id.get()));
   const Handle space(H5Dget_space(dataset.id.get()));

@@ -50,6 +50,10 @@ std::optional<double> number_attribute(const Object& object, const char* name);
 std::vector<double> read_doubles(const Dataset& dataset);
 std::vector<std::string> read_texts(const Dataset& dataset);
 
+/// Of a dataset of one or two dimensions, the longer of which (the last of equal ones) counts the samples: samples
+/// [first, first + count), [count, others].
+std::vector<double> read_samples(const Dataset& dataset, std::size_t first, std::size_t count);
+
 /// Memory type of std::complex<double> as compound with the given member names.
 Handle complex_type(const char* real = "r", const char* imaginary = "i");
 

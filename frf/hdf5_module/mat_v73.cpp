@@ -146,6 +146,14 @@ class MatV73 final : public MatFile {
     return variable;
   }
 
+  bool reads_samples() const override { return true; }
+
+  std::vector<double> read_samples(const MatInfo& info, std::size_t first, std::size_t count) override {
+    const hdf5::Silence silence;
+    const Dataset dataset = open_dataset(hdf5_, path_of_.at(info.name));
+    return hdf5::read_samples(dataset, first, count);
+  }
+
  private:
   hdf5::Object hdf5_;
   std::map<std::string, std::string> path_of_;  ///< S/field of S.field

@@ -168,6 +168,10 @@ std::unique_ptr<FrfSource> open_mat(const std::unique_ptr<MatFile>& file, const 
 
 }  // namespace
 
+std::vector<double> MatFile::read_samples(const MatInfo& info, std::size_t, std::size_t) {
+  fail(info.name, "cannot be read in parts");
+}
+
 void MatFile::fail(const std::string& variable, std::string problem) const {
   throw InputError({.kind = ErrorKind::data,
                     .file = file_,

@@ -40,6 +40,12 @@ class MatFile {
   /// Reads one of `variables`. Throws InputError when the file breaks its promises.
   virtual MatVariable read(const MatInfo& info) = 0;
 
+  /// Whether read_samples() reads parts of a variable from the file.
+  virtual bool reads_samples() const { return false; }
+  /// Samples [first, first + count) of a real vector or matrix, whose longer axis (the first of equal ones) counts the samples:
+  /// [count, others], the others of one sample together.
+  virtual std::vector<double> read_samples(const MatInfo& info, std::size_t first, std::size_t count);
+
  protected:
   explicit MatFile(std::string file) : file_(std::move(file)) {}
   [[noreturn]] void fail(const std::string& variable, std::string problem) const;

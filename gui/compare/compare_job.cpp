@@ -1,7 +1,7 @@
 #include "gui/compare/compare_job.hpp"
 
 #include "base/control.hpp"
-#include "ident/study/trial_data.hpp"
+#include "study/trial_data.hpp"
 
 namespace jointid::gui {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/stopwatch.hpp"
-#include "ident/study/trial_data.hpp"
+#include "study/trial_data.hpp"
 #include "report/result/study_plots.hpp"
 #include "report/result/study_tables.hpp"
 

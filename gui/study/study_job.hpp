@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "gui/work/worker.hpp"
-#include "ident/study/study.hpp"
-#include "ident/study/study_statistics.hpp"
+#include "study/study.hpp"
+#include "study/study_statistics.hpp"
 #include "report/page/contents.hpp"
 #include "report/text/table.hpp"
 

@@ -7,9 +7,6 @@
 namespace jointid::laws {
 namespace {
 
-using scene::Item;
-using scene::Table;
-
 /// Tried where the scene names none: a law for each of stick and slip at once, rounded, with a tail, spread over many sliders.
 const std::vector<std::string> usual_laws = {"bilinear", "shoukry", "ren", "iwan"};
 const std::vector<std::string> beside_words = {"stiffness", "damping", "cubic"};

@@ -6,9 +6,6 @@
 namespace jointid::laws {
 namespace {
 
-using scene::Item;
-using scene::Table;
-
 /// A name or a list of names.
 std::vector<scene::Item> one_or_several(const scene::Item& item) {
   return item.is_list() ? item.list_not_empty() : std::vector<scene::Item>{item};

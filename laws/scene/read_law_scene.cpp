@@ -9,9 +9,6 @@
 namespace jointid::laws {
 namespace {
 
-using scene::Item;
-using scene::Table;
-
 const ident::Value* member(const ident::Value& table, const std::string& key) {
   const auto* members = std::get_if<ident::Members>(&table.content);
   if (members == nullptr) return nullptr;

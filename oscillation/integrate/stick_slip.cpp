@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/control.hpp"
 #include "oscillation/integrate/first_root.hpp"
 
 namespace jointid::oscillation {
@@ -121,6 +122,7 @@ void StickSlip::take(const Found& found) {
 
 Status StickSlip::run(double until, std::size_t break_aways) {
   while (time_ < until) {
+    stop_if(interrupted);
     series_.expand(mode_, state_, piece_);
     if (!std::isfinite(piece_.coefficients.rightCols(1).sum())) return Status::diverged;
     piece_.start = time_;
@@ -151,8 +153,10 @@ Status StickSlip::run(double until, std::size_t break_aways) {
 Status StickSlip::advance(double until) { return run(until, 0); }
 Status StickSlip::advance_break_aways(std::size_t count, double until) { return count == 0 ? Status::ok : run(until, count); }
 
-Motion integrate(const ContactSystem& system, const VectorXd& start, double until, const std::vector<double>& times) {
+Motion integrate(const ContactSystem& system, const VectorXd& start, double until, const std::vector<double>& times,
+                 const std::function<bool()>& interrupted) {
   StickSlip motion(system, start);
+  motion.interrupted = interrupted;
   Motion out;
   out.samples.resize(start.size(), at(times.size()));
   std::size_t next = 0;

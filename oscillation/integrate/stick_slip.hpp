@@ -38,6 +38,8 @@ class StickSlip {
   /// Called for every part of the motion in one mode and step, its length cut at the event or end; and for every event.
   std::function<void(const Piece&)> on_piece;
   std::function<void(const Event&)> on_event;
+  /// Asked before every step: true ends the integration with Interrupted.
+  std::function<bool()> interrupted;
 
   /// Goes on to time `until`.
   Status advance(double until);
@@ -89,7 +91,8 @@ struct Motion {
   Eigen::MatrixXd samples;
   Eigen::VectorXd end;
 };
-Motion integrate(const ContactSystem& system, const Eigen::VectorXd& start, double until, const std::vector<double>& times = {});
+Motion integrate(const ContactSystem& system, const Eigen::VectorXd& start, double until, const std::vector<double>& times = {},
+                 const std::function<bool()>& interrupted = {});
 
 /// i·step for i = 0 … count − 1.
 std::vector<double> equal_times(double step, std::size_t count);

@@ -59,7 +59,8 @@ PeriodicOrbit orbit_of(const series::PeriodicPoint& point) {
 
 }  // namespace
 
-PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& start, std::size_t slips, double longest) {
+PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& start, std::size_t slips, double longest,
+                               const std::function<bool()>& interrupted) {
   if (!system.is_rigid()) throw InputError({ErrorKind::usage, "", "contact", "is compliant: take driven_orbit()", ""});
   const Section section(system, start);
   const std::vector<Index> free = system.free(Mode::stick);
@@ -72,6 +73,7 @@ PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& star
   };
   const series::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
     StickSlip orbit(system, placed(x), Mode::stick);
+    orbit.interrupted = interrupted;
     orbit.break_away();
     orbit.tangents() = unit_tangents(system, free);
     const Status status = orbit.advance_break_aways(slips, longest);
@@ -96,7 +98,8 @@ PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& star
   return out;
 }
 
-PeriodicOrbit driven_orbit(const ContactSystem& system, const VectorXd& start, Mode mode, double cycle, std::size_t cycles) {
+PeriodicOrbit driven_orbit(const ContactSystem& system, const VectorXd& start, Mode mode, double cycle, std::size_t cycles,
+                           const std::function<bool()>& interrupted) {
   const std::vector<Index> free = system.free(mode);
   const auto placed = [&](const VectorXd& x) {
     VectorXd z = system.state(x.head(system.degrees()), x.segment(system.degrees(), system.degrees()));
@@ -105,6 +108,7 @@ PeriodicOrbit driven_orbit(const ContactSystem& system, const VectorXd& start, M
   };
   const series::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
     StickSlip orbit(system, placed(x), mode);
+    orbit.interrupted = interrupted;
     orbit.tangents() = unit_tangents(system, free);
     const Status status = orbit.advance(cycle * static_cast<double>(cycles));
     x = orbit.state()(free);
@@ -124,6 +128,7 @@ Exponents lyapunov_exponents(const ContactSystem& system, const VectorXd& start,
     throw InputError({ErrorKind::usage, "", "interval, length, transient", "are not above 0", ""});
   }
   StickSlip motion(system, start);
+  motion.interrupted = options.interrupted;
   Exponents out;
   const series::TangentStep step = [&](VectorXd& z, MatrixXd& tangents) {
     motion.tangents().swap(tangents);

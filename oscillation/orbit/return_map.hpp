@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "base/complex.hpp"
@@ -21,13 +22,13 @@ struct PeriodicOrbit {
 /// Of a system without drive in time: by Newton on the map from a break-away to the `slips`-th after it, DP = (I − F∇hᵀ/(∇hᵀF))W.
 /// `start`: near a break-away; it is moved onto V_r = 0 and |f| = μ_S N. Rigid contact only. An orbit without return within
 /// `longest` s is not converged.
-PeriodicOrbit break_away_orbit(const ContactSystem& system, const Eigen::VectorXd& start, std::size_t slips,
-                               double longest = 1e4);
+PeriodicOrbit break_away_orbit(const ContactSystem& system, const Eigen::VectorXd& start, std::size_t slips, double longest = 1e4,
+                               const std::function<bool()>& interrupted = {});
 
 /// Of a driven system: by Newton on the map over `cycles` periods of the drive, from a start near the orbit at phase 0 in
 /// a mode.
-PeriodicOrbit driven_orbit(const ContactSystem& system, const Eigen::VectorXd& start, Mode mode, double cycle,
-                           std::size_t cycles);
+PeriodicOrbit driven_orbit(const ContactSystem& system, const Eigen::VectorXd& start, Mode mode, double cycle, std::size_t cycles,
+                           const std::function<bool()>& interrupted = {});
 
 /// Lyapunov exponents, nats per second, with tangents across events (Benettin). The rigid stick loses a dimension: the last
 /// exponent is −infinity.
@@ -35,6 +36,7 @@ struct ExponentOptions {
   std::size_t count = 1;
   double transient = 0.0, length = 0.0;  ///< s
   double interval = 0.0;                 ///< s between orthonormalisations, > 0
+  std::function<bool()> interrupted = {};
 };
 struct Exponents {
   Status status = Status::ok;

@@ -11,23 +11,37 @@
 namespace jointid::oscillation {
 namespace {
 
+void check(const SweepCase& each) {
+  if (each.length > 0.0 && each.transient >= 0.0 && each.cycle >= 0.0) return;
+  throw InputError({ErrorKind::usage, "", "length, transient, cycle", "are not usable times", ""});
+}
+
+/// Once a cycle of the drive.
+Status observe_cycles(StickSlip& motion, const SweepCase& each, std::vector<double>& values) {
+  const auto cycles = [&](double time) { return static_cast<std::size_t>(time / each.cycle + 0.5); };
+  const std::size_t first = cycles(each.transient), last = first + cycles(each.length);
+  Status status = Status::ok;
+  for (std::size_t k = 1; k <= last && status == Status::ok; ++k) {
+    status = motion.advance(each.cycle * static_cast<double>(k));
+    if (k > first) values.push_back(each.form.dot(motion.state()));
+  }
+  return status;
+}
+
+Status observe_break_aways(StickSlip& motion, const SweepCase& each, std::vector<double>& values) {
+  const Status status = motion.advance(each.transient);
+  motion.on_event = [&](const Event& event) {
+    if (event.from == Mode::stick) values.push_back(each.form.dot(event.state));
+  };
+  return status == Status::ok ? motion.advance(each.transient + each.length) : status;
+}
+
 SweepPoint observe(double parameter, const SweepCase& each, const SweepOptions& options) {
+  check(each);
   SweepPoint out{parameter, Status::ok, {}};
   StickSlip motion(each.system, each.start);
-  if (options.cycle > 0.0) {
-    const auto cycles = [&](double time) { return static_cast<std::size_t>(time / options.cycle + 0.5); };
-    const std::size_t first = cycles(options.transient), count = cycles(options.length);
-    for (std::size_t k = 0; k < first + count && out.status == Status::ok; ++k) {
-      out.status = motion.advance(options.cycle * static_cast<double>(k + 1));
-      if (k >= first) out.values.push_back(each.form.dot(motion.state()));
-    }
-    return out;
-  }
-  out.status = motion.advance(options.transient);
-  motion.on_event = [&](const Event& event) {
-    if (event.from == Mode::stick) out.values.push_back(each.form.dot(event.state));
-  };
-  if (out.status == Status::ok) out.status = motion.advance(options.transient + options.length);
+  motion.interrupted = options.interrupted;
+  out.status = each.cycle > 0.0 ? observe_cycles(motion, each, out.values) : observe_break_aways(motion, each, out.values);
   return out;
 }
 
@@ -35,9 +49,6 @@ SweepPoint observe(double parameter, const SweepCase& each, const SweepOptions& 
 
 std::vector<SweepPoint> sweep(const std::vector<double>& parameters, const std::function<SweepCase(double)>& make,
                               const SweepOptions& options) {
-  if (!(options.length > 0.0) || options.transient < 0.0 || options.cycle < 0.0) {
-    throw InputError({ErrorKind::usage, "", "length, transient, cycle", "are not usable times", ""});
-  }
   const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
   const std::size_t threads =
       std::min(options.threads > 0 ? options.threads : cores, std::max<std::size_t>(parameters.size(), 1));
@@ -47,8 +58,11 @@ std::vector<SweepPoint> sweep(const std::vector<double>& parameters, const std::
   std::mutex mutex;
   const auto work = [&] {
     try {
-      for (std::size_t k = next++; k < parameters.size(); k = next++)
+      for (std::size_t k = next++; k < parameters.size(); k = next++) {
         out[k] = observe(parameters[k], make(parameters[k]), options);
+        const std::lock_guard lock(mutex);
+        if (options.done) options.done(out[k]);
+      }
     } catch (...) {
       const std::lock_guard lock(mutex);
       failure = std::current_exception();

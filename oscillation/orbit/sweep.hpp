@@ -15,21 +15,23 @@ struct SweepPoint {
   std::vector<double> values;  ///< of the observed form, at break-aways or once a cycle
 };
 
-struct SweepOptions {
-  double transient = 0.0;   ///< s, before values are kept
-  double length = 0.0;      ///< s, > 0
-  double cycle = 0.0;       ///< s: values once a cycle of the drive, at its phase 0; 0: at break-aways
-  std::size_t threads = 1;  ///< 0: all cores; the values do not depend on it
-};
-
-/// A system, where it starts and which linear form of its state is observed, by the parameter.
+/// A system, where it starts, which linear form of its state is observed and when, by the parameter.
 struct SweepCase {
   ContactSystem system;
   Eigen::VectorXd start, form;
+  double transient = 0.0;  ///< s, before values are kept; ≥ 0
+  double length = 0.0;     ///< s, > 0
+  double cycle = 0.0;      ///< s: values once a cycle of the drive, at its phase 0; 0: at break-aways
+};
+
+struct SweepOptions {
+  std::size_t threads = 1;  ///< 0: all cores; the values do not depend on it
+  std::function<bool()> interrupted = {};
+  std::function<void(const SweepPoint&)> done = {};  ///< called by one thread at a time, in no order
 };
 
 /// All parameters, each from its own start, shared among threads.
 std::vector<SweepPoint> sweep(const std::vector<double>& parameters, const std::function<SweepCase(double)>& make,
-                              const SweepOptions& options);
+                              const SweepOptions& options = {});
 
 }  // namespace jointid::oscillation

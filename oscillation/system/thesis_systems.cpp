@@ -108,19 +108,4 @@ Eigen::RowVectorXd strain_row(const Cantilever& beam, double x) {
   return row;
 }
 
-Mechanics reduced(const Mechanics& full, const MatrixXd& basis, const VectorXd& mean) {
-  if (basis.rows() != full.contact.size() || mean.size() != full.contact.size() || basis.cols() == 0) {
-    throw InputError({ErrorKind::usage, "", "basis", "has another number of rows than the system has coordinates", ""});
-  }
-  Mechanics out;
-  out.mass = basis.transpose() * full.mass * basis;
-  out.damping = basis.transpose() * full.damping * basis;
-  out.stiffness = basis.transpose() * full.stiffness * basis;
-  out.contact = basis.transpose() * full.contact;
-  out.constant = -basis.transpose() * full.stiffness * mean;
-  if (full.constant.size() > 0) out.constant += basis.transpose() * full.constant;
-  if (full.forcing.size() > 0) out.forcing = basis.transpose() * full.forcing;
-  return out;
-}
-
 }  // namespace jointid::oscillation

@@ -49,8 +49,4 @@ Eigen::VectorXd tip_mass_frequencies(const Cantilever& beam);
 Eigen::RowVectorXd displacement_row(const Cantilever& beam, double x);
 Eigen::RowVectorXd strain_row(const Cantilever& beam, double x);
 
-/// q = mean + Φ a in second-order form (6.27–6.36): ΦᵀMΦ ä + ΦᵀCΦ ȧ + ΦᵀKΦ a = Φᵀg − ΦᵀK·mean + Φᵀp f. The stick force follows
-/// from the reduced model itself, which (3.31–3.34) do not.
-Mechanics reduced(const Mechanics& full, const Eigen::MatrixXd& basis, const Eigen::VectorXd& mean);
-
 }  // namespace jointid::oscillation

@@ -1,12 +1,12 @@
 #include "records/file/read_record.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/uff/uff_file.hpp"
+#include "records/file/file_head.hpp"
 #include "records/file/limits.hpp"
 #include "records/file/npy_file.hpp"
 #include "records/file/time_axis.hpp"
@@ -17,14 +17,6 @@ namespace {
 
 [[noreturn]] void fail(const std::string& file, std::string problem, std::string remedy) {
   throw InputError({ErrorKind::data, file, {}, std::move(problem), std::move(remedy)});
-}
-
-std::string head_of(const std::filesystem::path& path) {
-  std::string head(512, '\0');
-  std::ifstream in(path, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
-  return head;
 }
 
 /// Samples per second, by the user or by a column of times.

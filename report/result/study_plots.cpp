@@ -9,8 +9,8 @@
 #include "report/text/words.hpp"
 #include "base/statistics.hpp"
 #include "frf/hdf5/table_file.hpp"
-#include "ident/study/study_histogram.hpp"
-#include "ident/study/study_row.hpp"
+#include "study/study_histogram.hpp"
+#include "study/study_row.hpp"
 
 namespace jointid::report {
 namespace {

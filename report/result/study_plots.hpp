@@ -1,7 +1,7 @@
 #pragma once
 
 #include "report/page/contents.hpp"
-#include "ident/study/study_statistics.hpp"
+#include "study/study_statistics.hpp"
 
 /// The plots of a study report.
 namespace jointid::report {

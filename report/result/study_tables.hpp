@@ -4,8 +4,8 @@
 #include <string>
 
 #include "report/text/table.hpp"
-#include "ident/study/study.hpp"
-#include "ident/study/study_statistics.hpp"
+#include "study/study.hpp"
+#include "study/study_statistics.hpp"
 
 /// What a study found, for text and page.
 namespace jointid::report {

@@ -11,7 +11,8 @@
 namespace jointid::series {
 namespace {
 
-constexpr Eigen::Index block_rows = 4096;
+constexpr Eigen::Index block_rows = 4096;  ///< of one thread
+constexpr Eigen::Index step_rows = 512;    ///< of one decomposition: what it works on stays near the processor
 
 }  // namespace
 
@@ -19,29 +20,25 @@ RecordTriangle::RecordTriangle(std::size_t channels) : triangle_(Eigen::MatrixXd
   if (channels == 0) throw InputError({ErrorKind::data, "", "record", "has no channels", ""});
 }
 
-void RecordTriangle::stack(const Eigen::Ref<const Eigen::MatrixXd>& rows) {
-  Eigen::MatrixXd stacked(triangle_.rows() + rows.rows(), triangle_.cols());
-  stacked << triangle_, rows;
-  triangle_ = dense::triangle_of(stacked);
-}
-
 void RecordTriangle::add(const Eigen::Ref<const Samples>& block) {
   if (block.cols() + 1 != triangle_.cols()) {
     throw InputError({ErrorKind::data, "", "record",
                       "has " + std::to_string(block.cols()) + " channels after blocks of " + std::to_string(channels()), ""});
   }
-  for (Eigen::Index first = 0; first < block.rows(); first += block_rows) {
-    const Eigen::Index count = std::min(block_rows, block.rows() - first);
-    Eigen::MatrixXd rows(count, triangle_.cols());
+  const Eigen::Index size = triangle_.cols();
+  for (Eigen::Index first = 0; first < block.rows(); first += step_rows) {
+    const Eigen::Index count = std::min(step_rows, block.rows() - first);
+    Eigen::MatrixXd stacked(size + count, size);
     Eigen::Index kept = 0;
     for (Eigen::Index i = first; i < first + count; ++i) {
-      if (!block.row(i).allFinite()) continue;
-      rows(kept, 0) = 1.0;
-      rows.row(kept++).tail(block.cols()) = block.row(i);
+      if (block.row(i).allFinite()) stacked.row(size + kept++).tail(block.cols()) = block.row(i);
     }
     samples_ += static_cast<std::size_t>(kept);
     missing_ += static_cast<std::size_t>(count - kept);
-    if (kept > 0) stack(rows.topRows(kept));
+    if (kept == 0) continue;
+    stacked.topRows(size) = triangle_;
+    stacked.col(0).segment(size, kept).setOnes();
+    triangle_ = dense::triangle_of(stacked.topRows(size + kept));
   }
 }
 
@@ -49,7 +46,26 @@ void RecordTriangle::join(const RecordTriangle& other) {
   if (other.triangle_.cols() != triangle_.cols()) throw InputError({ErrorKind::data, "", "records", "differ in channels", ""});
   samples_ += other.samples_;
   missing_ += other.missing_;
-  if (other.samples_ > 0) stack(other.triangle_);
+  if (other.samples_ == 0) return;
+  Eigen::MatrixXd stacked(2 * triangle_.rows(), triangle_.cols());
+  stacked << triangle_, other.triangle_;
+  triangle_ = dense::triangle_of(stacked);
+}
+
+std::vector<double> RecordTriangle::numbers() const {
+  std::vector<double> out = {static_cast<double>(samples_), static_cast<double>(missing_)};
+  out.insert(out.end(), triangle_.data(), triangle_.data() + triangle_.size());
+  return out;
+}
+
+RecordTriangle RecordTriangle::of_numbers(std::size_t channels, const std::vector<double>& numbers) {
+  RecordTriangle out(channels);
+  if (at(numbers.size()) != out.triangle_.size() + 2)
+    throw InputError({ErrorKind::data, "", "records", "differ in channels", ""});
+  out.samples_ = static_cast<std::size_t>(numbers[0]);
+  out.missing_ = static_cast<std::size_t>(numbers[1]);
+  std::copy(numbers.begin() + 2, numbers.end(), out.triangle_.data());
+  return out;
 }
 
 Eigen::VectorXd RecordTriangle::mean() const {

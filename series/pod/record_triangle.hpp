@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "base/eigen.hpp"
 
@@ -28,14 +29,15 @@ class RecordTriangle {
   std::size_t samples() const { return samples_; }  ///< T, the missing ones left out
   std::size_t missing() const { return missing_; }
   Eigen::VectorXd mean() const;
+  /// All that it knows as numbers, for another process; and back.
+  std::vector<double> numbers() const;
+  static RecordTriangle of_numbers(std::size_t channels, const std::vector<double>& numbers);
   /// R_c with R_cᵀR_c = Σ (x − x̄)(x − x̄)ᵀ.
   Eigen::MatrixXd centred() const;
   /// R₀ with R₀ᵀR₀ = Σ x xᵀ.
   Eigen::MatrixXd uncentred() const;
 
  private:
-  void stack(const Eigen::Ref<const Eigen::MatrixXd>& rows);
-
   Eigen::MatrixXd triangle_;  ///< [channels + 1, channels + 1], the ones first
   std::size_t samples_ = 0, missing_ = 0;
 };

@@ -79,6 +79,8 @@ command_test(pod_json CODE 0 OUT "\"fractions_of_sigma_squared\"" AFTER curve AR
 command_test(pod_csv CODE 0 OUT "^channel,unit,mean,mode 1,mode 2" AFTER curve ARGS pod curve/table2.1-1.csv --csv -)
 command_test(pod_mass CODE 3 ERR "--mass needs a row for every channel" AFTER curve ARGS pod curve/table2.1-1.csv --mass curve/table2.1-1.csv)
 command_test(pod_channel CODE 3 ERR "table2.1-1.csv" AFTER curve ARGS pod curve/table2.1-1.csv --channels absent)
+command_test(pod_report CODE 0 OUT "^<!DOCTYPE html>" AFTER curve ARGS pod curve/table2.1-1.csv --report -)
+command_test(pod_stiffness_alone CODE 2 ERR "give --mass" AFTER curve ARGS pod curve/table2.1-1.csv --stiffness curve/table2.1-1.csv)
 command_test(pod_absent CODE 3 ERR "absent.csv" ARGS pod absent.csv)
 command_test(loading_curve CODE 0 OUT "best by AIC: ren.*friction limit +10[67].*equivalent stiffness" AFTER curve
   ARGS loading-curve curve/table2.1-1.csv)
@@ -146,6 +148,23 @@ command_test(response_json CODE 0 OUT "^{\n  \"status\": \"ok\"" ARGS response $
 command_test(response_csv CODE 0 OUT "^force .N.,frequency .Hz.,harmonic,dof,re .m.,im .m.,std dev re .m.,std dev im .m.\n0.2,0.08," ARGS response ${_fold} --csv -)
 command_test(beams_written CODE 0 OUT "next: jointid response" MAKES beams ARGS problem write beams-B beams)
 command_test(response_beams CODE 0 OUT " 1 +50 +1\\.7125e-06 +166\\.26 .* 100 +50 +0\\.000295648 " AFTER beams ARGS response beams/beams-B.toml)
+command_test(oscillation_written CODE 0 OUT "next: jointid oscillate" MAKES oscillation ARGS problem write chain-10-orbit chain)
+command_test(oscillate CODE 0 OUT "period 126.774673206 .*stable.*craig_bampton +3 " AFTER oscillation MAKES oscillated ARGS oscillate chain/chain-10-orbit.toml --csv chain.csv)
+command_test(oscillate_json CODE 0 OUT "^{\n  \"status\": \"ok\"" AFTER oscillation ARGS oscillate chain/chain-10-orbit.toml --json -)
+command_test(oscillate_report CODE 0 OUT "^<!DOCTYPE html>" AFTER oscillation ARGS oscillate chain/chain-10-orbit.toml --report -)
+command_test(oscillate_no_sweep CODE 2 ERR "has no .sweep." AFTER oscillation ARGS oscillate chain/chain-10-orbit.toml --sweep -)
+command_test(oscillate_absent CODE 2 ERR "absent.toml" ARGS oscillate absent.toml)
+command_test(pod_of_oscillation CODE 0 OUT "5000 samples of 10 channels" AFTER oscillated ARGS pod chain.csv --channels q1,q2,q3,q4,q5,q6,q7,q8,q9,q10)
+command_test(series_delay CODE 0 OUT "Theiler window.*largest exponent, Kantz" AFTER oscillated ARGS series delay chain.csv --channel q1 --samples 2000 --most-dimension 4)
+command_test(series_friction CODE 0 OUT "μ_K +0.3 ±.*α s/m +2 ±" AFTER oscillated
+  ARGS series friction chain.csv --velocity "relative velocity" --force friction --normal normal --stick-speed 1e-9)
+command_test(series_align CODE 0 OUT "against q1" AFTER oscillated ARGS series align chain.csv --reference q1 --frequency 0.0631)
+command_test(series_strain CODE 0 OUT "2 gauges, 2 shapes, condition" AFTER oscillated
+  ARGS series strain chain.csv --channels q1,q2 --length 0.4 --thickness 0.001 --gauges 0.05,0.1)
+command_test(series_strain_gauges CODE 3 ERR "channels for 1 gauges" AFTER oscillated
+  ARGS series strain chain.csv --length 0.4 --thickness 0.001 --gauges 0.05)
+command_test(series_absent CODE 3 ERR "absent.csv" ARGS series delay absent.csv)
+command_test(series_nothing CODE 2 ERR "--help" ARGS series)
 command_test(response_absent CODE 2 ERR "absent.toml" ARGS response absent.toml)
 command_test(response_unwritable CODE 3 ERR "absent/a.csv: cannot be written" ARGS response ${_fold} --csv absent/a.csv)
 command_test(equivalent_absent CODE 2 ERR "absent.toml" ARGS equivalent absent.toml)

@@ -11,6 +11,7 @@
 #include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
+#include "problems/thesis/oscillations.hpp"
 #include "problems/thesis/two_beams.hpp"
 #include "run_command.hpp"
 
@@ -99,6 +100,13 @@ void add_response(const InputFolder& folder) {
                  "[transient]\nduration = 0.02\nforces = [{ dof = 5, file = \"push.csv\", column = \"F\" }]\n\n[response]");
 }
 
+/// The chain of three masses, reduced on the modes of a record.
+void add_chain(const InputFolder& folder) {
+  const std::filesystem::path scene = problems::write(*problems::find_oscillation("chain-3"), folder.path());
+  folder.write("record.csv", "q1,q2,q3\n1,2,3\n2,1,1\n0,0,1\n1,0,0\n");
+  folder.write("chain-3.toml", folder.text("chain-3.toml") + "\n[reduction]\nbases = [\"pod\"]\norders = [2]\nrecord = \"record.csv\"\n");
+}
+
 void add_blows(const InputFolder& folder) {
   for (const char* name : {"blow.csv", "second.csv"}) folder.write(name, "time,F,a\n0,0,0\n0.1,9,1\n0.2,0,3\n0.3,0,-2\n");
 }
@@ -154,10 +162,36 @@ const Reader readers[] = {
      add_curves},
     {"Pod",
      {"pod", "table2.1-1.csv", "--mass", "table2.1-2.csv"},
-     {"--json", "--csv"},
+     three,
      {{"table2.1-1.csv", "FILES"}, {"table2.1-2.csv", "--mass"}},
      add_curves},
+    {"PodStiffness",
+     {"pod", "table2.1-1.csv", "--mass", "a.csv", "--stiffness", "table2.1-2.csv"},
+     {"--json"},
+     {{"table2.1-2.csv", "--stiffness"}},
+     add_curves},
     {"PodCompare", {"pod", "table2.1-1.csv", "--compare", "table2.1-2.csv"}, {"--json"}, {{"table2.1-2.csv", "--compare"}}, add_curves},
+    {"Oscillate",
+     {"oscillate", "chain-3.toml"},
+     {"--json", "--csv", "--report", "--sweep", "--events"},
+     {{"chain-3.toml", "the scene"}, {"record.csv", "line 39, [reduction] record"}},
+     add_chain},
+    {"SeriesDelay", {"series", "delay", "table2.1-1.csv", "--channel", "1"}, three, {{"table2.1-1.csv", "FILE"}}, add_curves},
+    {"SeriesStrain",
+     {"series", "strain", "table2.1-1.csv", "--length", "1", "--thickness", "0.01", "--gauges", "0.1,0.2"},
+     {"--output", "--json"},
+     {{"table2.1-1.csv", "FILE"}},
+     add_curves},
+    {"SeriesFriction",
+     {"series", "friction", "table2.1-1.csv", "--velocity", "1", "--force", "2", "--load", "1", "--stick-speed", "1"},
+     three,
+     {{"table2.1-1.csv", "FILE"}},
+     add_curves},
+    {"SeriesAlign",
+     {"series", "align", "table2.1-1.csv", "--reference", "1", "--frequency", "1", "--rate", "10"},
+     {"--output", "--json"},
+     {{"table2.1-1.csv", "FILE"}},
+     add_curves},
     {"Convert", {"convert", "a.h5"}, {""}, {{"a.h5", "IN"}}},
     {"ConvertText", {"convert", "a.uff"}, {""}, {{"a.uff", "IN"}}},
 };

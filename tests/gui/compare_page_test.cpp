@@ -14,7 +14,7 @@
 #include "gui/plot/chart.hpp"
 #include "gui/table/cell_table.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/study/trial_data.hpp"
+#include "study/trial_data.hpp"
 #include "widgets.hpp"
 
 namespace jointid::gui {

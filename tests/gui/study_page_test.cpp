@@ -13,7 +13,7 @@
 #include "gui/table/cell_table.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "scene/text.hpp"
-#include "ident/study/study_statistics.hpp"
+#include "study/study_statistics.hpp"
 #include "widgets.hpp"
 
 namespace jointid::gui {

@@ -5,7 +5,7 @@
 #include "dense/eigen.hpp"
 #include "dense/svd.hpp"
 #include "oscillation/orbit/return_map.hpp"
-#include "series/pod/pod.hpp"
+#include "series/pod/fraction_error.hpp"
 #include "tests/oscillation/golden_systems.hpp"
 
 namespace jointid::oscillation {
@@ -121,11 +121,11 @@ TEST(Orbits, MultipliersAreThoseOfDifferences) {
 }
 
 struct Statistics {
-  std::vector<Eigen::VectorXd> fractions;  ///< of all, then each block left out
+  series::Fractions fractions;
   double slips = 0.0, stick = 0.0;
 };
 
-/// Proper orthogonal fractions with jackknife over 20 blocks, break-aways and share of sticking.
+/// Proper orthogonal fractions, break-aways and share of sticking.
 Statistics statistics(const ContactSystem& system, const Eigen::VectorXd& start, double transient, double length, double step) {
   StickSlip motion(system, start);
   motion.advance(transient);
@@ -142,22 +142,8 @@ Statistics statistics(const ContactSystem& system, const Eigen::VectorXd& start,
     }
   };
   motion.advance(transient + length);
-  out.fractions.push_back(series::pod(samples).square_fractions());
-  for (Eigen::Index b = 0; b < 20; ++b) {
-    series::RecordTriangle rest(static_cast<std::size_t>(n));
-    const Eigen::Index size = count / 20;
-    rest.add(samples.topRows(b * size));
-    rest.add(samples.bottomRows(count - (b + 1) * size));
-    out.fractions.push_back(series::pod(rest).square_fractions());
-  }
+  out.fractions = series::square_fractions(samples);
   return out;
-}
-
-double jackknife_error(const Statistics& found, Eigen::Index k) {
-  double mean = 0.0, square = 0.0;
-  for (std::size_t b = 1; b <= 20; ++b) mean += found.fractions[b](k) / 20.0;
-  for (std::size_t b = 1; b <= 20; ++b) square += std::pow(found.fractions[b](k) - mean, 2);
-  return std::sqrt(square * 19.0 / 20.0);
 }
 
 TEST(Chaos, OfTheChainsMeetsTheGoldenInvariants) {
@@ -177,71 +163,14 @@ TEST(Chaos, OfTheChainsMeetsTheGoldenInvariants) {
     const Statistics statistic = statistics(system, start, input["transient"], input["length"], input["sample"]);
     const auto fractions = expected["pod_fractions"].get<std::vector<double>>();
     for (std::size_t k = 0; k < fractions.size(); ++k) {
-      EXPECT_TRUE(agree(statistic.fractions[0](at(k)), jackknife_error(statistic, at(k)), fractions[k],
+      EXPECT_TRUE(agree(statistic.fractions.value(at(k)), statistic.fractions.error(at(k)), fractions[k],
                         expected["pod_fractions_std_error"][k], 5e-4))
-          << name << " " << k << ": " << statistic.fractions[0](at(k));
+          << name << " " << k << ": " << statistic.fractions.value(at(k));
     }
     // Nobody knows the errors of these two: windows of this length differ by 3 % (the first after the golden transient by 11 %).
     const Statistics later = statistics(system, start, 7500.0, 12000.0, input["sample"]);
     EXPECT_NEAR(later.slips, expected["slips_per_time"], 0.06 * expected["slips_per_time"].get<double>());
     EXPECT_NEAR(later.stick, expected["stick_share"], 0.06 * expected["stick_share"].get<double>());
-  }
-}
-
-TEST(Reduced, ModelsMeetTheGoldenEvents) {
-  OSCILLATION_CASE(golden, "chain_reduced");
-  const json& orbit_case = golden_all.at("chain_orbit");
-  const auto& input = golden["input"];
-  const BeltChain chain = chain_of(input);
-  const ContactSystem full = contact_system(chain);
-  const Eigen::Index n = full.degrees();
-  const PeriodicOrbit orbit =
-      break_away_orbit(full, full.state(vector_of(orbit_case["expected"]["x"]), vector_of(orbit_case["expected"]["v"])), 8);
-  ASSERT_TRUE(orbit.converged);
-  const auto sampled = [&](const ContactSystem& system, const Eigen::VectorXd& start, bool break_away, double end,
-                           Eigen::Index count) {
-    StickSlip motion(system, start, break_away ? std::optional(Mode::stick) : std::nullopt);
-    if (break_away) motion.break_away();
-    series::Samples out(count, 2 * system.degrees());
-    Eigen::Index next = 0;
-    motion.on_piece = [&](const Piece& piece) {
-      for (; next < count && end * static_cast<double>(next) / static_cast<double>(count) <= piece.start + piece.length; ++next) {
-        out.row(next) =
-            piece.at(end * static_cast<double>(next) / static_cast<double>(count) - piece.start).head(out.cols()).transpose();
-      }
-    };
-    motion.advance(end);
-    return out;
-  };
-  const series::Samples round = sampled(full, orbit.state, true, orbit.period, 256);
-  const series::Pod modes = series::pod(series::Samples(round.leftCols(n)));
-  const double end = input["t_end"];
-  const Eigen::VectorXd x0 = vector_of(input["x0"]), v0 = vector_of(input["v0"]);
-  const series::Samples truth = sampled(full, full.state(x0, v0), false, end, 600);
-  const Mechanics whole = mechanics(chain);
-  const auto energy = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& v) {
-    return 0.5 * v.dot(whole.mass * v) + 0.5 * x.dot(whole.stiffness * x);
-  };
-  for (const auto& [count, expected] : golden["expected"].items()) {
-    const Eigen::MatrixXd basis = modes.modes.leftCols(std::stol(count));
-    const ContactSystem small(reduced(whole, basis, modes.mean), {chain.velocity, 0.0, 0.0}, chain.friction);
-    const Eigen::VectorXd start = small.state(basis.transpose() * (x0 - modes.mean), basis.transpose() * v0);
-    const Motion motion = integrate(small, start, end);
-    const auto times = expected["event_times"].get<std::vector<double>>();
-    ASSERT_GE(motion.events.size(), times.size());
-    for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(motion.events[k].time, times[k], 1e-6) << count;
-    EXPECT_LT((modes.mean + basis * motion.end.head(basis.cols()) - vector_of(expected["x_end"])).cwiseAbs().maxCoeff(), 1e-6);
-    const series::Samples rough = sampled(small, start, false, end, 600);
-    double deviation = 0.0, size = 0.0, lost = 0.0, all = 0.0;
-    for (Eigen::Index i = 0; i < 600; ++i) {
-      const Eigen::VectorXd x = modes.mean + basis * rough.row(i).head(basis.cols()).transpose(),
-                            v = basis * rough.row(i).tail(basis.cols()).transpose();
-      const Eigen::VectorXd fx = truth.row(i).head(n), fv = truth.row(i).tail(n);
-      deviation += (x - fx).squaredNorm() + (v - fv).squaredNorm(), size += fx.squaredNorm() + fv.squaredNorm();
-      lost += energy(x, v), all += energy(fx, fv);
-    }
-    EXPECT_NEAR(100.0 * std::sqrt(deviation / size), expected["deviation_X_percent"], 1e-4) << count;
-    EXPECT_NEAR(100.0 * std::abs(lost - all) / all, expected["deviation_E_percent"], 1e-4) << count;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "oscillation/orbit/return_map.hpp"
 #include "oscillation/system/thesis_systems.hpp"
@@ -20,7 +21,7 @@ SweepCase chain_at(double velocity) {
   chain.masses = 3;
   chain.damping = 0.05;
   chain.velocity = velocity;
-  SweepCase out{contact_system(chain), {}, {}};
+  SweepCase out{contact_system(chain), {}, {}, 500.0, 300.0, 0.0};
   out.start = out.system.state(Eigen::Vector3d(0.9, 1.8, 2.7), Eigen::Vector3d::Zero());
   out.form = Eigen::VectorXd::Unit(out.system.size(), 0);
   return out;
@@ -28,8 +29,8 @@ SweepCase chain_at(double velocity) {
 
 TEST(Sweep, IsTheSameForAnyThreads) {
   const std::vector<double> velocities = {0.1, 0.15, 0.2, 0.25, 0.3};
-  const auto one = sweep(velocities, chain_at, {500.0, 300.0, 0.0, 1});
-  const auto four = sweep(velocities, chain_at, {500.0, 300.0, 0.0, 4});
+  const auto one = sweep(velocities, chain_at, {1});
+  const auto four = sweep(velocities, chain_at, {4});
   for (std::size_t k = 0; k < velocities.size(); ++k) {
     EXPECT_EQ(one[k].parameter, velocities[k]);
     EXPECT_EQ(one[k].values, four[k].values);
@@ -37,9 +38,23 @@ TEST(Sweep, IsTheSameForAnyThreads) {
   }
   ASSERT_GE(one[2].values.size(), 10u);  // a stable orbit of one slip at V = 0.2
   for (const double value : one[2].values) EXPECT_NEAR(value, 1.6393580543696329, 1e-6);
-  EXPECT_THROW(sweep(velocities, chain_at, {}), InputError);
+  const auto endless = [](double velocity) {
+    SweepCase each = chain_at(velocity);
+    each.length = 0.0;
+    return each;
+  };
+  EXPECT_THROW(sweep(velocities, endless), InputError);
   const auto broken = [](double) -> SweepCase { throw InputError({ErrorKind::usage, "", "case", "is wrong", ""}); };
-  EXPECT_THROW(sweep(velocities, broken, {0.0, 1.0, 0.0, 2}), InputError);
+  EXPECT_THROW(sweep(velocities, broken, {2}), InputError);
+  std::size_t told = 0;
+  SweepOptions asked{2};
+  asked.done = [&](const SweepPoint& point) { told += point.values.size(); };
+  sweep(velocities, chain_at, asked);
+  std::size_t all = 0;
+  for (const SweepPoint& point : one) all += point.values.size();
+  EXPECT_EQ(told, all);
+  asked.interrupted = [] { return true; };
+  EXPECT_THROW(sweep(velocities, chain_at, asked), Interrupted);
 }
 
 TEST(Sweep, TakesADrivenSystemOnceACycle) {
@@ -47,13 +62,13 @@ TEST(Sweep, TakesADrivenSystemOnceACycle) {
     Cantilever beam;
     beam.frequency_hz = hz;
     beam.damping = one_per_cent(beam);
-    SweepCase out{contact_system(beam), {}, {}};
+    SweepCase out{contact_system(beam), {}, {}, 600.0 / hz, 9.0 / hz, 1.0 / hz};
     out.start = out.system.state(Eigen::VectorXd::Zero(6), Eigen::VectorXd::Zero(6));
     out.form = Eigen::VectorXd::Zero(out.system.size());
     out.form.head(6) = strain_row(beam, 0.05).transpose();
     return out;
   };
-  const auto found = sweep({12.0}, beam_at, {600.0 / 12.0, 9.0 / 12.0, 1.0 / 12.0, 1});
+  const auto found = sweep({12.0}, beam_at);
   ASSERT_EQ(found[0].values.size(), 9u);
   for (std::size_t k = 3; k < 9; ++k) EXPECT_NEAR(found[0].values[k], found[0].values[k - 3], 1e-10);  // period 3 (theory, 6)
   EXPECT_GT(std::abs(found[0].values[1] - found[0].values[0]), 1e-6);

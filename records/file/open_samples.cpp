@@ -1,0 +1,23 @@
+#include "records/file/open_samples.hpp"
+
+#include "base/error.hpp"
+#include "frf/file/file_format.hpp"
+#include "frf/uff/uff_file.hpp"
+#include "records/file/file_head.hpp"
+#include "records/file/npy_file.hpp"
+#include "records/file/sample_streams.hpp"
+
+namespace jointid::records {
+
+std::unique_ptr<SampleStream> open_samples(const std::filesystem::path& path, const StreamOptions& options) {
+  if (options.part >= options.parts)
+    throw InputError({ErrorKind::usage, path.string(), "part", "is not one of " + std::to_string(options.parts), ""});
+  const auto binary = frf::detect_binary_format(path);
+  if (binary && *binary == frf::FileFormat::matlab_v5) return open_column_samples(path, options);
+  if (binary) return open_hdf5_samples(path, options);
+  const std::string head = head_of(path);
+  if (frf::looks_like_uff(head)) return open_uff_samples(path, options);
+  return looks_like_npy(head) ? open_column_samples(path, options) : open_text_samples(path, options);
+}
+
+}  // namespace jointid::records

@@ -1,0 +1,56 @@
+#include "records/file/read_series.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "records/file/limits.hpp"
+#include "records/file/open_samples.hpp"
+#include "records/file/time_axis.hpp"
+
+namespace jointid::records {
+namespace {
+
+constexpr std::size_t block_rows = 4096;
+
+/// Appends the stream's samples to the columns; whether the stream has more than `most`.
+bool take(SampleStream& stream, std::size_t most, std::vector<std::vector<double>>& columns) {
+  const std::size_t width = columns.size();
+  std::vector<double> rows(block_rows * width);
+  for (std::size_t count = stream.read(rows); count > 0; count = stream.read(rows)) {
+    if ((columns.front().size() + count) * width > most_numbers)
+      throw InputError({ErrorKind::data, stream.file(), "", "holds more than 268 million numbers",
+                        "name fewer channels, or take fewer samples"});
+    for (std::size_t k = 0; k < width; ++k) {
+      for (std::size_t i = 0; i < count; ++i) columns[k].push_back(rows[i * width + k]);
+    }
+    if (most == 0 || columns.front().size() <= most) continue;
+    for (std::vector<double>& column : columns) column.resize(most);
+    return true;
+  }
+  return false;
+}
+
+double rate_of_file(const SampleStream& stream, const std::filesystem::path& path, std::size_t most) {
+  if (stream.rate_hz()) return *stream.rate_hz();
+  if (stream.time_column().empty())
+    throw InputError({ErrorKind::data, stream.file(), "", "does not say when its samples were taken",
+                      "give --rate HZ, or a column named time"});
+  const auto times = open_samples(path, {{stream.time_column()}, 0, 1});
+  std::vector<std::vector<double>> column(1);
+  take(*times, most, column);
+  return rate_of(column.front(), stream.file(), "column " + stream.time_column());
+}
+
+}  // namespace
+
+SeriesRecord read_series(const std::filesystem::path& path, const SeriesOptions& options) {
+  const auto stream = open_samples(path, {options.channels, 0, 1});
+  SeriesRecord out{stream->file(), 0.0, stream->channels(), {}, false};
+  out.samples.resize(out.channels.size());
+  out.is_cut = take(*stream, options.most_samples, out.samples);
+  if (out.samples.front().empty()) throw InputError({ErrorKind::data, out.file, "", "has no samples", ""});
+  out.rate_hz = options.rate_hz ? *options.rate_hz : rate_of_file(*stream, path, options.most_samples);
+  return out;
+}
+
+}  // namespace jointid::records

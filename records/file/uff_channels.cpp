@@ -1,0 +1,115 @@
+#include "records/file/uff_channels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "frf/uff/uff58_data.hpp"
+#include "frf/uff/uff_geometry.hpp"
+#include "frf/uff/uff_units.hpp"
+#include "records/file/time_axis.hpp"
+
+namespace jointid::records {
+namespace {
+
+using frf::uff::Dataset;
+using frf::uff::Header58;
+
+constexpr int function_time = 1;
+
+std::optional<ChannelKind> kind_of_type(int type) {
+  switch (type) {
+    case frf::uff::type_displacement:
+      return ChannelKind::displacement;
+    case frf::uff::type_velocity:
+      return ChannelKind::velocity;
+    case frf::uff::type_acceleration:
+      return ChannelKind::acceleration;
+    case frf::uff::type_force:
+      return ChannelKind::force;
+    default:
+      return std::nullopt;
+  }
+}
+
+struct Ordinate {
+  ChannelKind kind;
+  double to_si;
+};
+
+Ordinate interpret(const Dataset& dataset, const frf::uff::UnitFactors& factors) {
+  const Header58& header = *dataset.function;
+  const bool rotation = header.response.is_rotation();
+  const auto unit = frf::uff::parse_label(header.numerator.unit);
+  const auto labelled = unit ? kind_of(*unit, rotation) : std::nullopt;
+  const auto typed = kind_of_type(header.numerator.data_type);
+  if (!typed && !labelled) {
+    dataset.place.fail(
+        "record 9", fmt::format("data type {} in '{}' is no force or motion", header.numerator.data_type, header.numerator.unit),
+        "export displacement (8), velocity (11), acceleration (12) or force (13)");
+  }
+  const ChannelKind kind = typed.value_or(labelled.value_or(ChannelKind::force));
+  if (labelled == kind) return {kind, unit->si};
+  const bool force = kind == ChannelKind::force;
+  const double length = force == rotation ? 1.0 / factors.length : 1.0;
+  return {kind, force ? length / factors.force : length};
+}
+
+double rate(const std::string& file, const Dataset& dataset, const std::vector<double>& abscissa) {
+  const Header58& header = *dataset.function;
+  if (header.abscissa.data_type > 1 && header.abscissa.data_type != frf::uff::type_time) {
+    dataset.place.fail("record 8", fmt::format("abscissa of data type {} is not a time (17)", header.abscissa.data_type),
+                       "export time records");
+  }
+  const std::string& unit = header.abscissa.unit;
+  const auto label = frf::uff::parse_label(unit);
+  const double to_s = unit == "ms"                                                           ? 1e-3
+                      : label && label->time == 1 && label->length == 0 && label->force == 0 ? label->si
+                                                                                             : 1.0;
+  std::vector<double> times =
+      header.even ? std::vector{header.abscissa_first, header.abscissa_first + header.abscissa_step} : abscissa;
+  for (double& time : times) time *= to_s;
+  return rate_of(times, file, fmt::format("{}, abscissa", dataset.place.dataset));
+}
+
+UffChannel channel_of(frf::uff::ByteFile& file, const Dataset& dataset, const frf::uff::UnitFactors& factors) {
+  const Header58& header = *dataset.function;
+  frf::uff::require_readable(dataset);
+  frf::uff::require_plausible_size(file, dataset);
+  if (header.is_complex()) dataset.place.fail("record 7", "a time response with complex values", "export it as real numbers");
+  if (header.response.direction == 0) {
+    dataset.place.fail("record 6", "response node " + std::to_string(header.response.node) + " has no direction",
+                       "export nodes and directions");
+  }
+  const Ordinate ordinate = interpret(dataset, factors);
+  return {header.response.name(), header.response.dof(), ordinate.kind, ordinate.to_si, dataset};
+}
+
+}  // namespace
+
+double UffChannel::rate_hz(const std::string& file, const std::vector<double>& abscissa) const {
+  return rate(file, dataset, abscissa);
+}
+
+std::vector<std::vector<UffChannel>> uff_runs(frf::uff::ByteFile& file) {
+  const std::vector<Dataset> datasets = frf::uff::scan(file);
+  const frf::uff::UnitTable units(file, datasets);
+  std::vector<std::vector<UffChannel>> runs;
+  for (const Dataset& dataset : datasets) {
+    if (!dataset.function || dataset.function->function_type != function_time) continue;
+    UffChannel channel = channel_of(file, dataset, units.at(dataset));
+    const auto same = [&](const UffChannel& other) {
+      return other.kind == channel.kind && other.dof.same_coordinate(channel.dof);
+    };
+    if (runs.empty() || std::ranges::any_of(runs.back(), same)) runs.emplace_back();
+    runs.back().push_back(std::move(channel));
+  }
+  if (runs.empty()) {
+    throw InputError(
+        {ErrorKind::data, file.name(), {}, "no time responses", "export the records as dataset 58 with function type 1"});
+  }
+  return runs;
+}
+
+}  // namespace jointid::records

@@ -1,0 +1,148 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "base/error.hpp"
+#include "frf/uff/uff58_data.hpp"
+#include "records/file/channel_choice.hpp"
+#include "records/file/sample_streams.hpp"
+#include "records/file/uff_channels.hpp"
+
+namespace jointid::records {
+namespace {
+
+std::string unit_of(const UffChannel& channel) {
+  const bool rotation = channel.dof.is_rotation();
+  switch (channel.kind) {
+    case ChannelKind::force:
+      return rotation ? "N m" : "N";
+    case ChannelKind::displacement:
+      return rotation ? "rad" : "m";
+    case ChannelKind::velocity:
+      return rotation ? "rad/s" : "m/s";
+    case ChannelKind::acceleration:
+      break;
+  }
+  return rotation ? "rad/s^2" : "m/s^2";
+}
+
+/// Numbers of the channels of text, one channel behind the other, in a file that vanishes with us.
+class Spool {
+ public:
+  explicit Spool(std::string file) : file_(std::move(file)) {}
+
+  /// Where they begin.
+  std::size_t put(const std::vector<std::complex<double>>& values) {
+    if (!out_) out_.reset(std::tmpfile());
+    std::vector<double> reals(values.size());
+    std::ranges::transform(values, reals.begin(), [](const auto& value) { return value.real(); });
+    const std::size_t begin = count_;
+    if (!out_ || std::fwrite(reals.data(), sizeof(double), reals.size(), out_.get()) != reals.size())
+      throw InputError({ErrorKind::data, file_, "", "needs a temporary file as large as its numbers, which cannot be written",
+                        "export it as binary UFF (58b)"});
+    count_ += reals.size();
+    return begin;
+  }
+
+  void get(std::size_t first, std::span<double> values) {
+    if (std::fseek(out_.get(), static_cast<long>(first * sizeof(double)), SEEK_SET) != 0 ||
+        std::fread(values.data(), sizeof(double), values.size(), out_.get()) != values.size())
+      throw InputError({ErrorKind::data, file_, "", "its temporary file cannot be read", ""});
+  }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::string file_;
+  std::unique_ptr<std::FILE, Close> out_;
+  std::size_t count_ = 0;
+};
+
+class UffSamples final : public SampleStream {
+ public:
+  UffSamples(const std::filesystem::path& path, const StreamOptions& options)
+      : SampleStream(path.string()), bytes_(path), spool_(file_) {
+    const std::vector<std::vector<UffChannel>> runs = uff_runs(bytes_);
+    frf::Columns titles{file_, {}};
+    for (const UffChannel& channel : runs.front()) titles.columns.push_back({channel.name, unit_of(channel), {}});
+    const std::vector<std::size_t> chosen = chosen_columns(titles, options.channels);
+    for (const std::size_t k : chosen) channels_.push_back({titles.columns[k].name, titles.columns[k].unit});
+    for (const std::vector<UffChannel>& run : runs) runs_.push_back(prepared(run, chosen, titles, options));
+    const UffChannel& first = runs.front()[chosen.front()];
+    if (first.dataset.function->even) rate_hz_ = first.rate_hz(file_, {});
+  }
+
+  std::size_t read(std::span<double> rows) override {
+    for (; run_ < runs_.size(); ++run_) {
+      Run& run = runs_[run_];
+      const std::size_t width = run.channels.size(), count = std::min(rows.size() / width, run.range.last - run.range.first);
+      if (count == 0) continue;
+      std::vector<double> values(count);
+      for (std::size_t k = 0; k < width; ++k) {
+        read(run.channels[k], run.range.first, values);
+        for (std::size_t i = 0; i < count; ++i) rows[i * width + k] = run.channels[k].channel.to_si * values[i];
+      }
+      run.range.first += count;
+      return count;
+    }
+    return 0;
+  }
+
+ private:
+  struct Stored {
+    UffChannel channel;
+    std::optional<std::size_t> spooled;  ///< of text: where its numbers begin in the spool
+  };
+  struct Run {
+    std::vector<Stored> channels;
+    SampleRange range;
+  };
+
+  /// The chosen channels of a run, which must be those of the first one.
+  Run prepared(const std::vector<UffChannel>& run, const std::vector<std::size_t>& chosen, const frf::Columns& titles,
+               const StreamOptions& options) {
+    Run out;
+    std::size_t shortest = static_cast<std::size_t>(-1);
+    for (const std::size_t k : chosen) {
+      const auto found = std::ranges::find_if(run, [&](const UffChannel& channel) {
+        return channel.name == titles.columns[k].name && unit_of(channel) == titles.columns[k].unit;
+      });
+      if (found == run.end()) {
+        throw InputError({ErrorKind::data, file_, "",
+                          fmt::format("channel {} [{}] is not in all runs", titles.columns[k].name, titles.columns[k].unit),
+                          "name the channels that are"});
+      }
+      shortest = std::min<std::size_t>(shortest, found->dataset.function->points);
+      out.channels.push_back({*found, std::nullopt});
+    }
+    for (Stored& stored : out.channels) {
+      cut_ += stored.channel.dataset.function->points - shortest;
+      if (!stored.channel.dataset.binary)
+        stored.spooled = spool_.put(frf::uff::read_points(bytes_, stored.channel.dataset).values);
+    }
+    out.range = range_of(options, shortest);
+    return out;
+  }
+
+  void read(const Stored& stored, std::size_t first, std::span<double> values) {
+    if (stored.spooled) return spool_.get(*stored.spooled + first, values);
+    const frf::uff::Points points = frf::uff::read_points(bytes_, stored.channel.dataset, first, values.size());
+    std::ranges::transform(points.values, values.begin(), [](const auto& value) { return value.real(); });
+  }
+
+  frf::uff::ByteFile bytes_;
+  Spool spool_;
+  std::vector<Run> runs_;
+  std::size_t run_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<SampleStream> open_uff_samples(const std::filesystem::path& path, const StreamOptions& options) {
+  return std::make_unique<UffSamples>(path, options);
+}
+
+}  // namespace jointid::records
