@@ -149,7 +149,8 @@ void draw_ring(QCustomPlot& plot, const report::Point& point, Theme theme) {
   ring->position->setCoords(point.x, point.y);
 }
 
-std::string chart_table(const report::ScatterPlot& scatter, const std::vector<report::HistogramPlot>& histograms, char separator) {
+std::string chart_table(const report::ScatterPlot& scatter, const std::vector<report::HistogramPlot>& histograms,
+                        char separator) {
   const std::string by(1, separator);
   std::string text;
   if (!scatter.groups.empty()) {
