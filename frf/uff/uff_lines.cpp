@@ -44,7 +44,8 @@ class Records {
   }
 
   [[noreturn]] void fail(std::string_view line) const {
-    dataset_.place.fail("lines", "'" + uff::to_utf8(uff::one_byte_per_column(uff::trim(line))) + "' is no record of whole numbers",
+    dataset_.place.fail("lines",
+                        "'" + uff::to_utf8(uff::one_byte_per_column(uff::trim(line))) + "' is no record of whole numbers",
                         "correct the line or leave the geometry out");
   }
 

@@ -1,7 +1,8 @@
 #include "gui/compare/compare_choices.hpp"
 
-#include <QHBoxLayout>
+#include <QVBoxLayout>
 
+#include "gui/look/buttons.hpp"
 #include "gui/look/choice_button.hpp"
 #include "gui/look/named.hpp"
 #include "ident/scene/method_traits.hpp"
@@ -41,10 +42,10 @@ CompareChoices::CompareChoices(QWidget* parent) : QWidget(parent) {
   weightings_ = new ChoiceButton("compare_weightings", tr("weighting"), {"none", "WA", "WB", "WBG", "WBS"});
   deltas_ = new ChoiceButton("compare_deltas", tr("Δ"), {"0", "0.01", "0.02", "0.05", "0.1", "0.2", "0.5"});
   solvers_ = new ChoiceButton("compare_solvers", tr("solver"), solver_words());
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (ChoiceButton* each : {methods_, equations_, weightings_, deltas_, solvers_}) row->addWidget(each);
-  row->addStretch(1);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addLayout(row_of({methods_, equations_, deltas_}, {}));
+  rows->addLayout(row_of({weightings_, solvers_}, {}));
 }
 
 study::Alternatives CompareChoices::alternatives() const {
@@ -61,7 +62,8 @@ QString CompareChoices::options() const {
   const QStringList sets = equations_->chosen();
   return option("methods", methods_->chosen()) +
          (sets.isEmpty() ? QString() : QStringLiteral(" --equations '%1'").arg(sets.join(';'))) +
-         option("weightings", weightings_->chosen()) + option("deltas", deltas_->chosen()) + option("solvers", solvers_->chosen());
+         option("weightings", weightings_->chosen()) + option("deltas", deltas_->chosen()) +
+         option("solvers", solvers_->chosen());
 }
 
 }  // namespace jointid::gui

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QSplitter>
@@ -76,13 +75,12 @@ QWidget* ComparePage::make_top() {
   seed_ = number_box("compare_seed", tr("seed"), 0, 1);
   matrix_choice_ = named(new QComboBox, "compare_matrix", tr("Matrix whose error is shown"));
   matrix_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  auto* command =
-      push_button("compare_command", tr("Copy as command"), tr("Copy the command line that compares the same ways on the same trials"));
-  auto* row = new QHBoxLayout(top);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* each : std::initializer_list<QWidget*>{run_, cancel_, trials_, seed_, matrix_choice_}) row->addWidget(each);
-  row->addStretch(1);
-  row->addWidget(command);
+  auto* command = push_button("compare_command", tr("Copy as command"),
+                              tr("Copy the command line that compares the same ways on the same trials"));
+  auto* rows = new QVBoxLayout(top);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addLayout(row_of({run_, cancel_, trials_, seed_}, {command}));
+  rows->addLayout(row_of({matrix_choice_}, {}));
   connect(run_, &QPushButton::clicked, this, &ComparePage::run);
   connect(cancel_, &QPushButton::clicked, this, &ComparePage::cancel);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });

@@ -63,7 +63,7 @@ class DataPage : public QWidget {
   Worker* worker_;
   std::vector<LoadedFile> files_;
   std::size_t chosen_ = 0;
-  std::size_t wanted_ = 0;  ///< counts what was asked of the plot, so that only the last is drawn
+  std::size_t wanted_ = 0;                 ///< counts what was asked of the plot, so that only the last is drawn
   View read_for_ = View::magnitude_phase;  ///< what the curves were read for
   std::string signature_;
   ident::Scene scene_;

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -15,6 +14,7 @@
 #include <numbers>
 
 #include "gui/geometry/structure_view.hpp"
+#include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
 #include "gui/scene/scene_edit.hpp"
@@ -96,15 +96,10 @@ QWidget* GeometryPage::make_controls() {
   undeformed->setChecked(true);
   auto* names = named(new QCheckBox(tr("numbers")), "node_numbers", tr("Show the numbers of nodes"));
   names->setChecked(true);
-  auto* row = new QHBoxLayout(top);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(new QLabel(tr("Force at")));
-  for (QWidget* each : std::initializer_list<QWidget*>{reference_, frequency_, play_}) row->addWidget(each);
-  row->addWidget(new QLabel(tr("amplitude")));
-  row->addWidget(amplitude_);
-  row->addWidget(new QLabel(tr("speed")));
-  for (QWidget* each : std::initializer_list<QWidget*>{speed_, undeformed, names}) row->addWidget(each);
-  row->addStretch(1);
+  auto* rows = new QVBoxLayout(top);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addLayout(row_of({new QLabel(tr("Force at")), reference_, frequency_, play_}, {undeformed, names}));
+  rows->addLayout(row_of({new QLabel(tr("amplitude")), amplitude_, new QLabel(tr("speed")), speed_}, {}));
   connect(reference_, &QComboBox::activated, this, &GeometryPage::read_deflection);
   connect(frequency_, &QDoubleSpinBox::valueChanged, this, &GeometryPage::read_deflection);
   connect(amplitude_, &QSlider::valueChanged, this, &GeometryPage::show_deflection);

@@ -20,8 +20,8 @@ namespace jointid::gui {
 class StructureView;
 class Worker;
 
-/// The structure of a scene in space, its measured DOFs beside it in a list; either chooses the DOFs of the joint. The assembly as
-/// it moves under a harmonic force at a reference, at the frequency of the cursor.
+/// The structure of a scene in space, its measured DOFs beside it in a list; either chooses the DOFs of the joint. The assembly
+/// as it moves under a harmonic force at a reference, at the frequency of the cursor.
 class GeometryPage : public QWidget {
   Q_OBJECT
 

@@ -11,14 +11,14 @@ namespace jointid::gui {
 
 /// The nodes of all files of a scene, the lines between them, and the DOFs that were measured there.
 struct Structure {
-  std::vector<frf::Node> nodes;        ///< those with a position, each once, ascending
-  std::vector<frf::NodeLine> lines;    ///< between nodes that are there
-  std::vector<frf::Dof> dofs;          ///< of nodes that are there, each coordinate once, ascending
-  std::vector<frf::Dof> unplaced;      ///< of nodes without a position
+  std::vector<frf::Node> nodes;      ///< those with a position, each once, ascending
+  std::vector<frf::NodeLine> lines;  ///< between nodes that are there
+  std::vector<frf::Dof> dofs;        ///< of nodes that are there, each coordinate once, ascending
+  std::vector<frf::Dof> unplaced;    ///< of nodes without a position
 };
 
-/// Files without positions add their DOFs only. `lines`: as the files draw them; where none does, the nodes of each file are joined
-/// in the order of their numbers, when they are on one straight line.
+/// Files without positions add their DOFs only. `lines`: as the files draw them; where none does, the nodes of each file are
+/// joined in the order of their numbers, when they are on one straight line.
 Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<frf::NodeLine>& lines);
 
 /// Lines of the universal files among the scene's, of those below 256 MB. Throws Interrupted.

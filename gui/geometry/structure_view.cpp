@@ -104,13 +104,16 @@ QPointF StructureView::tip_of(const frf::Dof& dof) const {
 void StructureView::draw_lines(QPainter& painter, bool deflected) const {
   for (const frf::NodeLine& line : structure_.lines) {
     const frf::Node &from = structure_.nodes[place_.at(line[0])], &to = structure_.nodes[place_.at(line[1])];
-    painter.drawLine(camera_.project(deflected ? moved(from) : from.position), camera_.project(deflected ? moved(to) : to.position));
+    painter.drawLine(camera_.project(deflected ? moved(from) : from.position),
+                     camera_.project(deflected ? moved(to) : to.position));
   }
 }
 
 void StructureView::draw_nodes(QPainter& painter) const {
   const Colours use = colours(theme_of(palette()));
-  const auto in_joint = [this](const frf::Node& node) { return std::ranges::find(joint_, node.id, &frf::Dof::node) != joint_.end(); };
+  const auto in_joint = [this](const frf::Node& node) {
+    return std::ranges::find(joint_, node.id, &frf::Dof::node) != joint_.end();
+  };
   for (const frf::Node& node : structure_.nodes) {
     const QPointF at = camera_.project(shape_.empty() ? node.position : moved(node));
     painter.setPen(Qt::NoPen);

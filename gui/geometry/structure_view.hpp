@@ -9,8 +9,9 @@ class QPainter;
 
 namespace jointid::gui {
 
-/// A structure in space: nodes, lines, an arrow for every measured DOF, those of the joint in another colour, and how it deflects.
-/// Drag or arrow keys turn it, the wheel or + and − zoom, Home or a double click show all; a click chooses a DOF. By QPainter.
+/// A structure in space: nodes, lines, an arrow for every measured DOF, those of the joint in another colour, and how it
+/// deflects. Drag or arrow keys turn it, the wheel or + and − zoom, Home or a double click show all; a click chooses a DOF. By
+/// QPainter.
 class StructureView : public QWidget {
   Q_OBJECT
 

@@ -1,10 +1,16 @@
 #include "gui/look/buttons.hpp"
 
+#include <QHBoxLayout>
 #include <QLineEdit>
 
 #include "gui/look/named.hpp"
 
 namespace jointid::gui {
+namespace {
+
+constexpr int widest = 130;
+
+}  // namespace
 
 QPushButton* push_button(const char* name, const QString& text, const QString& hint) {
   return named(new QPushButton(text), name, hint, hint);
@@ -15,8 +21,17 @@ QSpinBox* number_box(const char* name, const QString& title, int least, int valu
   box->setRange(least, 1000000000);
   box->setValue(value);
   box->setPrefix(title + " ");
+  box->setMaximumWidth(widest);
   box->findChild<QLineEdit*>()->setAccessibleName(title);
   return box;
+}
+
+QLayout* row_of(std::initializer_list<QWidget*> left, std::initializer_list<QWidget*> right) {
+  auto* row = new QHBoxLayout;
+  for (QWidget* each : left) row->addWidget(each);
+  row->addStretch(1);
+  for (QWidget* each : right) row->addWidget(each);
+  return row;
 }
 
 }  // namespace jointid::gui

@@ -2,6 +2,7 @@
 
 #include <QPushButton>
 #include <QSpinBox>
+#include <initializer_list>
 
 namespace jointid::gui {
 
@@ -10,5 +11,8 @@ QPushButton* push_button(const char* name, const QString& text, const QString& h
 
 /// A whole number from `least` on, with its title before it.
 QSpinBox* number_box(const char* name, const QString& title, int least, int value);
+
+/// Some widgets at the left and some at the right.
+QLayout* row_of(std::initializer_list<QWidget*> left, std::initializer_list<QWidget*> right);
 
 }  // namespace jointid::gui

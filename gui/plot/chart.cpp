@@ -170,6 +170,7 @@ bool Chart::press(int key) {
 
 bool Chart::eventFilter(QObject* watched, QEvent* event) {
   if (watched != plot_) return QWidget::eventFilter(watched, event);
+  if (event->type() == QEvent::Resize && !histograms_.empty()) redraw();
   if (event->type() == QEvent::KeyPress) return press(static_cast<QKeyEvent*>(event)->key());
   if (event->type() != QEvent::MouseButtonPress || static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton) return false;
   if (click(static_cast<QMouseEvent*>(event)->position().toPoint())) Q_EMIT opened(chosen_->first, chosen_->second);

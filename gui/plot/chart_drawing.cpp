@@ -11,7 +11,7 @@
 namespace jointid::gui {
 namespace {
 
-constexpr int in_a_row = 4;
+constexpr int in_a_row = 4, narrowest = 180;  // pixels
 constexpr const char* ring_name = "ring";
 
 void set_axis(QCPAxis& axis, const report::Axis& wanted) {
@@ -64,12 +64,14 @@ void draw_mark(QCustomPlot& plot, QCPAxisRect& rect, double at, const QString& n
   text->position->setCoords(at, 0.0);
 }
 
-void draw_histogram(QCustomPlot& plot, QCPAxisRect& rect, const report::HistogramPlot& histogram, Theme theme) {
+/// `room`: pixels for its name.
+void draw_histogram(QCustomPlot& plot, QCPAxisRect& rect, const report::HistogramPlot& histogram, int room, Theme theme) {
   style_axes(rect, theme);
   QCPAxis* const x = rect.axis(QCPAxis::atBottom);
   QCPAxis* const y = rect.axis(QCPAxis::atLeft);
   const QString unit = QString::fromStdString(histogram.x.label);
-  x->setLabel(QString::fromStdString(histogram.title) + (unit.isEmpty() ? QString() : " (" + unit + ")"));
+  const QString label = QString::fromStdString(histogram.title) + (unit.isEmpty() ? QString() : " (" + unit + ")");
+  x->setLabel(QFontMetrics(x->labelFont()).elidedText(label, Qt::ElideRight, room));
   x->ticker()->setTickCount(2);
   x->setNumberPrecision(4);
   y->ticker()->setTickCount(3);
@@ -128,11 +130,12 @@ void draw_scatter(QCustomPlot& plot, const report::ScatterPlot& scatter, Theme t
 }
 
 void draw_histograms(QCustomPlot& plot, const std::vector<report::HistogramPlot>& histograms, Theme theme) {
-  const int columns = std::clamp(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(histograms.size())))), 1, in_a_row);
+  const int square = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(histograms.size()))));
+  const int columns = std::max(1, std::min({square, in_a_row, plot.width() / narrowest}));
   for (int i = 0; i < static_cast<int>(histograms.size()); ++i) {
     auto* rect = new QCPAxisRect(&plot);
     plot.plotLayout()->addElement(i / columns, i % columns, rect);
-    draw_histogram(plot, *rect, histograms[static_cast<std::size_t>(i)], theme);
+    draw_histogram(plot, *rect, histograms[static_cast<std::size_t>(i)], plot.width() / columns - 20, theme);
   }
 }
 
@@ -149,7 +152,8 @@ void draw_ring(QCustomPlot& plot, const report::Point& point, Theme theme) {
   ring->position->setCoords(point.x, point.y);
 }
 
-std::string chart_table(const report::ScatterPlot& scatter, const std::vector<report::HistogramPlot>& histograms, char separator) {
+std::string chart_table(const report::ScatterPlot& scatter, const std::vector<report::HistogramPlot>& histograms,
+                        char separator) {
   const std::string by(1, separator);
   std::string text;
   if (!scatter.groups.empty()) {

@@ -13,7 +13,7 @@ namespace jointid::gui {
 
 void draw_scatter(QCustomPlot& plot, const report::ScatterPlot& scatter, Theme theme);
 
-/// In rows of up to four.
+/// In rows of up to four, as many as there is room for.
 void draw_histograms(QCustomPlot& plot, const std::vector<report::HistogramPlot>& histograms, Theme theme);
 
 /// A ring round a point of the scatter plot; the one before goes.

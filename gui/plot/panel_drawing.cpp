@@ -78,8 +78,7 @@ QVector<QCPCurveData> locus(const Curve& curve, const Drawing& drawing) {
   QVector<QCPCurveData> data;
   for (std::size_t line = 0; line < values.size(); ++line) {
     const double f = curve.frequency_hz[line];
-    if (f >= low && f <= high)
-      data.push_back(QCPCurveData(static_cast<double>(line), values[line].real(), values[line].imag()));
+    if (f >= low && f <= high) data.push_back(QCPCurveData(static_cast<double>(line), values[line].real(), values[line].imag()));
   }
   return data;
 }
@@ -103,6 +102,7 @@ void draw_hint(QCustomPlot& plot, const QString& hint, Theme theme) {
   auto* text = new QCPTextElement(&plot, hint, QFont(plot.font().family(), 11));
   text->setTextColor(colours(theme).weak_text);
   text->setTextFlags(Qt::AlignCenter | Qt::TextWordWrap);
+  text->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);  // else it stands at the top
   plot.plotLayout()->addElement(0, 0, text);
 }
 

@@ -5,8 +5,8 @@
 #include <QVBoxLayout>
 
 #include "gui/look/named.hpp"
-#include "gui/table/cell_table.hpp"
 #include "gui/solve/solution_tables.hpp"
+#include "gui/table/cell_table.hpp"
 
 namespace jointid::gui {
 

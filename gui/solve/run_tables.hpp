@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gui/table/cell_table.hpp"
 #include "gui/solve/solve_job.hpp"
+#include "gui/table/cell_table.hpp"
 
 namespace jointid::gui {
 

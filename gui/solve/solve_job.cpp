@@ -5,11 +5,14 @@
 
 #include "base/control.hpp"
 #include "ident/identify.hpp"
+#include "ident/scene/scene_files.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
 
 namespace jointid::gui {
 namespace {
+
+constexpr std::uintmax_t quick_bytes = std::uintmax_t{64} << 20;  // of files whose headers are read at once
 
 ident::Control control_of(const Worker::Watch& watch) {
   ident::Control control;
@@ -36,6 +39,24 @@ Curve curve_of(const ident::Regenerated& all, const ident::RegeneratedFrf& frf, 
 }
 
 }  // namespace
+
+bool is_quick_to_plan(const ident::Scene& scene) {
+  if (scene.data.regenerate.any() || scene.frequency.exclude_resonances) return false;
+  std::uintmax_t bytes = 0;
+  for (const auto& file : ident::files_of(scene)) {
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(file.path, none);
+    if (!none) bytes += size;
+  }
+  return bytes <= quick_bytes;
+}
+
+std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& scene) {
+  std::vector<std::filesystem::path> inputs;
+  if (!scene) return inputs;
+  for (const auto& file : ident::files_of(*scene)) inputs.push_back(file.path);
+  return inputs;
+}
 
 Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
   Solved solved;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,12 @@ struct Solved {
   ident::Solution solution;
   std::string name;  ///< "2: likelihood"
 };
+
+/// Whether a plan needs headers only, of files that are not large.
+bool is_quick_to_plan(const ident::Scene& scene);
+
+/// The files that no output may replace; none without a scene.
+std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& scene);
 
 /// Plans and solves as `jointid solve` does. Interrupted, it gives the best values so far, marked as the command marks them;
 /// throws Interrupted where there are none, and InputError.

@@ -4,7 +4,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QTabWidget>
 #include <QTime>
@@ -18,40 +18,14 @@
 #include "gui/look/paths.hpp"
 #include "gui/look/theme.hpp"
 #include "gui/plot/frf_plot.hpp"
-#include "gui/table/cell_table.hpp"
 #include "gui/solve/frf_tab.hpp"
 #include "gui/solve/joint_tab.hpp"
 #include "gui/solve/run_tables.hpp"
 #include "gui/solve/solution_tables.hpp"
+#include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
-#include "ident/scene/scene_files.hpp"
 
 namespace jointid::gui {
-namespace {
-
-constexpr std::uintmax_t quick_bytes = std::uintmax_t{64} << 20;  // of files whose headers are read at once
-
-/// Whether a plan needs headers only, of files that are not large.
-bool is_quick_to_plan(const ident::Scene& scene) {
-  if (scene.data.regenerate.any() || scene.frequency.exclude_resonances) return false;
-  std::uintmax_t bytes = 0;
-  for (const auto& file : ident::files_of(scene)) {
-    std::error_code none;
-    const std::uintmax_t size = std::filesystem::file_size(file.path, none);
-    if (!none) bytes += size;
-  }
-  return bytes <= quick_bytes;
-}
-
-std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& scene) {
-  std::vector<std::filesystem::path> inputs;
-  if (!scene) return inputs;
-  for (const auto& file : ident::files_of(*scene)) inputs.push_back(file.path);
-  return inputs;
-}
-
-}  // namespace
-
 SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Solve"));
   worker_ = new Worker(this);
@@ -105,11 +79,10 @@ QWidget* SolvePage::make_top() {
   auto* table = push_button("save_table", tr("Table…"), tr("Save the table in front as CSV"));
   auto* page = push_button("save_report", tr("Report…"), tr("Save the page that `jointid solve --report` writes"));
   auto* json = push_button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
-  auto* row = new QHBoxLayout(top);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* each : std::initializer_list<QWidget*>{solve_, bound_button, cancel_, run_choice_}) row->addWidget(each);
-  row->addStretch(1);
-  for (QWidget* each : {command, table, page, json}) row->addWidget(each);
+  auto* rows = new QGridLayout(top);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addLayout(row_of({solve_, bound_button, cancel_}, {command}), 0, 0);
+  rows->addLayout(row_of({run_choice_}, {table, page, json}), 1, 0);
   connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
   connect(bound_button, &QPushButton::clicked, this, &SolvePage::bound);
   connect(cancel_, &QPushButton::clicked, this, &SolvePage::cancel);

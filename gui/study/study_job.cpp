@@ -65,7 +65,8 @@ std::vector<HistogramSet> LiveTrials::histograms() const {
   return set.plots.empty() ? std::vector<HistogramSet>() : std::vector{std::move(set)};
 }
 
-StudyShown run_study_job(const StudyWish& wish, const Worker::Watch& watch, const std::function<void(const StudyShown&)>& so_far) {
+StudyShown run_study_job(const StudyWish& wish, const Worker::Watch& watch,
+                         const std::function<void(const StudyShown&)>& so_far) {
   const study::StudyOptions options = options_of(wish);
   watch.progress("reading", 0, 0);
   const auto data = study::load_trial_data(wish.scene);

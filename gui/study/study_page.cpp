@@ -5,7 +5,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
@@ -67,11 +66,10 @@ QWidget* StudyPage::make_top() {
   set_choice_ = named(new QComboBox, "study_set", tr("Which histograms"));
   set_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* command = push_button("study_command", tr("Copy as command"), tr("Copy the command line that writes the same file"));
-  auto* row = new QHBoxLayout(top);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* each : std::initializer_list<QWidget*>{run_, cancel_, trials_, seed_, anew_, set_choice_}) row->addWidget(each);
-  row->addStretch(1);
-  row->addWidget(command);
+  auto* rows = new QVBoxLayout(top);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addLayout(row_of({run_, cancel_, trials_, seed_}, {command}));
+  rows->addLayout(row_of({set_choice_, anew_}, {}));
   connect(run_, &QPushButton::clicked, this, &StudyPage::run);
   connect(cancel_, &QPushButton::clicked, this, &StudyPage::cancel);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });

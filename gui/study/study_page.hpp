@@ -37,7 +37,8 @@ class StudyPage : public QWidget {
   CellTable* table() const { return table_; }
   /// SCENE's name with .study.h5, beside the scene.
   QString result_file() const;
-  /// "jointid study 'rig 1.toml' --trials 1000 --seed 1 --out 'rig 1.study.h5'", with --resume where there is something to take up.
+  /// "jointid study 'rig 1.toml' --trials 1000 --seed 1 --out 'rig 1.study.h5'", with --resume where there is something to take
+  /// up.
   QString command_line() const;
 
  Q_SIGNALS:

@@ -34,13 +34,14 @@ TEST(UffLines, ATraceLineIsDrawnUntilThePenIsLifted) {
 }
 
 TEST(UffLines, ElementsAreDrawnByTheirEdges) {
-  const auto lines = lines_in("    -1\n  2412\n"
-                              "         1        21         1         1         7         2\n"
-                              "         0         1         1\n"
-                              "         1         2\n"
-                              "         2        44         1         1         7         4\n"
-                              "         1         2         3         4\n"
-                              "    -1\n");
+  const auto lines = lines_in(
+      "    -1\n  2412\n"
+      "         1        21         1         1         7         2\n"
+      "         0         1         1\n"
+      "         1         2\n"
+      "         2        44         1         1         7         4\n"
+      "         1         2         3         4\n"
+      "    -1\n");
   EXPECT_THAT(lines, ElementsAre(NodeLine{1, 2}, NodeLine{2, 3}, NodeLine{3, 4}, NodeLine{4, 1}));
 }
 
@@ -66,7 +67,8 @@ TEST(UffLines, OtherDatasetsAndCutOffOnesSayNothing) {
 }
 
 TEST(UffLines, WhatIsNoNumberIsRefused) {
-  EXPECT_THROW(lines_in("    -1\n    82\n         1         3         0\nname\n         1      nine         3\n    -1\n"), InputError);
+  EXPECT_THROW(lines_in("    -1\n    82\n         1         3         0\nname\n         1      nine         3\n    -1\n"),
+               InputError);
   EXPECT_THROW(read_uff_lines("/nowhere/a.uff"), InputError);
 }
 

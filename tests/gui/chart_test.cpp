@@ -25,9 +25,7 @@ report::ScatterPlot three_points() {
   return plot;
 }
 
-report::HistogramPlot bins(const char* name) {
-  return {name, {"N/m", false}, 0.0, 4.0, {1.0, 5.0, 3.0, 0.0}, 1.5, "truth"};
-}
+report::HistogramPlot bins(const char* name) { return {name, {"N/m", false}, 0.0, 4.0, {1.0, 5.0, 3.0, 0.0}, 1.5, "truth"}; }
 
 struct DrawnChart {
   Chart chart{"chart", "A chart", "nothing yet"};

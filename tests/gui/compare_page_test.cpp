@@ -52,8 +52,8 @@ TEST(ComparePage, FindsWhatTheLibraryFinds) {
   study::Alternatives lists;
   lists.weightings = {weighting::Weighting::wa, weighting::Weighting::wb};
   lists.deltas = {0.0, 0.1};
-  const auto expected =
-      study::compare(comparing.scene, study::combinations(comparing.scene.identify, lists), study::load_trial_data, {.trials = 4});
+  const auto expected = study::compare(comparing.scene, study::combinations(comparing.scene.identify, lists),
+                                       study::load_trial_data, {.trials = 4});
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(found[i].matrices[0].rms_relative_error.median, expected.combinations[i].matrices[0].rms_relative_error.median);
     EXPECT_EQ(found[i].way.weighting, expected.combinations[i].way.weighting);

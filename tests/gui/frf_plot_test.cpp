@@ -48,7 +48,8 @@ struct Drawn {
     (void)QTest::qWaitForWindowExposed(&plot);
     QCoreApplication::processEvents();  // replots are queued, and the axes have their places after them
   }
-  /// Sent to the canvas itself: QTest::mouseMove moves the pointer of a real screen, and whether its event comes is the window system's.
+  /// Sent to the canvas itself: QTest::mouseMove moves the pointer of a real screen, and whether its event comes is the window
+  /// system's.
   void move_mouse(QPoint to, Qt::MouseButtons buttons = Qt::NoButton) {
     QMouseEvent event(QEvent::MouseMove, to, canvas->mapToGlobal(to), Qt::NoButton, buttons, Qt::NoModifier);
     QApplication::sendEvent(canvas, &event);

@@ -146,7 +146,8 @@ TEST(StructureView, IsTurnedZoomedAndShownWholeAgain) {
   QTest::keyClick(&view, Qt::Key_Home);
   EXPECT_EQ(tip(), first);
   QTest::mousePress(&view, Qt::LeftButton, Qt::NoModifier, QPoint(30, 30));
-  QMouseEvent drag(QEvent::MouseMove, QPointF(90, 60), view.mapToGlobal(QPointF(90, 60)), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+  QMouseEvent drag(QEvent::MouseMove, QPointF(90, 60), view.mapToGlobal(QPointF(90, 60)), Qt::NoButton, Qt::LeftButton,
+                   Qt::NoModifier);
   QApplication::sendEvent(&view, &drag);
   QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, QPoint(90, 60));
   EXPECT_NE(tip(), first);

@@ -33,9 +33,10 @@ TEST(Indicators, TheSumIsThatOfTheMagnitudesOfEachFile) {
 
 /// Of the matrix [2 0; 0 i] the singular values are 2 and 1, whatever order its FRFs come in.
 TEST(Indicators, CmifAreTheSingularValuesOfTheMatrixOfFrfs) {
-  const auto found = indicators({curve_in("a", "2:+X", "2:+X", {Complex(0.0, 1.0)}), curve_in("a", "1:+X", "2:+X", {Complex(0.0)}),
-                                 curve_in("a", "1:+X", "1:+X", {Complex(2.0)}), curve_in("a", "2:+X", "1:+X", {Complex(0.0)})},
-                                View::cmif, {});
+  const auto found =
+      indicators({curve_in("a", "2:+X", "2:+X", {Complex(0.0, 1.0)}), curve_in("a", "1:+X", "2:+X", {Complex(0.0)}),
+                  curve_in("a", "1:+X", "1:+X", {Complex(2.0)}), curve_in("a", "2:+X", "1:+X", {Complex(0.0)})},
+                 View::cmif, {});
   ASSERT_EQ(found.size(), 2U);
   EXPECT_NEAR(found[0].values[0].real(), 2.0, 1e-14);
   EXPECT_NEAR(found[1].values[0].real(), 1.0, 1e-14);

@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/plot/frf_plot.hpp"
@@ -203,6 +204,52 @@ TEST(MainWindow, TheTimeToTheFirstWindowIsTold) {
   Shown shown;
   shown.window.grab();
   std::printf("%lld ms to the first window\n", static_cast<long long>(timer.elapsed()));
+}
+
+/// Reports only: a machine with other work says nothing of the program.
+TEST(MainWindow, HowLongItEverBlocksIsTold) {
+  const Measured measured("rig1");
+  Shown shown;
+  QElapsedTimer since;
+  qint64 longest = 0;
+  QTimer tick;
+  QObject::connect(&tick, &QTimer::timeout, [&] { longest = std::max(longest, since.restart()); });
+  since.start();
+  tick.start(1);
+  shown.window.open({measured.scene()});
+  Project& project = *shown.window.current();
+  const auto rests = [&] {
+    return QTest::qWaitFor([&] { return !project.data_page()->is_busy() && !project.solve_page()->is_busy(); }, 60000);
+  };
+  ASSERT_TRUE(rests());
+  for (int page = 0; page < project.pages()->count(); ++page) {
+    project.pages()->setCurrentIndex(page);
+    QTest::qWait(50);
+  }
+  project.solve_page()->solve();
+  ASSERT_TRUE(rests());
+  std::printf("the window is blocked for %lld ms at most\n", static_cast<long long>(longest));
+  EXPECT_EQ(project.solve_page()->runs().size(), 1U);
+}
+
+/// The way of a comparison becomes that of the text, which solves to what the command finds.
+TEST(MainWindow, AWayThatIsOpenedIsAnEditAndASolution) {
+  const Measured measured("A1");
+  Shown shown;
+  shown.window.open({measured.scene()});
+  Project& project = *shown.window.current();
+  study::Way way;
+  way.method = ident::Method::two;
+  way.equations = {ident::Equation::jj, ident::Equation::jn};
+  way.solver = "qr";
+  Q_EMIT project.compare_page()->way_opened(way);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !project.solve_page()->is_busy(); }, 60000));
+  ASSERT_EQ(project.solve_page()->runs().size(), 1U) << project.solve_page()->status().toStdString();
+  EXPECT_EQ(project.solve_page()->runs().front().solution.used.method, ident::Method::two);
+  EXPECT_EQ(project.pages()->currentWidget(), project.solve_page());
+  EXPECT_TRUE(project.is_modified());
+  project.editor()->undo();
+  EXPECT_FALSE(project.is_modified());
 }
 
 TEST(MainWindow, ItsLayoutIsKept) {

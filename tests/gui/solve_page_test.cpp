@@ -205,8 +205,7 @@ TEST(SolvePage, OutlyingLinesAreMarked) {
   by_line[3] = 40.0;
   by_line[1] = 50.0;
   solved.solution.fit.chi_square->outlying_lines = 2;
-  EXPECT_THAT(outlying_hz(solved),
-              testing::ElementsAre(solved.plan->lines[1].frequency_hz, solved.plan->lines[3].frequency_hz));
+  EXPECT_THAT(outlying_hz(solved), testing::ElementsAre(solved.plan->lines[1].frequency_hz, solved.plan->lines[3].frequency_hz));
   solved.solution.fit.chi_square->outlying_lines = 0;
   EXPECT_TRUE(outlying_hz(solved).empty());
   solved.solution.fit.chi_square.reset();

@@ -1,4 +1,5 @@
-// take_pictures SCENE FOLDER: the pictures of docs/workbench.md, taken off the screen.
+// take_pictures SCENE FOLDER [every]: the pictures of docs/workbench.md, taken off the screen; and every page in two sizes and
+// both themes.
 
 #include <QApplication>
 #include <QDir>
@@ -34,7 +35,7 @@ bool wait_for(const std::function<bool()>& condition) { return QTest::qWaitFor(c
 
 class Photographer {
  public:
-  Photographer(const QString& scene, const QString& folder) : folder_(folder) {
+  Photographer(const QString& scene, const QString& folder, bool every) : folder_(folder), every_(every) {
     window_.resize(1280, 800);
     window_.show();
     scene_ = scene;
@@ -44,6 +45,7 @@ class Photographer {
     take_proposal();
     window_.open({scene_});
     take_scene();
+    if (every_) take_every_page();
   }
 
  private:
@@ -75,6 +77,7 @@ class Photographer {
     project.pages()->setCurrentWidget(&geometry);
     wait_for([&] { return !geometry.is_busy() && geometry.dofs()->count() > 0; });
     geometry.dofs()->setCurrentRow(3);
+    geometry.set_frequency(420.0);
     geometry.findChild<QToolButton*>("play")->click();
     wait_for([&] { return !geometry.is_busy(); });
     keep("workbench-geometry");
@@ -119,18 +122,40 @@ class Photographer {
     if (!compare.chart()->scatter().groups.empty()) compare.chart()->choose(0, 0);
     compare.table()->selectRow(1);
     keep("workbench-compare");
-    StudyPage& study = *project.study_page();
-    project.pages()->setCurrentWidget(&study);
-    study.set_trials(400);
-    study.run();
-    QTest::qWait(8000);
-    keep("workbench-study");
-    study.cancel();
-    wait_for([&] { return !study.is_busy(); });
     if (compare.comparison().combinations.empty()) return;
     Q_EMIT compare.way_opened(compare.comparison().combinations.back().way);
     wait_for([&] { return project.solve_page()->runs().size() > 1 && !project.solve_page()->is_busy(); });
+    project.save();
+    StudyPage& study = *project.study_page();
+    project.pages()->setCurrentWidget(&study);
+    study.set_trials(1000);
+    study.run();
+    wait_for([&] { return !study.is_busy(); });
+    keep("workbench-study");
     project.editor()->undo();
+    project.save();
+  }
+
+  /// Every page and result as it is now, in both themes and two sizes.
+  void take_every_page() {
+    Project& project = *window_.current();
+    for (const QSize size : {QSize(1024, 700), QSize(1600, 1000)}) {
+      for (const Theme theme : {Theme::light, Theme::dark}) {
+        window_.resize(size);
+        window_.set_theme(theme);
+        const QString look = QStringLiteral("-%1-%2").arg(size.width()).arg(theme == Theme::dark ? "dark" : "light");
+        for (int page = 0; page < project.pages()->count(); ++page) {
+          project.pages()->setCurrentIndex(page);
+          keep(qPrintable("every-" + project.pages()->tabText(page) + look));
+        }
+        project.pages()->setCurrentWidget(project.solve_page());
+        QTabWidget& results = *project.solve_page()->results();
+        for (int result = 0; result < results.count(); ++result) {
+          results.setCurrentIndex(result);
+          keep(qPrintable("every-" + results.tabText(result).section(' ', -1) + look));
+        }
+      }
+    }
   }
 
   void keep(const char* name) {
@@ -142,6 +167,7 @@ class Photographer {
   }
 
   QString folder_, scene_;
+  bool every_;
   MainWindow window_;
 };
 
@@ -156,7 +182,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("jointid");
   QApplication::setApplicationName("pictures");
   jointid::gui::apply(jointid::gui::Theme::light, application);
-  if (argc != 3) return 2;
-  jointid::gui::Photographer(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2])).take();
+  if (argc < 3) return 2;
+  jointid::gui::Photographer(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2]), argc > 3).take();
   return 0;
 }

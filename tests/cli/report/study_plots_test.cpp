@@ -57,6 +57,22 @@ const HistogramPlot& histogram(const PlotGroup& group, std::size_t choice, std::
 
 double sum(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
+/// As the workbench draws trials that go on.
+TEST_F(StudyPlots, OfValuesInMemoryAreThoseOfTheFile) {
+  const PlotGroup of_file = unknowns_of(study_file(1, 200, 1000.0, 1090.0), 10);
+  std::vector<double> values;
+  for (int i = 0; i < 200; ++i) values.push_back(1000.0 + i);
+  values.push_back(without_value);
+  const auto found = jointid::report::histogram_of("K0", "N/m", values, 1090.0);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->counts, histogram(of_file, 0, 0).counts);
+  EXPECT_EQ(found->low, histogram(of_file, 0, 0).low);
+  EXPECT_EQ(found->high, histogram(of_file, 0, 0).high);
+  EXPECT_EQ(found->title, histogram(of_file, 0, 0).title);
+  EXPECT_FALSE(jointid::report::histogram_of("K0", "N/m", std::vector<double>(10, 3.0), std::nullopt));
+  EXPECT_FALSE(jointid::report::histogram_of("K0", "N/m", {without_value}, std::nullopt));
+}
+
 TEST_F(StudyPlots, CountEveryTrialAndMarkTheTruth) {
   const PlotGroup group = unknowns_of(study_file(1, 100, 0.0, 40.0), 10);
   const HistogramPlot& plot = histogram(group, 0, 0);
