@@ -147,13 +147,13 @@ void run_transients(const ResponseScene& scene, const Prepared& prepared, Progre
                                         .method = scene.transient->method,
                                         .delta = scene.transient->delta,
                                         .responses = prepared.responses};
-  for (const auto& [name, force] : histories_of(scene, prepared)) {
+  for (const auto& history : histories_of(scene, prepared)) {
     request.advance = [&](double time) {
-      progress.count(name, static_cast<std::size_t>(time / request.step),
+      progress.count(history.first, static_cast<std::size_t>(time / request.step),
                      static_cast<std::size_t>(request.duration / request.step));
       stop_if(interrupted);
     };
-    run.transients.push_back({name, response::march_transient(structure, force, request)});
+    run.transients.push_back({history.first, response::march_transient(structure, history.second, request)});
   }
 }
 

@@ -26,7 +26,7 @@ frf::FrfSet on_lines(const frf::FrfSet& measured, const std::vector<double>& lin
   modalfit::FitOptions options;
   options.interrupted = interrupted;
   modalfit::Band band = modalfit::make_band(measured, std::nullopt);
-  modalfit::ModalFit found = modalfit::fit(band, measured.header, options);
+  const modalfit::ModalFit found = modalfit::fit(band, measured.header, options);
   stop_if(interrupted);
   const std::array range = {band.frequency_hz.front(), band.frequency_hz.back()};
   const bool symmetric = modalfit::obstacle(found).empty();
@@ -41,10 +41,9 @@ frf::FrfSet on_lines(const frf::FrfSet& measured, const std::vector<double>& lin
          "leave modal_model out: the lines of the files count");
   }
   const modalfit::SynthesisError error = modalfit::overall(modalfit::synthesis_errors(found, band, on(band.frequency_hz)));
-  modalfit::judge(found, error.rms_db_away);
-  if (!modalfit::is_usable(found.status)) {
-    doubts.push_back(fmt::format("{}: the modal model of {} modes is not good enough ({})", measured.header.file,
-                                 found.modes_inside(), found.message));
+  if (!(error.rms_db_away <= modalfit::most_synthesis_db)) {
+    doubts.push_back(fmt::format("{}: the modal model of {} modes is {:.2g} dB off its data away from antiresonances",
+                                 measured.header.file, found.modes_inside(), error.rms_db_away));
   }
   return on(lines_hz);
 }

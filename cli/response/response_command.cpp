@@ -10,6 +10,7 @@
 #include "cli/response/response_file.hpp"
 #include "cli/response/response_page.hpp"
 #include "cli/response/response_text.hpp"
+#include "cli/response/run_response.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
 

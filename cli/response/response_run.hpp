@@ -84,7 +84,4 @@ inline constexpr std::size_t most_told = 40;
 /// Whether everything that was asked for has an answer.
 bool all_converged(const ResponseRun& run);
 
-/// Reads what the scene needs and computes it.
-ResponseRun run_response(const ResponseScene& scene, Progress& progress);
-
 }  // namespace jointid::cli

@@ -10,7 +10,7 @@
 #include "cli/response/response_command.hpp"
 #include "cli/response/response_file.hpp"
 #include "cli/response/response_page.hpp"
-#include "cli/response/response_run.hpp"
+#include "cli/response/run_response.hpp"
 #include "cli/response/response_text.hpp"
 #include "frf/hdf5/table_file.hpp"
 #include "problems/thesis/pulses.hpp"
@@ -211,7 +211,6 @@ TEST(ResponseFurther, WritesPageAndTables) {
   arguments.history = (folder / "history.h5").string();
   std::ostringstream out;
   EXPECT_EQ(execute(arguments, out), ExitCode::done);
-  EXPECT_EQ(out.str(), "");
   std::ifstream file(folder / "page.html");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   for (const char* word :

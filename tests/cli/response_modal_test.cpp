@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/response/response_run.hpp"
+#include "cli/response/run_response.hpp"
 #include "cli/response/response_text.hpp"
 #include "response/structure/modal_damping.hpp"
 #include "response_sample.hpp"
@@ -48,7 +48,7 @@ TEST(ResponseModal, ModelsOfPartsAnswerBetweenLines) {
           "[force]\ndof = 1\namplitudes = [8.0]\n[frequency]\nrange = [2.013, 3.987]\npoints = 9\n"
           "[response]\ndofs = [1, 3]\nharmonics = [1, 3]\n",
       folder);
-  EXPECT_TRUE(modal.doubts.empty());
+  EXPECT_THAT(modal.doubts, testing::IsEmpty());
   ASSERT_EQ(modal.levels[0].points.size(), 9u);
   for (std::size_t i = 0; i < 9; ++i) {
     const Eigen::MatrixXcd& a = modal.levels[0].points[i].response;

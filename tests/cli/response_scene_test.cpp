@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "cli/response/read_response_scene.hpp"
 #include "cli/response/response_command.hpp"
-#include "cli/response/response_run.hpp"
+#include "cli/response/run_response.hpp"
 #include "cli/response/response_text.hpp"
 #include "response/structure/matrix_file.hpp"
 #include "response/structure/modal_damping.hpp"

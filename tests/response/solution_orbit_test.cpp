@@ -61,8 +61,8 @@ TEST(SolutionOrbit, NamesJointsWithFreeResidualForce) {
       {.name = "spring", .stiffness = 10.0},
   });
   const MatrixAssembly stiff = assembly({{.name = "slips", .friction = law("bilinear", {0.01, 150.0})},
-                                         {.name = "sticks", .friction = law("bilinear", {1.0, 80.0})}});
-  const Excitation force = Excitation::single(15.0);
+                                         {.name = "sticks", .friction = law("bilinear", {10.0, 80.0})}});
+  const Excitation force = Excitation::single(400.0);
   EXPECT_TRUE(stability(all, force, solution_of(all, force, 14.0, odd(21))).residual_force_free.empty());
   const SolutionStability found = stability(stiff, force, solution_of(stiff, force, 14.0, odd(21)));
   EXPECT_EQ(found.residual_force_free, (std::vector<std::size_t>{1}));
