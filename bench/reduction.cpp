@@ -121,7 +121,9 @@ void cantilever(const bench::CommandLine& line, bench::Promises& promises) {
   fmt::print("\n");
   const std::vector<double> all = {11.0, 14.0, 20.0, 41.1};
   for (const double hz : line.quick() ? std::vector{14.0} : all) {
-    const auto [full, motion] = beam_at(hz, 10.0);
+    const BeamCase each = beam_at(hz, 10.0);
+    const Model& full = each.model;
+    const ComparedMotion& motion = each.motion;
     const Trajectory truth = trajectory(full, motion);
     fmt::print("{:<7}{:>8.1f}", hz, 1e6 * (motion.observed * truth.q).cwiseAbs().maxCoeff());
     const auto error_of = [&](const ReductionBasis& basis) {

@@ -7,12 +7,13 @@
 
 #include "base/error.hpp"
 #include "dense/qr.hpp"
+#include "series/pod/tall_triangle.hpp"
 
 namespace jointid::series {
 namespace {
 
 constexpr Eigen::Index block_rows = 4096;  ///< of one thread
-constexpr Eigen::Index step_rows = 512;    ///< of one decomposition: what it works on stays near the processor
+constexpr Eigen::Index step_rows = 1024;   ///< of one decomposition: what it works on stays near the processor
 
 }  // namespace
 
@@ -28,17 +29,24 @@ void RecordTriangle::add(const Eigen::Ref<const Samples>& block) {
   const Eigen::Index size = triangle_.cols();
   for (Eigen::Index first = 0; first < block.rows(); first += step_rows) {
     const Eigen::Index count = std::min(step_rows, block.rows() - first);
+    const auto rows = block.middleRows(first, count);
     Eigen::MatrixXd stacked(size + count, size);
-    Eigen::Index kept = 0;
-    for (Eigen::Index i = first; i < first + count; ++i) {
-      if (block.row(i).allFinite()) stacked.row(size + kept++).tail(block.cols()) = block.row(i);
+    Eigen::Index kept = count;
+    if (rows.allFinite()) {
+      stacked.bottomRightCorner(count, block.cols()) = rows;
+    } else {
+      kept = 0;
+      for (Eigen::Index i = 0; i < count; ++i) {
+        if (rows.row(i).allFinite()) stacked.row(size + kept++).tail(block.cols()) = rows.row(i);
+      }
     }
     samples_ += static_cast<std::size_t>(kept);
     missing_ += static_cast<std::size_t>(count - kept);
     if (kept == 0) continue;
     stacked.topRows(size) = triangle_;
     stacked.col(0).segment(size, kept).setOnes();
-    triangle_ = dense::triangle_of(stacked.topRows(size + kept));
+    if (kept < count) stacked.conservativeResize(size + kept, Eigen::NoChange);
+    triangle_ = tall_triangle(stacked);
   }
 }
 
@@ -49,7 +57,7 @@ void RecordTriangle::join(const RecordTriangle& other) {
   if (other.samples_ == 0) return;
   Eigen::MatrixXd stacked(2 * triangle_.rows(), triangle_.cols());
   stacked << triangle_, other.triangle_;
-  triangle_ = dense::triangle_of(stacked);
+  triangle_ = tall_triangle(stacked);
 }
 
 std::vector<double> RecordTriangle::numbers() const {
