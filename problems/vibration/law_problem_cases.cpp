@@ -40,7 +40,7 @@ LawProblem rig_two_with_ren() {
       .responses = {first, second, across(105), across(205)},
       .force = first,
       .levels = {1.0, 4.0, 8.0, 12.0, 20.0, 40.0},
-      .frequency_hz = lines(48.0, 1.0, 11)};
+      .frequency_hz = lines(48.0, 2.0, 6)};
 }
 
 LawProblem frame_with_joints() {
@@ -55,8 +55,9 @@ LawProblem frame_with_joints() {
           .responses = {across(3), across(5), across(11), across(13), across(15), across(22), across(23)},
           .force = across(13),
           .levels = {1.0, 4.0, 12.0, 30.0},
-          .frequency_hz = lines(40.0, 4.0, 12),
-          .model = {1, 3, 5, 7, 9, 11}};
+          .frequency_hz = lines(40.0, 8.0, 6),
+          .model = {1, 3, 5, 7, 9, 11},
+          .noise = 0.002};
 }
 
 LawProblem mass_with_iwan() {
