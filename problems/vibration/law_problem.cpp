@@ -18,7 +18,7 @@ namespace {
 constexpr double third_of_shaker = 0.02;
 
 const std::vector<LawProblem>& all_law_problems() {
-  static const std::vector<LawProblem> all = {rig_two_with_ren(), frame_with_joints(), mass_with_iwan()};
+  static const std::vector<LawProblem> all = {frame_with_joints(), mass_with_iwan()};
   return all;
 }
 
@@ -151,6 +151,7 @@ LawMeasurement polluted(const LawProblem& problem, LawMeasurement exact, std::ui
   const frf::NoiseModel noise = {.kind = frf::NoiseKind::circular, .level = problem.noise, .record_variance = true};
   std::uint64_t number = 0;
   for (auto* sets : {&exact.parts, &exact.responses}) {
+    if (sets == &exact.parts && !problem.noisy_parts) continue;
     for (frf::FrfSet& set : *sets) set = frf::polluted(set, noise, seed, 0, number++);
   }
   return exact;

@@ -33,7 +33,8 @@ struct LawProblem {
   std::vector<double> frequency_hz;  ///< of the force
   std::vector<int> measured = {1, 3};
   std::vector<int> model = {1, 3, 5, 7, 9};  ///< harmonics of the true motion; the parts' FRFs are given at one more
-  double noise = 0.01;                       ///< circular, of parts and phasors
+  double noise = 0.01;                       ///< circular, of phasors
+  bool noisy_parts = true;                   ///< and of the parts' FRFs; else these are exact, as of a model
 };
 
 std::vector<ProblemInfo> list_law_problems();
@@ -52,7 +53,7 @@ struct LawMeasurement {
 /// of a shaker.
 LawMeasurement measure(const LawProblem& problem);
 
-/// With the problem's circular noise on parts and responses, whose files tell their variances.
+/// With the problem's circular noise on responses and perhaps parts, whose files tell their variances.
 LawMeasurement polluted(const LawProblem& problem, LawMeasurement exact, std::uint64_t seed);
 
 /// Writes files, NAME.toml and truth.json into `directory` and returns the scene's path.

@@ -1,6 +1,5 @@
 #include "problems/vibration/law_problem_cases.hpp"
 
-#include "problems/case/rig_two.hpp"
 #include "problems/structure/beam.hpp"
 
 namespace jointid::problems {
@@ -30,19 +29,6 @@ Structure strip(std::int64_t first_node, double from, int elements, bool clamped
 
 }  // namespace
 
-LawProblem rig_two_with_ren() {
-  const auto [first, second] = rig_two_middles();
-  return {
-      .name = "rig2-ren",
-      .description = "rig two with its friction joint (Ren, 200 N clamping force) at six force levels, phasors with harmonic 3",
-      .parts = {rig_two_structure()},
-      .joints = {{"middles", {first, second}, "ren", {1.07e-7, 4.27, 8.20e6}, {"bilinear", "ren"}}},
-      .responses = {first, second, across(105), across(205)},
-      .force = first,
-      .levels = {1.0, 4.0, 8.0, 12.0, 20.0, 40.0},
-      .frequency_hz = lines(48.0, 2.0, 6)};
-}
-
 LawProblem frame_with_joints() {
   Structure left = strip(1, 0.0, 4, true), right = strip(21, 0.6, 4, false), girder = strip(11, 0.3, 4, false);
   right.add(Kind::stiffness, {across(25)}, {{1e8}});
@@ -57,7 +43,7 @@ LawProblem frame_with_joints() {
           .levels = {1.0, 4.0, 12.0, 30.0},
           .frequency_hz = lines(40.0, 8.0, 6),
           .model = {1, 3, 5, 7, 9, 11},
-          .noise = 0.002};
+          .noisy_parts = false};
 }
 
 LawProblem mass_with_iwan() {

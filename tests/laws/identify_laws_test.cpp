@@ -15,7 +15,8 @@ LawScene written(const std::string& name, const TestFolder& folder, bool clean) 
 
 double relative(double found, double expected) { return std::abs(found / expected - 1.0); }
 
-/// One percent of noise on the FRFs of the part and on the phasors: the law is found, its stiffness and limit within four deviations.
+/// One percent of noise on the FRFs of the part and on the phasors: the law is found, its stiffness and limit within four
+/// deviations.
 TEST(IdentifyLaws, FindsTheIwanJointOfAMass) {
   const TestFolder folder;
   LawScene scene = written("sdof-iwan", folder, false);

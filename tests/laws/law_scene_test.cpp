@@ -115,7 +115,8 @@ TEST(LawScene, SaysInOneLineWhatIsWrong) {
 }
 
 TEST(LawScene, OneFileOfSeveralHarmonicsNeedsTheRange) {
-  const std::string one = replaced(replaced(good, "[\"l1.h5\", \"l1_3.h5\"]", "\"l1.h5\""), "[\"f1.h5\", \"f1_3.h5\"]", "\"f1.h5\"");
+  const std::string one =
+      replaced(replaced(good, "[\"l1.h5\", \"l1_3.h5\"]", "\"l1.h5\""), "[\"f1.h5\", \"f1_3.h5\"]", "\"f1.h5\"");
   EXPECT_EQ(parse_law_scene(one, "scene.toml").levels[0].harmonics[1].responses.path, ident::Path("l1.h5"));
   EXPECT_THAT(error_of(replaced(one, "range = [10.0, 20.0]", "")), HasSubstr("give [frequency] range"));
 }
