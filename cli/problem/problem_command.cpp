@@ -16,7 +16,7 @@
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
 #include "problems/thesis/two_beams.hpp"
-#include "problems/vibration/law_problem.hpp"
+#include "problems/vibration/law_problem_cases.hpp"
 
 namespace jointid::cli {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "friction/path/element.hpp"
-#include "problems/case/problem_info.hpp"
 #include "problems/case/write_options.hpp"
 #include "problems/structure/structure.hpp"
 #include "response/structure/frf_receptance.hpp"
@@ -36,12 +35,6 @@ struct LawProblem {
   double noise = 0.01;                       ///< circular, of phasors
   bool noisy_parts = true;                   ///< and of the parts' FRFs; else these are exact, as of a model
 };
-
-std::vector<ProblemInfo> list_law_problems();
-bool is_law_problem(const std::string& name);
-
-/// Throws InputError (usage) with the nearest name when there is none.
-LawProblem make_law_problem(const std::string& name);
 
 /// What was measured: a file for each part, and one of responses and one of forces for each level, without noise, their lines at
 /// all harmonics.

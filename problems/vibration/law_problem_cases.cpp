@@ -1,5 +1,8 @@
 #include "problems/vibration/law_problem_cases.hpp"
 
+#include <algorithm>
+
+#include "base/error.hpp"
 #include "problems/structure/beam.hpp"
 
 namespace jointid::problems {
@@ -60,6 +63,39 @@ LawProblem mass_with_iwan() {
           .force = dof,
           .levels = {0.5, 2.0, 5.0, 12.0},
           .frequency_hz = lines(80.0, 5.0, 12)};
+}
+
+namespace {
+
+const std::vector<LawProblem>& all_law_problems() {
+  static const std::vector<LawProblem> all = {frame_with_joints(), mass_with_iwan()};
+  return all;
+}
+
+}  // namespace
+
+std::vector<ProblemInfo> list_law_problems() {
+  std::vector<ProblemInfo> all;
+  for (const LawProblem& problem : all_law_problems()) all.push_back({problem.name, problem.description});
+  return all;
+}
+
+bool is_law_problem(const std::string& name) {
+  return std::ranges::find(all_law_problems(), name, &LawProblem::name) != all_law_problems().end();
+}
+
+LawProblem make_law_problem(const std::string& name) {
+  std::vector<std::string> names;
+  for (const LawProblem& problem : all_law_problems()) {
+    if (problem.name == name) return problem;
+    names.push_back(problem.name);
+  }
+  const std::string near = nearest_word(name, names);
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = {},
+                    .place = "problem",
+                    .problem = "there is no problem '" + name + "' with friction laws",
+                    .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
 }
 
 }  // namespace jointid::problems

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "laws/scene/read_law_scene.hpp"
-#include "problems/vibration/law_problem.hpp"
+#include "problems/vibration/law_problem_cases.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::laws {
