@@ -18,7 +18,7 @@
 #include "problems/thesis/oscillations.hpp"
 #include "problems/thesis/pulses.hpp"
 #include "problems/thesis/two_beams.hpp"
-#include "problems/vibration/law_problem.hpp"
+#include "problems/vibration/law_problem_cases.hpp"
 
 namespace jointid::cli {
 

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.hpp"
+#include "cli/laws/laws_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/open_options.hpp"
@@ -47,6 +49,10 @@ void add_plan(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
+  if (holds_law_scene(arguments.scene)) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", "scenes of friction laws have no plan",
+                      "`jointid solve` finds the laws, and says what the levels do not show"});
+  }
   const ident::Scene scene = ident::read_scene(arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });

@@ -96,7 +96,8 @@ void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution
 /// A scene of friction laws has no FRFs of an assembly to plot.
 ExitCode solve_law_scene(const SolveArguments& arguments, std::ostream& out) {
   if (arguments.plot) {
-    throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot", "the scene is one of friction laws: there is no FRF of an assembly",
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot",
+                      "the scene is one of friction laws: there is no FRF of an assembly",
                       "leave --plot out"});
   }
   return solve_laws(arguments.scene, {arguments.json, arguments.csv, arguments.report}, out);

@@ -133,9 +133,6 @@ std::vector<ProblemInfo> list_rig_two() {
   return out;
 }
 
-Structure rig_two_structure() { return parts(); }
-std::array<frf::Dof, 2> rig_two_middles() { return {middle_1, middle_2}; }
-
 bool is_rig_two(const std::string& name) {
   return std::ranges::any_of(clampings(), [&](const Clamping& each) { return each.name == name; });
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -9,7 +8,6 @@
 #include "frf/set/frf_set.hpp"
 #include "problems/case/problem_info.hpp"
 #include "problems/case/write_options.hpp"
-#include "problems/structure/structure.hpp"
 
 namespace jointid::problems {
 
@@ -30,10 +28,6 @@ struct RigTwo {
 };
 
 std::vector<ProblemInfo> list_rig_two();
-
-/// Both beams and the rods, without the friction joint, which acts between the two middles.
-Structure rig_two_structure();
-std::array<frf::Dof, 2> rig_two_middles();
 
 bool is_rig_two(const std::string& name);
 

@@ -9,18 +9,12 @@
 #include "frf/set/frf_system.hpp"
 #include "friction/law/laws.hpp"
 #include "problems/structure/response.hpp"
-#include "problems/vibration/law_problem_cases.hpp"
 #include "response/harmonic/harmonic_balance.hpp"
 
 namespace jointid::problems {
 namespace {
 
 constexpr double third_of_shaker = 0.02;
-
-const std::vector<LawProblem>& all_law_problems() {
-  static const std::vector<LawProblem> all = {rig_two_with_ren(), frame_with_joints(), mass_with_iwan()};
-  return all;
-}
 
 /// Lines at the given harmonics of the force's frequencies, none twice.
 std::vector<double> lines_of(const LawProblem& problem, const std::vector<int>& harmonics) {
@@ -107,30 +101,6 @@ void measure_level(const LawProblem& problem, const std::shared_ptr<const respon
 
 }  // namespace
 
-std::vector<ProblemInfo> list_law_problems() {
-  std::vector<ProblemInfo> all;
-  for (const LawProblem& problem : all_law_problems()) all.push_back({problem.name, problem.description});
-  return all;
-}
-
-bool is_law_problem(const std::string& name) {
-  return std::ranges::find(all_law_problems(), name, &LawProblem::name) != all_law_problems().end();
-}
-
-LawProblem make_law_problem(const std::string& name) {
-  std::vector<std::string> names;
-  for (const LawProblem& problem : all_law_problems()) {
-    if (problem.name == name) return problem;
-    names.push_back(problem.name);
-  }
-  const std::string near = nearest_word(name, names);
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "problem",
-                    .problem = "there is no problem '" + name + "' with friction laws",
-                    .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
-}
-
 LawMeasurement measure(const LawProblem& problem) {
   LawMeasurement out;
   out.parts = parts_of(problem);
@@ -151,6 +121,7 @@ LawMeasurement polluted(const LawProblem& problem, LawMeasurement exact, std::ui
   const frf::NoiseModel noise = {.kind = frf::NoiseKind::circular, .level = problem.noise, .record_variance = true};
   std::uint64_t number = 0;
   for (auto* sets : {&exact.parts, &exact.responses}) {
+    if (sets == &exact.parts && !problem.noisy_parts) continue;
     for (frf::FrfSet& set : *sets) set = frf::polluted(set, noise, seed, 0, number++);
   }
   return exact;

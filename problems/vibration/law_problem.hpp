@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "friction/path/element.hpp"
-#include "problems/case/problem_info.hpp"
 #include "problems/case/write_options.hpp"
 #include "problems/structure/structure.hpp"
 #include "response/structure/frf_receptance.hpp"
@@ -33,14 +32,9 @@ struct LawProblem {
   std::vector<double> frequency_hz;  ///< of the force
   std::vector<int> measured = {1, 3};
   std::vector<int> model = {1, 3, 5, 7, 9};  ///< harmonics of the true motion; the parts' FRFs are given at one more
-  double noise = 0.01;                       ///< circular, of parts and phasors
+  double noise = 0.01;                       ///< circular, of phasors
+  bool noisy_parts = true;                   ///< and of the parts' FRFs; else these are exact, as of a model
 };
-
-std::vector<ProblemInfo> list_law_problems();
-bool is_law_problem(const std::string& name);
-
-/// Throws InputError (usage) with the nearest name when there is none.
-LawProblem make_law_problem(const std::string& name);
 
 /// What was measured: a file for each part, and one of responses and one of forces for each level, without noise, their lines at
 /// all harmonics.
@@ -52,7 +46,7 @@ struct LawMeasurement {
 /// of a shaker.
 LawMeasurement measure(const LawProblem& problem);
 
-/// With the problem's circular noise on parts and responses, whose files tell their variances.
+/// With the problem's circular noise on responses and perhaps parts, whose files tell their variances.
 LawMeasurement polluted(const LawProblem& problem, LawMeasurement exact, std::uint64_t seed);
 
 /// Writes files, NAME.toml and truth.json into `directory` and returns the scene's path.

@@ -1,6 +1,8 @@
 #include "problems/vibration/law_problem_cases.hpp"
 
-#include "problems/case/rig_two.hpp"
+#include <algorithm>
+
+#include "base/error.hpp"
 #include "problems/structure/beam.hpp"
 
 namespace jointid::problems {
@@ -30,19 +32,6 @@ Structure strip(std::int64_t first_node, double from, int elements, bool clamped
 
 }  // namespace
 
-LawProblem rig_two_with_ren() {
-  const auto [first, second] = rig_two_middles();
-  return {
-      .name = "rig2-ren",
-      .description = "rig two with its friction joint (Ren, 200 N clamping force) at six force levels, phasors with harmonic 3",
-      .parts = {rig_two_structure()},
-      .joints = {{"middles", {first, second}, "ren", {1.07e-7, 4.27, 8.20e6}, {"bilinear", "ren"}}},
-      .responses = {first, second, across(105), across(205)},
-      .force = first,
-      .levels = {1.0, 4.0, 8.0, 12.0, 20.0, 40.0},
-      .frequency_hz = lines(48.0, 1.0, 11)};
-}
-
 LawProblem frame_with_joints() {
   Structure left = strip(1, 0.0, 4, true), right = strip(21, 0.6, 4, false), girder = strip(11, 0.3, 4, false);
   right.add(Kind::stiffness, {across(25)}, {{1e8}});
@@ -55,8 +44,9 @@ LawProblem frame_with_joints() {
           .responses = {across(3), across(5), across(11), across(13), across(15), across(22), across(23)},
           .force = across(13),
           .levels = {1.0, 4.0, 12.0, 30.0},
-          .frequency_hz = lines(40.0, 4.0, 12),
-          .model = {1, 3, 5, 7, 9, 11}};
+          .frequency_hz = lines(40.0, 8.0, 6),
+          .model = {1, 3, 5, 7, 9, 11},
+          .noisy_parts = false};
 }
 
 LawProblem mass_with_iwan() {
@@ -73,6 +63,39 @@ LawProblem mass_with_iwan() {
           .force = dof,
           .levels = {0.5, 2.0, 5.0, 12.0},
           .frequency_hz = lines(80.0, 5.0, 12)};
+}
+
+namespace {
+
+const std::vector<LawProblem>& all_law_problems() {
+  static const std::vector<LawProblem> all = {frame_with_joints(), mass_with_iwan()};
+  return all;
+}
+
+}  // namespace
+
+std::vector<ProblemInfo> list_law_problems() {
+  std::vector<ProblemInfo> all;
+  for (const LawProblem& problem : all_law_problems()) all.push_back({problem.name, problem.description});
+  return all;
+}
+
+bool is_law_problem(const std::string& name) {
+  return std::ranges::find(all_law_problems(), name, &LawProblem::name) != all_law_problems().end();
+}
+
+LawProblem make_law_problem(const std::string& name) {
+  std::vector<std::string> names;
+  for (const LawProblem& problem : all_law_problems()) {
+    if (problem.name == name) return problem;
+    names.push_back(problem.name);
+  }
+  const std::string near = nearest_word(name, names);
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = {},
+                    .place = "problem",
+                    .problem = "there is no problem '" + name + "' with friction laws",
+                    .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
 }
 
 }  // namespace jointid::problems

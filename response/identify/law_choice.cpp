@@ -88,10 +88,13 @@ bool is_good(const LawFit& fit) {
   return is_minimum(fit) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
 }
 
+constexpr int most_first_steps = 40;  ///< of a start: what has not come near a minimum by then is no start
+
 /// The best of all starts; harmonics are not added yet.
 LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                  const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
   if (options.harmonics.empty()) options.harmonics = measured_harmonics(states);
+  options.steps.most_steps = std::min(options.steps.most_steps, most_first_steps);
   LawFit best;
   for (std::size_t i = 0; i < starts.size() && !(i > 0 && is_good(best)); ++i) {
     LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);

@@ -211,12 +211,17 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
   Eigen::VectorXd numbers = unknowns.start();
   for (int largest = add.first(); largest > 0; largest = add.after(largest)) {
     const std::vector<int> harmonics = adds ? add.to(largest) : options.harmonics;
-    fit = nuisance ? fit_harmonics(NuisanceResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states),
-                                   options.steps)
-                   : fit_harmonics(ResponseResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states),
-                                   options.steps);
+    if (!nuisance || out.rounds.empty()) {
+      fit =
+          fit_harmonics(ResponseResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states), options.steps);
+      out.steps += fit.result.steps;
+    }
+    if (nuisance && (fit.result.defined || !out.rounds.empty())) {
+      const Eigen::VectorXd from = out.rounds.empty() ? fit.result.unknowns : numbers;
+      fit = fit_harmonics(NuisanceResiduals(structure, states, unknowns, harmonics), from, std::move(fit.states), options.steps);
+      out.steps += fit.result.steps;
+    }
     out.status = status_of(fit.result);
-    out.steps += fit.result.steps;
     if (!fit.result.defined) break;
     const double moved = out.rounds.empty() ? 0.0 : (fit.result.at.jacobian * (fit.result.unknowns - numbers)).norm();
     numbers = fit.result.unknowns;

@@ -8,7 +8,7 @@
 namespace jointid::response {
 namespace {
 
-constexpr int most_rounds = 20, most_halvings = 4;
+constexpr int most_rounds = 10, most_halvings = 4;
 constexpr double settled = 1e-7;              ///< largest last change of an error, in its deviations
 constexpr double far = 10.0, roughly = 1e-3;  ///< cost over numbers from which the errors need not settle, and how well they do
 

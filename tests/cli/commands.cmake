@@ -216,3 +216,6 @@ command_test(stability_json CODE 0 OUT "\"digits_kept\": " ARGS stability --swee
 command_test(stability_csv CODE 0 OUT "^sweep,value,method,solver,.*\nlaeuchli,1,rows,spqr," ARGS stability --sweeps laeuchli --scenes 0 --csv -)
 command_test(stability_unknown CODE 2 ERR "--sweeps: 'stifness' is no sweep.*did you mean 'stiffness'" ARGS stability --sweeps stifness)
 command_test(stability_unwritable CODE 3 ERR "absent/a.html: cannot be written" ARGS stability --report absent/a.html)
+command_test(laws_written CODE 0 OUT "next: jointid solve" MAKES law_files ARGS problem write sdof-iwan law_files)
+command_test(laws_solved CODE 0 OUT "law: iwan.*initial stiffness.*friction limit.*status: ok" AFTER law_files ARGS solve law_files/sdof-iwan.toml)
+command_test(laws_plot CODE 2 ERR "there is no FRF of an assembly" AFTER law_files ARGS solve law_files/sdof-iwan.toml --plot 1:+Y/1:+Y)

@@ -1,0 +1,62 @@
+#include "laws/task/identify_laws.hpp"
+
+#include <gtest/gtest.h>
+
+#include "laws/scene/read_law_scene.hpp"
+#include "problems/vibration/law_problem_cases.hpp"
+#include "tests/test_folder.hpp"
+
+namespace jointid::laws {
+namespace {
+
+LawScene written(const std::string& name, const TestFolder& folder, bool clean) {
+  return read_law_scene(problems::write(problems::make_law_problem(name), folder, {.clean = clean}));
+}
+
+double relative(double found, double expected) { return std::abs(found / expected - 1.0); }
+
+/// One percent of noise on the FRFs of the part and on the phasors: the law is found, its stiffness and limit within four
+/// deviations.
+TEST(IdentifyLaws, FindsTheIwanJointOfAMass) {
+  const TestFolder folder;
+  LawScene scene = written("sdof-iwan", folder, false);
+  scene.joints[0].laws = {"shoukry", "iwan"};
+  const LawIdentification found = identify_laws(scene);
+  EXPECT_EQ(word(found.status), "ok") << found.message;
+  EXPECT_EQ(found.laws(), (std::vector<std::string>{"iwan"}));
+  const response::FittedJoint& joint = found.fit().joints[0];
+  EXPECT_LT(std::abs(joint.stiffness.value - 4e5), 4.0 * *joint.stiffness.std_error);
+  EXPECT_LT(std::abs(joint.limit.value - 10.0), 4.0 * *joint.limit.std_error);
+  EXPECT_EQ(found.steps.size(), found.data.states.size());
+}
+
+TEST(IdentifyLaws, FindsTheLawsOfAFrameWithoutNoise) {
+  const TestFolder folder;
+  LawScene scene = written("frame-laws", folder, true);
+  scene.joints[0].laws = {"bilinear"};
+  scene.joints[1].laws = {"ren"};
+  scene.harmonics = {1, 3, 5, 7, 9, 11};
+  const LawIdentification found = identify_laws(scene);
+  EXPECT_EQ(word(found.status), "ok") << found.message;
+  EXPECT_LT(relative(found.fit().joints[0].stiffness.value, 1e6), 1e-6);
+  EXPECT_LT(relative(found.fit().joints[1].stiffness.value, 1.5e6), 1e-6);
+  EXPECT_LT(relative(found.fit().joints[0].limit.value, 4.0), 1e-6);
+}
+
+/// A prior of the stiffness as narrow as the data's own deviation narrows it by √2 at most, and is counted.
+TEST(IdentifyLaws, PriorsAndBoundsCount) {
+  const TestFolder folder;
+  LawScene scene = written("sdof-iwan", folder, true);
+  scene.joints[0].laws = {"iwan"};
+  scene.harmonics = {1, 3, 5, 7, 9};
+  const response::LawFit alone = identify_laws(scene).fit();
+  const double deviation = *alone.joints[0].parameters[0].std_error;
+  scene.constraints.rules = {{0, "f", {}, {{10.0, deviation}}}, {0, "k", {{1e5, 1e6}}, {}}};
+  const response::LawFit with = identify_laws(scene).fit();
+  EXPECT_EQ(with.numbers, alone.numbers + 1);
+  EXPECT_NEAR(*with.joints[0].parameters[0].std_error, deviation / std::sqrt(2.0), 1e-3 * deviation);
+  EXPECT_LT(relative(with.joints[0].limit.value, 10.0), 1e-5);
+}
+
+}  // namespace
+}  // namespace jointid::laws
