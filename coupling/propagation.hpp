@@ -39,8 +39,8 @@ Sensitivity before(const Sensitivity& conditions, const MatrixRef& h, const std:
 /// Variances of H_asm to first order for errors of H that are independent from entry to entry, except for what covariances say of the
 /// rows of a column and that FRFs there and back, (k,l) and (l,k), that are one measurement have one error; with covariances those
 /// of the result, E[δ_rc δ*_sc] = Σ_l |R_lc|² (L C_l Lᴴ)_rs, which FRFs there and back have no part in. `twin`: for each row of H
-/// behind b the column of the same coordinate, or −1. How dropped singular vectors turn with H is left out. Costs O(rows·columns·b) per line, and b² per FRF
-/// when errors are shared.
+/// behind b the column of the same coordinate, or −1. How dropped singular vectors turn with H is left out. Costs
+/// O(rows·columns·b) per line, and b² per FRF when errors are shared.
 LineVariance propagate(const Sensitivity& sensitivity, const MatrixRef& h, const LineVariance& variance, const Wanted& wanted,
                        const std::vector<Index>& twin);
 

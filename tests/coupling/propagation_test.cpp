@@ -113,7 +113,8 @@ TEST(Propagation, CovariancesAreThoseByDifferences) {
   const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
   std::vector<frf::FrfSet> sets;
   for (const frf::FrfSet& part : problem.parts) {
-    sets.push_back(frf::polluted(some_lines(part, {60}), {.kind = frf::NoiseKind::circular, .level = 1e-6, .reciprocal = false}, 3, 0, sets.size()));
+    const frf::NoiseModel noise{.kind = frf::NoiseKind::circular, .level = 1e-6, .reciprocal = false};
+    sets.push_back(frf::polluted(some_lines(part, {60}), noise, 3, 0, sets.size()));
     tell_covariances(sets.back(), sets.size());
   }
   AssemblyReader reader(problems::parts_of(problem, sets), problem.declared(), {.uncertainty = true}, "test");

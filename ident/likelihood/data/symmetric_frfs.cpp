@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/eigen.hpp"
+
 namespace jointid::ident {
 namespace {
 
