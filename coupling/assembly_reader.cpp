@@ -4,10 +4,12 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "base/statistics.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -58,7 +60,9 @@ AssemblyReader::AssemblyReader(std::vector<Part> parts, const Assembly& assembly
   std::vector<std::size_t> responses(header_.response.size()), references(header_.reference.size());
   for (std::size_t i = 0; i < responses.size(); ++i) responses[i] = i;
   for (std::size_t i = 0; i < references.size(); ++i) references[i] = i;
-  plan_block({{&line, 1}, responses, references}, true);
+  const Work work = plan_block({{&line, 1}, responses, references}, true);
+  const auto any = std::ranges::any_of(work.parts, [](const PartBlock& part) { return part.reader.has_covariance(); });
+  has_covariance_ = options_.uncertainty && any;
 }
 
 void AssemblyReader::require_method(const std::string& where) const {
@@ -198,13 +202,42 @@ struct LineInput {
   LineVariance variance;
 };
 
+/// Covariances of a part's lines, [column][row, row], of H's columns and rows.
+void place_covariances(const std::vector<Complex>& from, std::size_t line, const std::vector<std::size_t>& rows,
+                       const std::vector<std::size_t>& columns, std::vector<ComplexMatrix>& to) {
+  const Complex* value = from.data() + line * columns.size() * rows.size() * rows.size();
+  for (const std::size_t column : columns) {
+    for (const std::size_t r : rows) {
+      for (const std::size_t s : rows) to[column](at(r), at(s)) = *value++;
+    }
+  }
+}
+
+/// The covariances of a coupled line, variances on their diagonal, as a set has them: [pair, reference].
+void put_covariance(const LineVariance& variance, const std::vector<double>& row_sign, Complex* to) {
+  const std::size_t rows = row_sign.size(), columns = variance.covariance.size();
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t s = 0; s <= r; ++s) {
+      for (std::size_t c = 0; c < columns; ++c) {
+        const auto own = [&](std::size_t i) { return variance.real(at(i), at(c)) + variance.imaginary(at(i), at(c)); };
+        const bool known = !std::isnan(own(r)) && !std::isnan(own(s));
+        const Complex value = r == s ? Complex(own(r)) : row_sign[r] * row_sign[s] * variance.covariance[c](at(r), at(s));
+        *to++ = known ? value : Complex(nan, nan);
+      }
+    }
+  }
+}
+
 }  // namespace
 
-void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance, std::span<LineRecord> records) {
+void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance, std::span<LineRecord> records,
+                          std::span<Complex> covariance) {
   Options options = options_;
   options.uncertainty = !variance.empty();  // nobody asks, nothing is worked out
   Work work = plan_block(block, needs_variance(options));
+  const bool with_covariance = options.uncertainty && has_covariance_;
   const std::size_t entries = block.responses.size() * block.references.size();
+  const std::size_t pairs = frf::pair_count(block.responses.size()) * block.references.size();
   const auto rows = at(work.rows.size()), columns = at(work.columns.size());
   std::vector<LineInput> input(std::min(lines_at_once, block.lines.size()));
   std::vector<Complex> scratch;
@@ -214,6 +247,7 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
     for (std::size_t i = 0; i < lines.size(); ++i) {
       input[i].h = ComplexMatrix::Zero(rows, columns);
       if (needs_variance(options)) input[i].variance = {RealMatrix::Zero(rows, columns), RealMatrix::Zero(rows, columns)};
+      if (with_covariance) input[i].variance.covariance.assign(work.columns.size(), ComplexMatrix::Zero(rows, rows));
     }
     for (PartBlock& part : work.parts) {
       std::vector<std::size_t> part_lines;
@@ -230,6 +264,10 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
         place(scratch, i, part.rows, part.columns, input[i].variance.real, [](Complex v) { return v.real(); });
         place(scratch, i, part.rows, part.columns, input[i].variance.imaginary, [](Complex v) { return v.imag(); });
       }
+      if (!with_covariance || !part.reader.has_covariance()) continue;
+      scratch.resize(part_lines.size() * part.reader.size() * part.rows.size());
+      part.reader.read_covariance(part_lines, scratch);
+      for (std::size_t i = 0; i < lines.size(); ++i) place_covariances(scratch, i, part.rows, part.columns, input[i].variance.covariance);
     }
     const auto couple = [&](std::size_t i) {
       CoupledLine line = couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options);
@@ -241,6 +279,7 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
           if (!variance.empty()) variance[to] = {line.variance.real(row, column), line.variance.imaginary(row, column)};
         }
       }
+      if (!covariance.empty()) put_covariance(line.variance, work.row_sign, covariance.data() + (first + i) * pairs);
       if (!records.empty()) records[first + i] = std::move(line.record);
     };
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, lines.size(), couple); });

@@ -19,9 +19,13 @@ class AssemblyReader {
   const Options& options() const { return options_; }
   std::size_t lines_without_partner() const { return lines_without_partner_; }
 
+  /// Whether variances of the result come with covariances: some part has them (PartReader).
+  bool has_covariance() const { return has_covariance_; }
+
   /// Fills values[line, response, reference] for a block of header(); `variance` as long as `values` or empty, `records` one per
-  /// line or empty.
-  void read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance = {}, std::span<LineRecord> records = {});
+  /// line or empty, `covariance` beside `variance` as FrfSet::covariance of the block, or empty.
+  void read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance = {}, std::span<LineRecord> records = {},
+            std::span<Complex> covariance = {});
 
  private:
   struct PartBlock;
@@ -37,6 +41,7 @@ class AssemblyReader {
   frf::FrfHeader header_;
   std::vector<std::vector<std::size_t>> part_line_;  ///< [part][line of the result] → line of the part
   std::size_t lines_without_partner_ = 0;
+  bool has_covariance_ = false;
 };
 
 }  // namespace jointid::coupling

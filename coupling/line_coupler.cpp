@@ -111,7 +111,12 @@ class Line {
     CoupledLine out;
     const auto rows = at(frame_.wanted.rows.size()), columns = at(frame_.wanted.columns.size());
     out.frf = ComplexMatrix::Constant(rows, columns, Complex(nan, nan));
-    if (options_.uncertainty) out.variance = {RealMatrix::Constant(rows, columns, nan), RealMatrix::Constant(rows, columns, nan)};
+    if (options_.uncertainty) {
+      out.variance = {RealMatrix::Constant(rows, columns, nan), RealMatrix::Constant(rows, columns, nan)};
+      if (!variance_.covariance.empty()) {
+        out.variance.covariance.assign(static_cast<std::size_t>(columns), ComplexMatrix::Constant(rows, rows, Complex(nan, nan)));
+      }
+    }
     out.record.condition = condition;
     out.record.usable = false;
     if (options_.method == Method::mtc) out.record.alpha.assign(conditions_.size(), nan);

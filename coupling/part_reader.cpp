@@ -92,4 +92,41 @@ void PartReader::read_variance(std::span<const std::size_t> lines, std::span<Com
   }
 }
 
+bool PartReader::has_covariance() const {
+  bool any = false;
+  for (const frf::BlockPiece& piece : pieces_) {
+    if (piece.transposed) return false;
+    const frf::FrfSource& source = system_->source(piece.source);
+    any = any || (source.header().noise == frf::NoiseRecord::variance && source.has_covariance());
+  }
+  return any;
+}
+
+void PartReader::read_covariance(std::span<const std::size_t> lines, std::span<Complex> out) {
+  const std::size_t rows = rows_.size(), columns = columns_.size();
+  std::fill(out.begin(), out.end(), Complex(0.0));
+  std::vector<Complex> covariance;
+  for (const frf::BlockPiece& piece : pieces_) {
+    frf::FrfSource& source = system_->source(piece.source);
+    if (!source.has_covariance()) continue;
+    std::vector<std::size_t> source_lines;
+    for (const std::size_t line : lines) source_lines.push_back(system_->source_line(piece.source, line));
+    const std::size_t some = piece.responses.size();
+    covariance.resize(piece.size() * some * lines.size());
+    source.read_covariance({source_lines, piece.responses, piece.references}, covariance);
+    std::size_t from = 0;
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      for (const std::size_t column : piece.columns) {
+        for (std::size_t r = 0; r < some; ++r) {
+          for (std::size_t s = 0; s < some; ++s, ++from) {
+            const Complex value = piece.response_sign[r] * piece.response_sign[s] * covariance[from];
+            if (!std::isfinite(value.real())) continue;
+            out[((line * columns + column) * rows + piece.rows[r]) * rows + piece.rows[s]] = value;
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace jointid::coupling

@@ -24,6 +24,12 @@ class PartReader {
   /// Variances of real and imaginary part of the same; 0 between files.
   void read_variance(std::span<const std::size_t> lines, std::span<Complex> out);
 
+  /// Whether a file of the part has covariances beside its variances, and no FRF stands in for its transpose.
+  bool has_covariance() const;
+
+  /// Covariances of the rows of each column, out[line, column, row, row]; 0 where independent or not known.
+  void read_covariance(std::span<const std::size_t> lines, std::span<Complex> out);
+
  private:
   void read_piece(const frf::BlockPiece& piece, std::span<const std::size_t> lines, std::vector<Complex>& values,
                   std::vector<Complex>& variances);

@@ -1,5 +1,7 @@
 #include "coupling/propagation.hpp"
 
+#include <cmath>
+
 #include "base/eigen.hpp"
 #include "coupling/jumps.hpp"
 #include "dense/lu.hpp"
@@ -81,6 +83,55 @@ struct SharedErrors {
   }
 };
 
+double or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
+
+/// L with the 1 of rows behind b.
+ComplexMatrix whole_left(const Sensitivity& of, const Wanted& wanted, Index rows) {
+  ComplexMatrix left = ComplexMatrix::Zero(of.left.rows(), rows);
+  left.leftCols(of.left.cols()) = of.left;
+  for (Index r = 0; r < left.rows(); ++r) {
+    const Index own = wanted.rows[static_cast<std::size_t>(r)];
+    if (own >= of.left.cols()) left(r, own) += 1.0;
+  }
+  return left;
+}
+
+/// |R|² with the 1 of columns behind b.
+RealMatrix whole_right(const Sensitivity& of, const Wanted& wanted, Index columns) {
+  RealMatrix right = RealMatrix::Zero(columns, of.right.cols());
+  right.topRows(of.right.rows()) = of.right.cwiseAbs2();
+  for (Index c = 0; c < right.cols(); ++c) {
+    const Index own = wanted.columns[static_cast<std::size_t>(c)];
+    if (own >= of.right.rows()) right(own, c) += 1.0;
+  }
+  return right;
+}
+
+/// Covariances of the result, and on their diagonals what those of H add to the variances of its entries. What is not known counts
+/// for nothing: the variances say where that matters.
+std::vector<ComplexMatrix> propagated_covariance(const Sensitivity& of, const LineVariance& variance, const RealMatrix& plus,
+                                                 const Wanted& wanted) {
+  const ComplexMatrix left = whole_left(of, wanted, plus.rows());
+  const RealMatrix right = whole_right(of, wanted, plus.cols());
+  std::vector<ComplexMatrix> out(wanted.columns.size(), ComplexMatrix::Zero(left.rows(), left.rows()));
+  for (Index l = 0; l < plus.cols(); ++l) {
+    if (right.row(l).isZero(0.0)) continue;
+    ComplexMatrix c = variance.covariance[static_cast<std::size_t>(l)];
+    c.diagonal().setZero();
+    ComplexMatrix between = left * c * left.adjoint();
+    const ComplexMatrix own = left * plus.col(l).unaryExpr(&or_zero).cast<Complex>().asDiagonal() * left.adjoint();
+    for (Index r = 0; r < own.rows(); ++r) {
+      for (Index s = 0; s < own.cols(); ++s) {
+        if (r != s) between(r, s) += own(r, s);
+      }
+    }
+    for (Index k = 0; k < right.cols(); ++k) {
+      if (right(l, k) != 0.0) out[static_cast<std::size_t>(k)] += right(l, k) * between;
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 Sensitivity sensitivity(const MatrixRef& h, const Conditions& conditions, const MatrixRef& s_inverse, const Wanted& wanted,
@@ -143,7 +194,10 @@ LineVariance propagate(const Sensitivity& at, const MatrixRef& h, const LineVari
       if (column == twin[static_cast<std::size_t>(own - b)]) errors.add_point(r, c, own, column, sum, difference);
     }
   }
-  return {0.5 * (sum + difference), 0.5 * (sum - difference)};
+  if (variance.covariance.empty()) return {0.5 * (sum + difference), 0.5 * (sum - difference)};
+  std::vector<ComplexMatrix> covariance = propagated_covariance(at, variance, plus, wanted);
+  for (Index c = 0; c < sum.cols(); ++c) sum.col(c) += covariance[static_cast<std::size_t>(c)].diagonal().real();
+  return {0.5 * (sum + difference), 0.5 * (sum - difference), std::move(covariance)};
 }
 
 }  // namespace jointid::coupling

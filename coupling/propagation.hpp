@@ -1,14 +1,19 @@
 #pragma once
 
+#include <vector>
+
 #include "coupling/condition.hpp"
 
 namespace jointid::coupling {
 
 using RealMatrix = Eigen::MatrixXd;
 
-/// Variances of the real and the imaginary part of the FRFs of a line, each [rows, columns]; NaN: not known.
+/// Variances of the real and the imaginary part of the FRFs of a line, each [rows, columns]; NaN: not known. `covariance`: of each
+/// column the circular covariances E[e_r e_s*] of its rows, r ≠ s, what stands on the diagonal does not matter; empty: the rows are
+/// independent.
 struct LineVariance {
   RealMatrix real, imaginary;
+  std::vector<ComplexMatrix> covariance{};
 };
 
 /// Whether an FRF and its transpose are one measurement: they differ by no more than 1e-12 of their size, which two measurements
@@ -31,10 +36,11 @@ Sensitivity sensitivity(const MatrixRef& h, const Conditions& conditions, const 
 Sensitivity before(const Sensitivity& conditions, const MatrixRef& h, const std::vector<Index>& at, const MatrixRef& z,
                    const Wanted& wanted);
 
-/// Variances of H_asm to first order for errors of H that are independent from entry to entry, except that FRFs there and back,
-/// (k,l) and (l,k), that are one measurement have one error. `twin`: for each row of H behind b the column of the same
-/// coordinate, or −1. How dropped singular vectors turn with H is left out. Costs O(rows·columns·b) per line, and b² per FRF
-/// when errors are shared.
+/// Variances of H_asm to first order for errors of H that are independent from entry to entry, except for what covariances say of the
+/// rows of a column and that FRFs there and back, (k,l) and (l,k), that are one measurement have one error; with covariances those
+/// of the result, E[δ_rc δ*_sc] = Σ_l |R_lc|² (L C_l Lᴴ)_rs, which FRFs there and back have no part in. `twin`: for each row of H
+/// behind b the column of the same coordinate, or −1. How dropped singular vectors turn with H is left out. Costs
+/// O(rows·columns·b) per line, and b² per FRF when errors are shared.
 LineVariance propagate(const Sensitivity& sensitivity, const MatrixRef& h, const LineVariance& variance, const Wanted& wanted,
                        const std::vector<Index>& twin);
 

@@ -3,7 +3,7 @@
 #include "base/random.hpp"
 #include "frf/set/excerpt.hpp"
 #include "frf/set/frf_source.hpp"
-#include "ident/likelihood/line/correlation.hpp"
+#include "ident/algebra/correlation.hpp"
 
 namespace jointid::study {
 

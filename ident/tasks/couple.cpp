@@ -105,9 +105,9 @@ CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_
   header.frequency_hz.clear();
   for (const std::size_t line : lines) header.frequency_hz.push_back(reader.header().frequency_hz[line]);
   const std::vector<std::size_t> responses = all(header.response.size()), references = all(header.reference.size());
-  frf::Hdf5Writer writer(path, header);
+  frf::Hdf5Writer writer(path, header, {.covariance = reader.has_covariance()});
   PointLevel level(header);
-  std::vector<Complex> values, variance;
+  std::vector<Complex> values, variance, covariance;
   records.resize(lines.size());
   const Watch watch(control, "couple", lines.size());
   // Whole chunks, at least as many lines as are coupled at a time.
@@ -118,8 +118,9 @@ CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_
     const frf::Block block{std::span(lines).subspan(first, count), responses, references};
     values.resize(block.size());
     variance.resize(header.noise == frf::NoiseRecord::variance ? block.size() : 0);
-    reader.read(block, values, variance, std::span(records).subspan(first, count));
-    writer.write_lines(first, count, values, variance);
+    covariance.resize(reader.has_covariance() ? count * frf::pair_count(responses.size()) * references.size() : 0);
+    reader.read(block, values, variance, std::span(records).subspan(first, count), covariance);
+    writer.write_lines(first, count, values, variance, {}, covariance);
     level.add(values);
   }
   stop_if(control.interrupted);

@@ -57,8 +57,9 @@ double improve(const std::vector<CovarianceSample>& samples, const VectorXd& squ
   const double share = 1.0 / static_cast<double>(samples.size());
   const CovarianceLaw next{updated(law.proportional, share * of_proportional), updated(law.constant, share * of_constant)};
   const VectorXd total = law.constant.diagonal().real() + square.cwiseProduct(law.proportional.diagonal().real());
-  const double moved = change(law.constant, next.constant, total) +
-                       (square.array() * (next.proportional - law.proportional).diagonal().real().cwiseAbs().array() / total.array()).maxCoeff();
+  const VectorXd of_the_blow = (next.proportional - law.proportional).diagonal().real().cwiseAbs();
+  const double moved =
+      change(law.constant, next.constant, total) + (square.array() * of_the_blow.array() / total.array()).maxCoeff();
   law = next;
   return moved;
 }
@@ -81,8 +82,9 @@ CovarianceLaw fit_covariance(std::vector<CovarianceSample> samples) {
   }
   const auto square_of = [](Index r, const CovarianceSample& sample) { return std::norm(sample.frf[r]); };
   const VectorXd square = medians(samples, square_of);
-  const VectorXd relative =
-      medians(samples, [&](Index r, const CovarianceSample& sample) { return variance(r, sample) / std::max(square_of(r, sample), 1e-300); });
+  const VectorXd relative = medians(samples, [&](Index r, const CovarianceSample& sample) {
+    return variance(r, sample) / std::max(square_of(r, sample), 1e-300);
+  });
   CovarianceLaw law{(0.5 * relative).cast<Complex>().asDiagonal(), VectorXcd::Constant(scale.size(), 0.5).asDiagonal()};
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     if (improve(samples, square, law) < settled) break;

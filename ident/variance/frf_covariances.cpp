@@ -80,8 +80,8 @@ struct StoredGroup {
 
 StoredGroup read_stored(frf::FrfSource& source, const std::vector<std::size_t>& responses, std::size_t reference,
                    const std::vector<std::size_t>& lines) {
-  StoredGroup out{std::vector<Complex>(lines.size() * responses.size()), std::vector<Complex>(lines.size() * responses.size() * responses.size()),
-             responses.size()};
+  const std::size_t size = lines.size() * responses.size();
+  StoredGroup out{std::vector<Complex>(size), std::vector<Complex>(size * responses.size()), responses.size()};
   const frf::Block block{lines, responses, std::span(&reference, 1)};
   source.read(block, out.values);
   source.read_covariance(block, out.covariances);
@@ -111,7 +111,8 @@ void FrfCovariances::add(const frf::BlockPiece& piece, const Rectangle& rectangl
   for (std::size_t r = 0; r < piece.responses.size(); ++r) {
     for (std::size_t c = 0; c < piece.references.size(); ++c) {
       const std::size_t place = piece.place(r, c, rectangle.columns.size());
-      const std::size_t row = rectangle.rows[place / rectangle.columns.size()], column = rectangle.columns[place % rectangle.columns.size()];
+      const std::size_t row = rectangle.rows[place / rectangle.columns.size()];
+      const std::size_t column = rectangle.columns[place % rectangle.columns.size()];
       StoredError error = stored(piece.source, piece.responses[r], piece.references[c], by_law);
       error.sign = piece.response_sign[r] * piece.reference_sign[c];
       Place& of = places_[row * size_ + column];

@@ -85,6 +85,86 @@ TEST(Propagation, WithAJointAndErrorsByPartTheyAreAsDrawn) {
   expect_as_drawn(monte_carlo(problem, assembly, {.kind = frf::NoiseKind::gaussian, .level = 1e-4}, {.method = Method::mtc}));
 }
 
+/// Covariances of full rank for a set of one line, as large as errors of 1e-4.
+void tell_covariances(frf::FrfSet& set, std::uint64_t seed) {
+  const std::size_t rows = set.header.response.size(), columns = set.header.reference.size();
+  set.header.noise = frf::NoiseRecord::variance;
+  set.coherence.clear();
+  set.variance.resize(set.values.size());
+  set.covariance.resize(frf::pair_count(rows) * columns);
+  for (std::size_t c = 0; c < columns; ++c) {
+    const auto root = [&](std::size_t r, std::size_t k) {
+      const auto z = normal_numbers({seed, c, r}, k);
+      return 1e-4 * std::abs(set.values[r * columns + c]) * (Complex(z[0], z[1]) + 1.0);  // with a part in common
+    };
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::size_t s = 0; s <= r; ++s) {
+        Complex sum = 0.0;
+        for (std::size_t k = 0; k < rows + 2; ++k) sum += root(r, k) * std::conj(root(s, k));
+        set.covariance[frf::pair_index(r, s) * columns + c] = sum;
+        if (r == s) set.variance[r * columns + c] = 0.5 * Complex(sum.real(), sum.real());
+      }
+    }
+  }
+}
+
+/// Against what differences by every FRF of the parts make of their covariances.
+TEST(Propagation, CovariancesAreThoseByDifferences) {
+  const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
+  std::vector<frf::FrfSet> sets;
+  for (const frf::FrfSet& part : problem.parts) {
+    const frf::NoiseModel noise{.kind = frf::NoiseKind::circular, .level = 1e-6, .reciprocal = false};
+    sets.push_back(frf::polluted(some_lines(part, {60}), noise, 3, 0, sets.size()));
+    tell_covariances(sets.back(), sets.size());
+  }
+  AssemblyReader reader(problems::parts_of(problem, sets), problem.declared(), {.uncertainty = true}, "test");
+  ASSERT_TRUE(reader.has_covariance());
+  const std::size_t rows = reader.header().response.size(), columns = reader.header().reference.size(), line = 0;
+  std::vector<std::size_t> responses(rows), references(columns);
+  for (std::size_t i = 0; i < rows; ++i) responses[i] = i;
+  for (std::size_t i = 0; i < columns; ++i) references[i] = i;
+  std::vector<Complex> values(rows * columns), variance(values), covariance(frf::pair_count(rows) * columns);
+  reader.read({{&line, 1}, responses, references}, values, variance, {}, covariance);
+  std::vector<Complex> expected(covariance.size(), 0.0);
+  for (frf::FrfSet& set : sets) {
+    const std::size_t own_rows = set.header.response.size(), own_columns = set.header.reference.size();
+    for (std::size_t l = 0; l < own_columns; ++l) {
+      std::vector<std::vector<Complex>> by;
+      for (std::size_t k = 0; k < own_rows; ++k) {
+        Complex& value = set.values[k * own_columns + l];
+        const Complex kept = value, step = 1e-6 * kept;
+        value += step;
+        by.push_back(couple_all(problems::parts_of(problem, sets), problem.declared(), {}).values);
+        value = kept;
+        for (std::size_t i = 0; i < values.size(); ++i) by.back()[i] = (by.back()[i] - values[i]) / step;
+      }
+      for (std::size_t k = 0; k < own_rows; ++k) {
+        for (std::size_t m = 0; m < own_rows; ++m) {
+          const Complex stored = set.covariance[frf::pair_index(std::max(k, m), std::min(k, m)) * own_columns + l];
+          const Complex c = k < m ? std::conj(stored) : stored;
+          for (std::size_t r = 0; r < rows; ++r) {
+            for (std::size_t s = 0; s <= r; ++s) {
+              for (std::size_t j = 0; j < columns; ++j) {
+                expected[frf::pair_index(r, s) * columns + j] += by[k][r * columns + j] * c * std::conj(by[m][s * columns + j]);
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+  for (std::size_t r = 0; r < rows; ++r) {
+    for (std::size_t j = 0; j < columns; ++j) {
+      const auto own = [&](std::size_t i) { return expected[frf::pair_index(i, i) * columns + j].real(); };
+      EXPECT_NEAR((variance[r * columns + j].real() + variance[r * columns + j].imag()) / own(r), 1.0, 1e-3);
+      for (std::size_t s = 0; s <= r; ++s) {
+        const std::size_t at = frf::pair_index(r, s) * columns + j;
+        EXPECT_NEAR(std::abs(covariance[at] - expected[at]) / std::sqrt(own(r) * own(s)), 0.0, 1e-3) << r << " " << s << " " << j;
+      }
+    }
+  }
+}
+
 TEST(Propagation, AnUnknownVarianceStaysWhereItBelongs) {
   const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
   std::vector<frf::FrfSet> sets;

@@ -5,6 +5,8 @@
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/line/explicit_line.hpp"
 #include "ident/likelihood/line/line_start.hpp"
+#include "hammer_sets.hpp"
+#include "study/recorded_noise.hpp"
 #include "solver_case.hpp"
 
 namespace jointid::ident {
@@ -55,6 +57,31 @@ TEST(Bundle, OfCeresTakesVariancesAtEstimatedValuesToo) {
   const Solution own = example.solve("auto", 4, false), ceres = example.solve("ceres", 4, false);
   EXPECT_LT(distance(own, ceres), 0.02);
   EXPECT_NEAR(ceres.fit.chi_square->value / own.fit.chi_square->value, 1.0, 1e-3);
+}
+
+/// Errors that responses to one blow share, drawn and told.
+TEST(Bundle, OfCeresIsThatEstimateWithCovariancesToo) {
+  SolverCase example("A1", 0.01);
+  example.scene.noise.reset();
+  problems::Measurement data = with_hammer_noise(example.problem);
+  std::uint64_t number = 0;
+  const auto pollute = [&number](frf::FrfSet& set) { RecordedNoise(frf::whole(set)).pollute(set, {3, 0, number++}); };
+  for (frf::FrfSet& set : data.substructures) pollute(set);
+  pollute(data.assembly);
+  const auto solved = [&](const char* solver) {
+    example.scene.identify.solver = solver;
+    return solve(*problems::plan(example.scene, data), {.threads = 1, .progress = {}, .interrupted = {}, .detail = Detail::estimates});
+  };
+  const Solution own = solved("auto"), ceres = solved("ceres");
+  ASSERT_EQ(own.status, Status::ok);
+  EXPECT_LT(distance(own, ceres), 1e-4);
+  EXPECT_NEAR(ceres.fit.chi_square->value / own.fit.chi_square->value, 1.0, 1e-8);
+  EXPECT_NEAR(own.fit.chi_square->value / own.fit.chi_square->degrees_of_freedom, 1.0, 0.15);
+  for (std::size_t i = 0; i < own.unknowns.size(); ++i) {
+    EXPECT_NEAR(*ceres.unknowns[i].std_error / *own.unknowns[i].std_error, 1.0, 1e-4);
+  }
+  for (frf::FrfSet* set : {&data.substructures[0], &data.substructures[1], &data.assembly}) set->covariance.clear();
+  EXPECT_GT(distance(own, solved("auto")), 1.0);
 }
 
 /// The first line of a problem, at FRFs near the measured ones.

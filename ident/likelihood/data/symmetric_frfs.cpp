@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/eigen.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -149,8 +151,9 @@ ErrorTerms SymmetricFrfs::terms(std::size_t i, std::size_t row, std::size_t colu
     const StoredError error = covariances_->error(i, r, c);
     if (error.is_known() && weight != 0.0) out.push_back({error.group, error.member, weight * error.sign});
   };
-  const double share = of == Role::both ? averaged_part(1.0, a.variance.real() + a.variance.imag(), 0.0, b.variance.real() + b.variance.imag())
-                       : of == Role::there ? 1.0 : 0.0;
+  const auto total = [](const Measured& m) { return m.variance.real() + m.variance.imag(); };
+  double share = of == Role::there ? 1.0 : 0.0;
+  if (of == Role::both) share = averaged_part(1.0, total(a), 0.0, total(b));
   add(row, column, share);
   add(column, row, 1.0 - share);
   return out;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ident/likelihood/line/correlation.hpp"
+#include "ident/algebra/correlation.hpp"
 
 namespace jointid::ident {
 

@@ -113,7 +113,9 @@ void ExplicitLine::whiten(Eigen::Ref<RowMatrixXd> rows) const {
   const std::size_t elements = layout_->variables() + layout_->a.size() + layout_->b.size() + layout_->d.size();
   for (Eigen::Index column = 0; column < rows.cols(); ++column) {
     std::vector<Complex> errors(elements);
-    for (std::size_t r = 0; r < rows_.size(); ++r) errors[rows_[r].at] += rows(at(r), column) * (rows_[r].imaginary ? Complex(0.0, 1.0) : 1.0);
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      errors[rows_[r].at] += rows(at(r), column) * (rows_[r].imaginary ? Complex(0.0, 1.0) : Complex(1.0));
+    }
     correlation_->whiten(errors);
     for (std::size_t r = 0; r < rows_.size(); ++r) {
       const Complex error = errors[rows_[r].at];

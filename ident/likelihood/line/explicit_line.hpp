@@ -11,9 +11,9 @@ namespace jointid::ident {
 
 /// One line of the explicit likelihood (output error with free substructure FRFs, docs/formulas.md §11f). What X, Y and Z predict is
 ///   A = P X,  B = P Y,  D = Xᵀ Z A,  P = (I + Y Z)⁻¹,
-/// and a residual is weight · (predicted − measured), one per measured real number, whitened where errors depend on each other. Free are the joint's unknowns and
-/// u: X and Y as centre + scale · u, with scale the standard deviation where measured and the size of the FRFs where not.
-/// Written without LineModel, whose formulas it checks.
+/// and a residual is weight · (predicted − measured), one per measured real number, whitened where errors depend on each other. Free
+/// are the joint's unknowns and u: X and Y as centre + scale · u, with scale the standard deviation where measured and the size of the
+/// FRFs where not. Written without LineModel, whose formulas it checks.
 class ExplicitLine {
  public:
   ExplicitLine(const LineLayout& layout, const LineData& data, const JointImpedance& joint);

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ident/likelihood/line/correlation.hpp"
+#include "ident/algebra/correlation.hpp"
 #include "ident/likelihood/line/line_layout.hpp"
 
 namespace jointid::ident {

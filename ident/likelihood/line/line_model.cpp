@@ -133,7 +133,7 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   unknowns_ = with_joint ? joint.columns().size() : 0;
   h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
   yh_ = state.x - state.y.transpose() * h_;
-  const bool pays = numbers_ == Numbers::complex || (numbers_ == Numbers::chosen && layout_.is_large());
+  const bool pays = numbers_ == Numbers::complex || (numbers_ == Numbers::chosen && (layout_.is_large() || data.correlation));
   complex_ = pays && are_circular(data);
   const std::size_t others = unknowns_ + 1;
   row_.assign(layout_.variables() + others, 0.0);

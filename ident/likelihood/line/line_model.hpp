@@ -29,7 +29,7 @@ struct ReducedLine {
 /// explicit one (Gauss–Newton). Not thread-safe: one per thread.
 ///
 /// All of it is linear in complex numbers. Where real and imaginary part of every FRF have the same weight (circular errors) the
-/// normal equations are complex, half as many, and taken so for lines of many FRFs.
+/// normal equations are complex, half as many, and taken so for lines of many FRFs and where errors depend on each other.
 class LineModel {
  public:
   enum class Numbers {

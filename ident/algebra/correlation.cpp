@@ -1,4 +1,4 @@
-#include "ident/likelihood/line/correlation.hpp"
+#include "ident/algebra/correlation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,94 @@
+// Scenes whose files have covariances: studies, bounds, intervals.
+#include <gmock/gmock.h>
+
+#include "frf/hdf5/hdf5_writer.hpp"
+#include "hammer_sets.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "study/trial_loop.hpp"
+#include "study/trial_data.hpp"
+#include "ident/tasks/bound.hpp"
+#include "problems/case/in_memory.hpp"
+#include "tests/test_folder.hpp"
+
+namespace jointid::ident {
+namespace {
+
+Scene scene_of(const problems::Problem& problem) {
+  Scene scene = problems::scene(problem);
+  scene.identify.method = Method::likelihood;
+  scene.identify.equations = {Equation::nn, Equation::nj};
+  scene.noise.reset();
+  scene.frequency.step_hz = 60.0;
+  return scene;
+}
+
+std::vector<double> truth_of(const problems::Problem& problem) {
+  std::vector<double> out;
+  for (const problems::ExactUnknown& unknown : problem.unknowns) out.push_back(unknown.value);
+  return out;
+}
+
+std::vector<double> bound_of(const Scene& scene, const problems::Problem& problem, const problems::Measurement& sets) {
+  return cramer_rao_bound(*problems::plan(scene, sets), truth_of(problem), {});
+}
+
+/// Trials of a study drawn from the files: rms errors are those of the bound, intervals hold the truth, χ² is as expected.
+TEST(CovarianceScene, StudiesDrawFromTheFilesAndReachTheBound) {
+  const problems::Problem problem = problems::make("A1");
+  const problems::Measurement sets = with_hammer_noise(problem);
+  const TestFolder folder;
+  Scene scene = scene_of(problem);
+  for (std::size_t i = 0; i < sets.substructures.size(); ++i) {
+    frf::write_hdf5(sets.substructures[i], folder / (std::to_string(i) + ".h5"), {.covariance = true});
+  }
+  frf::write_hdf5(sets.assembly, folder / "assembly.h5", {.covariance = true});
+  for (std::size_t i = 0; i < sets.substructures.size(); ++i)
+    scene.data.substructures[i] = {.path = folder / (std::to_string(i) + ".h5"), .options = {}};
+  scene.data.assembly = {{.path = folder / "assembly.h5", .options = {}}};
+  const auto data = load_trial_data(scene);
+  EXPECT_THAT(data->notes, testing::Contains(testing::HasSubstr("from the variances and covariances of the files")));
+  const std::vector<Trial> trials = run_trials(data, {.trials = 12, .seed = 4});
+  const std::vector<double> bound = bound_of(scene, problem, sets), truth = truth_of(problem);
+  double squares = 0.0, covered = 0.0, count = 0.0;
+  for (const Trial& trial : trials) {
+    EXPECT_TRUE(is_usable(trial.status));
+    for (std::size_t u = 0; u < truth.size(); ++u) {
+      if (truth[u] == 0.0) continue;
+      squares += std::pow((trial.values[u] - truth[u]) / bound[u], 2);
+      covered += (*trial.ci95[u])[0] <= truth[u] && truth[u] <= (*trial.ci95[u])[1] ? 1.0 : 0.0;
+      count += 1.0;
+    }
+  }
+  EXPECT_NEAR(squares / count, 1.0, 0.35);
+  EXPECT_GT(covered / count, 0.88);
+}
+
+/// Noise that all responses to a blow share says less of the joint than it would if each had its own.
+TEST(CovarianceScene, BoundsKnowThatResponsesShareTheHammersNoise) {
+  const problems::Problem problem = problems::make("A1");
+  const problems::Measurement sets = with_hammer_noise(problem);
+  problems::Measurement alone = sets;
+  for (frf::FrfSet& set : alone.substructures) set.covariance.clear();
+  alone.assembly.covariance.clear();
+  const Scene scene = scene_of(problem);
+  const std::vector<double> shared = bound_of(scene, problem, sets), own = bound_of(scene, problem, alone);
+  for (std::size_t u = 0; u < own.size(); ++u) EXPECT_LT(shared[u], own[u]);
+  // Covariances of errors that are independent change nothing.
+  problems::Measurement diagonal = sets;
+  const auto make_diagonal = [](frf::FrfSet& set) {
+    const std::size_t rows = set.header.response.size(), columns = set.header.reference.size(), pairs = frf::pair_count(rows);
+    for (std::size_t i = 0; i < set.covariance.size(); ++i) {
+      const std::size_t pair = i / columns % pairs;
+      bool point = false;
+      for (std::size_t r = 0; r < rows; ++r) point = point || pair == frf::pair_index(r, r);
+      if (!point) set.covariance[i] = 0.0;
+    }
+  };
+  for (frf::FrfSet& set : diagonal.substructures) make_diagonal(set);
+  make_diagonal(diagonal.assembly);
+  EXPECT_EQ(bound_of(scene, problem, diagonal), own);
+}
+
+}  // namespace
+}  // namespace jointid::ident
