@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
 
 namespace jointid::cli {

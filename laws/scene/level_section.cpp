@@ -73,7 +73,7 @@ ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::s
   const auto files = read_files(table.require("responses"), folder, level.harmonics.size(), names);
   for (std::size_t i = 0; i < files.size(); ++i) level.harmonics[i].responses = files[i];
   read_force(table, folder, level, names);
-  if (level.amplitude) level.name += level.name.starts_with("level ") ? " (" + ident::number_text(*level.amplitude) + " N)" : "";
+  if (level.amplitude) level.name += level.name.starts_with("level ") ? " (" + scene::number_text(*level.amplitude) + " N)" : "";
   if (level.per_force && level.harmonics.front().harmonic != 1) {
     table.require("per_force")
         .fail("responses over the force of harmonic 1, which is not there", "give the files of harmonic 1 too");
@@ -86,7 +86,7 @@ ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::s
 int read_whole(const scene::Item& item, int least, int most) {
   const double number = item.number();
   if (number != std::floor(number) || number < least || number > most) {
-    item.fail(ident::number_text(number) + " is not a whole number from " + std::to_string(least) + " to " +
+    item.fail(scene::number_text(number) + " is not a whole number from " + std::to_string(least) + " to " +
               std::to_string(most));
   }
   return static_cast<int>(number);

@@ -9,8 +9,8 @@
 namespace jointid::laws {
 namespace {
 
-const ident::Value* member(const ident::Value& table, const std::string& key) {
-  const auto* members = std::get_if<ident::Members>(&table.content);
+const scene::Value* member(const scene::Value& table, const std::string& key) {
+  const auto* members = std::get_if<scene::Members>(&table.content);
   if (members == nullptr) return nullptr;
   const auto found = std::ranges::find(*members, key, &ident::Member::key);
   return found == members->end() ? nullptr : &found->value;
@@ -50,7 +50,7 @@ void require_range(const scene::Table& table, const LawScene& scene) {
 
 bool is_law_scene(const std::string& text, const ident::Path& file) {
   const scene::Value document = scene::parse_toml(text, file);
-  const ident::Value *joint = member(document, "joint"), *data = member(document, "data");
+  const scene::Value *joint = member(document, "joint"), *data = member(document, "data");
   return (joint != nullptr && member(*joint, "friction") != nullptr) || (data != nullptr && member(*data, "levels") != nullptr);
 }
 
@@ -81,6 +81,6 @@ LawScene parse_law_scene(const std::string& text, const ident::Path& file) {
   return scene;
 }
 
-LawScene read_law_scene(const ident::Path& file) { return parse_law_scene(ident::read_text(file), file); }
+LawScene read_law_scene(const ident::Path& file) { return parse_law_scene(scene::read_text(file), file); }
 
 }  // namespace jointid::laws

@@ -13,13 +13,13 @@ namespace {
 
 constexpr BeamSection section = {.width = 0.05, .thickness = 0.012, .youngs_modulus = 2.07e11, .density = 7547.0};
 constexpr double element_length = 0.1325;
-constexpr std::array<std::size_t, 2> elements = {5, 4};
+constexpr std::array<std::size_t, 2> beam_elements = {5, 4};
 
 /// Both cantilevers, clamped where they begin: the element's first node is left out of the first element.
 Matrix assembled(const Matrix& element) {
   Matrix all(18, std::vector<double>(18, 0.0));
   std::size_t first = 0;
-  for (const std::size_t count : elements) {
+  for (const std::size_t count : beam_elements) {
     for (std::size_t e = 0; e < count; ++e) {
       for (std::size_t i = e == 0 ? 2 : 0; i < 4; ++i) {
         for (std::size_t j = e == 0 ? 2 : 0; j < 4; ++j) all[first + 2 * e + i - 2][first + 2 * e + j - 2] += element[i][j];

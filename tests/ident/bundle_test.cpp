@@ -65,7 +65,7 @@ TEST(Bundle, OfCeresIsThatEstimateWithCovariancesToo) {
   example.scene.noise.reset();
   problems::Measurement data = with_hammer_noise(example.problem);
   std::uint64_t number = 0;
-  const auto pollute = [&number](frf::FrfSet& set) { RecordedNoise(frf::whole(set)).pollute(set, {3, 0, number++}); };
+  const auto pollute = [&number](frf::FrfSet& set) { study::RecordedNoise(frf::whole(set)).pollute(set, {3, 0, number++}); };
   for (frf::FrfSet& set : data.substructures) pollute(set);
   pollute(data.assembly);
   const auto solved = [&](const char* solver) {

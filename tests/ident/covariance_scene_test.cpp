@@ -46,12 +46,12 @@ TEST(CovarianceScene, StudiesDrawFromTheFilesAndReachTheBound) {
   for (std::size_t i = 0; i < sets.substructures.size(); ++i)
     scene.data.substructures[i] = {.path = folder / (std::to_string(i) + ".h5"), .options = {}};
   scene.data.assembly = {{.path = folder / "assembly.h5", .options = {}}};
-  const auto data = load_trial_data(scene);
+  const auto data = study::load_trial_data(scene);
   EXPECT_THAT(data->notes, testing::Contains(testing::HasSubstr("from the variances and covariances of the files")));
-  const std::vector<Trial> trials = run_trials(data, {.trials = 12, .seed = 4});
+  const std::vector<study::Trial> trials = study::run_trials(data, {.trials = 12, .seed = 4});
   const std::vector<double> bound = bound_of(scene, problem, sets), truth = truth_of(problem);
   double squares = 0.0, covered = 0.0, count = 0.0;
-  for (const Trial& trial : trials) {
+  for (const study::Trial& trial : trials) {
     EXPECT_TRUE(is_usable(trial.status));
     for (std::size_t u = 0; u < truth.size(); ++u) {
       if (truth[u] == 0.0) continue;

@@ -46,14 +46,14 @@ TEST(ModalRegeneration, NamesComeBack) {
 }
 
 TEST(ModalRegeneration, IsAnAlternativeToCompare) {
-  Alternatives lists;
+  study::Alternatives lists;
   lists.regenerations = {{}, {true, false}};
   lists.deltas = {0.0, 0.1};
-  const auto ways = combinations({}, lists);
+  const auto ways = study::combinations({}, lists);
   ASSERT_EQ(ways.size(), 4u);
   EXPECT_FALSE(ways[1].regenerate.any());
   EXPECT_TRUE(ways[2].regenerate.substructures);
-  EXPECT_TRUE(combinations({}, {}, {false, true}).front().regenerate.assembly);
+  EXPECT_TRUE(study::combinations({}, {}, {false, true}).front().regenerate.assembly);
 }
 
 /// The FRFs handed out are nearer to the exact ones than those measured, and their variances say how near.
