@@ -12,7 +12,7 @@ namespace {
 const scene::Value* member(const scene::Value& table, const std::string& key) {
   const auto* members = std::get_if<scene::Members>(&table.content);
   if (members == nullptr) return nullptr;
-  const auto found = std::ranges::find(*members, key, &ident::Member::key);
+  const auto found = std::ranges::find(*members, key, &scene::Member::key);
   return found == members->end() ? nullptr : &found->value;
 }
 

@@ -33,7 +33,7 @@ struct Studying {
   }
   void set_file(const QString& file) {
     const auto path = as_path(measured.scene());
-    page.set_scene(ident::read_scene(path), ident::read_text(path), file);
+    page.set_scene(ident::read_scene(path), scene::read_text(path), file);
   }
   bool rests() {
     return QTest::qWaitFor([&] { return !page.is_busy(); }, 60000);
