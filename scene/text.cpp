@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t largest_scene = std::size_t{16} << 20;  // bytes
 constexpr int most_key_parts = 32;
 
-[[noreturn]] void fail(const Path& file, const std::string& problem, const std::string& remedy) {
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& problem, const std::string& remedy) {
   throw InputError(
       {.kind = ErrorKind::usage, .file = file.string(), .place = {}, .problem = problem, .remedy = remedy});
 }
@@ -68,7 +68,7 @@ class Lexer {
 
 }  // namespace
 
-std::string read_text(const Path& file) {
+std::string read_text(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) fail(file, "there is no such scene file", "check the path");
@@ -86,7 +86,7 @@ std::string read_text(const Path& file) {
   return text;
 }
 
-void check_key_depth(const std::string& text, const Path& file) {
+void check_key_depth(const std::string& text, const std::filesystem::path& file) {
   Lexer lexer(text);
   int dots = 0;
   while (!lexer.at_end()) {

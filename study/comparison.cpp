@@ -141,7 +141,8 @@ std::vector<Way> combinations_of_data(const ident::IdentifySection& identify, co
 
 }  // namespace
 
-std::vector<Way> combinations(const ident::IdentifySection& identify, const Alternatives& alternatives, const ident::Regeneration& regenerate) {
+std::vector<Way> combinations(const ident::IdentifySection& identify, const Alternatives& alternatives,
+                              const ident::Regeneration& regenerate) {
   std::vector<Way> ways;
   for (const ident::Regeneration& chosen : or_own(alternatives.regenerations, regenerate)) {
     for (Way& way : combinations_of_data(identify, alternatives)) {

@@ -34,7 +34,8 @@ struct Alternatives {
 
 /// Every combination, Δ fastest, then weighting, solver, equations, method, regeneration; one weighting and Δ for methods that
 /// have neither.
-std::vector<Way> combinations(const ident::IdentifySection& identify, const Alternatives& alternatives, const ident::Regeneration& regenerate = {});
+std::vector<Way> combinations(const ident::IdentifySection& identify, const Alternatives& alternatives,
+                              const ident::Regeneration& regenerate = {});
 
 /// How well one joint matrix was found, over the trials with status ok; NaN when there is none.
 struct MatrixFigures {

@@ -118,8 +118,10 @@ void add_solve(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
-  if (holds_law_scene(arguments.scene)) return solve_law_scene(arguments, out);
   const auto team = ident::join_team();
+  bool of_laws = false;
+  ident::start_together(*team, [&] { of_laws = holds_law_scene(arguments.scene); });
+  if (of_laws) return team->rank() > 0 ? ExitCode::done : solve_law_scene(arguments, out);
   std::optional<ident::Scene> read;
   ident::start_together(*team, [&] {
     read = ident::read_scene(arguments.scene);

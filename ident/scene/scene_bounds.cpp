@@ -17,7 +17,8 @@ Bound read_bound(const std::string& unknown, const scene::Item& item) {
   }
   const Bound bound{unknown, pair[0].number_or_infinity(), pair[1].number_or_infinity()};
   if (bound.lower == bound.upper) {
-    item.fail("both bounds are " + scene::number_text(bound.lower), "write ties = [\"" + unknown + " = " + scene::number_text(bound.lower) + "\"]");
+    const std::string value = scene::number_text(bound.lower);
+    item.fail("both bounds are " + value, "write ties = [\"" + unknown + " = " + value + "\"]");
   }
   if (bound.lower > bound.upper || bound.lower == infinity || bound.upper == -infinity) {
     item.fail("expected lowest < highest, found [" + scene::number_text(bound.lower) + ", " + scene::number_text(bound.upper) + "]");
