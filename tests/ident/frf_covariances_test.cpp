@@ -149,7 +149,7 @@ TEST(FrfCovariances, AreThoseOfTheObservationsByDifferences) {
   ASSERT_TRUE(data.correlation);
   const VectorXcd values = values_of(data);
   MatrixXcd expected = MatrixXcd::Zero(values.size(), values.size());
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0u, 1u}) {
     add_by_differences(sets, coordinates, &Sets::substructures, k, expected);
     add_by_differences(sets, coordinates, &Sets::assembly, k, expected);
   }

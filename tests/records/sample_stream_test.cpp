@@ -40,8 +40,8 @@ std::vector<double> rows_of(SampleStream& stream, std::size_t step) {
 /// However many parts and rows at a time, the file is the same.
 void expect_rows(const std::filesystem::path& path, const std::vector<std::string>& channels,
                  const std::vector<double>& expected) {
-  for (const std::size_t parts : {1, 2, 3, 7}) {
-    for (const std::size_t step : {1, 2, 5, 1000}) {
+  for (const std::size_t parts : {1u, 2u, 3u, 7u}) {
+    for (const std::size_t step : {1u, 2u, 5u, 1000u}) {
       std::vector<double> all;
       for (std::size_t part = 0; part < parts; ++part) {
         const auto stream = open_samples(path, {channels, part, parts});
