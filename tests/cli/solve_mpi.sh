@@ -2,6 +2,7 @@
 # solve_mpi.sh JOINTID MPIRUN FOLDER: several processes get the joint of one, a mistake is told once, and Ctrl-C leaves the best
 # values so far.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/mpirun.sh"
 jointid=$1 folder=$3
 mpirun=("$2" --allow-run-as-root --oversubscribe)
 rm -rf "$folder" && mkdir -p "$folder" && cd "$folder"
@@ -56,7 +57,7 @@ for seconds in 2 4 8 16 32; do
   process=$!
   sleep $seconds
   kill -INT $process 2> /dev/null || fail "the solution had ended"
-  wait $process && fail "mpirun ended well after Ctrl-C"
+  end_of $process && fail "mpirun ended well after Ctrl-C"
   [[ -e stopped.json ]] && grep -q 'Interrupted after [1-9]' stopped.json && kept=yes && break
 done
 [[ $kept == yes ]] || fail "nothing was kept"

@@ -2,6 +2,7 @@
 # study_mpi.sh JOINTID MPIRUN TRAP FOLDER: a wrong start under mpirun is told once and with the right code, Ctrl-C of mpirun
 # loses nothing, and without mpirun MPI is not initialised (TRAP is a library that ends the process where it is).
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/mpirun.sh"
 jointid=$1 trap=$3 folder=$4
 mpirun=("$2" --allow-run-as-root --oversubscribe)
 rm -rf "$folder" && mkdir -p "$folder" && cd "$folder"
@@ -36,7 +37,7 @@ study=("$jointid" study a1/A1.toml --seed 5 --threads 1)
 process=$!
 until [[ -e stopped.h5.partial ]] && (($(stat -c %s stopped.h5.partial) > 5000)); do sleep 0.02; done
 kill -INT $process
-wait $process && fail "mpirun ended well after Ctrl-C"
+end_of $process && fail "mpirun ended well after Ctrl-C"
 "${mpirun[@]}" -n 2 "${study[@]}" --trials 2000 --out stopped.h5 --resume > resumed.txt
 cmp whole.h5 stopped.h5 || fail "the file after Ctrl-C of mpirun differs"
 
