@@ -96,6 +96,14 @@ double Item::not_negative() const {
   return value;
 }
 
+int Item::whole(int least, int most) const {
+  const double found = number();
+  if (found != std::floor(found) || found < least || found > most) {
+    fail(number_text(found) + " is not a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return static_cast<int>(found);
+}
+
 bool Item::boolean() const { return as<bool>("true or false"); }
 
 const std::string& Item::text() const { return as<std::string>("a string"); }

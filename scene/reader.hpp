@@ -29,6 +29,7 @@ class Item {
   double number_or_infinity() const;  ///< a number, inf or -inf
   double positive() const;       ///< a number > 0
   double not_negative() const;   ///< a number ≥ 0
+  int whole(int least, int most) const;  ///< a whole number from `least` to `most`
   bool boolean() const;
   const std::string& text() const;
   std::string text_not_empty() const;

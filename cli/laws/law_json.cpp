@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/laws/law_text.hpp"
+#include "base/complex.hpp"
 #include "cli/text/json_value.hpp"
 
 namespace jointid::cli {
@@ -64,7 +65,7 @@ Json state(const laws::LawScene& scene, const LawIdentification& found, std::siz
   const response::MeasuredState& measured = found.data.states[i];
   const response::DirectStep& step = found.steps[i];
   Json out = {{"level", scene.levels[found.data.level[i]].name},
-              {"frequency", value(measured.omega / angular(1.0))},
+              {"frequency", value(hertz(measured.omega))},
               {"harmonics", measured.harmonics},
               {"joints", Json::array()}};
   for (Eigen::Index j = 0; j < step.joint_force.cols(); ++j) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/complex.hpp"
 #include "cli/laws/direct_bins.hpp"
 #include "friction/curve/equivalent.hpp"
 
@@ -43,7 +44,7 @@ std::string data_text(const laws::LawScene& scene, const LawIdentification& foun
   return fmt::format("{} state{} of {} level{}: {} line{} from {:.6g} to {:.6g} Hz, {} response{}, harmonics {}\n",
                      found.data.states.size(), found.data.states.size() == 1 ? "" : "s", scene.levels.size(),
                      scene.levels.size() == 1 ? "" : "s", lines.size(), lines.size() == 1 ? "" : "s",
-                     *lines.begin() / angular(1.0), *lines.rbegin() / angular(1.0), found.data.responses.size(),
+                     hertz(*lines.begin()), hertz(*lines.rbegin()), found.data.responses.size(),
                      found.data.responses.size() == 1 ? "" : "s", harmonics_text({harmonics.begin(), harmonics.end()}));
 }
 

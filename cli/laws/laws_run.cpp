@@ -5,15 +5,10 @@
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
-#include "scene/text.hpp"
-#include "laws/scene/read_law_scene.hpp"
 
 namespace jointid::cli {
 
-bool holds_law_scene(const std::filesystem::path& scene) { return laws::is_law_scene(scene::read_text(scene), scene); }
-
-ExitCode solve_laws(const std::filesystem::path& file, const LawTargets& targets, std::ostream& out) {
-  const laws::LawScene scene = laws::read_law_scene(file);
+ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std::ostream& out) {
   check_targets(laws::files_of(scene), {{"--json", targets.json}, {"--csv", targets.csv}, {"--report", targets.report}});
   const laws::LawIdentification found = with_progress("fitting friction laws", [&] { return laws::identify_laws(scene); });
   if (targets.json) write_target(*targets.json, law_json(scene, found), out);
@@ -21,7 +16,7 @@ ExitCode solve_laws(const std::filesystem::path& file, const LawTargets& targets
   if (targets.report) write_target(*targets.report, report::law_page(scene, found), out);
   if (!takes_output({targets.json, targets.csv, targets.report})) out << law_text(scene, found);
   if (found.status == laws::LawStatus::ok) return ExitCode::done;
-  const std::string what = file.string() + ": ";
+  const std::string what = scene.file.string() + ": ";
   if (laws::is_usable(found.status)) {
     print_warning(what + "doubtful: " + found.message);
     return ExitCode::done;

@@ -1,6 +1,5 @@
 #include "cli/options/scene_values.hpp"
 
-#include <cmath>
 #include <string>
 
 #include "base/eigen.hpp"
@@ -33,15 +32,6 @@ Eigen::MatrixXd inline_matrix(const scene::Item& item) {
 }
 
 }  // namespace
-
-double read_whole(const scene::Item& item, double least, double most) {
-  const double number = item.number();
-  if (number != std::floor(number) || number < least || number > most) {
-    item.fail(scene::number_text(number) + " is not a whole number from " + scene::number_text(least) + " to " +
-              scene::number_text(most));
-  }
-  return number;
-}
 
 Sparse read_sparse_matrix(const scene::Item& item, const ident::Path& folder, Eigen::Index size, std::vector<ident::NamedFile>& files) {
   const Sparse found = item.is_text() ? matrix_from_file(item, folder, files) : Sparse(inline_matrix(item).sparseView());

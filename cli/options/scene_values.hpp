@@ -8,9 +8,6 @@
 
 namespace jointid::cli {
 
-/// A whole number between two others.
-double read_whole(const scene::Item& item, double least, double most);
-
 /// A symmetric matrix inline, or from a file "m.mtx", "model.mat:M" beside the scene, which is added to `files`. `size`: its
 /// rows; 0: any.
 Eigen::SparseMatrix<double> read_sparse_matrix(const scene::Item& item, const ident::Path& folder, Eigen::Index size,

@@ -16,8 +16,8 @@ double not_negative_or(const scene::Table& table, const char* key, double otherw
   return item ? item->not_negative() : otherwise;
 }
 
-std::size_t whole(const scene::Item& item, double least, double most) {
-  return static_cast<std::size_t>(read_whole(item, least, most));
+std::size_t whole(const scene::Item& item, int least, int most) {
+  return static_cast<std::size_t>(item.whole(least, most));
 }
 
 Eigen::VectorXd start_of(const scene::Table& table, const char* key, Eigen::Index degrees) {
@@ -56,18 +56,18 @@ OrbitSection read_orbit(const scene::Item& item, const SystemSpec& system) {
   const auto slips = table.find("slips"), cycles = table.find("cycles");
   if (system.is_driven()) {
     if (slips) slips->fail("of a driven system the period is a number of cycles", "give cycles");
-    return {whole(table.require("cycles"), 1.0, 10000.0)};
+    return {whole(table.require("cycles"), 1, 10000)};
   }
   if (cycles) cycles->fail("there is no drive with cycles", "give slips, the break-aways of a period");
   if (system.friction.contact_stiffness)
     item.fail("periodic orbits without a drive are found of rigid contacts only", "remove contact_stiffness or [orbit]");
-  return {whole(table.require("slips"), 1.0, 10000.0)};
+  return {whole(table.require("slips"), 1, 10000)};
 }
 
 ExponentSection read_exponents(const scene::Item& item, const OscillateScene& scene) {
   const scene::Table table = item.table({"count", "transient", "length", "interval"});
   ExponentSection out{1, scene.motion.transient, 0.0, 0.0};
-  if (const auto count = table.find("count")) out.count = whole(*count, 1.0, 2.0 * static_cast<double>(scene.q.size()));
+  if (const auto count = table.find("count")) out.count = whole(*count, 1, 2 * static_cast<int>(scene.q.size()));
   out.transient = not_negative_or(table, "transient", out.transient);
   out.length = table.require("length").positive();
   const scene::Item interval = table.require("interval");
@@ -90,7 +90,7 @@ SweepSection read_sweep(const scene::Item& item, const SystemSpec& system) {
   const bool positive = out.parameter != "velocity" && ends.minCoeff() <= 0.0;
   if (positive) range.fail("has numbers that are not above 0");
   out.from = ends(0), out.to = ends(1);
-  out.points = whole(table.require("points"), 2.0, 100000.0);
+  out.points = whole(table.require("points"), 2, 100000);
   out.transient = not_negative_or(table, "transient", 0.0);
   out.length = table.require("length").positive();
   return out;
@@ -106,7 +106,7 @@ ReductionSection read_reduction(const scene::Item& item, OscillateScene& scene) 
   ReductionSection out;
   for (const scene::Item& basis : table.require("bases").list_not_empty()) out.bases.push_back(basis_kind(basis));
   for (const scene::Item& order : table.require("orders").list_not_empty())
-    out.orders.push_back(whole(order, 1.0, static_cast<double>(scene.q.size())));
+    out.orders.push_back(whole(order, 1, static_cast<int>(scene.q.size())));
   if (const auto from = table.find("from")) {
     out.from_orbit = from->word(std::vector<std::string>{"start", "orbit"}) == "orbit";
     if (out.from_orbit && !scene.orbit) from->fail("there is no [orbit]");

@@ -8,7 +8,7 @@
 namespace jointid::cli {
 namespace {
 
-constexpr double most_degrees = 1000.0;
+constexpr int most_degrees = 1000;
 
 const std::vector<std::string> kinds = {"belt_chain", "cantilever", "matrices"};
 const std::vector<std::string> common = {"kind",    "velocity",           "amplitude",    "frequency",
@@ -48,7 +48,7 @@ std::vector<std::string> keys_of(SystemSpec& spec) {
 }
 
 void read_chain(const scene::Table& table, SystemSpec& spec) {
-  spec.chain.masses = static_cast<std::size_t>(read_whole(table.require("masses"), 1.0, most_degrees));
+  spec.chain.masses = static_cast<std::size_t>(table.require("masses").whole(1, most_degrees));
   if (const auto mass = table.find("mass")) spec.chain.mass = mass->positive();
   if (const auto stiffness = table.find("stiffness")) spec.chain.stiffness = stiffness->positive();
 }
@@ -57,7 +57,7 @@ void read_beam(const scene::Table& table, SystemSpec& spec) {
   for (const auto& [key, number] : beam_numbers(spec.beam)) {
     if (const auto item = table.find(key)) *number = item->positive();
   }
-  if (const auto modes = table.find("modes")) spec.beam.modes = static_cast<std::size_t>(read_whole(*modes, 1.0, 40.0));
+  if (const auto modes = table.find("modes")) spec.beam.modes = static_cast<std::size_t>(modes->whole(1, 40));
   const auto place = [&](const scene::Item& item) {
     const double x = item.not_negative();
     if (x > spec.beam.length) item.fail("lies beyond the beam of " + scene::number_text(spec.beam.length) + " m");

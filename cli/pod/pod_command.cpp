@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "base/complex.hpp"
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
@@ -49,7 +49,7 @@ Eigen::MatrixXd modes_to_compare(const PodArguments& arguments, const Eigen::Mat
         {ErrorKind::data, arguments.stiffness, "", "is not a symmetric matrix", "give the stiffness at the channels"});
   const dense::SymmetricEigen normal = dense::symmetric_eigen(stiffness, mass);
   for (const double square : normal.values)
-    report.frequencies_hz.push_back(std::sqrt(std::max(square, 0.0)) / (2.0 * std::numbers::pi));
+    report.frequencies_hz.push_back(hertz(std::sqrt(std::max(square, 0.0))));
   return normal.vectors;
 }
 

@@ -10,7 +10,7 @@ namespace {
 std::size_t read_joint_number(const scene::Table& table, const ResponseScene& scene) {
   const auto joint = table.find("joint");
   if (!joint) return 0;
-  return static_cast<std::size_t>(read_whole(*joint, 1.0, static_cast<double>(scene.joints.size()))) - 1;
+  return static_cast<std::size_t>(joint->whole(1, static_cast<int>(scene.joints.size()))) - 1;
 }
 
 std::array<double, 2> read_ends(const scene::Item& item) {
@@ -83,7 +83,7 @@ SceneEquivalent read_equivalent(const scene::Item& item, const ResponseScene& sc
   equivalent.joint = read_joint_number(table, scene);
   if (const auto mode = table.find("mode")) {
     require_full(*mode, scene);
-    equivalent.mode = static_cast<Eigen::Index>(read_whole(*mode, 1.0, static_cast<double>(scene.structure->mass.rows()))) - 1;
+    equivalent.mode = mode->whole(1, static_cast<int>(scene.structure->mass.rows())) - 1;
   }
   return equivalent;
 }

@@ -48,9 +48,9 @@ void read_law(const scene::Table& table, response::Joint& joint) {
 SceneDof read_dof(const scene::Item& item, const ResponseScene& scene) {
   SceneDof found;
   if (coordinates(scene) > 0) {
-    const double number = read_whole(item, 1.0, static_cast<double>(coordinates(scene)));
-    found.coordinate = static_cast<Eigen::Index>(number) - 1;
-    found.name = scene::number_text(number);
+    const int number = item.whole(1, static_cast<int>(coordinates(scene)));
+    found.coordinate = number - 1;
+    found.name = std::to_string(number);
   } else {
     found.dof = item.dof();
     found.name = found.dof.name();

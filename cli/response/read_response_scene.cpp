@@ -19,7 +19,7 @@ response::Excitation read_components(const scene::Item& item) {
   for (const scene::Item& one : item.list_not_empty()) {
     const std::vector<scene::Item> row = one.list();
     if (row.size() != 3) one.fail("a component is [harmonic, share, phase in degrees]");
-    const int harmonic = static_cast<int>(read_whole(row[0], 0.0, 1000.0));
+    const int harmonic = row[0].whole(0, 1000);
     parts.emplace_back(harmonic, std::polar(1.0, row[2].number() * std::numbers::pi / 180.0) * row[1].number());
   }
   std::ranges::sort(parts, {}, &std::pair<int, Complex>::first);
@@ -59,7 +59,7 @@ void read_frequencies(const scene::Item& item, ResponseScene& scene) {
     if ((coordinates(scene) == 0 && !scene.modal_model) || !range)
       points->fail("points stand in a range of a structure with matrices, or of modal models",
                    "remove it: the lines of the files count");
-    scene.points = static_cast<std::size_t>(read_whole(*points, 2.0, 1e6));
+    scene.points = static_cast<std::size_t>(points->whole(2, 1000000));
   }
   if (coordinates(scene) > 0 && !range && !values) item.fail("there are neither range nor values");
   if (coordinates(scene) > 0 && range && (*scene.range_hz)[0] <= 0.0)
@@ -71,7 +71,7 @@ void read_response(const scene::Item& item, ResponseScene& scene) {
   for (const scene::Item& dof : table.require("dofs").list_not_empty()) scene.responses.push_back(read_dof(dof, scene));
   if (const auto harmonics = table.find("harmonics")) {
     for (const scene::Item& number : harmonics->list_not_empty())
-      scene.harmonics.fixed.push_back(static_cast<int>(read_whole(number, 0.0, 1000.0)));
+      scene.harmonics.fixed.push_back(number.whole(0, 1000));
     harmonics->here([&] { return response::Harmonics(scene.harmonics.fixed); });
     for (const int n : scene.force.harmonics) {
       if (std::ranges::find(scene.harmonics.fixed, n) == scene.harmonics.fixed.end()) {
@@ -81,7 +81,7 @@ void read_response(const scene::Item& item, ResponseScene& scene) {
   }
   if (const auto tolerance = table.find("tolerance")) scene.harmonics.tolerance = tolerance->positive();
   if (const auto largest = table.find("largest_harmonic"))
-    scene.harmonics.largest = static_cast<int>(read_whole(*largest, 1.0, 1000.0));
+    scene.harmonics.largest = largest->whole(1, 1000);
   if (const auto method = table.find("method")) {
     scene.method = method->word(methods) == "sweep" ? CurveMethod::sweep : CurveMethod::arc_length;
     if (scene.method == CurveMethod::arc_length && (coordinates(scene) == 0 || !scene.range_hz)) {

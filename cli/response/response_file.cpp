@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "base/complex.hpp"
 #include "frf/hdf5/table_file.hpp"
 
 namespace jointid::cli {
@@ -39,7 +40,7 @@ void add_point(const LevelResponse& level, std::size_t i, Rows& rows) {
       const Complex x = point.response(n, dof);
       const Complex deviation = level.deviations.empty() ? Complex(unknown, unknown) : level.deviations[i].parts(n, dof);
       const bool barred = i < level.left_out.size() && level.left_out[i].size() > 0;
-      rows.add({level.level, hertz(point), static_cast<double>(point.harmonics[static_cast<std::size_t>(n)]),
+      rows.add({level.level, hertz(point.omega), static_cast<double>(point.harmonics[static_cast<std::size_t>(n)]),
                 static_cast<double>(dof + 1), x.real(), x.imag(), deviation.real(), deviation.imag(),
                 barred ? level.left_out[i](n, dof) : unknown});
     }

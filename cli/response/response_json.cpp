@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/response/response_text.hpp"
+#include "base/complex.hpp"
 #include "cli/text/json_value.hpp"
 #include "cli/text/table.hpp"
 
@@ -18,7 +19,7 @@ Json harmonics_json(const Eigen::MatrixXcd& rows, Eigen::Index column) {
 }
 
 Json point_json(const HarmonicSolution& point, const ResponseRun& run) {
-  Json out = {{"frequency", value(hertz(point))}, {"converged", point.converged}};
+  Json out = {{"frequency", value(hertz(point.omega))}, {"converged", point.converged}};
   if (!point.converged) return out;
   out["harmonics"] = point.harmonics;
   for (std::size_t i = 0; i < run.dofs.size(); ++i) out["responses"].push_back(harmonics_json(point.response, at(i)));
@@ -177,7 +178,7 @@ std::string response_csv(const ResponseRun& run) {
             re = level.deviations[i].parts(n, at(dof)).real();
             im = level.deviations[i].parts(n, at(dof)).imag();
           }
-          text += csv_line({csv_number(level.level), csv_number(hertz(point)),
+          text += csv_line({csv_number(level.level), csv_number(hertz(point.omega)),
                             fmt::format("{}", point.harmonics[static_cast<std::size_t>(n)]), run.dofs[dof], csv_number(x.real()),
                             csv_number(x.imag()), csv_number(re), csv_number(im), csv_number(bar)});
         }

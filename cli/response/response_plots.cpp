@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/complex.hpp"
 #include "cli/report/decimate.hpp"
 #include "cli/report/limits.hpp"
 
@@ -60,7 +61,7 @@ std::vector<Series> series_of_levels(const ResponseRun& run, const Value& value)
 
 Values frequencies(const LevelResponse& level) {
   Values hz;
-  for (const HarmonicSolution& point : level.points) hz.push_back(hertz(point));
+  for (const HarmonicSolution& point : level.points) hz.push_back(hertz(point.omega));
   return hz;
 }
 
@@ -87,7 +88,7 @@ Choice arc_choice(const ResponseRun& run, std::size_t dof) {
   for (const LevelResponse& level : run.levels) {
     PointGroup group{level_name(level), {}};
     const auto add = [&](const HarmonicSolution& point, PointGroup& to) {
-      if (point.converged) to.points.push_back({hertz(point), std::abs(lowest(point, at(dof))) / level.level, level_name(level)});
+      if (point.converged) to.points.push_back({hertz(point.omega), std::abs(lowest(point, at(dof))) / level.level, level_name(level)});
     };
     for (const HarmonicSolution& point : level.points) add(point, group);
     for (const HarmonicSolution& point : level.turning_points) add(point, turns);
@@ -155,7 +156,7 @@ PlotGroup backbone_plots(const ResponseRun& run) {
   Values force, hz, damping;
   for (const LevelResponse* level : levels) {
     force.push_back(level->level);
-    hz.push_back(hertz(*level->peak));
+    hz.push_back(hertz(level->peak->omega));
     damping.push_back(100.0 * level->peak_mode->ratio);
   }
   const Axis x = {"force (N)", true};
@@ -214,7 +215,7 @@ PlotGroup equivalent_plots(const ResponseRun& run) {
       damping[j].y.push_back(row->joints[j].damping);
     }
     any = any || row->mode;
-    hz.push_back(row->mode ? row->mode->omega / (2.0 * std::numbers::pi) : not_there);
+    hz.push_back(row->mode ? hertz(row->mode->omega) : not_there);
   }
   const Axis x = {"amplitude (m)", true};
   Choice choice{"",

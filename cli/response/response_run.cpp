@@ -1,15 +1,12 @@
 #include "cli/response/response_run.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 namespace jointid::cli {
 
 using response::HarmonicSolution;
 
 Eigen::Index first_row(const HarmonicSolution& solution) { return solution.harmonics.front() == 0 ? 1 : 0; }
-
-double hertz(const HarmonicSolution& solution) { return solution.omega / (2.0 * std::numbers::pi); }
 
 bool all_converged(const ResponseRun& run) {
   const auto level = [](const LevelResponse& each) {

@@ -76,8 +76,6 @@ struct ResponseRun {
 /// Row of the lowest harmonic above 0.
 Eigen::Index first_row(const response::HarmonicSolution& solution);
 
-double hertz(const response::HarmonicSolution& solution);
-
 /// Points up to which all of them are printed, and their stability is found.
 inline constexpr std::size_t most_told = 40;
 

@@ -1,4 +1,5 @@
 #include "cli/response/response_tables.hpp"
+#include "base/complex.hpp"
 
 #include <fmt/format.h>
 
@@ -62,7 +63,7 @@ Table peaks_table(const ResponseRun& run) {
     if (level.peak) {
       const HarmonicSolution& peak = *level.peak;
       const double size = amplitude(peak, first_row(peak), 0);
-      cells.push_back(number(hertz(peak)));
+      cells.push_back(number(hertz(peak.omega)));
       cells.push_back(number(size, level.peak_deviation));
       if (known) cells.push_back(level.peak_deviation ? fmt::format("{:.2g}", *level.peak_deviation) : "–");
       const std::string damping = level.peak_mode ? fmt::format("{:.4g}", 100.0 * level.peak_mode->ratio) : "–";
@@ -94,7 +95,7 @@ Table points_table(const ResponseRun& run) {
   for (const LevelResponse& level : run.levels) {
     for (std::size_t i = 0; i < level.points.size(); ++i) {
       const HarmonicSolution& point = level.points[i];
-      std::vector<std::string> cells = {number(level.level), number(hertz(point))};
+      std::vector<std::string> cells = {number(level.level), number(hertz(point.omega))};
       if (point.converged) {
         for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
           cells.push_back(number(amplitude(point, first_row(point), at(dof))));
@@ -148,7 +149,7 @@ Table equivalents_table(const ResponseRun& run) {
       cells.insert(cells.end(), {number(joint.stiffness), number(joint.damping)});
     if (row.mode) {
       const double loss = row.mode->loss_factor_joints + row.mode->loss_factor_viscous;
-      cells.insert(cells.end(), {number(row.mode->omega / (2.0 * std::numbers::pi)), fmt::format("{:.4g}", 50.0 * loss),
+      cells.insert(cells.end(), {number(hertz(row.mode->omega)), fmt::format("{:.4g}", 50.0 * loss),
                                  row.mode->converged ? "" : "not converged"});
     } else if (modes) {
       cells.insert(cells.end(), {"–", "–", row.problem});

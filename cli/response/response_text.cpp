@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/complex.hpp"
 #include "cli/response/response_tables.hpp"
 
 namespace jointid::cli {
@@ -38,7 +39,7 @@ std::string truncation_text(const ResponseScene& scene, const ResponseRun& run) 
       for (const response::DroppedHarmonic& dropped : point.dropped) {
         if (worst != nullptr && dropped.motion <= worst->motion) continue;
         worst = &dropped;
-        worst_hz = hertz(point);
+        worst_hz = hertz(point.omega);
       }
     }
   }
@@ -63,7 +64,7 @@ std::string stability_text(const ResponseRun& run) {
   double difference = 0.0;
   std::vector<std::string> free;
   const auto add = [&](const PointStability& stability, const HarmonicSolution& at, double level) {
-    const std::string place = fmt::format("{:.6g} N, {:.6g} Hz", level, hertz(at));
+    const std::string place = fmt::format("{:.6g} N, {:.6g} Hz", level, hertz(at.omega));
     if (!stability.known) {
       text += place + ": no exact orbit was found from the solution, its stability is not known\n";
     } else if (stability.another) {
@@ -139,7 +140,7 @@ std::string problems_text(const ResponseRun& run) {
       text += fmt::format(
           "{:.6g} N: the curve turns back at {:.6g} Hz, |X| = {:.6g} m: between two such frequencies there are several "
           "responses\n",
-          level.level, hertz(turn), std::abs(turn.response(first_row(turn), 0)));
+          level.level, hertz(turn.omega), std::abs(turn.response(first_row(turn), 0)));
     }
   }
   for (const std::string& doubt : run.doubts) text += doubt + "\n";

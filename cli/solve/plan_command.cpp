@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
-#include "cli/laws/laws_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/open_options.hpp"
@@ -15,6 +14,8 @@
 #include "ident/identify.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "laws/scene/read_law_scene.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -49,11 +50,12 @@ void add_plan(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
-  if (holds_law_scene(arguments.scene)) {
+  const std::string text = scene::read_text(arguments.scene);
+  if (laws::is_law_scene(text, arguments.scene)) {
     throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", "scenes of friction laws have no plan",
                       "`jointid solve` finds the laws, and says what the levels do not show"});
   }
-  const ident::Scene scene = ident::read_scene(arguments.scene);
+  const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
   std::optional<ident::BoundReport> bound;

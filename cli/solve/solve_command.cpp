@@ -18,8 +18,10 @@
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "laws/scene/read_law_scene.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -94,13 +96,13 @@ void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution
 }
 
 /// A scene of friction laws has no FRFs of an assembly to plot.
-ExitCode solve_law_scene(const SolveArguments& arguments, std::ostream& out) {
+ExitCode solve_law_scene(const SolveArguments& arguments, const std::string& text, std::ostream& out) {
   if (arguments.plot) {
     throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot",
                       "the scene is one of friction laws: there is no FRF of an assembly",
                       "leave --plot out"});
   }
-  return solve_laws(arguments.scene, {arguments.json, arguments.csv, arguments.report}, out);
+  return solve_laws(laws::parse_law_scene(text, arguments.scene), {arguments.json, arguments.csv, arguments.report}, out);
 }
 
 }  // namespace
@@ -119,14 +121,15 @@ void add_solve(CLI::App& app, Chosen& chosen) {
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
-  bool of_laws = false;
-  ident::start_together(*team, [&] { of_laws = holds_law_scene(arguments.scene); });
-  if (of_laws) return team->rank() > 0 ? ExitCode::done : solve_law_scene(arguments, out);
-  std::optional<ident::Scene> read;
+  std::string text;
+  std::optional<ident::Scene> read;  // none: a scene of friction laws
   ident::start_together(*team, [&] {
-    read = ident::read_scene(arguments.scene);
+    text = scene::read_text(arguments.scene);
+    if (laws::is_law_scene(text, arguments.scene)) return;
+    read = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, *read);
   });
+  if (!read) return team->rank() > 0 ? ExitCode::done : solve_law_scene(arguments, text, out);
   const ident::Scene& scene = *read;
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene, *team); });
   std::optional<ident::FrfEntry> entry;

@@ -1,6 +1,6 @@
 #include <cmath>
-#include <numbers>
 
+#include "base/complex.hpp"
 #include "base/error.hpp"
 #include "frf/uff/uff55.hpp"
 #include "frf/uff/uff_scan.hpp"
@@ -92,7 +92,7 @@ void take_constants(const std::vector<double>& reals, Uff55Mode& mode) {
   mode.eigenvalue = {at(0), at(1)};
   mode.modal_a = {at(2), at(3)};
   mode.modal_b = {at(4), at(5)};
-  mode.frequency_hz = std::abs(mode.eigenvalue) / (2.0 * std::numbers::pi);
+  mode.frequency_hz = hertz(std::abs(mode.eigenvalue));
   if (mode.frequency_hz > 0.0) mode.viscous_damping = -mode.eigenvalue.real() / std::abs(mode.eigenvalue);
 }
 

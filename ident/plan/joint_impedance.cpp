@@ -1,7 +1,7 @@
 #include "ident/plan/joint_impedance.hpp"
 
-#include <numbers>
 
+#include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "ident/plan/scaling.hpp"
 
@@ -9,7 +9,7 @@ namespace jointid::ident {
 
 JointImpedance::JointImpedance(const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
                                double omega)
-    : columns_(columns.at(omega / (2.0 * std::numbers::pi))) {
+    : columns_(columns.at(hertz(omega))) {
   const auto n = jointid::at(restriction.dofs.size());
   known_ = ComplexMatrix::Zero(n, n);
   for (const restrictions::MatrixTerms& matrix : restriction.matrices) {

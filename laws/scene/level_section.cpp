@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "laws/scene/sections.hpp"
 
@@ -36,7 +35,7 @@ std::vector<int> read_harmonics(const scene::Table& table) {
   if (!item) return {1};
   std::vector<int> numbers;
   for (const scene::Item& number : item->list_not_empty()) {
-    numbers.push_back(read_whole(number, 1, 100));
+    numbers.push_back(number.whole(1, 100));
     if (numbers.size() > 1 && numbers[numbers.size() - 2] >= numbers.back())
       number.fail("harmonics do not ascend", "give them in ascending order, none twice, with their files in the same order");
   }
@@ -82,15 +81,6 @@ ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::s
 }
 
 }  // namespace
-
-int read_whole(const scene::Item& item, int least, int most) {
-  const double number = item.number();
-  if (number != std::floor(number) || number < least || number > most) {
-    item.fail(scene::number_text(number) + " is not a whole number from " + std::to_string(least) + " to " +
-              std::to_string(most));
-  }
-  return static_cast<int>(number);
-}
 
 void read_levels(const scene::Item& item, const ident::Path& folder, LawScene& scene, std::vector<std::string>& names) {
   for (const scene::Item& level : item.list_not_empty()) {

@@ -32,7 +32,7 @@ void read_model(const scene::Item& item, LawScene& scene) {
   if (const auto responses = table.find("responses")) scene.responses = responses->dofs();
   const auto harmonics = table.find("harmonics");
   if (!harmonics) return;
-  for (const scene::Item& number : harmonics->list_not_empty()) scene.harmonics.push_back(read_whole(number, 0, 200));
+  for (const scene::Item& number : harmonics->list_not_empty()) scene.harmonics.push_back(number.whole(0, 200));
   harmonics->here([&] { return response::Harmonics(scene.harmonics); });
 }
 

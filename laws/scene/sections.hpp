@@ -6,9 +6,6 @@
 
 namespace jointid::laws {
 
-/// A whole number between two others.
-int read_whole(const scene::Item& item, int least, int most);
-
 /// [[data.levels]]; `names` gets the files as written, in the order of level_files().
 void read_levels(const scene::Item& item, const ident::Path& folder, LawScene& scene, std::vector<std::string>& names);
 

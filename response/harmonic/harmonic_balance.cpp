@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/complex.hpp"
 #include "base/error.hpp"
 #include "response/harmonic/attempts.hpp"
 
@@ -138,7 +139,7 @@ HarmonicSolution HarmonicBalance::solve(double omega, double level, const Harmon
   if (!(omega > 0.0))
     fail("[frequency]", std::to_string(omega) + " rad/s is no frequency of a periodic force", "frequencies are above 0");
   if (!structure_->covers(omega)) {
-    fail("[frequency]", "the structure's FRFs have no line at " + std::to_string(omega / (2.0 * std::numbers::pi)) + " Hz",
+    fail("[frequency]", "the structure's FRFs have no line at " + std::to_string(hertz(omega)) + " Hz",
          "choose among the lines of the files");
   }
   if (!choice_.fixed.empty()) return solve_for(Harmonics(covered(choice_.fixed, omega)), omega, level, neighbour);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <string>
 
+#include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "response/structure/frf_variances.hpp"
@@ -131,7 +131,7 @@ std::vector<ReceptanceError> FrfReceptance::errors(double omega) const {
 }
 
 std::size_t FrfReceptance::nearest_line(double omega) const {
-  const double hz = omega / (2.0 * std::numbers::pi);
+  const double hz = hertz(omega);
   const auto above = std::ranges::lower_bound(frequency_hz_, hz);
   if (above == frequency_hz_.begin()) return 0;
   if (above == frequency_hz_.end()) return frequency_hz_.size() - 1;
@@ -143,7 +143,7 @@ double FrfReceptance::nearest(double omega) const { return angular(frequency_hz_
 
 bool FrfReceptance::covers(double omega) const {
   const std::size_t line = nearest_line(omega);
-  const double hz = omega / (2.0 * std::numbers::pi);
+  const double hz = hertz(omega);
   double spacing = std::numeric_limits<double>::infinity();
   if (line > 0) spacing = std::min(spacing, frequency_hz_[line] - frequency_hz_[line - 1]);
   if (line + 1 < frequency_hz_.size()) spacing = std::min(spacing, frequency_hz_[line + 1] - frequency_hz_[line]);
@@ -155,7 +155,7 @@ Eigen::MatrixXcd FrfReceptance::at(double omega) const {
   const std::size_t line = nearest_line(omega);
   throw InputError({.kind = ErrorKind::data,
                     .file = "",
-                    .place = std::to_string(omega / (2.0 * std::numbers::pi)) + " Hz",
+                    .place = std::to_string(hertz(omega)) + " Hz",
                     .problem = "the FRFs have no line there; the nearest is at " + std::to_string(frequency_hz_[line]) + " Hz",
                     .remedy = "choose lines whose multiples are lines, or regenerate the FRFs by `modalfit`"});
 }
