@@ -1,6 +1,5 @@
 #include "stability/exact_fit.hpp"
 
-#include <Eigen/QR>
 #include <boost/math/constants/constants.hpp>
 #include <limits>
 #include <memory>
@@ -170,11 +169,11 @@ class ExactProblem {
     std::vector<Real<Exact>> triangles;
     Real<Exact> rest = Real<Exact>::Zero(0, unknowns_ + 1);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      const Real<Exact> all = triangle_of(linearised(*lines_[i], theta, own_[i]));
+      const Real<Exact> all = exact_triangle(linearised(*lines_[i], theta, own_[i]));
       const Eigen::Index own = own_[i].size(), left = std::max<Eigen::Index>(0, all.rows() - own);
       Real<Exact> stacked(rest.rows() + left, unknowns_ + 1);
       stacked << rest, all.bottomRightCorner(left, unknowns_ + 1);
-      rest = triangle_of(stacked);
+      rest = exact_triangle(stacked);
       triangles.push_back(all.topRows(own));
     }
     r_ = rest.topLeftCorner(unknowns_, unknowns_);
@@ -207,11 +206,6 @@ class ExactProblem {
   }
 
  private:
-  static Real<Exact> triangle_of(const Real<Exact>& rows) {
-    const Eigen::HouseholderQR<Real<Exact>> qr(rows);
-    return qr.matrixQR().topRows(std::min(rows.rows(), rows.cols())).triangularView<Eigen::Upper>();
-  }
-
   std::vector<std::unique_ptr<ExactLine>> lines_;
   std::vector<Vector> own_;  ///< X and Y of every line
   Eigen::Index unknowns_;

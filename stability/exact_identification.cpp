@@ -1,6 +1,5 @@
 #include "stability/exact_identification.hpp"
 
-#include <Eigen/QR>
 #include <boost/math/constants/constants.hpp>
 #include <limits>
 
@@ -212,11 +211,9 @@ class Stack {
   }
 
   void reduce() {
-    const Eigen::HouseholderQR<Real<Scalar>> qr(rows_.topRows(filled_));
-    const Eigen::Index size = std::min(filled_, rows_.cols());
-    const Real<Scalar> r = qr.matrixQR().topRows(size).template triangularView<Eigen::Upper>();
-    rows_.topRows(size) = r;
-    filled_ = size;
+    const Real<Scalar> r = exact_triangle(Real<Scalar>(rows_.topRows(filled_)));
+    filled_ = r.rows();
+    rows_.topRows(filled_) = r;
   }
 
   const ident::Plan& plan_;

@@ -21,16 +21,20 @@ struct Pair {
   Pair(Eigen::Index rows, Eigen::Index columns) : re(Real<Scalar>::Zero(rows, columns)), im(re) {}
   Pair(Real<Scalar> real, Real<Scalar> imaginary) : re(std::move(real)), im(std::move(imaginary)) {}
 
-  Pair operator*(const Pair& other) const {
-    return {re * other.re - im * other.im, re * other.im + im * other.re};
-  }
-  Pair operator+(const Pair& other) const { return {re + other.re, im + other.im}; }
-  Pair operator-(const Pair& other) const { return {re - other.re, im - other.im}; }
-  Pair adjoint() const { return {re.transpose(), -im.transpose()}; }
+  Pair operator*(const Pair& other) const;
+  Pair operator+(const Pair& other) const;
+  Pair operator-(const Pair& other) const;
+  Pair adjoint() const;
 };
+extern template struct Pair<Exact>;
+extern template struct Pair<long double>;
 
 /// Z⁻¹F, from the real system [Re Z, −Im Z; Im Z, Re Z].
 Pair<Exact> solve_exactly(const Pair<Exact>& z, const Pair<Exact>& f);
 Pair<long double> solve_exactly(const Pair<long double>& z, const Pair<long double>& f);
+
+/// R of A = QR, min(rows, columns) × columns, by Householder reflections without pivoting.
+Real<Exact> exact_triangle(const Real<Exact>& a);
+Real<long double> exact_triangle(const Real<long double>& a);
 
 }  // namespace jointid::stability

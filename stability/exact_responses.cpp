@@ -12,16 +12,6 @@ namespace {
 
 using problems::Kind;
 
-template <class Scalar>
-Pair<Scalar> solve(const Pair<Scalar>& z, const Pair<Scalar>& f) {
-  const Eigen::Index n = z.re.rows();
-  Real<Scalar> whole(2 * n, 2 * n), right(2 * n, f.re.cols());
-  whole << z.re, Real<Scalar>(-z.im), z.im, z.re;
-  right << f.re, f.im;
-  const Real<Scalar> x = whole.partialPivLu().solve(right);
-  return {x.topRows(n), x.bottomRows(n)};
-}
-
 Real<Exact> matrix(const problems::Structure& structure, Kind kind) {
   const auto n = at(structure.size());
   return Eigen::Map<const RowMatrixXd>(structure.matrix(kind).data(), n, n).cast<Exact>();
@@ -34,9 +24,6 @@ double stored(const Exact& value, Storage storage) {
 }
 
 }  // namespace
-
-Pair<Exact> solve_exactly(const Pair<Exact>& z, const Pair<Exact>& f) { return solve(z, f); }
-Pair<long double> solve_exactly(const Pair<long double>& z, const Pair<long double>& f) { return solve(z, f); }
 
 frf::FrfSet exact_responses(const problems::Structure& structure, const std::vector<ExactSpring>& springs,
                             const problems::ResponseRequest& request, Storage storage) {
@@ -64,7 +51,7 @@ frf::FrfSet exact_responses(const problems::Structure& structure, const std::vec
   }
   for (const double frequency : request.frequency_hz) {
     const Exact omega = radian_frequency(frequency);
-    const Pair<Exact> motion = solve({k - Exact(omega * omega) * m, omega * c + d}, forces);
+    const Pair<Exact> motion = solve_exactly({k - Exact(omega * omega) * m, omega * c + d}, forces);
     for (const frf::Dof& dof : request.response) {
       const auto row = static_cast<Eigen::Index>(structure.index(dof));
       for (Eigen::Index column = 0; column < forces.re.cols(); ++column) {

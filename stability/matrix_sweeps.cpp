@@ -1,6 +1,5 @@
 #include "stability/matrix_sweeps.hpp"
 
-#include <Eigen/QR>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -41,8 +40,8 @@ ExactSolution solve_exactly(const Rows& rows) {
   for (Eigen::Index i = 0; i < m; ++i) {
     for (Eigen::Index j = 0; j <= n; ++j) e(i, j) = Exact(rows.high[static_cast<std::size_t>(i * (n + 1) + j)]);
   }
-  const Real<Exact> left = e.leftCols(n), right = e.col(n);
-  const Real<Exact> y = left.householderQr().solve(right);
+  const Real<Exact> left = e.leftCols(n), r = exact_triangle(e);
+  const Real<Exact> y = r.topLeftCorner(n, n).triangularView<Eigen::Upper>().solve(r.topRightCorner(n, 1));
   ExactSolution out;
   Eigen::MatrixXd unit(m, n);
   for (Eigen::Index j = 0; j < n; ++j) {
