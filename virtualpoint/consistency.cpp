@@ -53,16 +53,21 @@ double rigidity(const Transformation& sensors, const Transformation& impacts, co
   return share(explained.norm(), y.norm());
 }
 
-std::vector<std::size_t> channels(const Transformation& side, std::size_t all) { return side.any() ? side.channels : first_indices(all); }
+std::vector<std::size_t> channels(const Transformation& side, std::size_t all) {
+  return side.any() ? side.channels : first_indices(all);
+}
 
 }  // namespace
 
 Consistency consistency(frf::FrfSource& source, const VirtualPoint& point, std::span<const std::size_t> lines) {
   const frf::FrfHeader& header = source.header();
-  const Transformation sensors = transformation(point, Side::sensors, header), impacts = transformation(point, Side::impacts, header);
-  Consistency out{.file = header.file, .point = name(point), .frequency_hz = {}, .sensors = {}, .impacts = {}, .rigidity = {}, .wrong = {}};
+  const Transformation sensors = transformation(point, Side::sensors, header),
+                       impacts = transformation(point, Side::impacts, header);
+  Consistency out{
+      .file = header.file, .point = name(point), .frequency_hz = {}, .sensors = {}, .impacts = {}, .rigidity = {}, .wrong = {}};
   if (!sensors.any() && !impacts.any()) return out;
-  const std::vector<std::size_t> rows = channels(sensors, header.response.size()), columns = channels(impacts, header.reference.size());
+  const std::vector<std::size_t> rows = channels(sensors, header.response.size()),
+                                 columns = channels(impacts, header.reference.size());
   SideSums of_sensors(sensors), of_impacts(impacts);
   std::vector<MatrixXcd> kept;
   RowMatrixXc y(at(rows.size()), at(columns.size()));

@@ -11,8 +11,8 @@ namespace jointid::virtualpoint {
 
 /// How well the modes of a virtual point explain the FRFs of its sensors, or of its impacts, on some lines of a file: 1 is exact.
 /// With F = R T and the sum u = Y 1 over the impacts: specific of a sensor i, the mean over the lines of
-/// |u_i + ũ_i|²/(2|u_i|² + 2|ũ_i|²), ũ = F u; overall, ‖ũ‖/‖u‖ of every line. Impacts likewise with y = 1ᵀY, ỹ = y Fᵀ. Source: pyFBS,
-/// VPT.consistency, whose F of weighted impacts is the transpose of this one; without weights they are the same.
+/// |u_i + ũ_i|²/(2|u_i|² + 2|ũ_i|²), ũ = F u; overall, ‖ũ‖/‖u‖ of every line. Impacts likewise with y = 1ᵀY, ỹ = y Fᵀ. Source:
+/// pyFBS, VPT.consistency, whose F of weighted impacts is the transpose of this one; without weights they are the same.
 struct SideConsistency {
   std::vector<frf::Dof> dofs;
   std::vector<double> specific;  ///< [n]
@@ -24,9 +24,9 @@ struct SideConsistency {
 /// A channel whose FRFs are those of another direction.
 struct WrongDirection {
   Side side = Side::sensors;
-  frf::Dof dof;            ///< as the virtual point names it
+  frf::Dof dof;              ///< as the virtual point names it
   Vector stated{}, found{};  ///< unit vectors, of that DOF
-  double residual = 0.0;   ///< mean square of what the modes leave of the other channels, over that with this one: 0 to 1
+  double residual = 0.0;     ///< mean square of what the modes leave of the other channels, over that with this one: 0 to 1
 };
 
 /// What the FRFs of a file say of a virtual point.
@@ -38,8 +38,9 @@ struct Consistency {
   std::vector<WrongDirection> wrong;
 };
 
-/// Of `lines` of a source of measured FRFs; sums go over all references (responses) where the point has no impacts (sensors) there. Lines
-/// with an FRF that was not measured are left out. Reads a line at a time and keeps the FRFs of the channels. Throws as transformation().
+/// Of `lines` of a source of measured FRFs; sums go over all references (responses) where the point has no impacts (sensors)
+/// there. Lines with an FRF that was not measured are left out. Reads a line at a time and keeps the FRFs of the channels. Throws
+/// as transformation().
 Consistency consistency(frf::FrfSource& source, const VirtualPoint& point, std::span<const std::size_t> lines);
 
 }  // namespace jointid::virtualpoint

@@ -14,20 +14,29 @@ struct Place {
   Direction direction;
 };
 
-constexpr std::array<Place, 18> places = {{{frf::VirtualNode::rigid, Direction::x},       {frf::VirtualNode::rigid, Direction::y},
-                                           {frf::VirtualNode::rigid, Direction::z},       {frf::VirtualNode::rigid, Direction::rx},
-                                           {frf::VirtualNode::rigid, Direction::ry},      {frf::VirtualNode::rigid, Direction::rz},
-                                           {frf::VirtualNode::extension, Direction::x},   {frf::VirtualNode::extension, Direction::y},
-                                           {frf::VirtualNode::extension, Direction::z},   {frf::VirtualNode::extension, Direction::rx},
-                                           {frf::VirtualNode::extension, Direction::ry},  {frf::VirtualNode::extension, Direction::rz},
-                                           {frf::VirtualNode::skewing, Direction::x},     {frf::VirtualNode::skewing, Direction::rx},
-                                           {frf::VirtualNode::skewing, Direction::y},     {frf::VirtualNode::skewing, Direction::ry},
-                                           {frf::VirtualNode::skewing, Direction::z},     {frf::VirtualNode::skewing, Direction::rz}}};
+constexpr std::array<Place, 18> places = {{{frf::VirtualNode::rigid, Direction::x},
+                                           {frf::VirtualNode::rigid, Direction::y},
+                                           {frf::VirtualNode::rigid, Direction::z},
+                                           {frf::VirtualNode::rigid, Direction::rx},
+                                           {frf::VirtualNode::rigid, Direction::ry},
+                                           {frf::VirtualNode::rigid, Direction::rz},
+                                           {frf::VirtualNode::extension, Direction::x},
+                                           {frf::VirtualNode::extension, Direction::y},
+                                           {frf::VirtualNode::extension, Direction::z},
+                                           {frf::VirtualNode::extension, Direction::rx},
+                                           {frf::VirtualNode::extension, Direction::ry},
+                                           {frf::VirtualNode::extension, Direction::rz},
+                                           {frf::VirtualNode::skewing, Direction::x},
+                                           {frf::VirtualNode::skewing, Direction::rx},
+                                           {frf::VirtualNode::skewing, Direction::y},
+                                           {frf::VirtualNode::skewing, Direction::ry},
+                                           {frf::VirtualNode::skewing, Direction::z},
+                                           {frf::VirtualNode::skewing, Direction::rz}}};
 
 }  // namespace
 
 const std::vector<std::string>& mode_names() {
-  static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry",  "rz",  "ex",  "ey",  "ez",
+  static const std::vector<std::string> names = {"ux", "uy", "uz", "rx",  "ry",  "rz",  "ex",  "ey",  "ez",
                                                  "tx", "ty", "tz", "sxy", "sxz", "syz", "syx", "szx", "szy"};
   return names;
 }
@@ -42,10 +51,24 @@ std::vector<InterfaceMode> plane_modes(const std::string& plane) {
 
 Vector displacement(InterfaceMode mode, const Vector& r) {
   const auto [x, y, z] = r;
-  const std::array<Vector, 18> fields = {{{1, 0, 0},       {0, 1, 0},      {0, 0, 1},      {0, -z, y},     {z, 0, -x},      {-y, x, 0},
-                                          {x, 0, 0},       {0, y, 0},      {0, 0, z},      {0, -x * z, x * y}, {y * z, 0, -x * y},
-                                          {-y * z, x * z, 0}, {x * y, 0, 0}, {x * z, 0, 0}, {0, y * z, 0}, {0, x * y, 0},
-                                          {0, 0, x * z},   {0, 0, y * z}}};
+  const std::array<Vector, 18> fields = {{{1, 0, 0},
+                                          {0, 1, 0},
+                                          {0, 0, 1},
+                                          {0, -z, y},
+                                          {z, 0, -x},
+                                          {-y, x, 0},
+                                          {x, 0, 0},
+                                          {0, y, 0},
+                                          {0, 0, z},
+                                          {0, -x * z, x * y},
+                                          {y * z, 0, -x * y},
+                                          {-y * z, x * z, 0},
+                                          {x * y, 0, 0},
+                                          {x * z, 0, 0},
+                                          {0, y * z, 0},
+                                          {0, x * y, 0},
+                                          {0, 0, x * z},
+                                          {0, 0, y * z}}};
   return fields[static_cast<std::size_t>(mode)];
 }
 

@@ -21,7 +21,8 @@ MeasuredErrors::MeasuredErrors(frf::FrfSource& source, const std::optional<frf::
 
 void MeasuredErrors::find_mean_squares() {
   const frf::FrfHeader& header = source_.header();
-  const std::vector<std::size_t> responses = first_indices(header.response.size()), references = first_indices(header.reference.size());
+  const std::vector<std::size_t> responses = first_indices(header.response.size()),
+                                 references = first_indices(header.reference.size());
   mean_squares_.assign(header.entries(), 0.0);
   std::vector<double> counts(header.entries(), 0.0);
   std::vector<Complex> values(header.entries());

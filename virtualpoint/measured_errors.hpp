@@ -19,7 +19,8 @@ class MeasuredErrors {
   bool known() const { return origin_ != Origin::none; }
   bool by_law() const { return origin_ == Origin::law; }
 
-  /// Variances of real and imaginary part, as FrfSource::read_variance(). With a floor the first call reads the FRFs of all lines.
+  /// Variances of real and imaginary part, as FrfSource::read_variance(). With a floor the first call reads the FRFs of all
+  /// lines.
   void read_variance(const frf::Block& block, std::span<Complex> out);
 
   /// As FrfSource::read_covariance(); of a file without them the variances on the diagonal.

@@ -11,7 +11,8 @@ namespace {
 /// Throws InputError (data) where a channel is taken by a point before.
 void take(std::vector<bool>& taken, const frf::FrfHeader& header, const VirtualPoint& point, const Transformation& of) {
   for (std::size_t i = 0; i < of.channels.size(); ++i) {
-    if (taken[of.channels[i]]) fail(header, name(point), of.dofs[i].name() + " is in it twice, or in another virtual point", "name it once");
+    if (taken[of.channels[i]])
+      fail(header, name(point), of.dofs[i].name() + " is in it twice, or in another virtual point", "name it once");
     taken[of.channels[i]] = true;
   }
 }

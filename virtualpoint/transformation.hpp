@@ -13,8 +13,8 @@ namespace jointid::virtualpoint {
 enum class Side { sensors, impacts };
 
 /// The sensors or the impacts of a virtual point that a file has, and what they are of its coordinates q, its loads m.
-/// Sensors: u = R q + residual, q = T u, T = (RᵀWR)⁻¹RᵀW. Impacts: m = Rᵀf of forces f, f = Tᵀm. So that FRFs Y of the file become
-/// T_u Y T_fᵀ (van der Seijs et al. 2013; pyFBS, VPT, where the W of impacts is the inverse of this one).
+/// Sensors: u = R q + residual, q = T u, T = (RᵀWR)⁻¹RᵀW. Impacts: m = Rᵀf of forces f, f = Tᵀm. So that FRFs Y of the file
+/// become T_u Y T_fᵀ (van der Seijs et al. 2013; pyFBS, VPT, where the W of impacts is the inverse of this one).
 struct Transformation {
   std::vector<std::size_t> channels;  ///< [n] indices into the header's responses or references
   std::vector<frf::Dof> dofs;         ///< [n] of the channels, as the virtual point names them
@@ -36,8 +36,8 @@ Transformation transformation(const VirtualPoint& point, Side side, const frf::F
 /// T of rows R with weights W: (RᵀWR)⁻¹RᵀW; the columns of R are scaled to length 1 on the way.
 Eigen::MatrixXd weighted_inverse(const Eigen::MatrixXd& modes, const Eigen::VectorXd& weights);
 
-/// One row of R: what a channel at r (m, from the virtual point) with this direction sees of each mode; a rotational one turns by the
-/// rotation of the modes.
+/// One row of R: what a channel at r (m, from the virtual point) with this direction sees of each mode; a rotational one turns by
+/// the rotation of the modes.
 Eigen::RowVectorXd mode_row(const std::vector<InterfaceMode>& modes, const Vector& r, const Vector& direction, bool rotational);
 
 }  // namespace jointid::virtualpoint

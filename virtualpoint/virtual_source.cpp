@@ -21,9 +21,12 @@ struct Needed {
 
 class VirtualSource final : public frf::FrfSource {
  public:
-  VirtualSource(std::unique_ptr<FrfSource> source, Mixture responses, Mixture references, const std::optional<frf::NoiseModel>& noise,
-                const std::vector<std::string>& phrases)
-      : source_(std::move(source)), responses_(std::move(responses)), references_(std::move(references)), errors_(*source_, noise) {
+  VirtualSource(std::unique_ptr<FrfSource> source, Mixture responses, Mixture references,
+                const std::optional<frf::NoiseModel>& noise, const std::vector<std::string>& phrases)
+      : source_(std::move(source)),
+        responses_(std::move(responses)),
+        references_(std::move(references)),
+        errors_(*source_, noise) {
     header_ = source_->header();
     header_.response = responses_.dofs;
     header_.reference = references_.dofs;
@@ -97,7 +100,8 @@ class VirtualSource final : public frf::FrfSource {
             const Complex* of = measured.data() + (line * columns + c.channel) * rows * rows;
             for (const Share& r : response) {
               for (const Share& s : response) {
-                if (r.channel != s.channel) sum += c.factor * c.factor * r.factor * s.factor * of[r.channel * rows + s.channel].real();
+                if (r.channel != s.channel)
+                  sum += c.factor * c.factor * r.factor * s.factor * of[r.channel * rows + s.channel].real();
               }
             }
           }
@@ -182,7 +186,8 @@ std::unique_ptr<frf::FrfSource> virtual_source(std::unique_ptr<frf::FrfSource> s
     if (!text.empty()) phrases.push_back(std::move(text));
   }
   if (phrases.empty()) return source;
-  Mixture responses = mixture(source->header(), Side::sensors, points), references = mixture(source->header(), Side::impacts, points);
+  Mixture responses = mixture(source->header(), Side::sensors, points),
+          references = mixture(source->header(), Side::impacts, points);
   return std::make_unique<VirtualSource>(std::move(source), std::move(responses), std::move(references), noise, phrases);
 }
 

@@ -4,8 +4,8 @@
 
 namespace jointid::frf {
 
-/// Nodes that are no points of a structure: coordinates of a whole interface (folder virtualpoint). Their numbers are below 0, where no
-/// measured node is, and their names VP1 (rigid motion), VP1E (extensions and torsions), VP1S (skewings).
+/// Nodes that are no points of a structure: coordinates of a whole interface (folder virtualpoint). Their numbers are below 0,
+/// where no measured node is, and their names VP1 (rigid motion), VP1E (extensions and torsions), VP1S (skewings).
 enum class VirtualNode : std::uint8_t { rigid, extension, skewing };
 
 inline constexpr std::int64_t largest_virtual_point = 999'999;

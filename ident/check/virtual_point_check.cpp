@@ -11,11 +11,6 @@
 namespace jointid::ident {
 namespace {
 
-using virtualpoint::Consistency;
-using virtualpoint::Side;
-using virtualpoint::Vector;
-using virtualpoint::WrongDirection;
-
 constexpr std::size_t most_lines = 400;
 
 std::vector<std::size_t> lines_of(const Scene& scene, const std::vector<double>& frequency_hz) {
@@ -38,9 +33,9 @@ DataFile without_virtual_points(DataFile file) {
 }
 
 /// Numbers of which those next to 0 and ±1 are these; of a direction near an axis.
-Vector rounded(const Vector& direction) {
+virtualpoint::Vector rounded(const virtualpoint::Vector& direction) {
   constexpr double near = 0.03;
-  Vector out{};
+  virtualpoint::Vector out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double whole = std::round(direction[i]);
     if (std::abs(direction[i] - whole) > near) return direction;
@@ -49,7 +44,7 @@ Vector rounded(const Vector& direction) {
   return out;
 }
 
-std::string vector_text(const Vector& v) {
+std::string vector_text(const virtualpoint::Vector& v) {
   const auto number = [](double x) {
     const double shown = std::round(x * 1e4) / 1e4;
     return shown == std::round(shown) ? fmt::format("{:.1f}", shown + 0.0) : fmt::format("{:g}", shown);
@@ -57,27 +52,34 @@ std::string vector_text(const Vector& v) {
   return "[" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + "]";
 }
 
-bool is_opposite(const WrongDirection& wrong) {
+bool is_opposite(const virtualpoint::WrongDirection& wrong) {
   constexpr double cosine = -0.996;  // 5 degrees
   return wrong.stated[0] * wrong.found[0] + wrong.stated[1] * wrong.found[1] + wrong.stated[2] * wrong.found[2] < cosine;
 }
 
 std::string file_name(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-Suspect suspect_of(const Consistency& point, const WrongDirection& wrong) {
-  const bool sensor = wrong.side == Side::sensors;
+Suspect suspect_of(const virtualpoint::Consistency& point, const virtualpoint::WrongDirection& wrong) {
+  const bool sensor = wrong.side == virtualpoint::Side::sensors;
   const std::string dof = wrong.dof.name();
-  const Vector found = rounded(wrong.found);
-  Suspect out{.kind = SuspectKind::direction, .file = point.file, .dofs = {wrong.dof}, .evidence = {}, .confidence = 1.0 - wrong.residual, .remedy = {}};
-  out.evidence = fmt::format("{}: without {} the other {} agree with the motion of {} {} times as well (residual); its FRFs are those of the "
-                             "direction {}, not of {}",
-                             point.point, dof, sensor ? "sensors" : "impacts", point.point, digits(1.0 / std::sqrt(wrong.residual)),
-                             vector_text(found), vector_text(wrong.stated));
+  const virtualpoint::Vector found = rounded(wrong.found);
+  Suspect out{.kind = SuspectKind::direction,
+              .file = point.file,
+              .dofs = {wrong.dof},
+              .evidence = {},
+              .confidence = 1.0 - wrong.residual,
+              .remedy = {}};
+  out.evidence = fmt::format(
+      "{}: without {} the other {} agree with the motion of {} {} times as well (residual); its FRFs are those of the "
+      "direction {}, not of {}",
+      point.point, dof, sensor ? "sensors" : "impacts", point.point, digits(1.0 / std::sqrt(wrong.residual)), vector_text(found),
+      vector_text(wrong.stated));
   if (is_opposite(wrong)) {
-    out.remedy = "[data.files.\"" + file_name(point.file) + "\"]\n" + (sensor ? "flip" : "flip_reference") + " = [\"" + dof + "\"]";
+    out.remedy =
+        "[data.files.\"" + file_name(point.file) + "\"]\n" + (sensor ? "flip" : "flip_reference") + " = [\"" + dof + "\"]";
   } else {
-    out.remedy = "[[virtual_points]]  # name = \"" + point.point + "\"\n" + (sensor ? "directions" : "impact_directions") + " = { \"" + dof +
-                 "\" = " + vector_text(found) + " }";
+    out.remedy = "[[virtual_points]]  # name = \"" + point.point + "\"\n" + (sensor ? "directions" : "impact_directions") +
+                 " = { \"" + dof + "\" = " + vector_text(found) + " }";
   }
   return out;
 }
@@ -93,9 +95,9 @@ void check_virtual_points(const Scene& scene, const Control& control, CheckResul
       const std::vector<std::size_t> lines = lines_of(scene, source->header().frequency_hz);
       for (const virtualpoint::VirtualPoint& point : file.virtual_points) {
         if (control.interrupted && control.interrupted()) return;
-        Consistency of = virtualpoint::consistency(*source, point, lines);
+        virtualpoint::Consistency of = virtualpoint::consistency(*source, point, lines);
         if (!of.sensors.any() && !of.impacts.any()) continue;
-        for (const WrongDirection& wrong : of.wrong) found.push_back(suspect_of(of, wrong));
+        for (const virtualpoint::WrongDirection& wrong : of.wrong) found.push_back(suspect_of(of, wrong));
         result.virtual_points.push_back(std::move(of));
       }
     }

@@ -6,9 +6,9 @@
 
 namespace jointid::ident {
 
-/// Adds to the result of a check how consistent the channels of the scene's virtual points are, in every file that has some, and as
-/// suspects those that point another way than stated. Reads at most 400 lines of the measured FRFs of these channels, evenly spread over
-/// the range of the scene.
+/// Adds to the result of a check how consistent the channels of the scene's virtual points are, in every file that has some, and
+/// as suspects those that point another way than stated. Reads at most 400 lines of the measured FRFs of these channels, evenly
+/// spread over the range of the scene.
 void check_virtual_points(const Scene& scene, const Control& control, CheckResult& result);
 
 }  // namespace jointid::ident

@@ -2,15 +2,17 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <random>
 
 #include "base/eigen.hpp"
-#include "virtualpoint/virtual_point.hpp"
 #include "frf/set/frf_set.hpp"
+#include "virtualpoint/virtual_point.hpp"
 
 namespace jointid::virtualpoint {
 
-/// A rigid interface by numbers drawn at random: triaxial sensors at four corners, impacts of all directions, and FRFs of its motion.
+/// A rigid interface by numbers drawn at random: triaxial sensors at four corners, impacts of all directions, and FRFs of its
+/// motion.
 struct Interface {
   static constexpr std::size_t lines = 5;
 
@@ -49,10 +51,13 @@ struct Interface {
     return out;
   }
 
+  /// Round the point, about 0.1 m from it.
   void place(std::int64_t node) {
-    frf::Node at{.id = node, .position = point.position};
-    for (double& x : at.position) x += 0.1 * number();
-    set.header.nodes.push_back(at);
+    const double turn = 2.4 * static_cast<double>(node);
+    const Vector from = {0.1 * std::cos(turn), 0.1 * std::sin(turn), node % 2 == 0 ? 0.05 : -0.05};
+    frf::Node there{.id = node, .position = point.position};
+    for (std::size_t k = 0; k < 3; ++k) there.position[k] += from[k] + 0.02 * number();
+    set.header.nodes.push_back(there);
   }
 
   Eigen::Vector3d lever(const frf::Dof& dof) const {

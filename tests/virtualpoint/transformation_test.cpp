@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "interface.hpp"
 #include "base/error.hpp"
+#include "interface.hpp"
 
 namespace jointid::virtualpoint {
 namespace {
@@ -63,12 +63,13 @@ TEST(Transformation, FlexibleModesAreRecovered) {
     const frf::Dof& dof = in.set.header.response[static_cast<std::size_t>(i)];
     const Eigen::Vector3d r = in.lever(dof);
     const Eigen::Vector3d x = q.head<3>() + q.segment<3>(3).cross(r) + q[6] * Eigen::Vector3d(r[0], 0.0, 0.0) +
-                              q[7] * Eigen::Vector3d(-r[1] * r[2], r[0] * r[2], 0.0) + q[8] * Eigen::Vector3d(r[0] * r[1], 0.0, 0.0);
+                              q[7] * Eigen::Vector3d(-r[1] * r[2], r[0] * r[2], 0.0) +
+                              q[8] * Eigen::Vector3d(r[0] * r[1], 0.0, 0.0);
     u[i] = x[static_cast<int>(dof.direction) - 1];
   }
   EXPECT_LT((of.to_virtual * u - q).norm(), 1e-11);
-  EXPECT_THAT(frf::names(dofs(in.point)),
-              testing::ElementsAre("VP1:+X", "VP1:+Y", "VP1:+Z", "VP1:+RX", "VP1:+RY", "VP1:+RZ", "VP1E:+X", "VP1E:+RZ", "VP1S:+X"));
+  EXPECT_THAT(frf::names(dofs(in.point)), testing::ElementsAre("VP1:+X", "VP1:+Y", "VP1:+Z", "VP1:+RX", "VP1:+RY", "VP1:+RZ",
+                                                               "VP1E:+X", "VP1E:+RZ", "VP1S:+X"));
 }
 
 TEST(Transformation, RotationalSensorsTellTheRotation) {
@@ -91,7 +92,8 @@ TEST(Transformation, NamesTheMotionThatIsNotSeen) {
   for (std::int64_t node = 1; node <= 4; ++node) {
     in.set.header.nodes[static_cast<std::size_t>(node - 1)].position = {0.1 * static_cast<double>(node), -0.2, 0.1};
   }
-  EXPECT_THAT(error_of([&] { transformation(in.point, Side::sensors, in.set.header); }), HasSubstr("VP1:+RX cannot be told apart"));
+  EXPECT_THAT(error_of([&] { transformation(in.point, Side::sensors, in.set.header); }),
+              HasSubstr("VP1:+RX cannot be told apart"));
 }
 
 TEST(Transformation, AsksForAPosition) {
