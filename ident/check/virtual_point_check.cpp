@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "ident/plan/data_source.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ident/plan/data_source.hpp"
 #include "ident/result/control.hpp"
 #include "ident/result/suspect.hpp"
-#include "ident/scene/scene.hpp"
 
 namespace jointid::ident {
 

@@ -73,12 +73,15 @@ TEST(Consistency, FindsASensorOfAnotherDirection) {
 TEST(Consistency, FindsASensorAndAnImpactOfTheWrongSign) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     Interface in(seed, 4, 18);
-    VirtualPoint wrong = in.point;
-    wrong.sensors[7].dof.sign *= -1;
+    VirtualPoint wrong = in.point;  // but for a sensor's cable
+    for (std::size_t line = 0; line < Interface::lines; ++line) {
+      for (std::size_t c = 0; c < 18; ++c) in.set.values[in.set.index(line, 7, c)] *= -1.0;
+    }
     for (double& number : *wrong.impacts[4].direction) number = -number;
     const Consistency out = of(noisy(in, seed), wrong);
     ASSERT_EQ(out.wrong.size(), 2U) << seed;
     EXPECT_EQ(out.wrong[0].dof, wrong.sensors[7].dof);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(out.wrong[0].found[k], -out.wrong[0].stated[k], 0.1) << seed;
     EXPECT_EQ(out.wrong[1].side, Side::impacts);
     EXPECT_EQ(out.wrong[1].dof, wrong.impacts[4].dof);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(out.wrong[1].found[k], -out.wrong[1].stated[k], 0.1) << seed;
