@@ -17,7 +17,7 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr BarSection bar = {.diameter = 0.04, .youngs_modulus = 2.1e11, .density = 7850.0};
-constexpr double loss_factor = 0.01, noise_level = 0.01;
+constexpr double flange_loss_factor = 0.01, noise_level = 0.01;
 constexpr double flange_mass = 2.0, flange_inertia = 3.0e-3;                           ///< kg, kg·m², of each rigid flange
 constexpr double sensor_radius = 0.045, impact_radius = 0.06, half_thickness = 0.012;  ///< m
 constexpr std::array<double, 6> joint_stiffness = {1.2e8, 1.4e8, 2.5e8, 3.0e5, 2.5e5, 1.5e5};  ///< N/m, N·m/rad
@@ -91,7 +91,7 @@ Structure structure_of(const Part& part) {
   for (const frf::Dof& dof : frame_dofs(part.frame.front().id)) {
     structure.add(Kind::mass, {dof, {}}, dof.is_rotation() ? flange_inertia : flange_mass);
   }
-  structure.add_proportional_damping(loss_factor);
+  structure.add_proportional_damping(flange_loss_factor);
   return structure;
 }
 
