@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
-#include "virtualpoint/direction_fit.hpp"
 #include "virtualpoint/mixture.hpp"
 
 namespace jointid::virtualpoint {

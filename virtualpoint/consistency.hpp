@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frf/set/frf_source.hpp"
+#include "virtualpoint/direction_fit.hpp"
 #include "virtualpoint/transformation.hpp"
 
 namespace jointid::virtualpoint {
@@ -19,14 +20,6 @@ struct SideConsistency {
   std::vector<double> overall;   ///< [lines]
 
   bool any() const { return !dofs.empty(); }
-};
-
-/// A channel whose FRFs are those of another direction.
-struct WrongDirection {
-  Side side = Side::sensors;
-  frf::Dof dof;              ///< as the virtual point names it
-  Vector stated{}, found{};  ///< unit vectors, of that DOF
-  double residual = 0.0;     ///< mean square of what the modes leave of the other channels, over that with this one: 0 to 1
 };
 
 /// What the FRFs of a file say of a virtual point.

@@ -3,9 +3,17 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "virtualpoint/consistency.hpp"
+#include "virtualpoint/transformation.hpp"
 
 namespace jointid::virtualpoint {
+
+/// A channel whose FRFs are those of another direction.
+struct WrongDirection {
+  Side side = Side::sensors;
+  frf::Dof dof;              ///< as the virtual point names it
+  Vector stated{}, found{};  ///< unit vectors, of that DOF
+  double residual = 0.0;     ///< mean square of what the modes leave of the other channels, over that with this one: 0 to 1
+};
 
 /// Channels whose FRFs the modes explain by another direction than the stated one. `y`: their FRFs line by line, channels are
 /// rows; every line counts alike. Channel i is doubted when the mean square residual of the fit to the others, Σ‖y − RTy‖²/(n −
