@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "problems/case/catalogue.hpp"
 #include "problems/case/coupling_problem.hpp"
+#include "problems/case/flange.hpp"
 #include "problems/case/modal_set.hpp"
 #include "problems/case/rig_two.hpp"
 
@@ -15,7 +16,9 @@ std::vector<ProblemInfo> list() {
 }
 
 Problem make(const std::string& name) {
+  if (is_flange(name)) return make_flange(name);
   std::vector<std::string> names;
+  for (const ProblemInfo& info : list_flanges()) names.push_back(info.name);
   for (const Case& definition : all_cases()) {
     if (definition.name == name) return build(definition);
     names.push_back(definition.name);

@@ -231,9 +231,15 @@ Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model) {
   };
 }
 
+/// Virtual points carry the law of [noise] from the measured FRFs.
+bool has_virtual_points(const ident::Scene& scene) {
+  const auto has = [](const ident::DataFile& file) { return !file.virtual_points.empty(); };
+  return std::ranges::any_of(scene.data.substructures, has) || std::ranges::any_of(scene.data.assembly, has);
+}
+
 /// With covariances in a file, and variances in all, trials draw their errors from these.
 bool draws_from_files(const ident::Scene& scene, const Sources& substructures, const Sources& assembly) {
-  if (scene.noise) return false;
+  if (scene.noise && !has_virtual_points(scene)) return false;
   bool any = false;
   for (const Sources* sources : {&substructures, &assembly}) {
     for (const auto& source : *sources) {

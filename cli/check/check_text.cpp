@@ -1,5 +1,10 @@
 #include "cli/check/check_text.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
 #include "cli/text/table.hpp"
 #include "cli/text/words.hpp"
 
@@ -27,11 +32,43 @@ std::string indented(const std::string& lines) {
   return text + "\n";
 }
 
+/// Mean over the lines, and the lowest with its frequency.
+std::string over_lines(const std::vector<double>& values, const std::vector<double>& frequency_hz) {
+  if (values.empty()) return "–";
+  const auto lowest = std::ranges::min_element(values);
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  return fmt::format("{:.3f}, lowest {:.3f} at {:g} Hz", mean, *lowest, frequency_hz[static_cast<std::size_t>(lowest - values.begin())]);
+}
+
+std::string lowest_channel(const virtualpoint::SideConsistency& side) {
+  const auto lowest = std::ranges::min_element(side.specific);
+  return fmt::format("{:.3f} {}", *lowest, side.dofs[static_cast<std::size_t>(lowest - side.specific.begin())].name());
+}
+
+/// How well the modes of virtual points explain the FRFs of their channels.
+std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& points) {
+  if (points.empty()) return {};
+  Table table({{"virtual point", Align::left},
+               {"file", Align::left},
+               {"", Align::left},
+               {"lowest of a channel", Align::left},
+               {"overall", Align::left},
+               {"rigidity", Align::left}});
+  for (const virtualpoint::Consistency& point : points) {
+    for (const auto& [side, word] : {std::pair(&point.sensors, "sensors"), std::pair(&point.impacts, "impacts")}) {
+      if (!side->any()) continue;
+      table.add({point.point, point.file, std::to_string(side->dofs.size()) + " " + word, lowest_channel(*side),
+                 over_lines(side->overall, point.frequency_hz), over_lines(point.rigidity, point.frequency_hz)});
+    }
+  }
+  return "\nconsistency of virtual points (1: the interface moves as its coordinates say)\n\n" + table.text();
+}
+
 }  // namespace
 
 std::string check_text(const ident::CheckResult& result) {
   std::string text = verdict_text(result);
-  if (result.suspects.empty()) return text;
+  if (result.suspects.empty()) return text + virtual_points_text(result.virtual_points);
   Table table(
       {{"", Align::right}, {"kind", Align::left}, {"file", Align::left}, {"DOFs", Align::left}, {"confidence", Align::right}});
   std::string details;
@@ -43,7 +80,7 @@ std::string check_text(const ident::CheckResult& result) {
     details += "\n" + number + ". " + suspect.evidence + "\n";
     details += suspect.remedy.empty() ? "   measure it again\n" : "   to mend it:\n" + indented(suspect.remedy);
   }
-  return text + "\n" + table.text() + details;
+  return text + "\n" + table.text() + details + virtual_points_text(result.virtual_points);
 }
 
 }  // namespace jointid::cli

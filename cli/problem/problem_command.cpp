@@ -11,6 +11,7 @@
 #include "cli/text/table.hpp"
 #include "ident/scene/method_traits.hpp"
 #include "problems/case/coupling_problem.hpp"
+#include "problems/case/flange.hpp"
 #include "problems/case/modal_set.hpp"
 #include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
@@ -48,6 +49,7 @@ ExitCode execute(const ProblemListArguments&, std::ostream& out) {
   Table table({{"name", Align::left}, {"what", Align::left}});
   for (const auto& problem : problems::list()) table.add({problem.name, problem.description});
   for (const auto& curve : problems::loading_curves()) table.add({curve.name, curve.description});
+  for (const auto& problem : problems::list_flanges()) table.add({problem.name, problem.description});
   for (const auto& problem : problems::list_coupling()) table.add({problem.name, problem.description});
   for (const auto& rig : problems::list_rig_two()) table.add({rig.name, rig.description});
   for (const auto& set : problems::list_modal_sets()) table.add({set.name, set.description});

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/temporary_file.hpp"
+#include "frf/set/virtual_node.hpp"
 #include "frf/uff/uff58_header.hpp"
 #include "frf/uff/uff_file.hpp"
 #include "frf/uff/uff_write_text.hpp"
@@ -44,6 +45,7 @@ class Writer {
         axis_(uff::written_axis(set.header.frequency_hz, options.binary)) {}
 
   void run() {
+    require_node_numbers();
     preamble();
     if (!set_.header.nodes.empty()) nodes();
     bool any = false;
@@ -59,6 +61,14 @@ class Writer {
   }
 
  private:
+  void require_node_numbers() const {
+    for (const auto* dofs : {&set_.header.response, &set_.header.reference}) {
+      for (const Dof& dof : *dofs) {
+        if (is_virtual(dof.node)) fail(file_, {}, dof.name() + " has no node number", "write virtual points to .h5 or .csv");
+      }
+    }
+  }
+
   void preamble() {
     out_ << "    -1\n   151\nFRF set\nNONE\njointid\nNONE\nNONE\njointid\nNONE\n    -1\n"
          << "    -1\n   164\n         1" << text_field("SI: Meter (newton)", 20) << "         2\n"

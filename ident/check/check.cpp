@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ident/check/inquiry.hpp"
+#include "ident/check/virtual_point_check.hpp"
 #include "ident/plan/couple_first.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/plan/line_choice.hpp"
@@ -49,12 +50,15 @@ CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> su
 }
 
 CheckResult check_scene(const Scene& scene, const Control& control) {
-  return check_systems(scene,
-                       std::make_shared<frf::FrfSystem>("substructures", open_all(scene.data.substructures),
-                                                        frf::Composition::uncoupled, scene.data.reciprocity),
-                       std::make_shared<frf::FrfSystem>("assembly", open_all(scene.data.assembly), frf::Composition::merged,
-                                                        scene.data.reciprocity),
-                       control);
+  CheckResult result =
+      check_systems(scene,
+                    std::make_shared<frf::FrfSystem>("substructures", open_all(scene.data.substructures), frf::Composition::uncoupled,
+                                                     scene.data.reciprocity),
+                    std::make_shared<frf::FrfSystem>("assembly", open_all(scene.data.assembly), frf::Composition::merged,
+                                                     scene.data.reciprocity),
+                    control);
+  check_virtual_points(scene, control, result);
+  return result;
 }
 
 }  // namespace jointid::ident

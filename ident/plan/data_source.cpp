@@ -2,12 +2,15 @@
 
 #include "frf/noise/repeats.hpp"
 #include "frf/set/corrections.hpp"
+#include "virtualpoint/virtual_source.hpp"
 
 namespace jointid::ident {
 namespace {
 
 std::unique_ptr<frf::FrfSource> open_run(const DataFile& file) {
-  return frf::corrected(frf::open(file.path, file.options), file.corrections);
+  auto source = frf::corrected(frf::open(file.path, file.options), file.corrections);
+  if (file.virtual_points.empty()) return source;
+  return virtualpoint::virtual_source(std::move(source), file.virtual_points, file.virtual_noise);
 }
 
 std::unique_ptr<frf::FrfSource> open(const DataFile& file) {

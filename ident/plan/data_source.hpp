@@ -8,8 +8,8 @@
 
 namespace jointid::ident {
 
-/// Opens the files of a system (headers only), with the corrections of the scene, repeats as their mean. Throws InputError as frf::open(),
-/// frf::corrected() and frf::mean_of_repeats().
+/// Opens the files of a system (headers only), with the corrections and virtual points of the scene, repeats as their mean. Throws
+/// InputError as frf::open(), frf::corrected(), virtualpoint::virtual_source() and frf::mean_of_repeats().
 std::vector<std::unique_ptr<frf::FrfSource>> open_all(const std::vector<DataFile>& files);
 
 }  // namespace jointid::ident

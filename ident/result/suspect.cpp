@@ -5,9 +5,9 @@
 namespace jointid::ident {
 
 std::string name(SuspectKind kind) {
-  static constexpr std::array<const char*, 17> names = {
+  static constexpr std::array<const char*, 18> names = {
       "sign", "swap", "label", "gain",  "unit",     "quantity",    "conjugate",      "delay",    "axis",
-      "mass", "dead", "copy",  "loose", "exchange", "not_passive", "not_reciprocal", "nonlinear"};
+      "mass", "dead", "copy",  "loose", "exchange", "not_passive", "not_reciprocal", "nonlinear", "direction"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frf/set/dof.hpp"
+#include "virtualpoint/consistency.hpp"
 
 namespace jointid::ident {
 
@@ -26,7 +27,8 @@ enum class SuspectKind : std::uint8_t {
   exchange,        ///< a file holds the FRFs of another
   not_passive,     ///< a driving point gives energy away
   not_reciprocal,  ///< H_ij and H_ji differ for no reason above
-  nonlinear        ///< the assembly does not follow from its parts by forces at the joint, for no reason above
+  nonlinear,       ///< the assembly does not follow from its parts by forces at the joint, for no reason above
+  direction        ///< a sensor or impact of a virtual point points another way than stated
 };
 
 /// "sign", "swap", …, as in JSON.
@@ -58,6 +60,7 @@ std::string name(Verdict verdict);
 struct CheckResult {
   Verdict verdict = Verdict::clean;
   std::vector<Suspect> suspects;
+  std::vector<virtualpoint::Consistency> virtual_points{};  ///< of every file and virtual point that it has channels of
 };
 
 }  // namespace jointid::ident

@@ -98,8 +98,9 @@ void read_couple(const scene::Item& item, CoupleScene& scene) {
   read_options(table, scene);
 }
 
-void read_parts(const scene::Item& item, const Path& folder, CoupleScene& scene) {
-  const DataSection data = read_parts_section(item, folder, scene.names);
+void read_parts(const scene::Table& table, const Path& folder, CoupleScene& scene) {
+  DataSection data = read_parts_section(table.require("data"), folder, scene.names);
+  read_virtual_points(table, folder, all_files(data));
   scene.parts = data.substructures;
   scene.reciprocity = data.reciprocity;
 }
@@ -117,11 +118,11 @@ CoupleScene parse_couple_scene(const std::string& text, const Path& file) {
   const scene::Value document = scene::parse_toml(text, file);
   const std::string file_name = file.string();
   const scene::Item root(document, file_name, {}, {});
-  const scene::Table table = root.table({"title", "data", "frequency", "couple", "noise"});
+  const scene::Table table = root.table({"title", "data", "frequency", "couple", "noise", "nodes", "virtual_points"});
   CoupleScene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();
-  read_parts(table.require("data"), file.parent_path(), scene);
+  read_parts(table, file.parent_path(), scene);
   if (const auto frequency = table.find("frequency")) {
     scene.frequency = read_frequency(*frequency);
     if (scene.frequency.exclude_resonances) frequency->fail("coupling leaves out no resonances", "remove exclude_resonances");

@@ -3,6 +3,7 @@
 #include "ident/scene/reduce_joints.hpp"
 #include "ident/scene/scene_sections.hpp"
 #include "scene/text.hpp"
+#include "ident/scene/scene_failure.hpp"
 #include "ident/scene/variance_origin.hpp"
 
 namespace jointid::ident {
@@ -12,7 +13,7 @@ Scene parse_scene(const std::string& text, const Path& file) {
   const std::string file_name = file.string();
   const scene::Item root(document, file_name, {}, {});
   const scene::Table table = root.table(
-      {"title", "data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth"});
+      {"title", "data", "frequency", "joint", "joints", "nodes", "identify", "noise", "truth", "virtual_points"});
   Scene scene;
   scene.file = file;
   if (const auto title = table.find("title")) scene.title = title->text();
@@ -22,6 +23,12 @@ Scene parse_scene(const std::string& text, const Path& file) {
   scene.identify.automatic = scene.identify.any_weighting = true;
   if (const auto identify = table.find("identify")) scene.identify = read_identify(*identify, scene.joints);
   if (const auto noise = table.find("noise")) scene.noise = read_noise(*noise);
+  read_virtual_points(table, file.parent_path(), all_files(scene.data));
+  set_virtual_noise(scene.noise, all_files(scene.data));
+  if (scene.identify.variance == VarianceChoice::noise && table.find("virtual_points")) {
+    fail(scene, "[identify] variance", "\"noise\" is the law of measured FRFs, not of those of virtual points",
+         "leave it out: [noise] is carried to them from FRFs whose files have no variances");
+  }
   if (scene.identify.variance == VarianceChoice::noise) require_noise_law(scene);
   if (const auto truth = table.find("truth")) scene.truth = read_matrices(*truth, joint_size(scene.joints));
   scene.couple_first.pairs = read_couple_first(table);

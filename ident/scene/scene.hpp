@@ -14,6 +14,7 @@
 #include "ident/scene/method_traits.hpp"
 #include "restrictions/joint_spec.hpp"
 #include "scene/value.hpp"
+#include "virtualpoint/virtual_point.hpp"
 #include "weighting/weighting.hpp"
 
 namespace jointid::ident {
@@ -28,6 +29,8 @@ struct DataFile {
   frf::OpenOptions options;
   std::vector<DataFile> repeats{};  ///< further runs of the same measurement
   frf::Corrections corrections{};   ///< of its FRFs
+  std::vector<virtualpoint::VirtualPoint> virtual_points{};  ///< whose coordinates take the place of its sensors and impacts there
+  std::optional<frf::NoiseModel> virtual_noise{};  ///< law of the FRFs that these take, where the file does not know it ([noise])
   std::optional<double> mass{};     ///< kg, of the structure, which hung free: what `check` holds its rigid-body lines against
 };
 

@@ -34,18 +34,6 @@ std::vector<DataFile> read_files(const scene::Item& list, const Path& folder, Na
   return files;
 }
 
-/// The files in the order of their names.
-std::vector<DataFile*> all_files(DataSection& data) {
-  std::vector<DataFile*> all;
-  for (auto* files : {&data.substructures, &data.assembly}) {
-    for (DataFile& file : *files) {
-      all.push_back(&file);
-      for (DataFile& run : file.repeats) all.push_back(&run);
-    }
-  }
-  return all;
-}
-
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
   keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable", "mass"});
@@ -91,6 +79,17 @@ void read_all_options(const scene::Item& item, const Names& names, const std::ve
 }
 
 }  // namespace
+
+std::vector<DataFile*> all_files(DataSection& data) {
+  std::vector<DataFile*> all;
+  for (auto* files : {&data.substructures, &data.assembly}) {
+    for (DataFile& file : *files) {
+      all.push_back(&file);
+      for (DataFile& run : file.repeats) all.push_back(&run);
+    }
+  }
+  return all;
+}
 
 DataSection read_data(const scene::Item& item, const Path& folder) {
   const scene::Table table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files"});

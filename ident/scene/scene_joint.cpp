@@ -21,22 +21,6 @@ std::int64_t read_node(const std::string& key, const scene::Item& item) {
   return node;
 }
 
-Positions read_nodes(const scene::Item& item) {
-  Positions positions;
-  const scene::Table table = item.open_table();
-  for (const auto& [key, value] : table.members()) {
-    const std::vector<scene::Item> coordinates = value.list();
-    if (coordinates.size() != 3) {
-      value.fail("a position has three coordinates, found " + std::to_string(coordinates.size()),
-                 "write [x, y, z] (m)");
-    }
-    const auto [place, is_new] = positions.try_emplace(read_node(key, value));
-    if (!is_new) value.fail("the node is here twice");
-    for (std::size_t i = 0; i < 3; ++i) place->second[i] = coordinates[i].number();
-  }
-  return positions;
-}
-
 std::vector<Range> read_bands(const scene::Item& item) {
   std::vector<Range> bands;
   for (const scene::Item& band : item.list_not_empty()) {
@@ -86,6 +70,22 @@ void check_together(const std::vector<JointSpec>& joints, const scene::Item& las
 }
 
 }  // namespace
+
+std::map<std::int64_t, std::array<double, 3>> read_nodes(const scene::Item& item) {
+  std::map<std::int64_t, std::array<double, 3>> positions;
+  const scene::Table table = item.open_table();
+  for (const auto& [key, value] : table.members()) {
+    const std::vector<scene::Item> coordinates = value.list();
+    if (coordinates.size() != 3) {
+      value.fail("a position has three coordinates, found " + std::to_string(coordinates.size()),
+                 "write [x, y, z] (m)");
+    }
+    const auto [place, is_new] = positions.try_emplace(read_node(key, value));
+    if (!is_new) value.fail("the node is here twice");
+    for (std::size_t i = 0; i < 3; ++i) place->second[i] = coordinates[i].number();
+  }
+  return positions;
+}
 
 std::vector<JointSpec> read_joints(const scene::Table& scene) {
   const auto joint = scene.find("joint");

@@ -30,6 +30,18 @@ FrequencySection read_frequency(const scene::Item& item);
 /// matrix's restriction. Pattern free without positions passes: the data files may have them.
 std::vector<restrictions::JointSpec> read_joints(const scene::Table& scene);
 
+/// [nodes]: positions by node number, m.
+std::map<std::int64_t, std::array<double, 3>> read_nodes(const scene::Item& item);
+
+/// [[virtual_points]] of the scene, with the positions of [nodes], into those of `files` that they are for, whose paths are in `folder`.
+void read_virtual_points(const scene::Table& scene, const Path& folder, const std::vector<DataFile*>& files);
+
+/// The files of a section, runs of repeats one by one.
+std::vector<DataFile*> all_files(DataSection& data);
+
+/// The law of [noise] of the FRFs that virtual points take, where it is one of single FRFs.
+void set_virtual_noise(const std::optional<NoiseSection>& noise, const std::vector<DataFile*>& files);
+
 /// couple_first of [joint] or all of [[joints]].
 std::vector<std::array<frf::Dof, 2>> read_couple_first(const scene::Table& scene);
 

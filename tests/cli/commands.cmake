@@ -219,3 +219,8 @@ command_test(stability_unwritable CODE 3 ERR "absent/a.html: cannot be written" 
 command_test(laws_written CODE 0 OUT "next: jointid solve" MAKES law_files ARGS problem write sdof-iwan law_files)
 command_test(laws_solved CODE 0 OUT "law: iwan.*initial stiffness.*friction limit.*status: ok" AFTER law_files ARGS solve law_files/sdof-iwan.toml)
 command_test(laws_plot CODE 2 ERR "there is no FRF of an assembly" AFTER law_files ARGS solve law_files/sdof-iwan.toml --plot 1:+Y/1:+Y)
+
+command_test(flange_written CODE 0 OUT "next: jointid solve" MAKES flange_files ARGS problem write flange-turned flange)
+command_test(flange_checked CODE 0 OUT "direction .*13:\\+Y.*to mend it:.*directions = .*consistency of virtual points.*12 sensors" AFTER flange_files
+  ARGS check flange/flange-turned.toml)
+command_test(flange_checked_json CODE 0 OUT "\"rigidity\"" AFTER flange_files ARGS check flange/flange-turned.toml --json -)
