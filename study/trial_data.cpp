@@ -292,7 +292,7 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
 }  // namespace
 
 std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
-  Sources substructures = open_all(scene.data.substructures), assembly = open_all(scene.data.assembly);
+  auto [substructures, assembly] = open_scene(scene);
   if (draws_from_files(scene, substructures, assembly)) {
     const auto data = prepare(scene, std::move(substructures), std::move(assembly), scene.data.regenerate.any(), true, recorded_pollution);
     declare_regeneration(*data);

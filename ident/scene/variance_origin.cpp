@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ident/scene/scene_failure.hpp"
+#include "models/model_source.hpp"
 #include "scene/reader.hpp"
 
 namespace jointid::ident {
@@ -61,6 +62,7 @@ std::string phrase(VarianceOrigin origin) {
 }
 
 VarianceOrigin variance_origin(const Scene& scene, const frf::FrfHeader& header) {
+  if (models::is_model(header)) return VarianceOrigin::variance;
   switch (scene.identify.variance) {
     case VarianceChoice::file:
       return of_file(header);

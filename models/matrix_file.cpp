@@ -1,4 +1,4 @@
-#include "response/structure/matrix_file.hpp"
+#include "models/matrix_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
 
-namespace jointid::response {
+namespace jointid::models {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -175,4 +175,4 @@ Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const s
   return m;
 }
 
-}  // namespace jointid::response
+}  // namespace jointid::models
