@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/eigen.hpp"
-#include "base/error.hpp"
 #include "frf/file/columns.hpp"
+#include "models/failure.hpp"
 
 namespace jointid::models {
 namespace {
@@ -20,15 +20,6 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr double most_rows = 20000.0;  ///< of full matrices
 constexpr double most_sparse_rows = 2000000.0;
 constexpr double symmetric_to = 1e-9;  ///< of the largest element
-
-[[noreturn]] void refuse_file(const std::filesystem::path& path, std::string place, std::string problem,
-                              std::string remedy = {}) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = path.string(),
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
 
 /// Reads a Matrix Market file line by line, comments left out.
 class MarketReader {

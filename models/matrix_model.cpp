@@ -43,7 +43,8 @@ bool chooses_sparse(const StructureMatrices& of) {
 }  // namespace
 
 MatrixModel::MatrixModel(StructureMatrices matrices, Factors factors)
-    : matrices_(std::move(matrices)), sparse_(factors == Factors::sparse || (factors == Factors::by_size && chooses_sparse(matrices_))) {
+    : matrices_(std::move(matrices)),
+      sparse_(factors == Factors::sparse || (factors == Factors::by_size && chooses_sparse(matrices_))) {
   const Eigen::Index n = matrices_.stiffness.rows();
   if (n == 0 || matrices_.mass.rows() == 0 || !fits(matrices_.mass, n) || !fits(matrices_.stiffness, n) ||
       !fits(matrices_.viscous_damping, n) || !fits(matrices_.hysteretic_damping, n)) {

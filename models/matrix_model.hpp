@@ -14,8 +14,8 @@ struct StructureMatrices {
   double loss_factor = 0.0;                                         ///< η ≥ 0
 };
 
-/// H = (K(1 + iη) + iD + iωC − ω²M)⁻¹, at each ω by one factorisation and a solution for each row or column asked for, whichever are
-/// fewer: H is symmetric. Matrices of few rows or many elements are factorised as full ones.
+/// H = (K(1 + iη) + iD + iωC − ω²M)⁻¹, at each ω by one factorisation and a solution for each row or column asked for, whichever
+/// are fewer: H is symmetric. Matrices of few rows or many elements are factorised as full ones.
 class MatrixModel final : public Model {
  public:
   enum class Factors { by_size, full, sparse };

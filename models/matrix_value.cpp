@@ -40,7 +40,8 @@ Sparse read_matrix_value(const scene::Item& item, const std::filesystem::path& f
     item.fail("the matrix has " + std::to_string(found.rows()) + " rows, the mass matrix " + std::to_string(size));
   }
   const Sparse transposed = found.transpose();
-  if ((found - transposed).norm() > 1e-9 * found.norm()) item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
+  if ((found - transposed).norm() > 1e-9 * found.norm())
+    item.fail("the matrix is not symmetric", "mass, damping and stiffness are");
   return found;
 }
 

@@ -18,8 +18,8 @@ Eigen::MatrixXcd rows_of(const Shapes& shapes, std::span<const std::size_t> rows
 
 Complex stiffness(const NormalMode& mode, double omega) {
   const double of_mode = mode.angular_frequency;
-  return mode.modal_mass *
-         Complex(of_mode * of_mode - omega * omega, of_mode * of_mode * mode.loss_factor + 2.0 * mode.damping_ratio * of_mode * omega);
+  return mode.modal_mass * Complex(of_mode * of_mode - omega * omega,
+                                   of_mode * of_mode * mode.loss_factor + 2.0 * mode.damping_ratio * of_mode * omega);
 }
 
 }  // namespace

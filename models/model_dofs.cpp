@@ -9,11 +9,11 @@
 #include <sstream>
 #include <string>
 
-#include "base/error.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/mat/mat_variable.hpp"
 #include "frf/set/frf_set.hpp"
 #include "frf/text/number_text.hpp"
+#include "models/failure.hpp"
 #include "models/matrix_value.hpp"
 
 namespace jointid::models {
@@ -22,14 +22,6 @@ namespace {
 using Path = std::filesystem::path;
 
 const std::string no_name = "-";
-
-[[noreturn]] void refuse(const Path& file, std::string place, std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = file.string(),
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
 
 /// A DOF and its row from 1; no row: the next one.
 struct Name {
@@ -48,7 +40,8 @@ std::vector<Name> names_in_text(const Path& file) {
     double row = 0.0;
     const bool has_row = parts.size() == 2;
     if (parts.size() > 2 || (has_row && !frf::parse_cell(parts[0], false, row))) {
-      refuse(file, "line " + std::to_string(number), "'" + line + "' is neither a DOF nor a row and a DOF", "write \"4:+Y\" or \"7 4:+Y\"");
+      refuse_file(file, "line " + std::to_string(number), "'" + line + "' is neither a DOF nor a row and a DOF",
+                  "write \"4:+Y\" or \"7 4:+Y\"");
     }
     names.push_back({parts.back(), has_row ? std::optional(row) : std::nullopt});
   }
@@ -58,8 +51,9 @@ std::vector<Name> names_in_text(const Path& file) {
 std::vector<Name> names_in_variable(frf::MatFile& file, const std::string& variable) {
   const auto found = std::ranges::find(file.variables(), variable, &frf::MatInfo::name);
   if (found == file.variables().end() || found->kind != frf::MatKind::text) {
-    refuse(file.file(), "variable " + variable, found == file.variables().end() ? "there is no such variable" : "it is not text",
-           "store a cell array or a dataset of texts such as '4:+Y', and name it: \"FILE:VARIABLE\"");
+    refuse_file(file.file(), "variable " + variable,
+                found == file.variables().end() ? "there is no such variable" : "it is not text",
+                "store a cell array or a dataset of texts such as '4:+Y', and name it: \"FILE:VARIABLE\"");
   }
   std::vector<Name> names;
   for (std::string text : file.read(*found).texts) {
@@ -72,7 +66,8 @@ std::vector<Name> names_in_variable(frf::MatFile& file, const std::string& varia
 std::vector<Name> names_in_file(const FileVariable& named) {
   const auto binary = frf::detect_binary_format(named.file);
   if (!binary) return names_in_text(named.file);
-  const auto file = *binary == frf::FileFormat::matlab_v5 ? frf::open_mat_variables_v5(named.file) : frf::open_mat_variables_v73(named.file);
+  const auto file =
+      *binary == frf::FileFormat::matlab_v5 ? frf::open_mat_variables_v5(named.file) : frf::open_mat_variables_v73(named.file);
   return names_in_variable(*file, named.variable.empty() ? "dofs" : named.variable);
 }
 
@@ -90,14 +85,15 @@ std::vector<Name> names_in_scene(const scene::Item& item) {
 std::size_t row_of(const Name& name, std::size_t next, std::size_t size) {
   const double row = name.row.value_or(static_cast<double>(next + 1));
   if (row >= 1.0 && row <= static_cast<double>(size) && row == std::floor(row)) return static_cast<std::size_t>(row) - 1;
-  refuse({}, {}, "'" + name.dof + "' is row " + scene::number_text(row) + ", the model has " + std::to_string(size), "rows are counted from 1");
+  refuse_file({}, {}, "'" + name.dof + "' is row " + scene::number_text(row) + ", the model has " + std::to_string(size),
+              "rows are counted from 1");
 }
 
 NamedCoordinates coordinates_of(const std::vector<Name>& names, std::size_t size) {
   const bool in_order = std::ranges::none_of(names, [](const Name& name) { return name.row.has_value(); });
   if (in_order && names.size() != size) {
-    refuse({}, {}, std::to_string(names.size()) + " names of " + std::to_string(size) + " coordinates",
-           "name every row, \"-\" where it needs no name, or give rows: { \"4:+Y\" = 7 }");
+    refuse_file({}, {}, std::to_string(names.size()) + " names of " + std::to_string(size) + " coordinates",
+                "name every row, \"-\" where it needs no name, or give rows: { \"4:+Y\" = 7 }");
   }
   NamedCoordinates out;
   std::set<std::size_t> rows;
@@ -105,12 +101,12 @@ NamedCoordinates coordinates_of(const std::vector<Name>& names, std::size_t size
     if (names[i].dof == no_name || names[i].dof.empty()) continue;
     const std::size_t row = row_of(names[i], i, size);
     const frf::Dof dof = frf::Dof::parse(names[i].dof);
-    if (frf::has(out.dofs, dof)) refuse({}, {}, "'" + names[i].dof + "' is named twice", "a coordinate has one name");
-    if (!rows.insert(row).second) refuse({}, {}, "row " + std::to_string(row + 1) + " has two names", "give one");
+    if (frf::has(out.dofs, dof)) refuse_file({}, {}, "'" + names[i].dof + "' is named twice", "a coordinate has one name");
+    if (!rows.insert(row).second) refuse_file({}, {}, "row " + std::to_string(row + 1) + " has two names", "give one");
     out.dofs.push_back(dof);
     out.coordinates.push_back(row);
   }
-  if (out.dofs.empty()) refuse({}, {}, "no coordinate has a name", "name those that the joint and the assembly have");
+  if (out.dofs.empty()) refuse_file({}, {}, "no coordinate has a name", "name those that the joint and the assembly have");
   return out;
 }
 

@@ -16,14 +16,17 @@ using Path = std::filesystem::path;
 /// What holds the structure: matrices, modes of a universal file, or modes in arrays. Each key begins one of them.
 constexpr std::array structure_keys = {"mass", "modes", "shapes"};
 /// Keys whose text names a file.
-constexpr std::array file_keys = {"mass", "stiffness", "viscous_damping", "hysteretic_damping", "modes", "shapes", "frequencies",
-                                  "modal_masses", "dofs"};
+constexpr std::array file_keys = {
+    "mass", "stiffness", "viscous_damping", "hysteretic_damping", "modes", "shapes", "frequencies", "modal_masses", "dofs"};
 
 /// Keeps what its tables refer to.
 class ModelFile {
  public:
   explicit ModelFile(const Path& file)
-      : file_(file), name_(file.string()), document_(scene::parse_toml(scene::read_text(file), file)), root_(document_, name_, {}, {}) {}
+      : file_(file),
+        name_(file.string()),
+        document_(scene::parse_toml(scene::read_text(file), file)),
+        root_(document_, name_, {}, {}) {}
 
   std::vector<Path> files() const {
     std::vector<Path> out;
@@ -57,8 +60,8 @@ class ModelFile {
   }
 
   NamedModel read_matrices() {
-    const scene::Table table = root_.table(
-        {"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs", "keep", "noise"});
+    const scene::Table table =
+        root_.table({"mass", "stiffness", "viscous_damping", "hysteretic_damping", "loss_factor", "dofs", "keep", "noise"});
     StructureMatrices matrices;
     matrices.mass = read_matrix_value(table.require("mass"), folder(), 0);
     const Eigen::Index n = matrices.mass.rows();
@@ -102,10 +105,12 @@ class ModelFile {
   }
 
   /// `all`: the coordinates of a file that names them.
-  NamedModel named(const scene::Table& table, std::unique_ptr<Model> model, NamedCoordinates all, std::vector<frf::Node> nodes) const {
+  NamedModel named(const scene::Table& table, std::unique_ptr<Model> model, NamedCoordinates all,
+                   std::vector<frf::Node> nodes) const {
     if (all.dofs.empty()) all = read_model_dofs(table.require("dofs"), folder(), model->size());
     if (const auto keep = table.find("keep")) all = select(*keep, all, keep->dofs());
-    NamedModel out{.file = name_, .model = std::move(model), .coordinates = std::move(all), .noise = 0.0, .nodes = std::move(nodes)};
+    NamedModel out{
+        .file = name_, .model = std::move(model), .coordinates = std::move(all), .noise = 0.0, .nodes = std::move(nodes)};
     if (const auto noise = table.find("noise")) {
       out.noise = noise->not_negative();
       if (!(out.noise < 1.0)) noise->fail(scene::number_text(out.noise) + " is not below 1", "it is relative: 0.01 is 1 %");

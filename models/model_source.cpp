@@ -19,8 +19,9 @@ std::vector<std::size_t> picked(const std::vector<std::size_t>& from, std::span<
 
 [[noreturn]] void fail_infinite(const frf::FrfHeader& header, double frequency_hz) {
   frf::fail(header, scene::number_text(frequency_hz) + " Hz", "the receptance of the model is infinite",
-            frequency_hz == 0.0 ? "a structure that is free to move has none at 0 Hz: leave it out by [frequency] range"
-                                : "an undamped resonance, or a coordinate without mass and stiffness: give damping, or leave the line out");
+            frequency_hz == 0.0
+                ? "a structure that is free to move has none at 0 Hz: leave it out by [frequency] range"
+                : "an undamped resonance, or a coordinate without mass and stiffness: give damping, or leave the line out");
 }
 
 }  // namespace
