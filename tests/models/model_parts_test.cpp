@@ -34,8 +34,8 @@ class ModelParts : public testing::Test {
   }
 
   void describe(const std::string& name, const std::string& more) const {
-    models::write_text(folder_ / name, "mass = \"m.mtx\"\nstiffness = \"k.mtx\"\nloss_factor = 0.001\n" + more + "dofs = " +
-                                           models::dof_list(problems::substructure_b().dofs()) + "\n");
+    models::write_text(folder_ / name, "mass = \"m.mtx\"\nstiffness = \"k.mtx\"\nloss_factor = 0.001\n" + more +
+                                           "dofs = " + models::dof_list(problems::substructure_b().dofs()) + "\n");
   }
 
   /// The text of the scene of A1, which is written.
@@ -108,9 +108,7 @@ TEST_F(ModelParts, WithMeasuredOnesIdentifyTheJoint) {
   EXPECT_EQ(stiffnesses, 10u);
 }
 
-TEST_F(ModelParts, AreCheckedBesideMeasuredOnes) {
-  EXPECT_TRUE(check_scene(read(hybrid(a1(false))), {}).suspects.empty());
-}
+TEST_F(ModelParts, AreCheckedBesideMeasuredOnes) { EXPECT_TRUE(check_scene(read(hybrid(a1(false))), {}).suspects.empty()); }
 
 TEST_F(ModelParts, AloneHaveTheLinesOfTheOtherSystem) {
   describe("only.toml", "");
@@ -147,7 +145,8 @@ TEST_F(ModelParts, TakeCorrectionsAndNoKeysOfMeasurements) {
   EXPECT_EQ(renamed.header.response[4].name(), "9:+Y");
   EXPECT_NEAR(renamed.header.frequency_hz[3], plain.header.frequency_hz[3], 1e-9);
   EXPECT_THROW(frf("quantity = \"mobility\""), InputError);
-  EXPECT_THROW(open_scene(read(replaced(a1(true), "\"A1_substructure_2.h5\"", "[\"A1_substructure_2.h5\", \"b.toml\"]"))), InputError);
+  EXPECT_THROW(open_scene(read(replaced(a1(true), "\"A1_substructure_2.h5\"", "[\"A1_substructure_2.h5\", \"b.toml\"]"))),
+               InputError);
 }
 
 TEST_F(ModelParts, TellWhichFilesTheyRead) {
@@ -159,8 +158,9 @@ TEST_F(ModelParts, TellWhichFilesTheyRead) {
 TEST_F(ModelParts, AreCoupled) {
   a1(true);
   const auto result = [&](const std::string& part) {
-    const std::string text = "[data]\nparts = [\"A1_substructure_1.h5\", \"" + part +
-                             "\"]\n[couple]\njoin = [[\"4:+Y\", \"5:+Y\"], [\"4:+RZ\", \"5:+RZ\"]]\nkeep = [\"1:+Y\", \"7:+Y\"]\n";
+    const std::string text =
+        "[data]\nparts = [\"A1_substructure_1.h5\", \"" + part +
+        "\"]\n[couple]\njoin = [[\"4:+Y\", \"5:+Y\"], [\"4:+RZ\", \"5:+RZ\"]]\nkeep = [\"1:+Y\", \"7:+Y\"]\n";
     couple(parse_couple_scene(text, folder_ / "couple.toml"), folder_ / "out.h5", false, {});
     return frf::load(*frf::open_hdf5(folder_ / "out.h5"));
   };
@@ -181,9 +181,13 @@ TEST_F(ModelParts, AreDrawnByTheirOwnNoiseInStudies) {
   const auto [measured, exact] = trial("b.toml");
   const auto [same, noisy] = trial("noisy.toml");
   EXPECT_EQ(measured, same);
-  double squares = 0.0;
-  for (std::size_t i = 0; i < noisy.size(); ++i) squares += std::norm(noisy[i] / exact[i] - 1.0);
-  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(noisy.size())), 0.01, 0.001);
+  double squares = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    if (exact[i] == Complex(0.0)) continue;  // by symmetry, at the middle of the part
+    squares += std::norm(noisy[i] / exact[i] - 1.0);
+    count += 1.0;
+  }
+  EXPECT_NEAR(std::sqrt(squares / count), 0.01, 0.001);
 }
 
 }  // namespace
