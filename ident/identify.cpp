@@ -77,15 +77,14 @@ void check_briefly(Plan& plan, const Control& control, Solution& out) {
 
 std::unique_ptr<Plan> make_plan(const Scene& scene) {
   std::vector<ModalRegeneration> regenerated;
-  const auto open_system = [&](const char* name, const std::vector<DataFile>& files, frf::Composition composition,
-                               bool by_modes) {
-    auto sources = open_all(files);
+  OpenedScene opened = open_scene(scene);
+  const auto system_of = [&](const char* name, Sources sources, frf::Composition composition, bool by_modes) {
     if (by_modes) sources = regenerate_sources(std::move(sources), composition == frf::Composition::merged, scene, regenerated);
     return std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, scene.data.reciprocity);
   };
   const Regeneration chosen = scene.data.regenerate;
-  auto substructures = open_system("substructures", scene.data.substructures, frf::Composition::uncoupled, chosen.substructures);
-  auto assembly = open_system("assembly", scene.data.assembly, frf::Composition::merged, chosen.assembly);
+  auto substructures = system_of("substructures", std::move(opened.substructures), frf::Composition::uncoupled, chosen.substructures);
+  auto assembly = system_of("assembly", std::move(opened.assembly), frf::Composition::merged, chosen.assembly);
   auto plan = make_plan(scene, std::move(substructures), std::move(assembly));
   for (const ModalRegeneration& each : regenerated) plan->notes.push_back(note(each));
   plan->regenerated = std::move(regenerated);

@@ -10,6 +10,7 @@
 #include "ident/plan/data_source.hpp"
 #include "ident/plan/true_values.hpp"
 #include "ident/result/quality.hpp"
+#include "models/model_source.hpp"
 #include "study/recorded_noise.hpp"
 #include "study/trial_noise.hpp"
 #include "study/trial_regeneration.hpp"
@@ -201,7 +202,7 @@ frf::NoiseModel noise_of(const ident::Scene& scene, const Sources& substructures
   for (const Sources* sources : {&substructures, &assembly}) {
     for (const auto& source : *sources) {
       const frf::FrfHeader& header = source->header();
-      if (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0) continue;
+      if (models::is_model(header) || (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0)) continue;
       fail(scene, "it is missing, and " + header.file + " has no coherence with its number of averages",
            "add [noise] with model and level, or give variances and covariances in all files (`jointid frf`)");
     }
@@ -209,19 +210,34 @@ frf::NoiseModel noise_of(const ident::Scene& scene, const Sources& substructures
   return {.kind = frf::NoiseKind::hammer};
 }
 
-/// The averages behind the coherences of a set are known better there than in the model.
-frf::Polluter polluter(const frf::Excerpt& excerpt, frf::NoiseModel model) {
-  const frf::FrfHeader& header = excerpt.set.header;
-  if (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0) {
-    model.averages = static_cast<int>(header.averages);
+/// Draws the errors of a set: a model's by its own noise, others' by a noise model.
+class SetPollution {
+ public:
+  SetPollution(const frf::Excerpt& excerpt, frf::NoiseModel model) {
+    const frf::FrfHeader& header = excerpt.set.header;
+    if (models::is_model(header)) {
+      recorded_.emplace(excerpt);
+      return;
+    }
+    // The averages behind the coherences of a set are known better there than in the model.
+    if (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0) model.averages = static_cast<int>(header.averages);
+    law_.emplace(excerpt, model);
   }
-  return frf::Polluter(excerpt, model);
-}
+
+  void pollute(frf::FrfSet& set, const RandomStream& stream) {
+    if (law_) law_->pollute(set, stream);
+    if (recorded_) recorded_->pollute(set, stream);
+  }
+
+ private:
+  std::optional<frf::Polluter> law_;
+  std::optional<RecordedNoise> recorded_;
+};
 
 Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model) {
-  std::vector<frf::Polluter> substructures, assembly;
-  for (const frf::Excerpt& excerpt : excerpts.substructures) substructures.push_back(polluter(excerpt, model));
-  for (const frf::Excerpt& excerpt : excerpts.assembly) assembly.push_back(polluter(excerpt, model));
+  std::vector<SetPollution> substructures, assembly;
+  for (const frf::Excerpt& excerpt : excerpts.substructures) substructures.emplace_back(excerpt, model);
+  for (const frf::Excerpt& excerpt : excerpts.assembly) assembly.emplace_back(excerpt, model);
   return [substructures, assembly](std::uint64_t seed, std::uint64_t trial, Measurements& data) mutable {
     std::uint64_t set = 0;
     for (std::size_t i = 0; i < substructures.size(); ++i) {
@@ -277,7 +293,8 @@ std::string unused_noise(const ident::Scene& scene, const Sources& substructures
     for (const auto& source : *sources) {
       const frf::NoiseRecord record = source->header().noise;
       const bool hammer = scene.noise && scene.noise->frf_model.kind == frf::NoiseKind::hammer;  // takes the coherences of the files
-      if (record == frf::NoiseRecord::none || (record == frf::NoiseRecord::coherence && hammer)) continue;
+      const bool used = models::is_model(source->header()) || (record == frf::NoiseRecord::coherence && hammer);
+      if (used || record == frf::NoiseRecord::none) continue;
       files += (files.empty() ? "" : ", ") + source->header().file;
     }
   }
@@ -298,7 +315,7 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
 }  // namespace
 
 std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
-  Sources substructures = open_all(scene.data.substructures), assembly = open_all(scene.data.assembly);
+  auto [substructures, assembly] = open_scene(scene);
   if (draws_from_files(scene, substructures, assembly)) {
     const auto data = prepare(scene, std::move(substructures), std::move(assembly), scene.data.regenerate.any(), true, recorded_pollution);
     declare_regeneration(*data);

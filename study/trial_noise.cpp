@@ -1,9 +1,12 @@
 #include "study/trial_noise.hpp"
 
+#include "models/model_source.hpp"
+
 namespace jointid::study {
 namespace {
 
 void declare(const frf::NoiseModel& model, frf::FrfSet& set) {
+  if (models::is_model(set.header)) return;
   set.variance.clear();
   set.header.repeats = 0;
   if (model.kind == frf::NoiseKind::hammer) {

@@ -50,11 +50,12 @@ CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> su
 }
 
 CheckResult check_scene(const Scene& scene, const Control& control) {
+  OpenedScene opened = open_scene(scene);
   CheckResult result =
       check_systems(scene,
-                    std::make_shared<frf::FrfSystem>("substructures", open_all(scene.data.substructures), frf::Composition::uncoupled,
+                    std::make_shared<frf::FrfSystem>("substructures", std::move(opened.substructures), frf::Composition::uncoupled,
                                                      scene.data.reciprocity),
-                    std::make_shared<frf::FrfSystem>("assembly", open_all(scene.data.assembly), frf::Composition::merged,
+                    std::make_shared<frf::FrfSystem>("assembly", std::move(opened.assembly), frf::Composition::merged,
                                                      scene.data.reciprocity),
                     control);
   check_virtual_points(scene, control, result);

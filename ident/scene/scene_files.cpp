@@ -1,5 +1,7 @@
 #include "ident/scene/scene_files.hpp"
 
+#include "models/model_file.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -10,6 +12,9 @@ std::vector<NamedFile> scene_alone(const Path& scene) {
 
 void add_file(const DataFile& file, const std::string& place, std::vector<NamedFile>& to) {
   to.push_back({file.path, place});
+  if (models::is_model_file(file.path)) {
+    for (const Path& named : models::files_of_model(file.path)) to.push_back({named, place + ", " + file.path.filename().string()});
+  }
   for (const DataFile& run : file.repeats) add_file(run, place, to);
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "ident/scene/scene_failure.hpp"
+#include "models/model_source.hpp"
 #include "scene/reader.hpp"
 
 namespace jointid::ident {
@@ -56,11 +57,12 @@ void require_noise_law(const Scene& scene) {
 std::string phrase(VarianceOrigin origin) {
   constexpr std::array phrases = {"variances in the file", "scatter of repeated runs",
                                   "coherences and averages of the file", "the law of [noise]",
-                                  "estimated from the scatter of the data"};
+                                  "estimated from the scatter of the data", "a model, as exact as it says"};
   return phrases[static_cast<std::size_t>(origin)];
 }
 
 VarianceOrigin variance_origin(const Scene& scene, const frf::FrfHeader& header) {
+  if (models::is_model(header)) return VarianceOrigin::model;
   switch (scene.identify.variance) {
     case VarianceChoice::file:
       return of_file(header);

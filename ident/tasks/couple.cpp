@@ -15,9 +15,12 @@ namespace {
 
 std::vector<coupling::Part> open_parts(const CoupleScene& scene) {
   std::vector<coupling::Part> parts;
-  for (std::size_t i = 0; i < scene.parts.size(); ++i) {
-    parts.push_back({scene.names[i], std::make_shared<frf::FrfSystem>(scene.names[i], open_all({scene.parts[i]}),
-                                                                      frf::Composition::merged, scene.reciprocity)});
+  Sources sources = std::move(open_systems({scene.parts}, scene.frequency, scene.file).front());
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    Sources own;
+    own.push_back(std::move(sources[i]));
+    parts.push_back({scene.names[i], std::make_shared<frf::FrfSystem>(scene.names[i], std::move(own), frf::Composition::merged,
+                                                                      scene.reciprocity)});
   }
   return parts;
 }

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "frf/set/frf_system.hpp"
 #include "ident/plan/data_source.hpp"
+#include "models/model_file.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::ident {
@@ -21,9 +22,9 @@ struct Measured {
   Complex at(std::size_t line, std::size_t entry) const { return values[line * entries + entry]; }
 };
 
-Measured read(const std::string& name, const std::vector<DataFile>& files, frf::Composition composition, bool reciprocity,
-              const std::vector<frf::Dof>& rows, const std::vector<frf::Dof>& columns, const weighting::LineSelection& selection) {
-  frf::FrfSystem system(name, open_all(files), composition, reciprocity);
+Measured read(const std::string& name, Sources files, frf::Composition composition, bool reciprocity, const std::vector<frf::Dof>& rows,
+              const std::vector<frf::Dof>& columns, const weighting::LineSelection& selection) {
+  frf::FrfSystem system(name, std::move(files), composition, reciprocity);
   const std::vector<std::size_t> lines = weighting::select_lines(system.frequency_hz(), selection);
   Measured out;
   out.entries = rows.size() * columns.size();
@@ -31,6 +32,14 @@ Measured read(const std::string& name, const std::vector<DataFile>& files, frf::
   for (const std::size_t line : lines) out.frequency_hz.push_back(system.frequency_hz()[line]);
   if (!lines.empty()) frf::BlockReader(system, rows, columns).read(lines, out.values);
   return out;
+}
+
+/// The parts; models at the lines of the first level where no part is measured.
+Sources open_parts(const EquivalentScene& scene) {
+  const bool measured = std::ranges::any_of(scene.parts, [](const DataFile& part) { return !models::is_model_file(part.path); });
+  std::vector<std::vector<DataFile>> systems = {scene.parts};
+  if (!measured) systems.push_back({scene.levels.front().assembly});
+  return std::move(open_systems(systems, scene.frequency, scene.file).front());
 }
 
 bool finite(Complex value) { return std::isfinite(value.real()) && std::isfinite(value.imag()); }
@@ -42,7 +51,7 @@ class Levels {
       : scene_(scene),
         selection_{.range_hz = scene.frequency.range_hz, .step_hz = scene.frequency.step_hz, .exclude_hz = scene.frequency.exclude_hz},
         ends_(scene.dofs.begin(), scene.dofs.end()),
-        parts_(read("substructures", scene.parts, frf::Composition::uncoupled, scene.reciprocity, ends_, ends_, selection_)) {
+        parts_(read("substructures", open_parts(scene), frf::Composition::uncoupled, scene.reciprocity, ends_, ends_, selection_)) {
     if (scene.rigid) rigid_ = assembly(*scene.rigid);
   }
 
@@ -57,7 +66,7 @@ class Levels {
 
  private:
   Measured assembly(const DataFile& file) const {
-    return read("assembly", {file}, frf::Composition::merged, false, ends_, {ends_.front()}, selection_);
+    return read("assembly", open_all({file}), frf::Composition::merged, false, ends_, {ends_.front()}, selection_);
   }
 
   [[noreturn]] void fail(const DisplacementLevel& level) const {

@@ -21,7 +21,7 @@ VariancePiece::VariancePiece(frf::FrfSource& source, frf::BlockPiece piece, cons
     : source_(source),
       piece_(std::move(piece)),
       origin_(variance_origin(scene, source.header())),
-      smooth_(scene.identify.smooth_variance.value_or(worth_smoothing(origin_, source.header()))) {
+      smooth_(origin_ != VarianceOrigin::model && scene.identify.smooth_variance.value_or(worth_smoothing(origin_, source.header()))) {
   if (origin_ != VarianceOrigin::noise_model) return;
   model_ = scene.noise->frf_model;
   if (!needs_prepare()) laws_.assign(piece_.size(), frf::variance_law(model_, 0.0));

@@ -1,10 +1,10 @@
 #include "response/structure/sparse_receptance.hpp"
 
-#include <Eigen/SparseLU>
 #include <cmath>
 #include <string>
 
 #include "base/error.hpp"
+#include "models/sparse_factors.hpp"
 #include "response/structure/infinite_receptance.hpp"
 
 namespace jointid::response {
@@ -47,10 +47,7 @@ ComplexSparse dynamic_stiffness(const SparseStructure& structure, double omega) 
 class Factors {
  public:
   explicit Factors(const SparseStructure& structure, double omega) : omega_(omega) {
-    const ComplexSparse z = dynamic_stiffness(structure, omega);
-    lu_.isSymmetric(true);
-    lu_.compute(z);
-    if (lu_.info() != Eigen::Success) infinite_receptance(omega);
+    if (!lu_.factorize(dynamic_stiffness(structure, omega))) infinite_receptance(omega);
   }
 
   Eigen::MatrixXcd solve(const Eigen::MatrixXcd& right) const {
@@ -61,7 +58,7 @@ class Factors {
 
  private:
   double omega_;
-  Eigen::SparseLU<ComplexSparse> lu_;
+  models::SparseFactors lu_;
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "cli/response/response_command.hpp"
 #include "cli/response/run_response.hpp"
 #include "cli/response/response_text.hpp"
-#include "response/structure/matrix_file.hpp"
+#include "models/matrix_file.hpp"
 #include "response/structure/modal_damping.hpp"
 #include "response_sample.hpp"
 
@@ -169,15 +169,15 @@ TEST(MatrixFile, ReadsMatrixMarketAndText) {
   for (const auto& path :
        {written("a.mtx", head + "coordinate real symmetric\n2 2 3\n1 1 2\n2 1 -1\n2 2 3\n"),
         written("b.mtx", head + "array real general\n2 2\n2\n-1\n-1\n3\n"), written("c.csv", "2,-1\n-1,3\n")}) {
-    EXPECT_EQ(response::read_symmetric_matrix(path), expected) << path;
+    EXPECT_EQ(models::read_symmetric_matrix(path), expected) << path;
   }
   for (const std::string text :
        {"coordinate real symmetric\n2 2 3\n1 1 2\n", "coordinate real symmetric\n2 2 1\n3 1 2\n",
         "coordinate complex symmetric\n1 1 1\n1 1 2 0\n", "array real general\n2 2\n2\n1\n-1\n3\n",
         "coordinate real general\n2 3 0\n", "coordinate real general\n1e9 1e9 0\n", "array real general\n1 1\nnan\n"}) {
-    EXPECT_THROW(response::read_symmetric_matrix(written("d.mtx", head + text)), InputError) << text;
+    EXPECT_THROW(models::read_symmetric_matrix(written("d.mtx", head + text)), InputError) << text;
   }
-  EXPECT_THROW(response::read_symmetric_matrix(folder / "absent.mtx"), InputError);
+  EXPECT_THROW(models::read_symmetric_matrix(folder / "absent.mtx"), InputError);
 }
 
 /// More than most_full coordinates stay sparse and give what fewer would: a long chain is the same at its first masses.

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace jointid::response {
+namespace jointid::models {
 
 /// A real symmetric matrix from a file: Matrix Market (`.mtx`: coordinate or array, real or integer, general or symmetric; what
 /// is not listed is 0), or what frf::read_columns reads: MATLAB and HDF5 (`variable` names the matrix where there are several),
@@ -14,4 +14,4 @@ Eigen::SparseMatrix<double> read_symmetric_sparse(const std::filesystem::path& p
 /// The same as a full matrix of at most 20,000 rows.
 Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const std::string& variable = {});
 
-}  // namespace jointid::response
+}  // namespace jointid::models

@@ -1,4 +1,4 @@
-#include "response/structure/matrix_file.hpp"
+#include "models/matrix_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "base/eigen.hpp"
-#include "base/error.hpp"
 #include "frf/file/columns.hpp"
+#include "models/failure.hpp"
 
-namespace jointid::response {
+namespace jointid::models {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -20,15 +20,6 @@ using Sparse = Eigen::SparseMatrix<double>;
 constexpr double most_rows = 20000.0;  ///< of full matrices
 constexpr double most_sparse_rows = 2000000.0;
 constexpr double symmetric_to = 1e-9;  ///< of the largest element
-
-[[noreturn]] void refuse_file(const std::filesystem::path& path, std::string place, std::string problem,
-                              std::string remedy = {}) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = path.string(),
-                    .place = std::move(place),
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
-}
 
 /// Reads a Matrix Market file line by line, comments left out.
 class MarketReader {
@@ -175,4 +166,4 @@ Eigen::MatrixXd read_symmetric_matrix(const std::filesystem::path& path, const s
   return m;
 }
 
-}  // namespace jointid::response
+}  // namespace jointid::models

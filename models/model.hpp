@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace jointid::models {
+
+/// What a model was asked to compute so far; tests hold promises against it.
+struct ModelCount {
+  std::size_t factorizations = 0;  ///< of dynamic stiffnesses
+  std::size_t columns = 0;         ///< of receptances, one for each unit force that was applied
+};
+
+/// A linear structure without measurement: its receptance at any frequency.
+class Model {
+ public:
+  Model() = default;
+  virtual ~Model() = default;
+  Model(const Model&) = delete;
+  Model& operator=(const Model&) = delete;
+
+  /// Number of coordinates.
+  virtual std::size_t size() const = 0;
+
+  /// H(ω) in SI units between the coordinates `rows` and `columns`, ω ≥ 0 in rad/s, of e^{iωt}; nothing where it is infinite to
+  /// rounding. What is not asked for is not computed.
+  virtual std::optional<Eigen::MatrixXcd> receptance(double omega, std::span<const std::size_t> rows,
+                                                     std::span<const std::size_t> columns) = 0;
+
+  const ModelCount& count() const { return count_; }
+
+ protected:
+  ModelCount count_;
+};
+
+}  // namespace jointid::models

@@ -1,0 +1,159 @@
+#include "models/modes_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "base/eigen.hpp"
+#include "frf/file/file_format.hpp"
+#include "frf/mat/mat_variable.hpp"
+#include "frf/uff/uff55.hpp"
+#include "frf/uff/uff_geometry.hpp"
+#include "frf/uff/uff_scan.hpp"
+#include "models/failure.hpp"
+
+namespace jointid::models {
+namespace {
+
+using Path = std::filesystem::path;
+
+void require_usable(const Path& file, const frf::Uff55Mode& mode, const frf::Uff55Mode& first) {
+  const std::string place = "mode " + std::to_string(mode.number);
+  const auto fail = [&](std::string problem, std::string remedy) {
+    refuse_file(file, place, std::move(problem), std::move(remedy));
+  };
+  if (mode.dofs != first.dofs)
+    fail("its DOFs are not those of mode " + std::to_string(first.number), "export all modes at the same nodes");
+  if (mode.is_complex) {
+    if (mode.modal_a == Complex(0.0)) fail("its modal A is 0", "export the modes with modal A");
+    if (mode.eigenvalue.real() > 0.0) fail("its eigenvalue has a real part above 0: it is not damped", "correct its sign");
+    return;
+  }
+  if (!(mode.modal_mass > 0.0))
+    fail("its modal mass is " + scene::number_text(mode.modal_mass), "export the modes with modal masses");
+  if (!(mode.frequency_hz >= 0.0)) fail("its frequency is " + scene::number_text(mode.frequency_hz) + " Hz", "it is at least 0");
+  if (mode.viscous_damping < 0.0 || mode.hysteretic_damping < 0.0) fail("its damping is below 0", "correct its sign");
+}
+
+/// The places of DOFs that some mode moves.
+std::vector<std::size_t> moving(const std::vector<frf::Uff55Mode>& modes) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < modes.front().dofs.size(); ++i) {
+    if (std::ranges::any_of(modes, [&](const frf::Uff55Mode& mode) { return mode.shape[i] != Complex(0.0); }))
+      places.push_back(i);
+  }
+  return places;
+}
+
+std::vector<frf::Node> nodes_of(const Path& path) {
+  frf::uff::ByteFile file(path);
+  const std::vector<frf::uff::Dataset> datasets = frf::uff::scan(file);
+  return frf::uff::read_nodes(file, datasets, frf::uff::UnitTable(file, datasets));
+}
+
+/// A variable of numbers, first index fastest.
+struct Array {
+  Eigen::MatrixXd values;
+  bool of_matlab = false;
+};
+
+/// MATLAB writes its name into the first bytes of files v7.3, too.
+bool is_of_matlab(const Path& file) {
+  std::string head(6, '\0');
+  std::ifstream(file, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == "MATLAB";
+}
+
+Array read_array(const FileVariable& named) {
+  const auto binary = frf::detect_binary_format(named.file);
+  if (!binary) refuse_file(named.file, {}, "it is no MATLAB or HDF5 file", "store shapes and frequencies in one");
+  const auto file =
+      *binary == frf::FileFormat::matlab_v5 ? frf::open_mat_variables_v5(named.file) : frf::open_mat_variables_v73(named.file);
+  const auto found = std::ranges::find(file->variables(), named.variable, &frf::MatInfo::name);
+  if (found == file->variables().end() || found->kind != frf::MatKind::real || found->dims.size() > 2 || found->dims.empty()) {
+    std::string all;
+    for (const frf::MatInfo& info : file->variables()) all += (all.empty() ? "" : ", ") + info.name;
+    refuse_file(named.file, "variable " + named.variable, "there is no such real matrix",
+                "name one: \"FILE:VARIABLE\"; there are " + all);
+  }
+  const frf::MatVariable variable = file->read(*found);
+  const Eigen::Index rows = at(found->dims[0]);
+  Array out{Eigen::MatrixXd(rows, found->dims.size() == 2 ? at(found->dims[1]) : 1), is_of_matlab(named.file)};
+  for (Eigen::Index i = 0; i < out.values.size(); ++i) out.values.data()[i] = variable.values[static_cast<std::size_t>(i)].real();
+  if (!out.values.allFinite())
+    refuse_file(named.file, "variable " + named.variable, "it has an element that is no number", "store it again");
+  return out;
+}
+
+/// As a column; `count`: its length, 0: any.
+Eigen::VectorXd read_vector(const FileVariable& named, Eigen::Index count) {
+  const Eigen::MatrixXd values = read_array(named).values;
+  const bool vector = values.rows() == 1 || values.cols() == 1;
+  if (!vector || (count > 0 && values.size() != count)) {
+    refuse_file(named.file, "variable " + named.variable,
+                "it is " + std::to_string(values.rows()) + " × " + std::to_string(values.cols()),
+                count > 0 ? "give one number for each of the " + std::to_string(count) + " frequencies"
+                          : "give one number for each mode");
+  }
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
+}
+
+/// [coordinate, mode] of n modes.
+Eigen::MatrixXd read_shapes(const FileVariable& named, Eigen::Index n) {
+  const Array array = read_array(named);
+  const Eigen::MatrixXd& m = array.values;
+  const bool square = m.rows() == n && m.cols() == n;
+  if (m.cols() == n && (!square || array.of_matlab)) return m;
+  if (m.rows() == n) return m.transpose();
+  refuse_file(named.file, "variable " + named.variable,
+              "it is " + std::to_string(m.rows()) + " × " + std::to_string(m.cols()) + ", and there are " + std::to_string(n) +
+                  " frequencies",
+              "give a column for each mode");
+}
+
+}  // namespace
+
+UffModes read_uff_modes(const Path& file) {
+  std::vector<frf::Uff55Mode> read = frf::read_uff55(file);
+  for (const frf::Uff55Mode& mode : read) require_usable(file, mode, read.front());
+  std::erase_if(read, [](const frf::Uff55Mode& mode) { return mode.is_complex && mode.eigenvalue.imag() < 0.0; });
+  if (read.empty()) refuse_file(file, "dataset 55", "all eigenvalues have an imaginary part below 0", "export those above, too");
+  const std::vector<std::size_t> places = moving(read);
+  UffModes out;
+  for (const std::size_t place : places) out.dofs.push_back(read.front().dofs[place]);
+  const auto complex = std::ranges::count(read, true, &frf::Uff55Mode::is_complex);
+  out.modes.normal_shapes.resize(at(places.size()), at(read.size()) - complex);
+  out.modes.complex_shapes.resize(at(places.size()), complex);
+  for (const frf::Uff55Mode& mode : read) {
+    const Eigen::Index k = at(mode.is_complex ? out.modes.complex.size() : out.modes.normal.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (mode.is_complex)
+        out.modes.complex_shapes(at(i), k) = mode.shape[places[i]];
+      else
+        out.modes.normal_shapes(at(i), k) = mode.shape[places[i]].real();
+    }
+    if (mode.is_complex)
+      out.modes.complex.push_back({mode.eigenvalue, mode.modal_a});
+    else
+      out.modes.normal.push_back({angular(mode.frequency_hz), mode.modal_mass, mode.viscous_damping, mode.hysteretic_damping});
+  }
+  out.nodes = nodes_of(file);
+  return out;
+}
+
+Modes read_mode_arrays(const FileVariable& shapes, const FileVariable& frequencies, const FileVariable& masses) {
+  const Eigen::VectorXd hz = read_vector(frequencies, 0);
+  Eigen::VectorXd mass = Eigen::VectorXd::Ones(hz.size());
+  if (!masses.file.empty()) mass = read_vector(masses, hz.size());
+  if (!(hz.minCoeff() >= 0.0))
+    refuse_file(frequencies.file, "variable " + frequencies.variable, "a frequency is below 0", "give Hz");
+  if (!(mass.minCoeff() > 0.0)) refuse_file(masses.file, "variable " + masses.variable, "a modal mass is not above 0", "give kg");
+  Modes out;
+  out.normal_shapes = read_shapes(shapes, hz.size());
+  out.complex_shapes.resize(out.normal_shapes.rows(), 0);
+  for (Eigen::Index k = 0; k < hz.size(); ++k) out.normal.push_back({angular(hz(k)), mass(k), 0.0, 0.0});
+  return out;
+}
+
+}  // namespace jointid::models
