@@ -158,6 +158,7 @@ bool MainWindow::save_as(Project& project) {
 }
 
 bool MainWindow::may_close(Project& project) {
+  project.commit();
   if (!project.is_modified()) return true;
   tabs_->setCurrentWidget(&project);
   const auto answer = QMessageBox::question(this, tr("Unsaved scene"), tr("Save the changes of %1?").arg(project.title()),

@@ -14,11 +14,14 @@
 namespace jointid::gui {
 namespace {
 
-/// Runs `act` on the project in front, if there is one.
+/// Runs `act` on the project in front, if there is one, with what is typed in its form.
 template <class Act>
 auto on_current(MainWindow* window, Act act) {
   return [window, act] {
-    if (Project* project = window->current()) act(*project);
+    Project* const project = window->current();
+    if (project == nullptr) return;
+    project->commit();
+    act(*project);
   };
 }
 
@@ -55,12 +58,11 @@ void MainWindow::fill_recent(QMenu& menu) {
 
 void MainWindow::add_edit_menu() {
   QMenu* const menu = menuBar()->addMenu(tr("&Edit"));
-  menu->addAction(tr("&Undo"), QKeySequence::Undo, this, on_current(this, [](Project& project) { project.editor()->undo(); }));
-  menu->addAction(tr("&Redo"), QKeySequence::Redo, this, on_current(this, [](Project& project) { project.editor()->redo(); }));
+  menu->addAction(tr("&Undo"), QKeySequence::Undo, this, on_current(this, [](Project& project) { project.undo(); }));
+  menu->addAction(tr("&Redo"), QKeySequence::Redo, this, on_current(this, [](Project& project) { project.redo(); }));
   menu->addSeparator();
-  menu->addAction(tr("Go to what is &wrong"), QKeySequence(tr("F8")), this, on_current(this, [](Project& project) {
-                    if (const auto& error = project.editor()->error()) project.editor()->go_to_line(error->line);
-                  }));
+  menu->addAction(tr("Go to what is &wrong"), QKeySequence(tr("F8")), this,
+                  on_current(this, [](Project& project) { project.go_to_error(); }));
 }
 
 void MainWindow::add_view_menu() {
@@ -75,7 +77,9 @@ void MainWindow::add_view_menu() {
   }
   menu->addSeparator();
   menu->addAction(tr("&Scene"), QKeySequence(tr("Alt+1")), this,
-                  on_current(this, [](Project& project) { project.editor()->setFocus(); }));
+                  on_current(this, [](Project& project) { project.switch_view(false); }));
+  menu->addAction(tr("Scene as a &form"), QKeySequence(tr("F4")), this,
+                  on_current(this, [](Project& project) { project.switch_view(true); }));
   int page = 0;
   for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy")}) {
     menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg(page + 2)), this,

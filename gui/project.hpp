@@ -18,6 +18,7 @@ class DataPage;
 class GeometryPage;
 class MessageBar;
 class SceneEditor;
+class SceneForm;
 class SolvePage;
 class StudyPage;
 
@@ -44,6 +45,16 @@ class Project : public QWidget {
   bool is_modified() const;
 
   SceneEditor* editor() const { return editor_; }
+  SceneForm* form() const { return form_; }
+  /// The scene as a form, or as text, with the cursor in it.
+  void switch_view(bool to_form);
+  /// Of edits wherever they were made.
+  void undo();
+  void redo();
+  /// To the field or line that is wrong.
+  void go_to_error();
+  /// Takes what is typed into a field of the form and not yet in the text.
+  void commit();
   DataPage* data_page() const { return data_page_; }
   GeometryPage* geometry_page() const { return geometry_page_; }
   SolvePage* solve_page() const { return solve_page_; }
@@ -65,10 +76,12 @@ class Project : public QWidget {
 
  private:
   std::filesystem::path path() const;
+  QWidget* make_views();
   void add_pages();
   void link_cursors();
   void check();
   void show_scene();
+  void show_form();
   void edit(const std::string& table, const std::string& key, const std::string& value);
   void open_way(const study::Way& way);
   void offer_dofs();
@@ -80,6 +93,8 @@ class Project : public QWidget {
   void reload();
 
   SceneEditor* editor_;
+  SceneForm* form_;
+  QTabWidget* views_;
   QLabel* problem_;
   MessageBar* messages_;
   QSplitter* splitter_;

@@ -60,7 +60,7 @@ Cell unknown_cell(const Estimate* estimate, const Estimate* of_front) {
   if (of_front == nullptr || of_front == estimate || !(std::abs(of_front->value) > 0.0)) return cell;
   const double off = estimate->value / of_front->value - 1.0;
   if (!std::isfinite(off)) return cell;
-  cell.hint = said("%1 of the run in front").arg((off < 0.0 ? "−" : "+") + q(percent(std::abs(off))));
+  cell.hint = Said::tr("%1 of the run in front").arg((off < 0.0 ? "−" : "+") + q(percent(std::abs(off))));
   cell.shade = 0.75 * std::min(1.0, std::abs(off));
   return cell;
 }
@@ -69,7 +69,7 @@ Cell unknown_cell(const Estimate* estimate, const Estimate* of_front) {
 
 CellRows run_rows(const std::vector<Solved>& runs, std::size_t front) {
   CellRows out;
-  for (const Solved& run : runs) out.columns << said("run ") + q(run.name);
+  for (const Solved& run : runs) out.columns << Said::tr("run ") + q(run.name);
   for (const Figure& figure : figures()) {
     out.rows << said(figure.name);
     out.cells.emplace_back();
