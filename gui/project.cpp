@@ -15,6 +15,7 @@
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/plan/plan_page.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/scene_edit.hpp"
@@ -105,11 +106,14 @@ void Project::add_pages() {
   pages_->addTab(compare_page_, tr("Compare"));
   study_page_ = named(new StudyPage, "study_page", tr("Study"));
   pages_->addTab(study_page_, tr("Study"));
+  plan_page_ = named(new PlanPage, "plan_page", tr("Before measuring"));
+  pages_->addTab(plan_page_, tr("Before measuring"));
   splitter_->addWidget(pages_);
   link_cursors();
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
   connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
+  connect(plan_page_, &PlanPage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
@@ -141,6 +145,8 @@ void Project::show_scene() {
   solve_page_->set_scene(checked_.scene);
   compare_page_->set_file(file_);
   compare_page_->set_scene(checked_.scene);
+  plan_page_->set_file(file_);
+  plan_page_->set_scene(checked_.scene);
   study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
   if (!checked_.scene) return;
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
@@ -165,6 +171,7 @@ void Project::cancel() {
   solve_page_->cancel();
   compare_page_->cancel();
   study_page_->cancel();
+  plan_page_->cancel();
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.
@@ -189,6 +196,7 @@ void Project::offer_dofs() {
   for (const frf::Dof& dof : all) names << QString::fromStdString(dof.name());
   editor_->set_dofs(names);
   form_->set_dofs(names);
+  plan_page_->set_dofs(names);
 }
 
 void Project::show_problem() {

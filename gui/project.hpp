@@ -17,6 +17,7 @@ class ComparePage;
 class DataPage;
 class GeometryPage;
 class MessageBar;
+class PlanPage;
 class SceneEditor;
 class SceneForm;
 class SolvePage;
@@ -60,6 +61,7 @@ class Project : public QWidget {
   SolvePage* solve_page() const { return solve_page_; }
   ComparePage* compare_page() const { return compare_page_; }
   StudyPage* study_page() const { return study_page_; }
+  PlanPage* plan_page() const { return plan_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   /// Stops what runs on any page.
@@ -104,6 +106,7 @@ class Project : public QWidget {
   SolvePage* solve_page_;
   ComparePage* compare_page_;
   StudyPage* study_page_;
+  PlanPage* plan_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

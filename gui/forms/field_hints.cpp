@@ -40,7 +40,7 @@ const Hints& hints() {
       {"data regenerate", QT_TRANSLATE_NOOP("Said", "whose FRFs their modal models replace: substructures, assembly")},
       {"data files", QT_TRANSLATE_NOOP("Said", "what files do not say themselves, and what is wrong in them")},
       {"frequency range", QT_TRANSLATE_NOOP("Said", "lowest and highest frequency in Hz: 400, 1000")},
-      {"frequency step", QT_TRANSLATE_NOOP("Said", "only the lines nearest to multiples of this, in Hz")},
+      {"frequency step", QT_TRANSLATE_NOOP("Said", "only the lines nearest to lo, lo + step, …, in Hz")},
       {"frequency exclude", QT_TRANSLATE_NOOP("Said", "bands left out, in Hz: [[560, 566], [700, 702]]")},
       {"frequency exclude_resonances",
        QT_TRANSLATE_NOOP("Said", "lines near resonances left out: { of = [\"assembly\"], half_width = 0.01 }")},

@@ -20,18 +20,18 @@ struct Figure {
 };
 
 std::vector<Figure> figures() {
-  return {{"status", [](const Solution& run) { return report::words(ident::name(run.status)); }},
-          {"way",
+  return {{QT_TRANSLATE_NOOP("Said", "status"), [](const Solution& run) { return report::words(ident::name(run.status)); }},
+          {QT_TRANSLATE_NOOP("Said", "way"),
            [](const Solution& run) {
              const ident::Used& used = run.used;
              return report::method_text(used.method, used.equations, used.weighting, used.delta, used.solver);
            }},
-          {"lines", [](const Solution& run) { return std::to_string(run.fit.lines); }},
-          {"assembly FRF error (dB)",
+          {QT_TRANSLATE_NOOP("Said", "lines"), [](const Solution& run) { return std::to_string(run.fit.lines); }},
+          {QT_TRANSLATE_NOOP("Said", "assembly FRF error (dB)"),
            [](const Solution& run) { return run.fit.asm_frf_error ? digits(*run.fit.asm_frf_error, "%.4g") : std::string(); }},
-          {"χ² / degrees of freedom",
+          {QT_TRANSLATE_NOOP("Said", "χ² / degrees of freedom"),
            [](const Solution& run) { return run.fit.chi_square ? report::chi_square_text(*run.fit.chi_square) : std::string(); }},
-          {"run time (s)", [](const Solution& run) { return digits(run.runtime_s.total, "%.3g"); }}};
+          {QT_TRANSLATE_NOOP("Said", "run time (s)"), [](const Solution& run) { return digits(run.runtime_s.total, "%.3g"); }}};
 }
 
 const Estimate* find(const Solution& solution, const std::string& name) {

@@ -114,29 +114,30 @@ CellRows plan_rows(const ident::Plan& plan) {
   out.add(Said::tr("joint DOFs"), listed(plan.coordinates.joint));
   out.add(Said::tr("other responses"), listed(plan.coordinates.responses));
   out.add(Said::tr("other references"), listed(plan.coordinates.references));
-  out.add(
-      Said::tr("lines"),
-      Said::tr("%1, %2 to %3 Hz").arg(plan.lines.size()).arg(plan.lines.front().frequency_hz).arg(plan.lines.back().frequency_hz));
+  out.add(Said::tr("lines"), Said::tr("%1, %2 to %3 Hz")
+                                 .arg(plan.lines.size())
+                                 .arg(plan.lines.front().frequency_hz)
+                                 .arg(plan.lines.back().frequency_hz));
   QStringList unknowns;
   for (const auto& unknown : plan.restriction.unknowns) unknowns << q(unknown.name);
   out.add(Said::tr("unknowns"), QString::number(unknowns.size()) + QStringLiteral(": ") + unknowns.join(' '));
-  out.add_all("constraint", ident::constraint_phrases(plan));
+  out.add_all(QT_TRANSLATE_NOOP("Said", "constraint"), ident::constraint_phrases(plan));
   out.add(Said::tr("to read"), number(static_cast<double>(plan.cost.bytes_read) / 1e6) + QStringLiteral(" MB"));
   if (plan.cost.iteration.expected > 0) {
     out.add(Said::tr("iterations expected"), QString::number(plan.cost.iteration.expected));
     out.add(Said::tr("time expected"), q(digits(ident::expected_seconds(plan.cost))) + QStringLiteral(" s"));
   }
-  out.add_all("left out", plan.left_out);
-  out.add_all("warning", plan.warnings);
-  out.add_all("note", plan.notes);
+  out.add_all(QT_TRANSLATE_NOOP("Said", "left out"), plan.left_out);
+  out.add_all(QT_TRANSLATE_NOOP("Said", "warning"), plan.warnings);
+  out.add_all(QT_TRANSLATE_NOOP("Said", "note"), plan.notes);
   return out.rows;
 }
 
 CellRows bound_rows(const ident::BoundReport& report) {
-  CellRows out{
-      {Said::tr("what"), Said::tr("of"), Said::tr("standard error"), Said::tr("relative, or bounds times (worst)"), Said::tr("bounds times (mean)")},
-      {},
-      {}};
+  CellRows out{{Said::tr("what"), Said::tr("of"), Said::tr("standard error"), Said::tr("relative, or bounds times (worst)"),
+                Said::tr("bounds times (mean)")},
+               {},
+               {}};
   const auto factor = [](double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : Said::tr("no longer fixed"); };
   for (const auto& each : report.unknowns) {
     const bool fixed = std::isfinite(each.bound);
@@ -150,9 +151,9 @@ CellRows bound_rows(const ident::BoundReport& report) {
           {Cell{said(what)}, Cell{q(change.what)}, Cell{}, Cell{factor(change.worst)}, Cell{factor(change.mean)}});
     }
   };
-  add("without a coordinate", report.without_coordinate);
-  add("without lines", report.without_lines);
-  add("with more data", report.with_more);
+  add(QT_TRANSLATE_NOOP("Said", "without a coordinate"), report.without_coordinate);
+  add(QT_TRANSLATE_NOOP("Said", "without lines"), report.without_lines);
+  add(QT_TRANSLATE_NOOP("Said", "with more data"), report.with_more);
   for (const std::string& variances : report.variances) {
     out.cells.push_back({Cell{Said::tr("variances")}, Cell{q(variances)}, Cell{}, Cell{}, Cell{}});
   }
@@ -160,10 +161,10 @@ CellRows bound_rows(const ident::BoundReport& report) {
 }
 
 CellRows unknown_rows(const ident::Solution& solution) {
-  CellRows out{
-      {Said::tr("name"), Said::tr("value"), Said::tr("unit"), Said::tr("95 % interval or error"), Said::tr("remark"), Said::tr("value and interval")},
-      {},
-      {}};
+  CellRows out{{Said::tr("name"), Said::tr("value"), Said::tr("unit"), Said::tr("95 % interval or error"), Said::tr("remark"),
+                Said::tr("value and interval")},
+               {},
+               {}};
   const auto largest = scales(solution);
   for (const auto& each : solution.unknowns) {
     const double scale = std::max(largest.at(scale_key(each)), std::numeric_limits<double>::min());
@@ -171,8 +172,8 @@ CellRows unknown_rows(const ident::Solution& solution) {
     Cell bar;
     if (std::isfinite(each.value)) bar.bar = {{low / scale, each.value / scale, high / scale}};
     out.cells.push_back({Cell{q(each.name)}, Cell{number(each.value), q(digits(each.value, "%.17g"))}, Cell{q(each.unit)},
-                         Cell{interval_text(each)}, Cell{each.determined ? q(each.limit) : Said::tr("not determined by the data")},
-                         bar});
+                         Cell{interval_text(each)},
+                         Cell{each.determined ? q(each.limit) : Said::tr("not determined by the data")}, bar});
   }
   return out;
 }
@@ -203,7 +204,7 @@ CellRows finding_rows(const ident::Solution& solution) {
   out.add(Said::tr("status"), words(ident::name(solution.status)));
   out.add(Said::tr("message"), q(solution.message));
   out.add(Said::tr("chosen"), q(solution.used.chosen));
-  out.add_all("warning", solution.warnings);
+  out.add_all(QT_TRANSLATE_NOOP("Said", "warning"), solution.warnings);
   if (solution.identifiability) {
     for (const auto& finding : solution.identifiability->findings) out.add(words(ident::name(finding.kind)), q(finding.text));
   }
