@@ -22,6 +22,7 @@
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
+#include "gui/table/cell_table.hpp"
 
 namespace jointid::gui {
 Project::Project(QWidget* parent) : QWidget(parent) {
@@ -141,6 +142,7 @@ void Project::check() {
 }
 
 void Project::show_scene() {
+  for (CellTable* table : pages_->findChildren<CellTable*>()) table->protect(inputs_of(checked_.scene));
   solve_page_->set_file(file_);
   solve_page_->set_scene(checked_.scene);
   compare_page_->set_file(file_);
