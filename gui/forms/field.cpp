@@ -115,7 +115,10 @@ void Field::set_dofs(const QStringList& dofs) {
 
 void Field::set_shown(const QString& text, bool locked) {
   if (line_ != nullptr) {
-    if (line_->text() != text) line_->setText(text);
+    if (line_->text() != text) {
+      line_->setText(text);
+      line_->setCursorPosition(0);  // the beginning of what is too long is shown
+    }
     line_->setReadOnly(locked);
     return;
   }

@@ -184,7 +184,7 @@ class Photographer {
   void keep(const char* name) {
     QTest::qWait(200);
     const QImage image = window_.grab().toImage();
-    const QString file = QDir(folder_).filePath(QString::fromLatin1(name) + ".png");
+    const QString file = QDir(folder_).filePath(QString::fromLocal8Bit(name) + ".png");
     image.convertToFormat(QImage::Format_RGB32).save(file, "PNG", 0);
     std::printf("%s\n", qPrintable(file));
   }
