@@ -1,4 +1,4 @@
-"""untranslated.py FILE.ts FOLDER: lists texts without a finished translation, and texts in the sources that no translator is asked
+"""untranslated.py FOLDER FILES.ts: lists texts without a finished translation, and texts in the sources that no translator is asked
 for; fails where there are any."""
 
 import re
@@ -31,8 +31,8 @@ def bare_literals(folder):
                     yield source, text.count("\n", 0, found.start()) + 1, found[1]
 
 
-def main(file, folder):
-    missing = [f"no German in {context}: {text!r}" for context, text in untranslated(file)]
+def main(folder, *files):
+    missing = [f"{Path(file).name} lacks, in {context}: {text!r}" for file in files for context, text in untranslated(file)]
     missing += [f"{source}:{line}: not translated, write tr() or Said::tr(): {text!r}"
                 for source, line, text in bare_literals(folder)]
     print("\n".join(missing) or "all texts are translated")

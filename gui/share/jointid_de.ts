@@ -435,7 +435,7 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
         <translation>Fehler der nachgerechneten FRF</translation>
     </message>
     <message>
-        <source>Solve, and the assembly's FRFs stand here as measured and as the joint gives them.</source>
+        <source>Solve, and the assembly&apos;s FRFs stand here as measured and as the joint gives them.</source>
         <translation>Nach dem Lösen stehen hier die FRFs des Zusammenbaus, gemessen und wie die Fügestelle sie ergibt.</translation>
     </message>
     <message>
@@ -1143,8 +1143,8 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>Name der Szene</translation>
     </message>
     <message>
-        <source>positions in m: { "4" = [0.9, 0, 0], … }</source>
-        <translation>Orte in m: { "4" = [0.9, 0, 0], … }</translation>
+        <source>positions in m: { &quot;4&quot; = [0.9, 0, 0], … }</source>
+        <translation>Orte in m: { &quot;4&quot; = [0.9, 0, 0], … }</translation>
     </message>
     <message>
         <source>files of the parts without the joint</source>
@@ -1175,8 +1175,8 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>ausgelassene Bänder in Hz: [[560, 566], [700, 702]]</translation>
     </message>
     <message>
-        <source>lines near resonances left out: { of = ["assembly"], half_width = 0.01 }</source>
-        <translation>ausgelassene Linien nahe Resonanzen: { of = ["assembly"], half_width = 0.01 }</translation>
+        <source>lines near resonances left out: { of = [&quot;assembly&quot;], half_width = 0.01 }</source>
+        <translation>ausgelassene Linien nahe Resonanzen: { of = [&quot;assembly&quot;], half_width = 0.01 }</translation>
     </message>
     <message>
         <source>whose resonances: substructures, assembly</source>
@@ -1195,20 +1195,20 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>einzeln identifizierte Bänder in Hz: [[100, 200], [200, 400]]</translation>
     </message>
     <message>
-        <source>pairs that are joined rigidly before: [["4:+X", "5:+X"]]</source>
-        <translation>Paare, die vorher starr verbunden werden: [["4:+X", "5:+X"]]</translation>
+        <source>pairs that are joined rigidly before: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</source>
+        <translation>Paare, die vorher starr verbunden werden: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</translation>
     </message>
     <message>
         <source>which elements are unknown</source>
         <translation>welche Elemente unbekannt sind</translation>
     </message>
     <message>
-        <source>element by element: [["a", "-a"], ["-a", "a"]]; numbers are known</source>
-        <translation>Element für Element: [["a", "-a"], ["-a", "a"]]; Zahlen sind bekannt</translation>
+        <source>element by element: [[&quot;a&quot;, &quot;-a&quot;], [&quot;-a&quot;, &quot;a&quot;]]; numbers are known</source>
+        <translation>Element für Element: [[&quot;a&quot;, &quot;-a&quot;], [&quot;-a&quot;, &quot;a&quot;]]; Zahlen sind bekannt</translation>
     </message>
     <message>
-        <source>between two DOFs, or one and ground: [["4:+Y", "5:+Y"]]</source>
-        <translation>zwischen zwei DOFs, oder einem und dem Boden: [["4:+Y", "5:+Y"]]</translation>
+        <source>between two DOFs, or one and ground: [[&quot;4:+Y&quot;, &quot;5:+Y&quot;]]</source>
+        <translation>zwischen zwei DOFs, oder einem und dem Boden: [[&quot;4:+Y&quot;, &quot;5:+Y&quot;]]</translation>
     </message>
     <message>
         <source>whether it is required to be positive semidefinite</source>
@@ -1267,16 +1267,16 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>ob ein Gesetz die Varianzen der Dateien ersetzt</translation>
     </message>
     <message>
-        <source>known beside the data, value and deviation: { "K(1,1)" = [6.6e5, 1e4] }</source>
-        <translation>neben den Daten bekannt, Wert und Abweichung: { "K(1,1)" = [6.6e5, 1e4] }</translation>
+        <source>known beside the data, value and deviation: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</source>
+        <translation>neben den Daten bekannt, Wert und Abweichung: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</translation>
     </message>
     <message>
-        <source>of unknowns: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</source>
-        <translation>von Unbekannten: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</translation>
+        <source>of unknowns: { &quot;K(1,1)&quot; = [0, 1e6], &quot;D.a&quot; = &quot;positive&quot; }</source>
+        <translation>von Unbekannten: { &quot;K(1,1)&quot; = [0, 1e6], &quot;D.a&quot; = &quot;positive&quot; }</translation>
     </message>
     <message>
-        <source>equations between unknowns: ["K(1,1) = K(3,3)"]</source>
-        <translation>Gleichungen zwischen Unbekannten: ["K(1,1) = K(3,3)"]</translation>
+        <source>equations between unknowns: [&quot;K(1,1) = K(3,3)&quot;]</source>
+        <translation>Gleichungen zwischen Unbekannten: [&quot;K(1,1) = K(3,3)&quot;]</translation>
     </message>
     <message>
         <source>how many replicates: 0, or 100 and more</source>
@@ -1327,7 +1327,7 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>Wahrscheinlichkeit, dass eine Richtung verkehrt notiert ist</translation>
     </message>
     <message>
-        <source>standard deviation of a DOF's place, in m</source>
+        <source>standard deviation of a DOF&apos;s place, in m</source>
         <translation>Standardabweichung des Orts eines DOFs, in m</translation>
     </message>
     <message>

@@ -43,6 +43,14 @@ TEST(Language, WindowsSpeakIt) {
   EXPECT_EQ(title_of("data").toStdString(), "Data");
 }
 
+TEST(Language, KnowsOneFromSeveral) {
+  if (!has_language("de")) GTEST_SKIP() << "built without lrelease";
+  Languages languages;
+  languages.speak("en");
+  EXPECT_EQ(MainWindow::tr("Looking at %n file(s) …", nullptr, 1), "Looking at 1 file …");
+  EXPECT_EQ(MainWindow::tr("Looking at %n file(s) …", nullptr, 3), "Looking at 3 files …");
+}
+
 TEST(Language, IsKept) {
   if (!has_language("de")) GTEST_SKIP() << "built without lrelease";
   Languages languages;
