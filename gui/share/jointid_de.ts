@@ -181,6 +181,127 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
     </message>
 </context>
 <context>
+    <name>CouplePage</name>
+    <message>
+        <source>Coupling</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>Status of the coupling</source>
+        <translation>Stand der Kopplung</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is written then</source>
+        <translation>Anhalten; dann wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Predicted FRFs, and what was measured</source>
+        <translation>Vorhergesagte FRFs, und was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>With a scene of coupling, [data] parts and [couple], the assembly's FRFs stand here as its parts and joints give them,
+with what was measured of it, if it is chosen.</source>
+        <translation>Bei einer Szene der Kopplung, [data] parts und [couple], stehen hier die FRFs des Zusammenbaus, wie Teile und Fügestellen sie ergeben,
+mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
+    </message>
+    <message>
+        <source>Diagram and tables</source>
+        <translation>Diagramm und Tabellen</translation>
+    </message>
+    <message>
+        <source>Couple</source>
+        <translation>Koppeln</translation>
+    </message>
+    <message>
+        <source>Predict the assembly's FRFs; they are written beside the scene</source>
+        <translation>Die FRFs des Zusammenbaus vorhersagen; sie werden neben die Szene geschrieben</translation>
+    </message>
+    <message>
+        <source>bounds</source>
+        <translation>Schranken</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Schranken</translation>
+    </message>
+    <message>
+        <source>Leave out conditions that the others nearly imply, and compute with them as well: what is right lies between</source>
+        <translation>Bedingungen weglassen, die aus den übrigen fast folgen, und auch mit ihnen rechnen: das Richtige liegt dazwischen</translation>
+    </message>
+    <message>
+        <source>Measured…</source>
+        <translation>Gemessen …</translation>
+    </message>
+    <message>
+        <source>Choose FRFs of the real assembly, to compare with</source>
+        <translation>FRFs des wirklichen Zusammenbaus zum Vergleich wählen</translation>
+    </message>
+    <message>
+        <source>Measured files</source>
+        <translation>Gemessene Dateien</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that writes the same file</source>
+        <translation>Die Befehlszeile kopieren, die dieselbe Datei schreibt</translation>
+    </message>
+    <message>
+        <source>Resonances of the assembly</source>
+        <translation>Resonanzen des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>Errors of the predicted FRFs, worst first</source>
+        <translation>Fehler der vorhergesagten FRFs, der schlimmste zuerst</translation>
+    </message>
+    <message>
+        <source>Conditions, and who is left out</source>
+        <translation>Bedingungen, und welche wegbleiben</translation>
+    </message>
+    <message>
+        <source>Resonances, errors and conditions</source>
+        <translation>Resonanzen, Fehler und Bedingungen</translation>
+    </message>
+    <message>
+        <source>Resonances</source>
+        <translation>Resonanzen</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Save the scene first: the FRFs of the assembly lie beside it.</source>
+        <translation>Speichern Sie zuerst die Szene: die FRFs des Zusammenbaus liegen daneben.</translation>
+    </message>
+    <message>
+        <source>Coupling …</source>
+        <translation>Wird gekoppelt …</translation>
+    </message>
+    <message>
+        <source>written to %1</source>
+        <translation>geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>conditions of S</source>
+        <translation>Bedingungen von S</translation>
+    </message>
+    <message>
+        <source>alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>SCENE.toml</source>
+        <translation>SZENE.toml</translation>
+    </message>
+</context>
+<context>
     <name>DataPage</name>
     <message>
         <source>missing lines</source>
@@ -435,7 +556,7 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
         <translation>Fehler der nachgerechneten FRF</translation>
     </message>
     <message>
-        <source>Solve, and the assembly&apos;s FRFs stand here as measured and as the joint gives them.</source>
+        <source>Solve, and the assembly's FRFs stand here as measured and as the joint gives them.</source>
         <translation>Nach dem Lösen stehen hier die FRFs des Zusammenbaus, gemessen und wie die Fügestelle sie ergibt.</translation>
     </message>
     <message>
@@ -548,6 +669,27 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
         <source>The assembly under a force at %1, at its line %2 Hz.</source>
         <translation>Der Zusammenbau unter einer Kraft an %1, an seiner Linie %2 Hz.</translation>
     </message>
+    <message>
+        <source>Mode %1.</source>
+        <translation>Mode %1.</translation>
+    </message>
+    <message>
+        <source>
+Joint: %1</source>
+        <translation>
+Fügestelle: %1</translation>
+    </message>
+</context>
+<context>
+    <name>JobLine</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>JobProgress</name>
@@ -589,6 +731,226 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
     <message>
         <source>, %1 to %2 Hz</source>
         <translation>, %1 bis %2 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>LoadingCurveChoices</name>
+    <message>
+        <source>Columns and laws</source>
+        <translation>Spalten und Gesetze</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Column of displacements, angles or amplitudes</source>
+        <translation>Spalte der Wege, Winkel oder Amplituden</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Column of forces or torques</source>
+        <translation>Spalte der Kräfte oder Momente</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Instead of forces: energies per cycle over amplitude</source>
+        <translation>Statt der Kräfte: Energien je Zyklus über der Amplitude</translation>
+    </message>
+    <message>
+        <source>k_e</source>
+        <translation>k_e</translation>
+    </message>
+    <message>
+        <source>Instead of forces: equivalent stiffnesses over amplitude …</source>
+        <translation>Statt der Kräfte: äquivalente Steifigkeiten über der Amplitude …</translation>
+    </message>
+    <message>
+        <source>d_e</source>
+        <translation>d_e</translation>
+    </message>
+    <message>
+        <source>… and equivalent dampings</source>
+        <translation>… und äquivalente Dämpfungen</translation>
+    </message>
+    <message>
+        <source>Unit of displacements; empty: as the header says, else m</source>
+        <translation>Einheit der Wege; leer: wie der Kopf sagt, sonst m</translation>
+    </message>
+    <message>
+        <source>Unit of forces; empty: as the header says, else N</source>
+        <translation>Einheit der Kräfte; leer: wie der Kopf sagt, sonst N</translation>
+    </message>
+    <message>
+        <source>Loaded once from rest, or cycles</source>
+        <translation>Einmal aus der Ruhe belastet, oder Zyklen</translation>
+    </message>
+    <message>
+        <source>Weighting of the residuals</source>
+        <translation>Gewichtung der Residuen</translation>
+    </message>
+    <message>
+        <source>laws</source>
+        <translation>Gesetze</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Laws to fit; nothing chosen: all</source>
+        <translation>Anzupassende Gesetze; nichts gewählt: alle</translation>
+    </message>
+    <message>
+        <source>Preset friction limit</source>
+        <translation>Vorgegebene Reibgrenze</translation>
+    </message>
+    <message>
+        <source>Preset friction limit; 0: not known</source>
+        <translation>Vorgegebene Reibgrenze; 0: unbekannt</translation>
+    </message>
+    <message>
+        <source>limit </source>
+        <translation>Grenze </translation>
+    </message>
+    <message>
+        <source>limit: to be found</source>
+        <translation>Grenze: gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>LoadingCurvePage</name>
+    <message>
+        <source>Best law by AIC: %1, %2</source>
+        <translation>Bestes Gesetz nach AIC: %1, %2</translation>
+    </message>
+    <message>
+        <source>Loading curves</source>
+        <translation>Belastungskurven</translation>
+    </message>
+    <message>
+        <source>Status of the fits</source>
+        <translation>Stand der Anpassungen</translation>
+    </message>
+    <message>
+        <source>Stop and keep the laws that are fitted</source>
+        <translation>Anhalten und die angepassten Gesetze behalten</translation>
+    </message>
+    <message>
+        <source>Curves and what is fitted to them</source>
+        <translation>Kurven und was an sie angepasst ist</translation>
+    </message>
+    <message>
+        <source>Drop a measured curve here, or choose it: columns of displacement and force, from rest or in cycles,
+or k_e and d_e over amplitude. Fit, and the laws stand over it, with their residuals below.</source>
+        <translation>Ziehen Sie eine gemessene Kurve hierher, oder wählen Sie sie: Spalten von Weg und Kraft, aus der Ruhe oder in Zyklen,
+oder k_e und d_e über der Amplitude. Nach dem Anpassen stehen die Gesetze darüber, darunter ihre Residuen.</translation>
+    </message>
+    <message>
+        <source>Curves and laws</source>
+        <translation>Kurven und Gesetze</translation>
+    </message>
+    <message>
+        <source>Fitting laws</source>
+        <translation>Gesetze anpassen</translation>
+    </message>
+    <message>
+        <source>Files…</source>
+        <translation>Dateien …</translation>
+    </message>
+    <message>
+        <source>Choose measured curves: text, MATLAB or HDF5 with columns</source>
+        <translation>Gemessene Kurven wählen: Text, MATLAB oder HDF5 mit Spalten</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Fit the laws to the curves</source>
+        <translation>Die Gesetze an die Kurven anpassen</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that fits the same</source>
+        <translation>Die Befehlszeile kopieren, die dasselbe anpasst</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Laws, best by AIC first; a row shows its parameters</source>
+        <translation>Gesetze, das beste nach AIC zuerst; eine Zeile zeigt ihre Parameter</translation>
+    </message>
+    <message>
+        <source>Parameters of the law with intervals</source>
+        <translation>Parameter des Gesetzes mit Intervallen</translation>
+    </message>
+    <message>
+        <source>k_e and d_e of the law over amplitude</source>
+        <translation>k_e und d_e des Gesetzes über der Amplitude</translation>
+    </message>
+    <message>
+        <source>Loops one by one</source>
+        <translation>Schleifen einzeln</translation>
+    </message>
+    <message>
+        <source>Laws and numbers</source>
+        <translation>Gesetze und Zahlen</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Gesetze</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>k_e and d_e</source>
+        <translation>k_e und d_e</translation>
+    </message>
+    <message>
+        <source>Loops</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>Columns: %1. Those that are not chosen are found by their names.</source>
+        <translation>Spalten: %1. Nicht gewählte werden an ihren Namen gefunden.</translation>
+    </message>
+    <message>
+        <source>Fitting …</source>
+        <translation>Wird angepasst …</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>k_e, d_e and energy</source>
+        <translation>k_e, d_e und Energie</translation>
+    </message>
+    <message>
+        <source>slip</source>
+        <translation>Schlupf</translation>
+    </message>
+    <message>
+        <source>loops in turn</source>
+        <translation>Schleifen der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Parameters of %1</source>
+        <translation>Parameter von %1</translation>
     </message>
 </context>
 <context>
@@ -844,6 +1206,18 @@ Finds joints from measured FRFs. Sources under BSD-3-Clause; this program links 
 
 Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses Programm bindet QCustomPlot ein und wird unter der GPL, Version 3, weitergegeben.</translation>
     </message>
+    <message>
+        <source>&amp;Modes</source>
+        <translation>&amp;Moden</translation>
+    </message>
+    <message>
+        <source>Cou&amp;pling</source>
+        <translation>&amp;Kopplung</translation>
+    </message>
+    <message>
+        <source>&amp;Loading curves</source>
+        <translation>&amp;Belastungskurven</translation>
+    </message>
 </context>
 <context>
     <name>MessageBar</name>
@@ -858,6 +1232,327 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
     <message>
         <source>Close the message</source>
         <translation>Die Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ModalPage</name>
+    <message>
+        <source>Modes</source>
+        <translation>Moden</translation>
+    </message>
+    <message>
+        <source>Status of the modal fit</source>
+        <translation>Stand der Modalanalyse</translation>
+    </message>
+    <message>
+        <source>Stop and keep the modes that are found</source>
+        <translation>Anhalten und die gefundenen Moden behalten</translation>
+    </message>
+    <message>
+        <source>Stabilisation diagram</source>
+        <translation>Stabilisierungsdiagramm</translation>
+    </message>
+    <message>
+        <source>Find modes, and the poles of all orders stand here.
+A click on a pole takes it as a mode, a click on one of a mode leaves it; Ctrl+Z undoes.
+← and → go from pole to pole, Enter is a click; wheel, + and − zoom.</source>
+        <translation>Nach dem Suchen stehen hier die Pole aller Ordnungen.
+Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt sie weg; Strg+Z macht rückgängig.
+← und → gehen von Pol zu Pol, Eingabe ist ein Klick; Rad, + und − vergrößern.</translation>
+    </message>
+    <message>
+        <source>Diagram and modes</source>
+        <translation>Diagramm und Moden</translation>
+    </message>
+    <message>
+        <source>Fitting modes</source>
+        <translation>Moden anpassen</translation>
+    </message>
+    <message>
+        <source>Find modes</source>
+        <translation>Moden suchen</translation>
+    </message>
+    <message>
+        <source>Seek all modes that stand out of the noise</source>
+        <translation>Alle Moden suchen, die aus dem Rauschen ragen</translation>
+    </message>
+    <message>
+        <source>Part, or assembly</source>
+        <translation>Teil oder Zusammenbau</translation>
+    </message>
+    <message>
+        <source>Lowest frequency</source>
+        <translation>Kleinste Frequenz</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>Highest frequency</source>
+        <translation>Größte Frequenz</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>How modes are damped</source>
+        <translation>Wie Moden gedämpft sind</translation>
+    </message>
+    <message>
+        <source>real modes</source>
+        <translation>reelle Moden</translation>
+    </message>
+    <message>
+        <source>Real modes</source>
+        <translation>Reelle Moden</translation>
+    </message>
+    <message>
+        <source>All coordinates move in phase or in antiphase</source>
+        <translation>Alle Koordinaten bewegen sich gleich- oder gegenphasig</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the last pick (Ctrl+Z in the diagram)</source>
+        <translation>Die letzte Wahl rückgängig machen (Strg+Z im Diagramm)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Pick again (Ctrl+Shift+Z in the diagram)</source>
+        <translation>Wieder wählen (Strg+Umschalt+Z im Diagramm)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Leave all modes, to pick poles one by one</source>
+        <translation>Alle Moden weglassen, um Pole einzeln zu wählen</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that gives the same modes</source>
+        <translation>Die Befehlszeile kopieren, die dieselben Moden ergibt</translation>
+    </message>
+    <message>
+        <source>Shapes…</source>
+        <translation>Formen …</translation>
+    </message>
+    <message>
+        <source>Write the mode shapes as `jointid modalfit --shapes` does (UFF 55)</source>
+        <translation>Die Eigenformen schreiben wie `jointid modalfit --shapes` (UFF 55)</translation>
+    </message>
+    <message>
+        <source>FRFs…</source>
+        <translation>FRFs …</translation>
+    </message>
+    <message>
+        <source>Write the FRFs of the modes as `jointid modalfit --regenerate` does</source>
+        <translation>Die FRFs der Moden schreiben wie `jointid modalfit --regenerate`</translation>
+    </message>
+    <message>
+        <source>Modes with standard deviations; Delete leaves one</source>
+        <translation>Moden mit Standardabweichungen; Entf lässt eine weg</translation>
+    </message>
+    <message>
+        <source>MAC of all modes</source>
+        <translation>MAC aller Moden</translation>
+    </message>
+    <message>
+        <source>Error of all FRFs in dB, away from antiresonances</source>
+        <translation>Fehler aller FRFs in dB, fern von Antiresonanzen</translation>
+    </message>
+    <message>
+        <source>Modes and FRFs</source>
+        <translation>Moden und FRFs</translation>
+    </message>
+    <message>
+        <source>FRFs</source>
+        <translation>FRFs</translation>
+    </message>
+    <message>
+        <source>MAC</source>
+        <translation>MAC</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Measured FRFs, and those of the modes</source>
+        <translation>Gemessene FRFs, und die der Moden</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>Find modes, and what they give stands here over the measured FRFs, anew after every pick.</source>
+        <translation>Nach dem Suchen steht hier über den gemessenen FRFs, was die Moden ergeben, neu nach jeder Wahl.</translation>
+    </message>
+    <message>
+        <source>Write the mode shapes</source>
+        <translation>Die Eigenformen schreiben</translation>
+    </message>
+    <message>
+        <source>Universal files (*.uff)</source>
+        <translation>Universal Files (*.uff)</translation>
+    </message>
+    <message>
+        <source>Write the FRFs of the modes</source>
+        <translation>Die FRFs der Moden schreiben</translation>
+    </message>
+    <message>
+        <source>FRFs (*.h5 *.uff *.mat *.csv)</source>
+        <translation>FRFs (*.h5 *.uff *.mat *.csv)</translation>
+    </message>
+    <message>
+        <source>Finding modes …</source>
+        <translation>Moden werden gesucht …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mode(s); %1</source>
+        <translation>
+            <numerusform>Eine Mode; %1</numerusform>
+            <numerusform>%n Moden; %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No modes are found yet.</source>
+        <translation>Noch sind keine Moden gefunden.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+</context>
+<context>
+    <name>MotionBar</name>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>What moves the structure</source>
+        <translation>Was die Struktur bewegt</translation>
+    </message>
+    <message>
+        <source>A harmonic force at a reference of the assembly, or a mode of the page Modes or of a file</source>
+        <translation>Eine harmonische Kraft an einer Anregung des Zusammenbaus, oder eine Mode der Seite Moden oder einer Datei</translation>
+    </message>
+    <message>
+        <source>Frequency of the force</source>
+        <translation>Frequenz der Kraft</translation>
+    </message>
+    <message>
+        <source>Follows the cursor of the plots</source>
+        <translation>Folgt dem Zeiger der Diagramme</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Show the motion</source>
+        <translation>Die Bewegung zeigen</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Hold the motion at its phase</source>
+        <translation>Die Bewegung bei ihrer Phase halten</translation>
+    </message>
+    <message>
+        <source>Shapes…</source>
+        <translation>Formen …</translation>
+    </message>
+    <message>
+        <source>Take mode shapes from a universal file (dataset 55)</source>
+        <translation>Eigenformen aus einem Universal File nehmen (Datensatz 55)</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Phase in degrees</source>
+        <translation>Phase in Grad</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Fügestelle</translation>
+    </message>
+    <message>
+        <source>Deflection of the joint</source>
+        <translation>Verformung der Fügestelle</translation>
+    </message>
+    <message>
+        <source>Show how the nodes of the joint move against each other, and nothing else</source>
+        <translation>Nur zeigen, wie sich die Knoten der Fügestelle gegeneinander bewegen</translation>
+    </message>
+    <message>
+        <source>undeformed</source>
+        <translation>unverformt</translation>
+    </message>
+    <message>
+        <source>Show the structure at rest, too</source>
+        <translation>Auch die ruhende Struktur zeigen</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Nummern</translation>
+    </message>
+    <message>
+        <source>Show the numbers of nodes</source>
+        <translation>Die Nummern der Knoten zeigen</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>force at %1</source>
+        <translation>Kraft an %1</translation>
+    </message>
+    <message>
+        <source>mode %1</source>
+        <translation>Mode %1</translation>
     </message>
 </context>
 <context>
@@ -975,6 +1670,13 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
     </message>
 </context>
 <context>
+    <name>PlotMenu</name>
+    <message>
+        <source>What is drawn</source>
+        <translation>Was gezeichnet wird</translation>
+    </message>
+</context>
+<context>
     <name>Project</name>
     <message>
         <source>What is wrong with the scene</source>
@@ -1068,6 +1770,29 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <source>%1 was changed by another program and read again.</source>
         <translation>%1 wurde von einem anderen Programm geändert und neu gelesen.</translation>
     </message>
+    <message>
+        <source>Modes</source>
+        <translation>Moden</translation>
+    </message>
+    <message>
+        <source>Coupling</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>Loading curves</source>
+        <translation>Belastungskurven</translation>
+    </message>
+</context>
+<context>
+    <name>QDoubleSpinBox</name>
+    <message>
+        <source>%1; 0: all lines</source>
+        <translation>%1; 0: alle Linien</translation>
+    </message>
+    <message>
+        <source>%1: all lines</source>
+        <translation>%1: alle Linien</translation>
+    </message>
 </context>
 <context>
     <name>QFileDialog</name>
@@ -1143,8 +1868,8 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>Name der Szene</translation>
     </message>
     <message>
-        <source>positions in m: { &quot;4&quot; = [0.9, 0, 0], … }</source>
-        <translation>Orte in m: { &quot;4&quot; = [0.9, 0, 0], … }</translation>
+        <source>positions in m: { "4" = [0.9, 0, 0], … }</source>
+        <translation>Orte in m: { "4" = [0.9, 0, 0], … }</translation>
     </message>
     <message>
         <source>files of the parts without the joint</source>
@@ -1175,8 +1900,8 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>ausgelassene Bänder in Hz: [[560, 566], [700, 702]]</translation>
     </message>
     <message>
-        <source>lines near resonances left out: { of = [&quot;assembly&quot;], half_width = 0.01 }</source>
-        <translation>ausgelassene Linien nahe Resonanzen: { of = [&quot;assembly&quot;], half_width = 0.01 }</translation>
+        <source>lines near resonances left out: { of = ["assembly"], half_width = 0.01 }</source>
+        <translation>ausgelassene Linien nahe Resonanzen: { of = ["assembly"], half_width = 0.01 }</translation>
     </message>
     <message>
         <source>whose resonances: substructures, assembly</source>
@@ -1195,20 +1920,20 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>einzeln identifizierte Bänder in Hz: [[100, 200], [200, 400]]</translation>
     </message>
     <message>
-        <source>pairs that are joined rigidly before: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</source>
-        <translation>Paare, die vorher starr verbunden werden: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</translation>
+        <source>pairs that are joined rigidly before: [["4:+X", "5:+X"]]</source>
+        <translation>Paare, die vorher starr verbunden werden: [["4:+X", "5:+X"]]</translation>
     </message>
     <message>
         <source>which elements are unknown</source>
         <translation>welche Elemente unbekannt sind</translation>
     </message>
     <message>
-        <source>element by element: [[&quot;a&quot;, &quot;-a&quot;], [&quot;-a&quot;, &quot;a&quot;]]; numbers are known</source>
-        <translation>Element für Element: [[&quot;a&quot;, &quot;-a&quot;], [&quot;-a&quot;, &quot;a&quot;]]; Zahlen sind bekannt</translation>
+        <source>element by element: [["a", "-a"], ["-a", "a"]]; numbers are known</source>
+        <translation>Element für Element: [["a", "-a"], ["-a", "a"]]; Zahlen sind bekannt</translation>
     </message>
     <message>
-        <source>between two DOFs, or one and ground: [[&quot;4:+Y&quot;, &quot;5:+Y&quot;]]</source>
-        <translation>zwischen zwei DOFs, oder einem und dem Boden: [[&quot;4:+Y&quot;, &quot;5:+Y&quot;]]</translation>
+        <source>between two DOFs, or one and ground: [["4:+Y", "5:+Y"]]</source>
+        <translation>zwischen zwei DOFs, oder einem und dem Boden: [["4:+Y", "5:+Y"]]</translation>
     </message>
     <message>
         <source>whether it is required to be positive semidefinite</source>
@@ -1267,16 +1992,16 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>ob ein Gesetz die Varianzen der Dateien ersetzt</translation>
     </message>
     <message>
-        <source>known beside the data, value and deviation: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</source>
-        <translation>neben den Daten bekannt, Wert und Abweichung: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</translation>
+        <source>known beside the data, value and deviation: { "K(1,1)" = [6.6e5, 1e4] }</source>
+        <translation>neben den Daten bekannt, Wert und Abweichung: { "K(1,1)" = [6.6e5, 1e4] }</translation>
     </message>
     <message>
-        <source>of unknowns: { &quot;K(1,1)&quot; = [0, 1e6], &quot;D.a&quot; = &quot;positive&quot; }</source>
-        <translation>von Unbekannten: { &quot;K(1,1)&quot; = [0, 1e6], &quot;D.a&quot; = &quot;positive&quot; }</translation>
+        <source>of unknowns: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</source>
+        <translation>von Unbekannten: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</translation>
     </message>
     <message>
-        <source>equations between unknowns: [&quot;K(1,1) = K(3,3)&quot;]</source>
-        <translation>Gleichungen zwischen Unbekannten: [&quot;K(1,1) = K(3,3)&quot;]</translation>
+        <source>equations between unknowns: ["K(1,1) = K(3,3)"]</source>
+        <translation>Gleichungen zwischen Unbekannten: ["K(1,1) = K(3,3)"]</translation>
     </message>
     <message>
         <source>how many replicates: 0, or 100 and more</source>
@@ -1327,7 +2052,7 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <translation>Wahrscheinlichkeit, dass eine Richtung verkehrt notiert ist</translation>
     </message>
     <message>
-        <source>standard deviation of a DOF&apos;s place, in m</source>
+        <source>standard deviation of a DOF's place, in m</source>
         <translation>Standardabweichung des Orts eines DOFs, in m</translation>
     </message>
     <message>
@@ -1661,6 +2386,58 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
     <message>
         <source>only the lines nearest to lo, lo + step, …, in Hz</source>
         <translation>nur die Linien, die lo, lo + step, … am nächsten sind, in Hz</translation>
+    </message>
+    <message>
+        <source>FRF</source>
+        <translation>FRF</translation>
+    </message>
+    <message>
+        <source>error in dB (rms)</source>
+        <translation>Fehler in dB (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>resonance (Hz)</source>
+        <translation>Resonanz (Hz)</translation>
+    </message>
+    <message>
+        <source>with all conditions (Hz)</source>
+        <translation>mit allen Bedingungen (Hz)</translation>
+    </message>
+    <message>
+        <source>missing lines</source>
+        <translation>fehlende Linien</translation>
+    </message>
+    <message>
+        <source>mean coherence</source>
+        <translation>mittlere Kohärenz</translation>
+    </message>
+    <message>
+        <source>deviation over |H|</source>
+        <translation>Abweichung über |H|</translation>
+    </message>
+    <message>
+        <source>reciprocity error</source>
+        <translation>Reziprozitätsfehler</translation>
+    </message>
+    <message>
+        <source>coherence of %1 averages</source>
+        <translation>Kohärenz aus %1 Mittelungen</translation>
+    </message>
+    <message>
+        <source>nothing of its noise</source>
+        <translation>nichts über das Rauschen</translation>
+    </message>
+    <message>
+        <source>%1, %2 lines, %3 to %4 Hz; %5 × %6 FRFs; %7</source>
+        <translation>%1, %2 Linien, %3 bis %4 Hz; %5 × %6 FRFs; %7</translation>
+    </message>
+    <message>
+        <source>MAC of the modes at %1 and %2</source>
+        <translation>MAC der Moden bei %1 und %2</translation>
+    </message>
+    <message>
+        <source>by the modes</source>
+        <translation>aus den Moden</translation>
     </message>
 </context>
 <context>

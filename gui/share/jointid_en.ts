@@ -38,4 +38,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ModalPage</name>
+    <message numerus="yes">
+        <source>%n mode(s); %1</source>
+        <translation>
+            <numerusform>%n mode; %1</numerusform>
+            <numerusform>%n modes; %1</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>
