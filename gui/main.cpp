@@ -2,7 +2,12 @@
 #include <QCommandLineParser>
 #include <QIcon>
 #include <QSettings>
+#include <functional>
+#include <memory>
+#include <utility>
 
+#include "gui/look/language.hpp"
+#include "gui/look/said.hpp"
 #include "gui/main_window.hpp"
 
 int main(int argc, char** argv) {
@@ -12,17 +17,26 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(QStringLiteral(JOINTID_VERSION));
   QApplication::setWindowIcon(QIcon(QStringLiteral(":/jointid-workbench.svg")));
   QApplication::setDesktopFileName(QStringLiteral("jointid-workbench"));
+  using jointid::gui::Said;
+  jointid::gui::use_language();
   QCommandLineParser parser;
-  parser.setApplicationDescription(QStringLiteral("Finds joints from measured FRFs"));
+  parser.setApplicationDescription(Said::tr("Finds joints from measured FRFs"));
   parser.addHelpOption();
   parser.addVersionOption();
-  parser.addPositionalArgument(QStringLiteral("FILES"), QStringLiteral("scenes, or FRF files to make a new scene of"),
+  parser.addPositionalArgument(QStringLiteral("FILES"), Said::tr("scenes, or FRF files to make a new scene of"),
                                QStringLiteral("[FILES…]"));
   parser.process(application);
+  using jointid::gui::MainWindow;
   using jointid::gui::Theme;
   jointid::gui::apply(QSettings().value(QStringLiteral("dark")).toBool() ? Theme::dark : Theme::light, application);
-  jointid::gui::MainWindow window;
-  window.show();
-  if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) window.open(files);
+  std::unique_ptr<MainWindow> window;
+  const std::function<void(const QStringList&)> begin = [&](const QStringList& files) {
+    jointid::gui::use_language();
+    const std::unique_ptr<MainWindow> before = std::exchange(window, std::make_unique<MainWindow>());
+    QObject::connect(window.get(), &MainWindow::begin_anew, &application, begin, Qt::QueuedConnection);
+    window->show();
+    if (!files.isEmpty()) window->open(files);
+  };
+  begin(parser.positionalArguments());
   return QApplication::exec();
 }

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "gui/look/dialogs.hpp"
+#include "gui/look/language.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
@@ -158,6 +159,7 @@ bool MainWindow::save_as(Project& project) {
 }
 
 bool MainWindow::may_close(Project& project) {
+  project.commit();
   if (!project.is_modified()) return true;
   tabs_->setCurrentWidget(&project);
   const auto answer = QMessageBox::question(this, tr("Unsaved scene"), tr("Save the changes of %1?").arg(project.title()),
@@ -192,10 +194,31 @@ void MainWindow::set_theme(Theme theme) {
   QSettings().setValue(QStringLiteral("dark"), theme == Theme::dark);
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
+void MainWindow::set_language(const QString& chosen) {
+  choose_language(chosen);
+  messages_->ask(tr("The language changes with the next start."), tr("Begin anew now"), [this] { ask_to_begin_anew(); });
+}
+
+void MainWindow::ask_to_begin_anew() {
+  if (!may_close_all()) return;
+  keep_layout();
+  QStringList files;
   for (int i = 0; i < tabs_->count(); ++i) {
-    if (!may_close(*qobject_cast<Project*>(tabs_->widget(i)))) return event->ignore();
+    const auto* project = qobject_cast<Project*>(tabs_->widget(i));
+    if (!project->file().isEmpty()) files << project->file();
   }
+  Q_EMIT begin_anew(files);
+}
+
+bool MainWindow::may_close_all() {
+  for (int i = 0; i < tabs_->count(); ++i) {
+    if (!may_close(*qobject_cast<Project*>(tabs_->widget(i)))) return false;
+  }
+  return true;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!may_close_all()) return event->ignore();
   keep_layout();
   event->accept();
 }

@@ -27,6 +27,12 @@ class MainWindow : public QMainWindow {
   MessageBar* messages() const { return messages_; }
 
   void set_theme(Theme theme);
+  /// Kept for the next start; a message offers to begin anew at once.
+  void set_language(const QString& language);
+
+ Q_SIGNALS:
+  /// Another window is to open these files in place of this one, which has nothing left to save.
+  void begin_anew(const QStringList& files);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -40,6 +46,7 @@ class MainWindow : public QMainWindow {
   void add_view_menu();
   void add_run_menu();
   void add_help_menu();
+  QMenu* make_language_menu();
   Project* add_project();
   void open_scene(const QString& file);
   void new_scene();
@@ -48,6 +55,8 @@ class MainWindow : public QMainWindow {
   bool save(Project& project);
   bool save_as(Project& project);
   bool may_close(Project& project);
+  bool may_close_all();
+  void ask_to_begin_anew();
   bool close_project(int index);
   void show_titles();
   void fill_recent(QMenu& menu);

@@ -5,7 +5,9 @@
 #include <QSettings>
 #include <QTabWidget>
 
+#include "gui/look/language.hpp"
 #include "gui/main_window.hpp"
+#include "gui/plan/plan_page.hpp"
 #include "gui/project.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
@@ -14,11 +16,14 @@
 namespace jointid::gui {
 namespace {
 
-/// Runs `act` on the project in front, if there is one.
+/// Runs `act` on the project in front, if there is one, with what is typed in its form.
 template <class Act>
 auto on_current(MainWindow* window, Act act) {
   return [window, act] {
-    if (Project* project = window->current()) act(*project);
+    Project* const project = window->current();
+    if (project == nullptr) return;
+    project->commit();
+    act(*project);
   };
 }
 
@@ -55,12 +60,11 @@ void MainWindow::fill_recent(QMenu& menu) {
 
 void MainWindow::add_edit_menu() {
   QMenu* const menu = menuBar()->addMenu(tr("&Edit"));
-  menu->addAction(tr("&Undo"), QKeySequence::Undo, this, on_current(this, [](Project& project) { project.editor()->undo(); }));
-  menu->addAction(tr("&Redo"), QKeySequence::Redo, this, on_current(this, [](Project& project) { project.editor()->redo(); }));
+  menu->addAction(tr("&Undo"), QKeySequence::Undo, this, on_current(this, [](Project& project) { project.undo(); }));
+  menu->addAction(tr("&Redo"), QKeySequence::Redo, this, on_current(this, [](Project& project) { project.redo(); }));
   menu->addSeparator();
-  menu->addAction(tr("Go to what is &wrong"), QKeySequence(tr("F8")), this, on_current(this, [](Project& project) {
-                    if (const auto& error = project.editor()->error()) project.editor()->go_to_line(error->line);
-                  }));
+  menu->addAction(tr("Go to what is &wrong"), QKeySequence(tr("F8")), this,
+                  on_current(this, [](Project& project) { project.go_to_error(); }));
 }
 
 void MainWindow::add_view_menu() {
@@ -73,11 +77,15 @@ void MainWindow::add_view_menu() {
     action->setChecked((theme == Theme::dark) == dark);
     themes->addAction(action);
   }
+  menu->addMenu(make_language_menu());
   menu->addSeparator();
   menu->addAction(tr("&Scene"), QKeySequence(tr("Alt+1")), this,
-                  on_current(this, [](Project& project) { project.editor()->setFocus(); }));
+                  on_current(this, [](Project& project) { project.switch_view(false); }));
+  menu->addAction(tr("Scene as a &form"), QKeySequence(tr("F4")), this,
+                  on_current(this, [](Project& project) { project.switch_view(true); }));
   int page = 0;
-  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy")}) {
+  for (const QString& text :
+       {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Before measuring")}) {
     menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg(page + 2)), this,
                     on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
     ++page;
@@ -85,6 +93,21 @@ void MainWindow::add_view_menu() {
   menu->addAction(tr("&Next project"), QKeySequence(tr("Ctrl+Tab")), this, [this] {
     if (tabs_->count() > 0) tabs_->setCurrentIndex((tabs_->currentIndex() + 1) % tabs_->count());
   });
+}
+
+/// Each language by its own name.
+QMenu* MainWindow::make_language_menu() {
+  auto* const menu = new QMenu(tr("&Language"), this);
+  auto* const group = new QActionGroup(this);
+  for (const auto& [name, text] : {std::pair("en", QStringLiteral("&English")), std::pair("de", QStringLiteral("&Deutsch"))}) {
+    const QString chosen = QString::fromLatin1(name);
+    QAction* const action = menu->addAction(text, this, [this, chosen] { set_language(chosen); });
+    action->setCheckable(true);
+    action->setChecked(language() == chosen);
+    action->setEnabled(has_language(chosen));
+    group->addAction(action);
+  }
+  return menu;
 }
 
 void MainWindow::add_run_menu() {
@@ -98,8 +121,8 @@ void MainWindow::add_run_menu() {
                     project.solve_page()->solve();
                   }));
   menu->addAction(tr("&Bounds before measuring"), QKeySequence(tr("F7")), this, on_current(this, [](Project& project) {
-                    project.pages()->setCurrentWidget(project.solve_page());
-                    project.solve_page()->bound();
+                    project.pages()->setCurrentWidget(project.plan_page());
+                    project.plan_page()->predict();
                   }));
   menu->addAction(tr("&Cancel"), QKeySequence(tr("Shift+F5")), this,
                   on_current(this, [](Project& project) { project.cancel(); }));

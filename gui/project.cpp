@@ -1,7 +1,5 @@
 #include "gui/project.hpp"
 
-#include <QFile>
-#include <QFileInfo>
 #include <QLabel>
 #include <QSplitter>
 #include <QTabWidget>
@@ -11,43 +9,22 @@
 
 #include "gui/compare/compare_page.hpp"
 #include "gui/data/data_page.hpp"
+#include "gui/forms/field.hpp"
+#include "gui/forms/scene_form.hpp"
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
-#include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/plan/plan_page.hpp"
 #include "gui/plot/frf_plot.hpp"
-#include "gui/recent_files.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
-#include "ident/scene/scene_files.hpp"
+#include "gui/table/cell_table.hpp"
 
 namespace jointid::gui {
-namespace {
-
-constexpr qint64 largest_scene = qint64{16} << 20;  // bytes, as of the scene reader
-
-bool read_file(const QString& file, QString& text, QString& why) {
-  QFile in(file);
-  if (!in.open(QIODevice::ReadOnly)) {
-    why = in.errorString();
-  } else if (in.size() > largest_scene) {
-    why = Project::tr("it is larger than 16 MiB");
-  } else {
-    const QByteArray bytes = in.readAll();
-    text = QString::fromUtf8(bytes);
-    if (text.toUtf8() != bytes) why = Project::tr("it is no text in UTF-8");
-  }
-  return why.isEmpty();
-}
-
-QString sentence(const InputError& error) { return QString::fromUtf8(error.what()); }
-
-}  // namespace
-
 Project::Project(QWidget* parent) : QWidget(parent) {
   editor_ = new SceneEditor;
   problem_ = named(new QLabel, "problem", tr("What is wrong with the scene"));
@@ -58,7 +35,7 @@ Project::Project(QWidget* parent) : QWidget(parent) {
   auto* left = new QWidget;
   auto* column = new QVBoxLayout(left);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(editor_, 1);
+  column->addWidget(make_views(), 1);
   column->addWidget(problem_);
   splitter_ = named(new QSplitter(Qt::Horizontal), "splitter", tr("Scene and pages"));
   splitter_->addWidget(left);
@@ -75,6 +52,49 @@ Project::Project(QWidget* parent) : QWidget(parent) {
   connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &Project::file_changed);
 }
 
+/// The text, and the same as a form.
+QWidget* Project::make_views() {
+  form_ = new SceneForm;
+  views_ = named(new QTabWidget, "scene_views", tr("Scene as text or form"));
+  views_->setDocumentMode(true);
+  views_->addTab(editor_, tr("Text"));
+  views_->addTab(form_, tr("Form"));
+  connect(views_, &QTabWidget::currentChanged, this, &Project::show_form);
+  connect(form_, &SceneForm::edit_wanted, this, &Project::edit);
+  return views_;
+}
+
+void Project::show_form() {
+  if (views_->currentWidget() != form_) return;
+  form_->set_folder(as_name(path().parent_path()));
+  form_->show_text(editor_->text(), editor_->error());
+}
+
+void Project::switch_view(bool to_form) {
+  views_->setCurrentIndex(to_form ? 1 : 0);
+  if (!to_form) return editor_->setFocus();
+  if (!form_->go_to_error()) form_->field("data", "substructures")->input()->setFocus();
+}
+
+void Project::go_to_error() {
+  const auto& error = editor_->error();
+  if (!error || (views_->currentWidget() == form_ && form_->go_to_error())) return;
+  views_->setCurrentIndex(0);
+  editor_->go_to_line(error->line);
+}
+
+void Project::commit() { form_->commit(); }
+
+void Project::undo() {
+  editor_->undo();
+  check();
+}
+
+void Project::redo() {
+  editor_->redo();
+  check();
+}
+
 void Project::add_pages() {
   pages_ = named(new QTabWidget, "pages", tr("Pages"));
   data_page_ = named(new DataPage, "data_page", tr("Data"));
@@ -87,11 +107,14 @@ void Project::add_pages() {
   pages_->addTab(compare_page_, tr("Compare"));
   study_page_ = named(new StudyPage, "study_page", tr("Study"));
   pages_->addTab(study_page_, tr("Study"));
+  plan_page_ = named(new PlanPage, "plan_page", tr("Before measuring"));
+  pages_->addTab(plan_page_, tr("Before measuring"));
   splitter_->addWidget(pages_);
   link_cursors();
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
   connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
+  connect(plan_page_, &PlanPage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
@@ -107,86 +130,25 @@ void Project::link_cursors() {
   for (FrfPlot* plot : {data, solution}) connect(plot, &FrfPlot::cursor_moved, geometry_page_, &GeometryPage::set_frequency);
 }
 
-std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
-
-QString Project::suggested_file() const { return as_name(path()); }
-
-QString Project::title() const { return file_.isEmpty() ? tr("new scene") : QFileInfo(file_).fileName(); }
-
 bool Project::is_modified() const { return editor_->document()->isModified(); }
-
-bool Project::load(QString& why) {
-  QString text;
-  if (!read_file(file_, text, why)) return false;
-  editor_->setPlainText(text);
-  editor_->document()->setModified(false);
-  check();
-  return true;
-}
-
-bool Project::open(const QString& file) {
-  file_ = QFileInfo(file).absoluteFilePath();
-  folder_ = QFileInfo(file_).absolutePath();
-  QString why;
-  if (!load(why)) {
-    messages_->warn(tr("%1 cannot be read: %2").arg(file, why));
-    file_.clear();
-    return false;
-  }
-  watch();
-  note_recent_file(file_);
-  Q_EMIT title_changed();
-  return true;
-}
-
-void Project::start(const std::string& text, const QString& folder) {
-  folder_ = QFileInfo(folder).absoluteFilePath();
-  editor_->setPlainText(QString::fromStdString(text));
-  editor_->document()->setModified(true);
-  check();
-}
-
-bool Project::save() { return !file_.isEmpty() && save_as(file_); }
-
-bool Project::save_as(const QString& file) {
-  const QString target = QFileInfo(file).absoluteFilePath();
-  std::vector<std::filesystem::path> inputs;
-  if (checked_.scene) {
-    for (const auto& [input, place] : ident::files_of(*checked_.scene)) {
-      if (input != path()) inputs.push_back(input);
-    }
-  }
-  if (!file_.isEmpty()) watcher_.removePath(file_);
-  try {
-    write_output(target, editor_->text(), inputs);
-  } catch (const InputError& error) {
-    messages_->warn(sentence(error));
-    return false;
-  }
-  file_ = target;
-  folder_ = QFileInfo(file_).absolutePath();
-  editor_->document()->setModified(false);
-  messages_->hide();
-  watch();
-  note_recent_file(file_);
-  check();  // paths are relative to the file
-  Q_EMIT title_changed();
-  return true;
-}
 
 void Project::check() {
   checked_ = check_scene(editor_->text(), path());
   editor_->set_error(checked_.error);
   show_problem();
+  show_form();
   show_scene();
   Q_EMIT scene_checked();
 }
 
 void Project::show_scene() {
+  for (CellTable* table : pages_->findChildren<CellTable*>()) table->protect(inputs_of(checked_.scene));
   solve_page_->set_file(file_);
   solve_page_->set_scene(checked_.scene);
   compare_page_->set_file(file_);
   compare_page_->set_scene(checked_.scene);
+  plan_page_->set_file(file_);
+  plan_page_->set_scene(checked_.scene);
   study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
   if (!checked_.scene) return;
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
@@ -198,17 +160,20 @@ void Project::show_scene() {
 void Project::show_failure(const InputError& error) {
   if (checked_.error) return;
   editor_->set_error(located(error, editor_->text()));
+  show_form();
 }
 
-/// A value that was chosen on a page, as a step of the text that can be undone.
+/// A value that was chosen on a page or in the form, as a step of the text that can be undone; an empty one leaves the key out.
 void Project::edit(const std::string& table, const std::string& key, const std::string& value) {
-  editor_->replace_text(with_value(editor_->text(), table, key, value));
+  const std::string text = editor_->text();
+  editor_->replace_text(value.empty() ? without_value(text, table, key) : with_value(text, table, key, value));
 }
 
 void Project::cancel() {
   solve_page_->cancel();
   compare_page_->cancel();
   study_page_->cancel();
+  plan_page_->cancel();
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.
@@ -232,6 +197,8 @@ void Project::offer_dofs() {
   QStringList names;
   for (const frf::Dof& dof : all) names << QString::fromStdString(dof.name());
   editor_->set_dofs(names);
+  form_->set_dofs(names);
+  plan_page_->set_dofs(names);
 }
 
 void Project::show_problem() {
@@ -240,29 +207,6 @@ void Project::show_problem() {
   const QString place = error.line > 0 ? tr("Line %1: ").arg(error.line) : QString();
   const QString remedy = error.remedy.empty() ? QString() : "; " + QString::fromStdString(error.remedy);
   problem_->setText(place + QString::fromStdString(error.problem) + remedy);
-}
-
-/// A file that is saved by renaming another drops out of the watcher and has to be named again.
-void Project::watch() {
-  if (!file_.isEmpty() && !watcher_.files().contains(file_) && QFileInfo::exists(file_)) watcher_.addPath(file_);
-}
-
-void Project::file_changed() {
-  watch();
-  QString text, why;
-  if (!read_file(file_, text, why)) return messages_->warn(tr("%1 is gone or cannot be read: %2").arg(title(), why));
-  if (text == editor_->toPlainText()) return editor_->document()->setModified(false);
-  if (!is_modified()) return reload();
-  messages_->ask(tr("%1 was changed by another program, and here.").arg(title()), tr("Take the other one"), [this] { reload(); });
-}
-
-/// As an edit, so that it can be undone.
-void Project::reload() {
-  QString text, why;
-  if (!read_file(file_, text, why)) return messages_->warn(tr("%1 cannot be read: %2").arg(title(), why));
-  editor_->replace_text(text.toStdString());
-  editor_->document()->setModified(false);
-  messages_->say(tr("%1 was changed by another program and read again.").arg(title()));
 }
 
 QByteArray Project::layout_state() const { return splitter_->saveState(); }

@@ -17,7 +17,9 @@ class ComparePage;
 class DataPage;
 class GeometryPage;
 class MessageBar;
+class PlanPage;
 class SceneEditor;
+class SceneForm;
 class SolvePage;
 class StudyPage;
 
@@ -44,11 +46,22 @@ class Project : public QWidget {
   bool is_modified() const;
 
   SceneEditor* editor() const { return editor_; }
+  SceneForm* form() const { return form_; }
+  /// The scene as a form, or as text, with the cursor in it.
+  void switch_view(bool to_form);
+  /// Of edits wherever they were made.
+  void undo();
+  void redo();
+  /// To the field or line that is wrong.
+  void go_to_error();
+  /// Takes what is typed into a field of the form and not yet in the text.
+  void commit();
   DataPage* data_page() const { return data_page_; }
   GeometryPage* geometry_page() const { return geometry_page_; }
   SolvePage* solve_page() const { return solve_page_; }
   ComparePage* compare_page() const { return compare_page_; }
   StudyPage* study_page() const { return study_page_; }
+  PlanPage* plan_page() const { return plan_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   /// Stops what runs on any page.
@@ -65,10 +78,12 @@ class Project : public QWidget {
 
  private:
   std::filesystem::path path() const;
+  QWidget* make_views();
   void add_pages();
   void link_cursors();
   void check();
   void show_scene();
+  void show_form();
   void edit(const std::string& table, const std::string& key, const std::string& value);
   void open_way(const study::Way& way);
   void offer_dofs();
@@ -80,6 +95,8 @@ class Project : public QWidget {
   void reload();
 
   SceneEditor* editor_;
+  SceneForm* form_;
+  QTabWidget* views_;
   QLabel* problem_;
   MessageBar* messages_;
   QSplitter* splitter_;
@@ -89,6 +106,7 @@ class Project : public QWidget {
   SolvePage* solve_page_;
   ComparePage* compare_page_;
   StudyPage* study_page_;
+  PlanPage* plan_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gui/look/named.hpp"
+#include "gui/look/said.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -26,6 +27,12 @@ std::optional<double> TimeLeft::note(const QString& stage, double share, double 
   if (elapsed < first_s || !(done > 0.0)) return std::nullopt;
   return elapsed * (1.0 - share) / done;
 }
+
+/// What the library tells of its work, but for numbers of iterations.
+[[maybe_unused]] constexpr const char* stages[] = {
+    QT_TRANSLATE_NOOP("Said", "planning"),     QT_TRANSLATE_NOOP("Said", "reading"),         QT_TRANSLATE_NOOP("Said", "solving"),
+    QT_TRANSLATE_NOOP("Said", "bootstrap"),    QT_TRANSLATE_NOOP("Said", "identifiability"), QT_TRANSLATE_NOOP("Said", "trials"),
+    QT_TRANSLATE_NOOP("Said", "constraining"), QT_TRANSLATE_NOOP("Said", "standard errors")};
 
 QString duration_text(double seconds) {
   if (seconds < 90.0) return JobProgress::tr("%1 s").arg(std::ceil(seconds));
@@ -52,7 +59,8 @@ void JobProgress::show_stage(const QString& stage, double share) {
   const auto left = left_.note(stage, share, seconds_since(begun_));
   setRange(0, share < 0.0 ? 0 : steps);
   setValue(share < 0.0 ? 0 : static_cast<int>(steps * share));
-  setFormat(stage + QStringLiteral(" %p %") + (left ? tr(", %1 left").arg(duration_text(*left)) : QString()));
+  setFormat(said(stage.toUtf8().constData()) + QStringLiteral(" %p %") +
+            (left ? tr(", %1 left").arg(duration_text(*left)) : QString()));
 }
 
 void JobProgress::set_busy(bool busy) {

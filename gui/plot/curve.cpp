@@ -8,6 +8,7 @@
 
 #include "base/statistics.hpp"
 #include "base/text.hpp"
+#include "gui/look/said.hpp"
 #include "report/frf_curves.hpp"
 #include "report/phase_branch.hpp"
 
@@ -46,7 +47,7 @@ std::vector<double> difference(const Curve& computed, const Curve& measured) {
 }
 
 Panel difference_panel(const std::vector<Curve>& curves) {
-  Panel panel{"computed over measured (dB)", false, {}, 0.0};
+  Panel panel{Said::tr("computed over measured (dB)").toStdString(), false, {}, 0.0};
   const Curve* measured = nullptr;
   for (const Curve& curve : curves) {
     if (curve.is_measured) measured = &curve;
@@ -92,7 +93,7 @@ std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quan
   if (view == View::nyquist) return {};
   if (view == View::difference) return {difference_panel(curves)};
   if (is_indicator(view)) {
-    Panel panel{(view == View::sum ? "sum of |H|" : "CMIF") + in, true, {}, 0.0};
+    Panel panel{(view == View::sum ? Said::tr("sum of |H|").toStdString() : "CMIF") + in, true, {}, 0.0};
     for (const Curve& curve : curves) panel.ordinates.push_back(report::magnitudes(converted(curve, quantity)));
     return {panel};
   }
@@ -102,8 +103,8 @@ std::vector<Panel> panels(const std::vector<Curve>& curves, View view, frf::Quan
     return {panel};
   }
   const bool polar = view == View::magnitude_phase;
-  Panel first{polar ? frf::name(quantity) + in : "real part" + in, polar, {}, 0.0};
-  Panel second{polar ? phase_label : "imaginary part" + in, false, {}, 0.0};
+  Panel first{polar ? frf::name(quantity) + in : Said::tr("real part").toStdString() + in, polar, {}, 0.0};
+  Panel second{polar ? phase_label : Said::tr("imaginary part").toStdString() + in, false, {}, 0.0};
   for (const Curve& curve : curves) {
     const std::vector<Complex> values = converted(curve, quantity);
     first.ordinates.push_back(polar ? report::magnitudes(values)
@@ -132,14 +133,14 @@ std::string readout(const std::vector<Curve>& curves, double frequency_hz, frf::
     const Complex value = curve.values[line] * frf::from_receptance(quantity, curve.frequency_hz[line]);
     text += "\n" + curve.name + ":  ";
     if (!std::isfinite(std::abs(value)))
-      text += "not measured";
+      text += Said::tr("not measured").toStdString();
     else
       text += digits(std::abs(value), "%.4g") + " " + unit(curve, quantity);
     if (curve.has_phase && std::isfinite(std::abs(value)))
       text += " ∠ " + digits(std::arg(value) * 180.0 / std::numbers::pi, "%.1f") + "°";
     if (!curve.coherence.empty()) text += ", γ² " + digits(curve.coherence[line], "%.3f");
   }
-  if (curves.size() > most) text += "\n… and " + std::to_string(curves.size() - most) + " more";
+  if (curves.size() > most) text += "\n" + Said::tr("… and %1 more").arg(curves.size() - most).toStdString();
   return text;
 }
 

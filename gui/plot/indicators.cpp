@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "base/control.hpp"
+#include "gui/look/said.hpp"
 #include "report/mode_indicators.hpp"
 
 namespace jointid::gui {
@@ -32,7 +33,7 @@ std::vector<Group> groups_of(const std::vector<Curve>& curves) {
 /// A curve over the lines of a group.
 Curve empty_like(const Group& group, const std::string& what) {
   Curve out;
-  out.name = group.front()->file + "  " + what + " of " + std::to_string(group.size()) + " FRFs";
+  out.name = group.front()->file + "  " + Said::tr("%1 of %2 FRFs").arg(q(what)).arg(group.size()).toStdString();
   out.response = group.front()->response;
   out.reference = group.front()->reference;
   out.frequency_hz = group.front()->frequency_hz;

@@ -39,7 +39,7 @@ void add_panel(QCustomPlot& plot, const Drawing& drawing, int row, const Panel& 
   QCPAxis* const y = rect->axis(QCPAxis::atLeft);
   style_axes(*rect, drawing.theme);
   y->setLabel(QString::fromStdString(panel.label));
-  if (last) x->setLabel(said("frequency (Hz)"));
+  if (last) x->setLabel(Said::tr("frequency (Hz)"));
   x->setTickLabels(last);
   if (panel.logarithmic) {
     y->setScaleType(QCPAxis::stLogarithmic);
@@ -140,8 +140,8 @@ void draw_nyquist(QCustomPlot& plot, const Drawing& drawing) {
   const QString unit = QString::fromStdString(unit_of(drawing.curves, drawing.quantity));
   QCPAxis* const x = rect->axis(QCPAxis::atBottom);
   QCPAxis* const y = rect->axis(QCPAxis::atLeft);
-  x->setLabel(said("real part (%1)").arg(unit));
-  y->setLabel(said("imaginary part (%1)").arg(unit));
+  x->setLabel(Said::tr("real part (%1)").arg(unit));
+  y->setLabel(Said::tr("imaginary part (%1)").arg(unit));
   for (std::size_t i = 0; i < drawing.curves.size(); ++i) {
     auto* curve = new QCPCurve(x, y);
     curve->setPen(pen_of(drawing, i));

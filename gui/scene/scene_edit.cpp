@@ -3,74 +3,9 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "gui/scene/completion_place.hpp"
+#include "gui/scene/toml_edit.hpp"
 
 namespace jointid::gui {
-namespace {
-
-/// Where line `number` (from 1) begins; the end of the text where there is none.
-std::size_t begin_of_line(const std::string& text, int number) {
-  std::size_t at = 0;
-  for (int line = 1; line < number && at < text.size(); ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
-  return at;
-}
-
-/// One past the value that begins at `at`: strings and brackets are followed, a comment behind it is not part of it.
-std::size_t end_of_value(const std::string& text, std::size_t at) {
-  int depth = 0;
-  std::size_t end = at;
-  for (; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '"' || c == '\'') {
-      for (++at; at < text.size() && text[at] != c && text[at] != '\n'; ++at) at += c == '"' && text[at] == '\\' ? 1 : 0;
-    } else if (c == '#') {
-      if (depth == 0) break;
-      at = std::min(text.find('\n', at), text.size());
-      continue;
-    } else if (c == '[' || c == '{') {
-      ++depth;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    } else if (c == '\n' && depth <= 0) {
-      break;
-    }
-    if (at < text.size() && text[at] != ' ' && text[at] != '\t' && text[at] != '\r') end = at + 1;
-  }
-  return std::min(end, text.size());
-}
-
-/// Behind the last line of a table that is neither empty nor a comment.
-std::size_t end_of_table(const std::string& text, const std::string& table) {
-  const int header = line_of_key(text, table, "");
-  std::size_t end = begin_of_line(text, header + 1);
-  for (std::size_t at = end; at < text.size();) {
-    const std::size_t first = text.find_first_not_of(" \t\r", at);
-    if (first == std::string::npos || text[first] == '[') break;
-    const std::size_t equals = text.find('=', first);
-    const std::size_t newline = std::min(text.find('\n', at), text.size());
-    const bool is_key = text[first] != '#' && equals < newline;
-    const std::size_t behind =
-        is_key ? std::min(text.find('\n', end_of_value(text, equals + 1)), text.size() - 1) + 1 : newline + 1;
-    if (is_key) end = std::min(behind, text.size());
-    at = behind;
-  }
-  return end;
-}
-
-}  // namespace
-
-std::string with_value(const std::string& text, const std::string& table, const std::string& key, const std::string& value) {
-  std::string out = text;
-  const int line = line_of_key(text, table, key);
-  const int header = line_of_key(text, table, "");
-  if (line > 0 && (line != header || table.empty())) {
-    const std::size_t begin = text.find_first_not_of(" \t", text.find('=', begin_of_line(text, line)) + 1);
-    return out.replace(begin, end_of_value(text, begin) - begin, value);
-  }
-  if (!out.empty() && out.back() != '\n') out += '\n';
-  if (header == 0) return out + "\n[" + table + "]\n" + key + " = " + value + "\n";
-  return out.insert(end_of_table(out, table), key + " = " + value + "\n");
-}
 
 std::string written(const std::vector<ident::Range>& ranges) {
   std::string text = "[";

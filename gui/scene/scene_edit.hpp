@@ -4,14 +4,11 @@
 #include <vector>
 
 #include "frf/set/dof.hpp"
+#include "gui/scene/toml_edit.hpp"
 #include "ident/scene/scene.hpp"
 #include "study/comparison.hpp"
 
 namespace jointid::gui {
-
-/// The text with `key = value` in a table: the value of the key is replaced, comments and all else stay; a key that is not there
-/// goes to the end of its table, a table that is not there to the end of the text.
-std::string with_value(const std::string& text, const std::string& table, const std::string& key, const std::string& value);
 
 /// Values as they are written: [[560, 566], [700.5, 702]] and ["4:+Y", "5:-RZ"].
 std::string written(const std::vector<ident::Range>& ranges);

@@ -15,6 +15,10 @@ using Line = std::pair<std::string, std::string>;  // key, value
 
 constexpr const char* no_word = "this-is-surely-no-word-of-any-scene";  // far from every word, so that the reader names them all
 
+constexpr const char* date = "1979-05-27";  // which no key takes
+constexpr const char* gaussian = "'gaussian'";
+constexpr const char* hammer = "'hammer'";  // which has other keys than the other laws of noise
+
 /// The least that the reader wants to see of each table before it looks at anything else there.
 const std::vector<std::pair<std::string, std::vector<Line>>>& least_scene() {
   static const std::vector<std::pair<std::string, std::vector<Line>>> scene = {
@@ -22,17 +26,19 @@ const std::vector<std::pair<std::string, std::vector<Line>>>& least_scene() {
       {"data", {{"substructures", "['a', 'b']"}, {"assembly", "['c']"}}},
       {"joint", {{"dofs", "['1:+X', '2:+X']"}}},
       {"joint.stiffness", {{"pattern", "'full'"}}},
-      {"noise", {{"model", "'gaussian'"}, {"level", "0.01"}}}};
+      {"noise", {{"model", gaussian}, {"level", "0.01"}}}};
   return scene;
 }
 
-/// What the reader says of the least scene with one more line.
-std::string remedy_of(const std::string& table, const Line& more, const std::string& problem) {
+/// What the reader says of the least scene with one more line, which replaces the others of its table where they are `alone`;
+/// empty where it takes it. `model`: of the noise.
+InputError::Parts answer(const std::string& table, const Line& more, const char* model, bool alone = false) {
   std::string text;
   bool done = false;
   const auto add = [&](const std::string& path, std::vector<Line> lines) {
+    if (path == "noise" && model == hammer) lines = {{"model", hammer}};
     if (path == table) {
-      std::erase_if(lines, [&](const Line& line) { return line.first == more.first; });
+      std::erase_if(lines, [&](const Line& line) { return alone || line.first == more.first; });
       lines.push_back(more);
       done = true;
     }
@@ -44,10 +50,16 @@ std::string remedy_of(const std::string& table, const Line& more, const std::str
   try {
     ident::parse_scene(text, {});
   } catch (const InputError& error) {
-    const std::string& found = error.parts().problem;
-    if (found.find(problem) != std::string::npos && found.find(no_word) != std::string::npos) return error.parts().remedy;
+    return error.parts();
   }
-  return "";
+  return {};
+}
+
+/// The remedy for a wrong word, where the reader finds that this is the problem.
+std::string remedy_of(const std::string& table, const Line& more, const std::string& problem, const char* model = gaussian) {
+  const InputError::Parts found = answer(table, more, model);
+  const bool meant = found.problem.find(problem) != std::string::npos && found.problem.find(no_word) != std::string::npos;
+  return meant ? found.remedy : "";
 }
 
 /// The words of "use a, b or c".
@@ -67,6 +79,20 @@ Words listed(const std::string& remedy) {
 /// [[joints]] has the tables of [joint].
 std::string as_single(const std::string& table) { return table.starts_with("joints") ? "joint" + table.substr(6) : table; }
 
+/// What the reader expects in place of `line`'s value: "a number", "[lo, hi]"; empty where it complains of anything else.
+std::string wanted_for(const std::string& table, const Line& line) {
+  const bool of_matrix = as_single(table).starts_with("joint.");  // all matrices have the same keys
+  const std::string asked = of_matrix ? "joint.stiffness" : as_single(table);
+  for (const bool alone : {false, true}) {
+    for (const char* model : {gaussian, hammer}) {
+      const std::string problem = answer(asked, line, model, alone).problem;
+      const std::size_t end = problem.find(", found a date");
+      if (problem.starts_with("expected ") && end != std::string::npos) return problem.substr(9, end - 9);
+    }
+  }
+  return "";
+}
+
 bool is_table(const std::string& path, const std::string& key) {
   const std::string whole = path.empty() ? key : path + "." + key;
   return !keys_of(whole).empty();
@@ -77,6 +103,7 @@ Words find_tables(const std::string& path) {
   for (const std::string& key : keys_of(path)) {
     if (key == "joints" || !is_table(path, key)) continue;
     found.push_back(path.empty() ? key : path + "." + key);
+    if (found.back() == "data.files") continue;  // its keys are the files of the least scene
     const Words below = find_tables(found.back());
     found.insert(found.end(), below.begin(), below.end());
   }
@@ -86,7 +113,13 @@ Words find_tables(const std::string& path) {
 }  // namespace
 
 Words keys_of(const std::string& table) {
-  Words keys = listed(remedy_of(as_single(table), {no_word, "1"}, "is not known here"));
+  Words keys;
+  for (const char* model : {gaussian, hammer}) {
+    for (const std::string& key : listed(remedy_of(as_single(table), {no_word, "1"}, "is not known here", model))) {
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+    }
+    if (table != "noise") break;
+  }
   if (table == "joints") keys.insert(keys.begin(), "name");
   return keys;
 }
@@ -98,6 +131,21 @@ Words words_of(const std::string& table, const std::string& key) {
     if (!words.empty()) return words;
   }
   return {};
+}
+
+ValueKind kind_of(const std::string& table, const std::string& key) {
+  const std::string word = "'" + std::string(no_word) + "'";
+  if (!words_of(table, key).empty()) {
+    return listed(remedy_of(as_single(table), {key, word}, "is not a valid word")).empty() ? ValueKind::words : ValueKind::word;
+  }
+  const std::string wanted = wanted_for(table, {key, date});
+  if (wanted == "a number") return ValueKind::number;
+  if (wanted == "true or false") return ValueKind::flag;
+  if (wanted == "a string") return ValueKind::text;
+  if (wanted == "[lo, hi]") return ValueKind::interval;
+  if (wanted != "an array" || wanted_for(table, {key, "[" + std::string(date) + "]"}) != "a string") return ValueKind::value;
+  const std::string problem = answer(as_single(table), {key, "[" + word + "]"}, gaussian).problem;
+  return problem.find("DOF") == std::string::npos ? ValueKind::texts : ValueKind::dofs;
 }
 
 Words all_tables() {

@@ -12,6 +12,22 @@ std::vector<std::string> keys_of(const std::string& table);
 /// The words that the reader takes as value of a key (or as elements of its list), or none where it takes anything else.
 std::vector<std::string> words_of(const std::string& table, const std::string& key);
 
+/// What the reader takes as value of a key.
+enum class ValueKind {
+  value,  ///< anything else: lists of lists, tables
+  text,   ///< a string
+  number,
+  flag,      ///< true or false
+  word,      ///< one of words_of()
+  interval,  ///< [lo, hi]
+  words,     ///< a list of words_of()
+  texts,     ///< a list of strings
+  dofs,      ///< a list of DOFs
+};
+
+/// Asked of the reader, too: it is given a date, which it takes nowhere, and says what it expects instead.
+ValueKind kind_of(const std::string& table, const std::string& key);
+
 /// The paths of all tables, "data", "joint.stiffness", …
 std::vector<std::string> all_tables();
 

@@ -20,18 +20,18 @@ struct Figure {
 };
 
 std::vector<Figure> figures() {
-  return {{"status", [](const Solution& run) { return report::words(ident::name(run.status)); }},
-          {"way",
+  return {{QT_TRANSLATE_NOOP("Said", "status"), [](const Solution& run) { return report::words(ident::name(run.status)); }},
+          {QT_TRANSLATE_NOOP("Said", "way"),
            [](const Solution& run) {
              const ident::Used& used = run.used;
              return report::method_text(used.method, used.equations, used.weighting, used.delta, used.solver);
            }},
-          {"lines", [](const Solution& run) { return std::to_string(run.fit.lines); }},
-          {"assembly FRF error (dB)",
+          {QT_TRANSLATE_NOOP("Said", "lines"), [](const Solution& run) { return std::to_string(run.fit.lines); }},
+          {QT_TRANSLATE_NOOP("Said", "assembly FRF error (dB)"),
            [](const Solution& run) { return run.fit.asm_frf_error ? digits(*run.fit.asm_frf_error, "%.4g") : std::string(); }},
-          {"χ² / degrees of freedom",
+          {QT_TRANSLATE_NOOP("Said", "χ² / degrees of freedom"),
            [](const Solution& run) { return run.fit.chi_square ? report::chi_square_text(*run.fit.chi_square) : std::string(); }},
-          {"run time (s)", [](const Solution& run) { return digits(run.runtime_s.total, "%.3g"); }}};
+          {QT_TRANSLATE_NOOP("Said", "run time (s)"), [](const Solution& run) { return digits(run.runtime_s.total, "%.3g"); }}};
 }
 
 const Estimate* find(const Solution& solution, const std::string& name) {
@@ -60,7 +60,7 @@ Cell unknown_cell(const Estimate* estimate, const Estimate* of_front) {
   if (of_front == nullptr || of_front == estimate || !(std::abs(of_front->value) > 0.0)) return cell;
   const double off = estimate->value / of_front->value - 1.0;
   if (!std::isfinite(off)) return cell;
-  cell.hint = said("%1 of the run in front").arg((off < 0.0 ? "−" : "+") + q(percent(std::abs(off))));
+  cell.hint = Said::tr("%1 of the run in front").arg((off < 0.0 ? "−" : "+") + q(percent(std::abs(off))));
   cell.shade = 0.75 * std::min(1.0, std::abs(off));
   return cell;
 }
@@ -69,7 +69,7 @@ Cell unknown_cell(const Estimate* estimate, const Estimate* of_front) {
 
 CellRows run_rows(const std::vector<Solved>& runs, std::size_t front) {
   CellRows out;
-  for (const Solved& run : runs) out.columns << said("run ") + q(run.name);
+  for (const Solved& run : runs) out.columns << Said::tr("run ") + q(run.name);
   for (const Figure& figure : figures()) {
     out.rows << said(figure.name);
     out.cells.emplace_back();

@@ -90,17 +90,17 @@ std::optional<double> error_of(const ident::Solution& solution, std::size_t band
 
 void add_fit(const ident::Solution& solution, Rows& out) {
   const ident::Fit& fit = solution.fit;
-  out.add(said("lines"), QString::number(fit.lines));
-  if (fit.asm_frf_error) out.add(said("assembly FRF error"), number(*fit.asm_frf_error) + QStringLiteral(" dB"));
+  out.add(Said::tr("lines"), QString::number(fit.lines));
+  if (fit.asm_frf_error) out.add(Said::tr("assembly FRF error"), number(*fit.asm_frf_error) + QStringLiteral(" dB"));
   if (fit.chi_square) {
     const auto& found = *fit.chi_square;
-    out.add(said("χ² / degrees of freedom"), number(found.value / found.degrees_of_freedom));
-    out.add(said("outlying lines"), QString::number(found.outlying_lines));
+    out.add(Said::tr("χ² / degrees of freedom"), number(found.value / found.degrees_of_freedom));
+    out.add(Said::tr("outlying lines"), QString::number(found.outlying_lines));
   }
-  if (fit.misfit) out.add(said("misfit"), number(*fit.misfit));
+  if (fit.misfit) out.add(Said::tr("misfit"), number(*fit.misfit));
   for (const auto& [kind, quality] : solution.quality) {
     out.add(words(restrictions::key(kind)),
-            said("RJCF %1, ARVF %2, relative error %3 (rms)")
+            Said::tr("RJCF %1, ARVF %2, relative error %3 (rms)")
                 .arg(number(quality.rjcf), number(quality.arvf), q(percent(quality.rms_relative_error))));
   }
 }
@@ -108,40 +108,41 @@ void add_fit(const ident::Solution& solution, Rows& out) {
 }  // namespace
 
 CellRows plan_rows(const ident::Plan& plan) {
-  Rows out{{{said("what"), said("plan")}, {}, {}}};
-  out.add(said("method"), plan.chosen.empty() ? q(ident::name(plan.scene.identify.method)) : q(plan.chosen));
-  out.add(said("solver"), q(plan.solver));
-  out.add(said("joint DOFs"), listed(plan.coordinates.joint));
-  out.add(said("other responses"), listed(plan.coordinates.responses));
-  out.add(said("other references"), listed(plan.coordinates.references));
-  out.add(
-      said("lines"),
-      said("%1, %2 to %3 Hz").arg(plan.lines.size()).arg(plan.lines.front().frequency_hz).arg(plan.lines.back().frequency_hz));
+  Rows out{{{Said::tr("what"), Said::tr("plan")}, {}, {}}};
+  out.add(Said::tr("method"), plan.chosen.empty() ? q(ident::name(plan.scene.identify.method)) : q(plan.chosen));
+  out.add(Said::tr("solver"), q(plan.solver));
+  out.add(Said::tr("joint DOFs"), listed(plan.coordinates.joint));
+  out.add(Said::tr("other responses"), listed(plan.coordinates.responses));
+  out.add(Said::tr("other references"), listed(plan.coordinates.references));
+  out.add(Said::tr("lines"), Said::tr("%1, %2 to %3 Hz")
+                                 .arg(plan.lines.size())
+                                 .arg(plan.lines.front().frequency_hz)
+                                 .arg(plan.lines.back().frequency_hz));
   QStringList unknowns;
   for (const auto& unknown : plan.restriction.unknowns) unknowns << q(unknown.name);
-  out.add(said("unknowns"), QString::number(unknowns.size()) + QStringLiteral(": ") + unknowns.join(' '));
-  out.add_all("constraint", ident::constraint_phrases(plan));
-  out.add(said("to read"), number(static_cast<double>(plan.cost.bytes_read) / 1e6) + QStringLiteral(" MB"));
+  out.add(Said::tr("unknowns"), QString::number(unknowns.size()) + QStringLiteral(": ") + unknowns.join(' '));
+  out.add_all(QT_TRANSLATE_NOOP("Said", "constraint"), ident::constraint_phrases(plan));
+  out.add(Said::tr("to read"), number(static_cast<double>(plan.cost.bytes_read) / 1e6) + QStringLiteral(" MB"));
   if (plan.cost.iteration.expected > 0) {
-    out.add(said("iterations expected"), QString::number(plan.cost.iteration.expected));
-    out.add(said("time expected"), q(digits(ident::expected_seconds(plan.cost))) + QStringLiteral(" s"));
+    out.add(Said::tr("iterations expected"), QString::number(plan.cost.iteration.expected));
+    out.add(Said::tr("time expected"), q(digits(ident::expected_seconds(plan.cost))) + QStringLiteral(" s"));
   }
-  out.add_all("left out", plan.left_out);
-  out.add_all("warning", plan.warnings);
-  out.add_all("note", plan.notes);
+  out.add_all(QT_TRANSLATE_NOOP("Said", "left out"), plan.left_out);
+  out.add_all(QT_TRANSLATE_NOOP("Said", "warning"), plan.warnings);
+  out.add_all(QT_TRANSLATE_NOOP("Said", "note"), plan.notes);
   return out.rows;
 }
 
 CellRows bound_rows(const ident::BoundReport& report) {
-  CellRows out{
-      {said("what"), said("of"), said("standard error"), said("relative, or bounds times (worst)"), said("bounds times (mean)")},
-      {},
-      {}};
-  const auto factor = [](double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : said("no longer fixed"); };
+  CellRows out{{Said::tr("what"), Said::tr("of"), Said::tr("standard error"), Said::tr("relative, or bounds times (worst)"),
+                Said::tr("bounds times (mean)")},
+               {},
+               {}};
+  const auto factor = [](double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : Said::tr("no longer fixed"); };
   for (const auto& each : report.unknowns) {
     const bool fixed = std::isfinite(each.bound);
-    out.cells.push_back({Cell{said("smallest error")}, Cell{q(each.name)},
-                         Cell{fixed ? q(digits(each.bound, "%.3g") + " " + each.unit) : said("not fixed by the data")},
+    out.cells.push_back({Cell{Said::tr("smallest error")}, Cell{q(each.name)},
+                         Cell{fixed ? q(digits(each.bound, "%.3g") + " " + each.unit) : Said::tr("not fixed by the data")},
                          Cell{fixed ? q(percent(each.relative)) : QString()}, Cell{}});
   }
   const auto add = [&](const char* what, const std::vector<ident::BoundChange>& changes) {
@@ -150,20 +151,20 @@ CellRows bound_rows(const ident::BoundReport& report) {
           {Cell{said(what)}, Cell{q(change.what)}, Cell{}, Cell{factor(change.worst)}, Cell{factor(change.mean)}});
     }
   };
-  add("without a coordinate", report.without_coordinate);
-  add("without lines", report.without_lines);
-  add("with more data", report.with_more);
+  add(QT_TRANSLATE_NOOP("Said", "without a coordinate"), report.without_coordinate);
+  add(QT_TRANSLATE_NOOP("Said", "without lines"), report.without_lines);
+  add(QT_TRANSLATE_NOOP("Said", "with more data"), report.with_more);
   for (const std::string& variances : report.variances) {
-    out.cells.push_back({Cell{said("variances")}, Cell{q(variances)}, Cell{}, Cell{}, Cell{}});
+    out.cells.push_back({Cell{Said::tr("variances")}, Cell{q(variances)}, Cell{}, Cell{}, Cell{}});
   }
   return out;
 }
 
 CellRows unknown_rows(const ident::Solution& solution) {
-  CellRows out{
-      {said("name"), said("value"), said("unit"), said("95 % interval or error"), said("remark"), said("value and interval")},
-      {},
-      {}};
+  CellRows out{{Said::tr("name"), Said::tr("value"), Said::tr("unit"), Said::tr("95 % interval or error"), Said::tr("remark"),
+                Said::tr("value and interval")},
+               {},
+               {}};
   const auto largest = scales(solution);
   for (const auto& each : solution.unknowns) {
     const double scale = std::max(largest.at(scale_key(each)), std::numeric_limits<double>::min());
@@ -171,8 +172,8 @@ CellRows unknown_rows(const ident::Solution& solution) {
     Cell bar;
     if (std::isfinite(each.value)) bar.bar = {{low / scale, each.value / scale, high / scale}};
     out.cells.push_back({Cell{q(each.name)}, Cell{number(each.value), q(digits(each.value, "%.17g"))}, Cell{q(each.unit)},
-                         Cell{interval_text(each)}, Cell{each.determined ? q(each.limit) : said("not determined by the data")},
-                         bar});
+                         Cell{interval_text(each)},
+                         Cell{each.determined ? q(each.limit) : Said::tr("not determined by the data")}, bar});
   }
   return out;
 }
@@ -199,23 +200,23 @@ CellRows matrix_rows(const ident::Solution& solution, std::size_t band, restrict
 }
 
 CellRows finding_rows(const ident::Solution& solution) {
-  Rows out{{{said("what"), said("finding")}, {}, {}}};
-  out.add(said("status"), words(ident::name(solution.status)));
-  out.add(said("message"), q(solution.message));
-  out.add(said("chosen"), q(solution.used.chosen));
-  out.add_all("warning", solution.warnings);
+  Rows out{{{Said::tr("what"), Said::tr("finding")}, {}, {}}};
+  out.add(Said::tr("status"), words(ident::name(solution.status)));
+  out.add(Said::tr("message"), q(solution.message));
+  out.add(Said::tr("chosen"), q(solution.used.chosen));
+  out.add_all(QT_TRANSLATE_NOOP("Said", "warning"), solution.warnings);
   if (solution.identifiability) {
     for (const auto& finding : solution.identifiability->findings) out.add(words(ident::name(finding.kind)), q(finding.text));
   }
   if (solution.check) {
     for (const auto& suspect : solution.check->suspects) {
-      out.add(said("suspect"), q(ident::title(suspect) + ": " + suspect.evidence));
-      out.add(said("remedy"), q(suspect.remedy));
+      out.add(Said::tr("suspect"), q(ident::title(suspect) + ": " + suspect.evidence));
+      out.add(Said::tr("remedy"), q(suspect.remedy));
     }
   }
   add_fit(solution, out);
   for (const auto& [file, origin, note] : solution.variances) {
-    out.add(said("variances"), q(file + ": " + origin + (note.empty() ? "" : ". " + note)));
+    out.add(Said::tr("variances"), q(file + ": " + origin + (note.empty() ? "" : ". " + note)));
   }
   return out.rows;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/control.hpp"
+#include "gui/look/said.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/scene_files.hpp"
 #include "report/result/solve_page.hpp"
@@ -77,9 +78,9 @@ Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
   return solved;
 }
 
-ident::BoundReport predict_bound(const ident::Scene& scene, const Worker::Watch& watch) {
+ident::BoundReport predict_bound(const ident::Scene& scene, const std::vector<frf::Dof>& candidates, const Worker::Watch& watch) {
   const auto plan = ident::make_plan(scene);
-  return ident::predict_bound(*plan, {}, control_of(watch));
+  return ident::predict_bound(*plan, candidates, control_of(watch));
 }
 
 std::string json_of(const Solved& solved) { return report::solution_json(solved.solution); }
@@ -87,7 +88,9 @@ std::string json_of(const Solved& solved) { return report::solution_json(solved.
 Overlay regenerate_frf(const Solved& solved, const ident::FrfEntry& entry, const Worker::Watch& watch) {
   const ident::Regenerated all = ident::regenerate(*solved.plan, solved.solution.bands, {entry}, control_of(watch));
   const ident::RegeneratedFrf& frf = all.frfs.front();
-  return {{curve_of(all, frf, true, "measured"), curve_of(all, frf, false, "regenerated")}, ident::decibel_error(frf)};
+  return {{curve_of(all, frf, true, Said::tr("measured").toStdString()),
+           curve_of(all, frf, false, Said::tr("regenerated").toStdString())},
+          ident::decibel_error(frf)};
 }
 
 void add_regenerated(Overlay& overlay, const Solved& other, const ident::FrfEntry& entry, const Worker::Watch& watch) {
@@ -96,7 +99,7 @@ void add_regenerated(Overlay& overlay, const Solved& other, const ident::FrfEntr
     return;
   }
   const ident::Regenerated all = ident::regenerate(*other.plan, other.solution.bands, {entry}, control_of(watch));
-  overlay.curves.push_back(curve_of(all, all.frfs.front(), false, "run " + other.name));
+  overlay.curves.push_back(curve_of(all, all.frfs.front(), false, Said::tr("run ").toStdString() + other.name));
 }
 
 std::vector<double> outlying_hz(const Solved& solved) {

@@ -31,8 +31,9 @@ std::vector<std::filesystem::path> inputs_of(const std::optional<ident::Scene>& 
 /// throws Interrupted where there are none, and InputError.
 Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch);
 
-/// As `jointid plan --bound`. Interrupted, it says so in what it gives. Throws InputError for scenes without a joint to assume.
-ident::BoundReport predict_bound(const ident::Scene& scene, const Worker::Watch& watch);
+/// As `jointid plan --bound --candidates …`. Interrupted, it says so in what it gives. Throws InputError for scenes without a
+/// joint to assume.
+ident::BoundReport predict_bound(const ident::Scene& scene, const std::vector<frf::Dof>& candidates, const Worker::Watch& watch);
 
 /// What `jointid solve --json` writes of it, but for run times.
 std::string json_of(const Solved& solved);

@@ -4,9 +4,10 @@
 #include <limits>
 
 #include "base/stopwatch.hpp"
-#include "study/trial_data.hpp"
+#include "gui/look/said.hpp"
 #include "report/result/study_plots.hpp"
 #include "report/result/study_tables.hpp"
+#include "study/trial_data.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -28,7 +29,7 @@ StudyShown whole(const study::StudyOptions& options, const study::StudyRun& run)
   add_choices(report::unknown_histograms(options.out, statistics, most_unknowns_drawn), shown.histograms);
   add_choices(report::quality_histograms(options.out, statistics), shown.histograms);
   shown.unknowns = report::unknowns_table(statistics);
-  shown.text = "trials: " + report::trials_text(statistics) + "\n" + report::speed_text(run);
+  shown.text = Said::tr("trials: ").toStdString() + report::trials_text(statistics) + "\n" + report::speed_text(run);
   return shown;
 }
 
@@ -57,7 +58,7 @@ void LiveTrials::put(std::span<const double> row) {
 
 std::vector<HistogramSet> LiveTrials::histograms() const {
   const std::lock_guard lock(mutex_);
-  HistogramSet set{"so far", {}};
+  HistogramSet set{Said::tr("so far").toStdString(), {}};
   for (std::size_t i = 0; i < unknowns_.size(); ++i) {
     if (auto plot = report::histogram_of(unknowns_[i].name, unknowns_[i].unit, values_[i], unknowns_[i].truth))
       set.plots.push_back(std::move(*plot));

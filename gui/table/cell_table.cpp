@@ -1,14 +1,19 @@
 #include "gui/table/cell_table.hpp"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMessageBox>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "base/error.hpp"
+#include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
+#include "gui/look/output.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -108,6 +113,14 @@ CellTable::CellTable(const char* name, const QString& accessible_name, QWidget* 
   setTabKeyNavigation(false);
   setWordWrap(true);
   setAlternatingRowColors(false);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+  auto* copy = new QAction(tr("&Copy"), this);
+  connect(copy, &QAction::triggered, this, [this] { QApplication::clipboard()->setText(chosen_text()); });
+  auto* save = new QAction(tr("&Save as CSV…"), this);
+  save->setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
+  save->setShortcutContext(Qt::WidgetShortcut);
+  connect(save, &QAction::triggered, this, &CellTable::save_csv);
+  addActions({copy, save});
   model_->set_theme(theme_of(palette()));
 }
 
@@ -149,6 +162,18 @@ QString CellTable::chosen_text() const {
     out += escaped(chosen[i].data().toString(), '\t');
   }
   return out + '\n';
+}
+
+void CellTable::write_csv(const QString& file) const { write_output(file, text(',').toStdString(), inputs_); }
+
+void CellTable::save_csv() {
+  const QString file = choose_file_to_save(this, tr("Save the table"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
+  if (file.isEmpty()) return;
+  try {
+    write_csv(file);
+  } catch (const InputError& error) {
+    QMessageBox::warning(this, tr("Not saved"), QString::fromUtf8(error.what()));
+  }
 }
 
 void CellTable::keyPressEvent(QKeyEvent* event) {

@@ -3,6 +3,7 @@
 #include <QAbstractTableModel>
 #include <QTableView>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -49,7 +50,7 @@ class CellModel : public QAbstractTableModel {
   Theme theme_ = Theme::light;
 };
 
-/// Its view: Ctrl+C copies what is chosen, or all, for a spreadsheet.
+/// Its view: Ctrl+C copies what is chosen, or all, for a spreadsheet; Ctrl+E, and its menu, saves all of it as CSV.
 class CellTable : public QTableView {
   Q_OBJECT
 
@@ -61,13 +62,20 @@ class CellTable : public QTableView {
   /// All cells with their names, a line a row.
   QString text(QChar separator) const;
   QString chosen_text() const;
+  /// Files that no CSV replaces.
+  void protect(std::vector<std::filesystem::path> inputs) { inputs_ = std::move(inputs); }
+  /// Throws InputError where the disk does not take it.
+  void write_csv(const QString& file) const;
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
+  void save_csv();
+
   CellModel* model_;
+  std::vector<std::filesystem::path> inputs_;
 };
 
 }  // namespace jointid::gui

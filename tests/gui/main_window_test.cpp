@@ -226,6 +226,8 @@ TEST(MainWindow, HowLongItEverBlocksIsTold) {
     project.pages()->setCurrentIndex(page);
     QTest::qWait(50);
   }
+  project.switch_view(true);
+  QTest::qWait(50);
   project.solve_page()->solve();
   ASSERT_TRUE(rests());
   std::printf("the window is blocked for %lld ms at most\n", static_cast<long long>(longest));

@@ -39,5 +39,28 @@ TEST(SceneWords, WordsOfKeys) {
   EXPECT_THAT(words_of("frequency", "range"), IsEmpty());
 }
 
+TEST(SceneWords, KeysOfAllLawsOfNoise) {
+  EXPECT_THAT(keys_of("noise"), IsSupersetOf({"level", "coherence", "averages", "overlap"}));
+}
+
+TEST(SceneWords, TheReaderTellsWhatItTakes) {
+  using enum ValueKind;
+  EXPECT_EQ(kind_of("", "title"), text);
+  for (const char* key : {"substructures", "assembly"}) EXPECT_EQ(kind_of("data", key), texts) << key;
+  EXPECT_EQ(kind_of("data", "reciprocity"), flag);
+  EXPECT_EQ(kind_of("frequency", "range"), interval);
+  EXPECT_EQ(kind_of("frequency", "exclude"), value);
+  EXPECT_EQ(kind_of("joint", "dofs"), dofs);
+  EXPECT_EQ(kind_of("joint.stiffness", "pattern"), word);
+  EXPECT_EQ(kind_of("joint.stiffness", "matrix"), value);
+  EXPECT_EQ(kind_of("joint.mass", "definite"), flag);
+  EXPECT_EQ(kind_of("identify", "method"), word);
+  EXPECT_EQ(kind_of("identify", "equations"), words);
+  EXPECT_EQ(kind_of("identify", "ties"), texts);
+  for (const char* key : {"delta", "starts", "bootstrap"}) EXPECT_EQ(kind_of("identify", key), number) << key;
+  for (const char* key : {"level", "floor", "coherence", "averages"}) EXPECT_EQ(kind_of("noise", key), number) << key;
+  EXPECT_EQ(kind_of("noise", "reciprocal"), flag);
+}
+
 }  // namespace
 }  // namespace jointid::gui

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QSettings>
 #include <QSpinBox>
@@ -18,8 +19,10 @@
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/look/choice_button.hpp"
+#include "gui/look/language.hpp"
 #include "gui/look/theme.hpp"
 #include "gui/main_window.hpp"
+#include "gui/plan/plan_page.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
@@ -27,6 +30,7 @@
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
 #include "gui/table/cell_table.hpp"
+#include "ident/identify.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -67,6 +71,9 @@ class Photographer {
     Project& project = *window_.current();
     DataPage& data = *project.data_page();
     wait_for([&] { return !data.is_busy() && data.files().size() > 0; });
+    project.switch_view(true);
+    keep("workbench-form");
+    project.switch_view(false);
     data.choose_file(2);
     wait_for([&] { return !data.is_busy(); });
     data.choose_frfs({{0, 0}, {1, 0}});
@@ -94,6 +101,7 @@ class Photographer {
     wait_for([&] { return !solve.runs().empty() && !solve.is_busy(); });
     keep("workbench-unknowns");
     take_compared(project);
+    take_planned(project);
     project.pages()->setCurrentWidget(&solve);
     solve.results()->setCurrentIndex(6);
     keep("workbench-runs");
@@ -107,6 +115,18 @@ class Photographer {
     project.editor()->replace_text(text.replace("pattern = \"symmetric\"", "patern = \"symmetric\"").toStdString());
     keep("workbench-error");
     project.editor()->undo();
+  }
+
+  void take_planned(Project& project) {
+    PlanPage& plan = *project.plan_page();
+    project.pages()->setCurrentWidget(&plan);
+    const auto coordinates = ident::make_plan(*project.checked().scene)->coordinates;
+    QStringList candidates;
+    for (const frf::Dof& dof : coordinates.responses) candidates << QString::fromStdString(dof.name());
+    plan.candidates()->setText(candidates.mid(1).join(QStringLiteral(", ")));
+    plan.predict();
+    wait_for([&] { return !plan.is_busy(); });
+    keep("workbench-plan");
   }
 
   /// Needs simulated noise and a truth, which rig one has.
@@ -148,6 +168,9 @@ class Photographer {
           project.pages()->setCurrentIndex(page);
           keep(qPrintable("every-" + project.pages()->tabText(page) + look));
         }
+        project.switch_view(true);
+        keep(qPrintable("every-form" + look));
+        project.switch_view(false);
         project.pages()->setCurrentWidget(project.solve_page());
         QTabWidget& results = *project.solve_page()->results();
         for (int result = 0; result < results.count(); ++result) {
@@ -161,7 +184,7 @@ class Photographer {
   void keep(const char* name) {
     QTest::qWait(200);
     const QImage image = window_.grab().toImage();
-    const QString file = QDir(folder_).filePath(QString::fromLatin1(name) + ".png");
+    const QString file = QDir(folder_).filePath(QString::fromLocal8Bit(name) + ".png");
     image.convertToFormat(QImage::Format_RGB32).save(file, "PNG", 0);
     std::printf("%s\n", qPrintable(file));
   }
@@ -182,6 +205,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("jointid");
   QApplication::setApplicationName("pictures");
   jointid::gui::apply(jointid::gui::Theme::light, application);
+  jointid::gui::use_language();  // that of LC_ALL
   if (argc < 3) return 2;
   jointid::gui::Photographer(QString::fromLocal8Bit(argv[1]), QString::fromLocal8Bit(argv[2]), argc > 3).take();
   return 0;

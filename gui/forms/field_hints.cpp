@@ -1,0 +1,109 @@
+#include "gui/forms/field_hints.hpp"
+
+#include <map>
+
+#include "gui/look/said.hpp"
+
+namespace jointid::gui {
+namespace {
+
+using Hints = std::map<std::string, const char*>;
+
+const Hints& titles() {
+  static const Hints all = {
+      {"", QT_TRANSLATE_NOOP("Said", "Scene")},
+      {"data", QT_TRANSLATE_NOOP("Said", "Data")},
+      {"frequency", QT_TRANSLATE_NOOP("Said", "Frequencies")},
+      {"frequency.exclude_resonances", QT_TRANSLATE_NOOP("Said", "Frequencies near resonances")},
+      {"joint", QT_TRANSLATE_NOOP("Said", "Joint")},
+      {"joint.stiffness", QT_TRANSLATE_NOOP("Said", "Joint: stiffness K")},
+      {"joint.mass", QT_TRANSLATE_NOOP("Said", "Joint: mass M")},
+      {"joint.viscous_damping", QT_TRANSLATE_NOOP("Said", "Joint: viscous damping C")},
+      {"joint.hysteretic_damping", QT_TRANSLATE_NOOP("Said", "Joint: hysteretic damping D")},
+      {"identify", QT_TRANSLATE_NOOP("Said", "Identification")},
+      {"identify.start", QT_TRANSLATE_NOOP("Said", "Identification: start")},
+      {"noise", QT_TRANSLATE_NOOP("Said", "Noise")},
+      {"noise.gross", QT_TRANSLATE_NOOP("Said", "Noise: gross errors")},
+      {"truth", QT_TRANSLATE_NOOP("Said", "Truth")},
+  };
+  return all;
+}
+
+/// Of "table key", and of "* key" in the tables of matrices.
+const Hints& hints() {
+  static const Hints all = {
+      {" title", QT_TRANSLATE_NOOP("Said", "name of the scene")},
+      {" nodes", QT_TRANSLATE_NOOP("Said", "positions in m: { \"4\" = [0.9, 0, 0], … }")},
+      {"data substructures", QT_TRANSLATE_NOOP("Said", "files of the parts without the joint")},
+      {"data assembly", QT_TRANSLATE_NOOP("Said", "files of the parts with the joint")},
+      {"data reciprocity", QT_TRANSLATE_NOOP("Said", "whether an FRF that is not there is taken from its transpose")},
+      {"data regenerate", QT_TRANSLATE_NOOP("Said", "whose FRFs their modal models replace: substructures, assembly")},
+      {"data files", QT_TRANSLATE_NOOP("Said", "what files do not say themselves, and what is wrong in them")},
+      {"frequency range", QT_TRANSLATE_NOOP("Said", "lowest and highest frequency in Hz: 400, 1000")},
+      {"frequency step", QT_TRANSLATE_NOOP("Said", "only the lines nearest to lo, lo + step, …, in Hz")},
+      {"frequency exclude", QT_TRANSLATE_NOOP("Said", "bands left out, in Hz: [[560, 566], [700, 702]]")},
+      {"frequency exclude_resonances",
+       QT_TRANSLATE_NOOP("Said", "lines near resonances left out: { of = [\"assembly\"], half_width = 0.01 }")},
+      {"frequency.exclude_resonances of", QT_TRANSLATE_NOOP("Said", "whose resonances: substructures, assembly")},
+      {"frequency.exclude_resonances half_width", QT_TRANSLATE_NOOP("Said", "half the width left out, relative: 0.01")},
+      {"joint dofs", QT_TRANSLATE_NOOP("Said", "coordinates of both sides: 4:+Y, 4:+RZ, 5:+Y, 5:+RZ")},
+      {"joint bands", QT_TRANSLATE_NOOP("Said", "bands that are identified separately, in Hz: [[100, 200], [200, 400]]")},
+      {"joint couple_first", QT_TRANSLATE_NOOP("Said", "pairs that are joined rigidly before: [[\"4:+X\", \"5:+X\"]]")},
+      {"* pattern", QT_TRANSLATE_NOOP("Said", "which elements are unknown")},
+      {"* matrix", QT_TRANSLATE_NOOP("Said", "element by element: [[\"a\", \"-a\"], [\"-a\", \"a\"]]; numbers are known")},
+      {"* springs", QT_TRANSLATE_NOOP("Said", "between two DOFs, or one and ground: [[\"4:+Y\", \"5:+Y\"]]")},
+      {"* definite", QT_TRANSLATE_NOOP("Said", "whether it is required to be positive semidefinite")},
+      {"* stiffness", QT_TRANSLATE_NOOP("Said", "N/m, N, N·m: [[1e6, -1e6], [-1e6, 1e6]]")},
+      {"* mass", QT_TRANSLATE_NOOP("Said", "kg, kg·m, kg·m²: [[0, 0], [0, 0]]")},
+      {"* viscous_damping", QT_TRANSLATE_NOOP("Said", "N·s/m, N·s, N·m·s: [[10, -10], [-10, 10]]")},
+      {"* hysteretic_damping", QT_TRANSLATE_NOOP("Said", "N/m, N, N·m: [[1e4, -1e4], [-1e4, 1e4]]")},
+      {"identify method", QT_TRANSLATE_NOOP("Said", "the way of identification")},
+      {"identify equations", QT_TRANSLATE_NOOP("Said", "blocks of the assembly to explain: nn, nj, jj, jn")},
+      {"identify weighting", QT_TRANSLATE_NOOP("Said", "of the equations of linear methods")},
+      {"identify delta", QT_TRANSLATE_NOOP("Said", "drops equations whose sides differ by less: 0 to 2")},
+      {"identify solver", QT_TRANSLATE_NOOP("Said", "which numerical way the method takes")},
+      {"identify start", QT_TRANSLATE_NOOP("Said", "start of iterations: { stiffness = [[1e6, -1e6], [-1e6, 1e6]] }")},
+      {"identify starts", QT_TRANSLATE_NOOP("Said", "how many starts are followed")},
+      {"identify variance", QT_TRANSLATE_NOOP("Said", "where the variances of the FRFs come from")},
+      {"identify smooth_variance", QT_TRANSLATE_NOOP("Said", "whether a law replaces the variances of files")},
+      {"identify priors", QT_TRANSLATE_NOOP("Said", "known beside the data, value and deviation: { \"K(1,1)\" = [6.6e5, 1e4] }")},
+      {"identify bounds", QT_TRANSLATE_NOOP("Said", "of unknowns: { \"K(1,1)\" = [0, 1e6], \"D.a\" = \"positive\" }")},
+      {"identify ties", QT_TRANSLATE_NOOP("Said", "equations between unknowns: [\"K(1,1) = K(3,3)\"]")},
+      {"identify bootstrap", QT_TRANSLATE_NOOP("Said", "how many replicates: 0, or 100 and more")},
+      {"identify bootstrap_seed", QT_TRANSLATE_NOOP("Said", "of the random numbers of the bootstrap")},
+      {"noise model", QT_TRANSLATE_NOOP("Said", "the law of the measurement errors")},
+      {"noise level", QT_TRANSLATE_NOOP("Said", "size of the errors relative to |H|: 0.01")},
+      {"noise coherence", QT_TRANSLATE_NOOP("Said", "of a hammer test: 0.998")},
+      {"noise averages", QT_TRANSLATE_NOOP("Said", "of a hammer test: 5")},
+      {"noise overlap", QT_TRANSLATE_NOOP("Said", "of the averages: 0 to 1")},
+      {"noise floor", QT_TRANSLATE_NOOP("Said", "constant error relative to the rms of the FRF")},
+      {"noise gross", QT_TRANSLATE_NOOP("Said", "lines with larger errors: { share = 0.02, factor = 10 }")},
+      {"noise.gross share", QT_TRANSLATE_NOOP("Said", "share of the lines with larger errors: 0.02")},
+      {"noise.gross factor", QT_TRANSLATE_NOOP("Said", "how many times larger: 10")},
+      {"noise sign_errors", QT_TRANSLATE_NOOP("Said", "probability that a direction is noted the wrong way round")},
+      {"noise position_errors", QT_TRANSLATE_NOOP("Said", "standard deviation of a DOF's place, in m")},
+      {"noise reciprocal", QT_TRANSLATE_NOOP("Said", "whether an FRF and its transpose share their errors")},
+  };
+  return all;
+}
+
+bool is_of_matrices(const std::string& table) {
+  return table.starts_with("joint.") || table == "joint" || table == "truth" || table == "identify.start";
+}
+
+}  // namespace
+
+QString hint_of(const std::string& table, const std::string& key) {
+  for (const std::string& place : {table, std::string(is_of_matrices(table) ? "*" : "")}) {
+    const auto found = hints().find(place + " " + key);
+    if (found != hints().end()) return said(found->second);
+  }
+  return {};
+}
+
+QString title_of(const std::string& table) {
+  const auto found = titles().find(table);
+  return found == titles().end() ? q(table) : said(found->second);
+}
+
+}  // namespace jointid::gui

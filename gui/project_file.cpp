@@ -1,0 +1,122 @@
+#include <QFile>
+#include <QFileInfo>
+#include <QTextDocument>
+
+#include "gui/look/message_bar.hpp"
+#include "gui/look/output.hpp"
+#include "gui/look/paths.hpp"
+#include "gui/project.hpp"
+#include "gui/recent_files.hpp"
+#include "gui/scene/scene_editor.hpp"
+#include "ident/scene/scene_files.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr qint64 largest_scene = qint64{16} << 20;  // bytes, as of the scene reader
+
+bool read_file(const QString& file, QString& text, QString& why) {
+  QFile in(file);
+  if (!in.open(QIODevice::ReadOnly)) {
+    why = in.errorString();
+  } else if (in.size() > largest_scene) {
+    why = Project::tr("it is larger than 16 MiB");
+  } else {
+    const QByteArray bytes = in.readAll();
+    text = QString::fromUtf8(bytes);
+    if (text.toUtf8() != bytes) why = Project::tr("it is no text in UTF-8");
+  }
+  return why.isEmpty();
+}
+
+}  // namespace
+
+std::filesystem::path Project::path() const { return file_.isEmpty() ? as_path(folder_) / "scene.toml" : as_path(file_); }
+
+QString Project::suggested_file() const { return as_name(path()); }
+
+QString Project::title() const { return file_.isEmpty() ? tr("new scene") : QFileInfo(file_).fileName(); }
+
+bool Project::load(QString& why) {
+  QString text;
+  if (!read_file(file_, text, why)) return false;
+  editor_->setPlainText(text);
+  editor_->document()->setModified(false);
+  check();
+  return true;
+}
+
+bool Project::open(const QString& file) {
+  file_ = QFileInfo(file).absoluteFilePath();
+  folder_ = QFileInfo(file_).absolutePath();
+  QString why;
+  if (!load(why)) {
+    messages_->warn(tr("%1 cannot be read: %2").arg(file, why));
+    file_.clear();
+    return false;
+  }
+  watch();
+  note_recent_file(file_);
+  Q_EMIT title_changed();
+  return true;
+}
+
+void Project::start(const std::string& text, const QString& folder) {
+  folder_ = QFileInfo(folder).absoluteFilePath();
+  editor_->setPlainText(QString::fromStdString(text));
+  editor_->document()->setModified(true);
+  check();
+}
+
+bool Project::save() { return !file_.isEmpty() && save_as(file_); }
+
+bool Project::save_as(const QString& file) {
+  const QString target = QFileInfo(file).absoluteFilePath();
+  std::vector<std::filesystem::path> inputs;
+  if (checked_.scene) {
+    for (const auto& [input, place] : ident::files_of(*checked_.scene)) {
+      if (input != path()) inputs.push_back(input);
+    }
+  }
+  if (!file_.isEmpty()) watcher_.removePath(file_);
+  try {
+    write_output(target, editor_->text(), inputs);
+  } catch (const InputError& error) {
+    messages_->warn(QString::fromUtf8(error.what()));
+    return false;
+  }
+  file_ = target;
+  folder_ = QFileInfo(file_).absolutePath();
+  editor_->document()->setModified(false);
+  messages_->hide();
+  watch();
+  note_recent_file(file_);
+  check();  // paths are relative to the file
+  Q_EMIT title_changed();
+  return true;
+}
+
+/// A file that is saved by renaming another drops out of the watcher and has to be named again.
+void Project::watch() {
+  if (!file_.isEmpty() && !watcher_.files().contains(file_) && QFileInfo::exists(file_)) watcher_.addPath(file_);
+}
+
+void Project::file_changed() {
+  watch();
+  QString text, why;
+  if (!read_file(file_, text, why)) return messages_->warn(tr("%1 is gone or cannot be read: %2").arg(title(), why));
+  if (text == editor_->toPlainText()) return editor_->document()->setModified(false);
+  if (!is_modified()) return reload();
+  messages_->ask(tr("%1 was changed by another program, and here.").arg(title()), tr("Take the other one"), [this] { reload(); });
+}
+
+/// As an edit, so that it can be undone.
+void Project::reload() {
+  QString text, why;
+  if (!read_file(file_, text, why)) return messages_->warn(tr("%1 cannot be read: %2").arg(title(), why));
+  editor_->replace_text(text.toStdString());
+  editor_->document()->setModified(false);
+  messages_->say(tr("%1 was changed by another program and read again.").arg(title()));
+}
+
+}  // namespace jointid::gui

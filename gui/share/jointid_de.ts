@@ -1,0 +1,2794 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>CellTable</name>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save as CSV…</source>
+        <translation>Als CSV &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Die Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>Chart</name>
+    <message>
+        <source>The chosen point</source>
+        <translation>Der gewählte Punkt</translation>
+    </message>
+    <message>
+        <source>Copy the numbers for a spreadsheet, and the picture</source>
+        <translation>Die Zahlen für eine Tabellenkalkulation kopieren, und das Bild</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG, PDF or CSV</source>
+        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+</context>
+<context>
+    <name>ChoiceButton</name>
+    <message>
+        <source>What to try; nothing chosen: as in the scene</source>
+        <translation>Was zu versuchen ist; nichts gewählt: wie in der Szene</translation>
+    </message>
+    <message>
+        <source>as in the scene</source>
+        <translation>wie in der Szene</translation>
+    </message>
+</context>
+<context>
+    <name>CompareChoices</name>
+    <message>
+        <source>What is compared</source>
+        <translation>Was verglichen wird</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>equations</source>
+        <translation>Gleichungen</translation>
+    </message>
+    <message>
+        <source>weighting</source>
+        <translation>Gewichtung</translation>
+    </message>
+    <message>
+        <source>Δ</source>
+        <translation>Δ</translation>
+    </message>
+    <message>
+        <source>solver</source>
+        <translation>Löser</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePage</name>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Status of the comparison</source>
+        <translation>Stand des Vergleichs</translation>
+    </message>
+    <message>
+        <source>Error against run time</source>
+        <translation>Fehler über Rechenzeit</translation>
+    </message>
+    <message>
+        <source>Choose what to try, and compare: every way stands here by its error and its run time.
+The scene needs [truth] and [noise]. A click on a point opens that solution.</source>
+        <translation>Wählen Sie, was zu versuchen ist, und vergleichen Sie: jeder Weg steht hier bei seinem Fehler und seiner Rechenzeit.
+Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese Lösung.</translation>
+    </message>
+    <message>
+        <source>Ways, by their error and run time</source>
+        <translation>Wege, nach Fehler und Rechenzeit</translation>
+    </message>
+    <message>
+        <source>Picture and table</source>
+        <translation>Bild und Tabelle</translation>
+    </message>
+    <message>
+        <source>Cancelled before any way was done.</source>
+        <translation>Abgebrochen, bevor ein Weg fertig war.</translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Try all ways on the same trials with simulated noise</source>
+        <translation>Alle Wege an denselben Versuchen mit simuliertem Rauschen erproben</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop and keep the ways that are done</source>
+        <translation>Anhalten und die fertigen Wege behalten</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>Startzahl</translation>
+    </message>
+    <message>
+        <source>Matrix whose error is shown</source>
+        <translation>Matrix, deren Fehler gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that compares the same ways on the same trials</source>
+        <translation>Die Befehlszeile kopieren, die dieselben Wege an denselben Versuchen vergleicht</translation>
+    </message>
+    <message>
+        <source>Comparing …</source>
+        <translation>Wird verglichen …</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cancelled; %n way(s) that were done are shown.</source>
+        <translation>
+            <numerusform>Abgebrochen; ein fertiger Weg ist gezeigt.</numerusform>
+            <numerusform>Abgebrochen; %n fertige Wege sind gezeigt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n way(s) on the same trials.</source>
+        <translation>
+            <numerusform>Ein Weg an denselben Versuchen.</numerusform>
+            <numerusform>%n Wege an denselben Versuchen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>left out: </source>
+        <translation>ausgelassen: </translation>
+    </message>
+    <message>
+        <source>SCENE.toml</source>
+        <translation>SZENE.toml</translation>
+    </message>
+</context>
+<context>
+    <name>CouplePage</name>
+    <message>
+        <source>Coupling</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>Status of the coupling</source>
+        <translation>Stand der Kopplung</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is written then</source>
+        <translation>Anhalten; dann wird nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Predicted FRFs, and what was measured</source>
+        <translation>Vorhergesagte FRFs, und was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>With a scene of coupling, [data] parts and [couple], the assembly's FRFs stand here as its parts and joints give them,
+with what was measured of it, if it is chosen.</source>
+        <translation>Bei einer Szene der Kopplung, [data] parts und [couple], stehen hier die FRFs des Zusammenbaus, wie Teile und Fügestellen sie ergeben,
+mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
+    </message>
+    <message>
+        <source>Diagram and tables</source>
+        <translation>Diagramm und Tabellen</translation>
+    </message>
+    <message>
+        <source>Couple</source>
+        <translation>Koppeln</translation>
+    </message>
+    <message>
+        <source>Predict the assembly's FRFs; they are written beside the scene</source>
+        <translation>Die FRFs des Zusammenbaus vorhersagen; sie werden neben die Szene geschrieben</translation>
+    </message>
+    <message>
+        <source>bounds</source>
+        <translation>Schranken</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Schranken</translation>
+    </message>
+    <message>
+        <source>Leave out conditions that the others nearly imply, and compute with them as well: what is right lies between</source>
+        <translation>Bedingungen weglassen, die aus den übrigen fast folgen, und auch mit ihnen rechnen: das Richtige liegt dazwischen</translation>
+    </message>
+    <message>
+        <source>Measured…</source>
+        <translation>Gemessen …</translation>
+    </message>
+    <message>
+        <source>Choose FRFs of the real assembly, to compare with</source>
+        <translation>FRFs des wirklichen Zusammenbaus zum Vergleich wählen</translation>
+    </message>
+    <message>
+        <source>Measured files</source>
+        <translation>Gemessene Dateien</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that writes the same file</source>
+        <translation>Die Befehlszeile kopieren, die dieselbe Datei schreibt</translation>
+    </message>
+    <message>
+        <source>Resonances of the assembly</source>
+        <translation>Resonanzen des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>Errors of the predicted FRFs, worst first</source>
+        <translation>Fehler der vorhergesagten FRFs, der schlimmste zuerst</translation>
+    </message>
+    <message>
+        <source>Conditions, and who is left out</source>
+        <translation>Bedingungen, und welche wegbleiben</translation>
+    </message>
+    <message>
+        <source>Resonances, errors and conditions</source>
+        <translation>Resonanzen, Fehler und Bedingungen</translation>
+    </message>
+    <message>
+        <source>Resonances</source>
+        <translation>Resonanzen</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Bedingungen</translation>
+    </message>
+    <message>
+        <source>Save the scene first: the FRFs of the assembly lie beside it.</source>
+        <translation>Speichern Sie zuerst die Szene: die FRFs des Zusammenbaus liegen daneben.</translation>
+    </message>
+    <message>
+        <source>Coupling …</source>
+        <translation>Wird gekoppelt …</translation>
+    </message>
+    <message>
+        <source>written to %1</source>
+        <translation>geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>conditions of S</source>
+        <translation>Bedingungen von S</translation>
+    </message>
+    <message>
+        <source>alpha</source>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>SCENE.toml</source>
+        <translation>SZENE.toml</translation>
+    </message>
+</context>
+<context>
+    <name>DataPage</name>
+    <message>
+        <source>missing lines</source>
+        <translation>fehlende Linien</translation>
+    </message>
+    <message>
+        <source>mean coherence</source>
+        <translation>mittlere Kohärenz</translation>
+    </message>
+    <message>
+        <source>deviation over |H|</source>
+        <translation>Abweichung über |H|</translation>
+    </message>
+    <message>
+        <source>reciprocity error</source>
+        <translation>Reziprozitätsfehler</translation>
+    </message>
+    <message>
+        <source>coherence of %1 averages</source>
+        <translation>Kohärenz aus %1 Mittelungen</translation>
+    </message>
+    <message>
+        <source>variances</source>
+        <translation>Varianzen</translation>
+    </message>
+    <message>
+        <source>nothing of its noise</source>
+        <translation>nichts über das Rauschen</translation>
+    </message>
+    <message>
+        <source>%1, %2 lines, %3 to %4 Hz; %5 × %6 FRFs; %7</source>
+        <translation>%1, %2 Linien, %3 bis %4 Hz; %5 × %6 FRFs; %7</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Choose FRFs in the grid: click, drag, Ctrl+click, or whole rows and columns by their names.</source>
+        <translation>Wählen Sie FRFs im Raster: Klicken, Ziehen, Strg+Klick, oder ganze Zeilen und Spalten an ihren Namen.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>The files that the scene names</source>
+        <translation>Die Dateien, die die Szene nennt</translation>
+    </message>
+    <message>
+        <source>About the file</source>
+        <translation>Über die Datei</translation>
+    </message>
+    <message>
+        <source>Colour by</source>
+        <translation>Farbe nach</translation>
+    </message>
+    <message>
+        <source>What the cells of the grid show</source>
+        <translation>Was die Zellen des Rasters zeigen</translation>
+    </message>
+    <message>
+        <source>in all files</source>
+        <translation>in allen Dateien</translation>
+    </message>
+    <message>
+        <source>Draw the chosen FRFs of all files that have them</source>
+        <translation>Die gewählten FRFs aller Dateien zeichnen, die sie haben</translation>
+    </message>
+    <message>
+        <source>Draw the chosen FRFs of all files that have them, one over the other</source>
+        <translation>Die gewählten FRFs aller Dateien, die sie haben, übereinander zeichnen</translation>
+    </message>
+    <message>
+        <source>Rows are the joint</source>
+        <translation>Zeilen sind die Fügestelle</translation>
+    </message>
+    <message>
+        <source>Take the chosen rows as joint DOFs</source>
+        <translation>Die gewählten Zeilen als DOFs der Fügestelle nehmen</translation>
+    </message>
+    <message>
+        <source>Write the DOFs of the chosen rows into [joint] dofs</source>
+        <translation>Die DOFs der gewählten Zeilen in [joint] dofs schreiben</translation>
+    </message>
+    <message>
+        <source>FRFs of the file: responses down, references across</source>
+        <translation>FRFs der Datei: Antworten nach unten, Anregungen nach rechts</translation>
+    </message>
+    <message>
+        <source>Files and grid</source>
+        <translation>Dateien und Raster</translation>
+    </message>
+    <message>
+        <source>Files and plot</source>
+        <translation>Dateien und Diagramm</translation>
+    </message>
+    <message>
+        <source>substructures</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>assembly</source>
+        <translation>Zusammenbau</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>What is wrong with %1</source>
+        <translation>Was an %1 falsch ist</translation>
+    </message>
+    <message>
+        <source>Names to choose from</source>
+        <translation>Namen zur Auswahl</translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Choose files of %1</source>
+        <translation>Dateien für %1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose files that are added</source>
+        <translation>Dateien wählen, die hinzukommen</translation>
+    </message>
+    <message>
+        <source>There are comments in this value: edit it in the text.</source>
+        <translation>In diesem Wert stehen Kommentare: ändern Sie ihn im Text.</translation>
+    </message>
+</context>
+<context>
+    <name>FrfGridModel</name>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>response %1, reference %2: %3</source>
+        <translation>Antwort %1, Anregung %2: %3</translation>
+    </message>
+    <message>
+        <source>joint DOF</source>
+        <translation>DOF der Fügestelle</translation>
+    </message>
+</context>
+<context>
+    <name>FrfPlot</name>
+    <message>
+        <source>magnitude and phase</source>
+        <translation>Betrag und Phase</translation>
+    </message>
+    <message>
+        <source>real and imaginary part</source>
+        <translation>Real- und Imaginärteil</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>computed over measured</source>
+        <translation>berechnet zu gemessen</translation>
+    </message>
+    <message>
+        <source>sum of magnitudes</source>
+        <translation>Summe der Beträge</translation>
+    </message>
+    <message>
+        <source>CMIF</source>
+        <translation>CMIF</translation>
+    </message>
+    <message>
+        <source>FRFs</source>
+        <translation>FRFs</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>Werte am Zeiger</translation>
+    </message>
+    <message>
+        <source>What is drawn</source>
+        <translation>Was gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Exclude</source>
+        <translation>Auslassen</translation>
+    </message>
+    <message>
+        <source>While pressed, dragging leaves a band out of the identification</source>
+        <translation>Solange gedrückt, lässt Ziehen ein Band bei der Identifikation aus</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Show all frequencies (Home, or a double click)</source>
+        <translation>Alle Frequenzen zeigen (Pos1 oder Doppelklick)</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the curves for a spreadsheet, and the picture</source>
+        <translation>Die Kurven für eine Tabellenkalkulation kopieren, und das Bild</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG, PDF or CSV</source>
+        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
+    </message>
+</context>
+<context>
+    <name>FrfTab</name>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>all runs</source>
+        <translation>alle Läufe</translation>
+    </message>
+    <message>
+        <source>Draw what the joints of all runs give</source>
+        <translation>Zeichnen, was die Fügestellen aller Läufe ergeben</translation>
+    </message>
+    <message>
+        <source>Draw what the joints of all runs of the session give, one over the other</source>
+        <translation>Was die Fügestellen aller Läufe der Sitzung ergeben, übereinander zeichnen</translation>
+    </message>
+    <message>
+        <source>Error of the regenerated FRF</source>
+        <translation>Fehler der nachgerechneten FRF</translation>
+    </message>
+    <message>
+        <source>Solve, and the assembly's FRFs stand here as measured and as the joint gives them.</source>
+        <translation>Nach dem Lösen stehen hier die FRFs des Zusammenbaus, gemessen und wie die Fügestelle sie ergibt.</translation>
+    </message>
+    <message>
+        <source>error %1 dB (rms)</source>
+        <translation>Fehler %1 dB (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>not comparable</source>
+        <translation>nicht vergleichbar</translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n outlying line(s), red below the curves</source>
+        <translation>
+            <numerusform>; eine ausreißende Linie, rot unter den Kurven</numerusform>
+            <numerusform>; %n ausreißende Linien, rot unter den Kurven</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>GeometryPage</name>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Measured DOFs; ticked: of the joint</source>
+        <translation>Gemessene DOFs; angekreuzt: der Fügestelle</translation>
+    </message>
+    <message>
+        <source>Space ticks a DOF: it goes into [joint] dofs, or out of it</source>
+        <translation>Leertaste kreuzt ein DOF an: es kommt in [joint] dofs, oder heraus</translation>
+    </message>
+    <message>
+        <source>About the structure</source>
+        <translation>Über die Struktur</translation>
+    </message>
+    <message>
+        <source>DOFs and structure</source>
+        <translation>DOFs und Struktur</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Force at</source>
+        <translation>Kraft an</translation>
+    </message>
+    <message>
+        <source>Where a harmonic force moves the assembly</source>
+        <translation>Wo eine harmonische Kraft den Zusammenbau bewegt</translation>
+    </message>
+    <message>
+        <source>Frequency of the force</source>
+        <translation>Frequenz der Kraft</translation>
+    </message>
+    <message>
+        <source>Follows the cursor of the plots</source>
+        <translation>Folgt dem Zeiger der Diagramme</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Show the motion</source>
+        <translation>Die Bewegung zeigen</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>undeformed</source>
+        <translation>unverformt</translation>
+    </message>
+    <message>
+        <source>Show the structure at rest, too</source>
+        <translation>Auch die ruhende Struktur zeigen</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Nummern</translation>
+    </message>
+    <message>
+        <source>Show the numbers of nodes</source>
+        <translation>Die Nummern der Knoten zeigen</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to take it into the joint or out of it.</source>
+        <translation>%1 Knoten, %2 Linien, %3 DOFs. Klicken Sie einen Pfeil an, oder kreuzen Sie ein DOF an, um es in die Fügestelle zu nehmen oder heraus.</translation>
+    </message>
+    <message>
+        <source>The assembly under a force at %1, at its line %2 Hz.</source>
+        <translation>Der Zusammenbau unter einer Kraft an %1, an seiner Linie %2 Hz.</translation>
+    </message>
+    <message>
+        <source>Mode %1.</source>
+        <translation>Mode %1.</translation>
+    </message>
+    <message>
+        <source>
+Joint: %1</source>
+        <translation>
+Fügestelle: %1</translation>
+    </message>
+</context>
+<context>
+    <name>JobLine</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>JobProgress</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>, %1 left</source>
+        <translation>, noch %1</translation>
+    </message>
+</context>
+<context>
+    <name>JointTab</name>
+    <message>
+        <source>Matrix and band</source>
+        <translation>Matrix und Band</translation>
+    </message>
+    <message>
+        <source>Joint matrix</source>
+        <translation>Matrix der Fügestelle</translation>
+    </message>
+    <message>
+        <source> (SI)</source>
+        <translation> (SI)</translation>
+    </message>
+    <message>
+        <source>, %1 to %2 Hz</source>
+        <translation>, %1 bis %2 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>LoadingCurveChoices</name>
+    <message>
+        <source>Columns and laws</source>
+        <translation>Spalten und Gesetze</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Column of displacements, angles or amplitudes</source>
+        <translation>Spalte der Wege, Winkel oder Amplituden</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Column of forces or torques</source>
+        <translation>Spalte der Kräfte oder Momente</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Instead of forces: energies per cycle over amplitude</source>
+        <translation>Statt der Kräfte: Energien je Zyklus über der Amplitude</translation>
+    </message>
+    <message>
+        <source>k_e</source>
+        <translation>k_e</translation>
+    </message>
+    <message>
+        <source>Instead of forces: equivalent stiffnesses over amplitude …</source>
+        <translation>Statt der Kräfte: äquivalente Steifigkeiten über der Amplitude …</translation>
+    </message>
+    <message>
+        <source>d_e</source>
+        <translation>d_e</translation>
+    </message>
+    <message>
+        <source>… and equivalent dampings</source>
+        <translation>… und äquivalente Dämpfungen</translation>
+    </message>
+    <message>
+        <source>Unit of displacements; empty: as the header says, else m</source>
+        <translation>Einheit der Wege; leer: wie der Kopf sagt, sonst m</translation>
+    </message>
+    <message>
+        <source>Unit of forces; empty: as the header says, else N</source>
+        <translation>Einheit der Kräfte; leer: wie der Kopf sagt, sonst N</translation>
+    </message>
+    <message>
+        <source>Loaded once from rest, or cycles</source>
+        <translation>Einmal aus der Ruhe belastet, oder Zyklen</translation>
+    </message>
+    <message>
+        <source>Weighting of the residuals</source>
+        <translation>Gewichtung der Residuen</translation>
+    </message>
+    <message>
+        <source>laws</source>
+        <translation>Gesetze</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Laws to fit; nothing chosen: all</source>
+        <translation>Anzupassende Gesetze; nichts gewählt: alle</translation>
+    </message>
+    <message>
+        <source>Preset friction limit</source>
+        <translation>Vorgegebene Reibgrenze</translation>
+    </message>
+    <message>
+        <source>Preset friction limit; 0: not known</source>
+        <translation>Vorgegebene Reibgrenze; 0: unbekannt</translation>
+    </message>
+    <message>
+        <source>limit </source>
+        <translation>Grenze </translation>
+    </message>
+    <message>
+        <source>limit: to be found</source>
+        <translation>Grenze: gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>LoadingCurvePage</name>
+    <message>
+        <source>Best law by AIC: %1, %2</source>
+        <translation>Bestes Gesetz nach AIC: %1, %2</translation>
+    </message>
+    <message>
+        <source>Loading curves</source>
+        <translation>Belastungskurven</translation>
+    </message>
+    <message>
+        <source>Status of the fits</source>
+        <translation>Stand der Anpassungen</translation>
+    </message>
+    <message>
+        <source>Stop and keep the laws that are fitted</source>
+        <translation>Anhalten und die angepassten Gesetze behalten</translation>
+    </message>
+    <message>
+        <source>Curves and what is fitted to them</source>
+        <translation>Kurven und was an sie angepasst ist</translation>
+    </message>
+    <message>
+        <source>Drop a measured curve here, or choose it: columns of displacement and force, from rest or in cycles,
+or k_e and d_e over amplitude. Fit, and the laws stand over it, with their residuals below.</source>
+        <translation>Ziehen Sie eine gemessene Kurve hierher, oder wählen Sie sie: Spalten von Weg und Kraft, aus der Ruhe oder in Zyklen,
+oder k_e und d_e über der Amplitude. Nach dem Anpassen stehen die Gesetze darüber, darunter ihre Residuen.</translation>
+    </message>
+    <message>
+        <source>Curves and laws</source>
+        <translation>Kurven und Gesetze</translation>
+    </message>
+    <message>
+        <source>Fitting laws</source>
+        <translation>Gesetze anpassen</translation>
+    </message>
+    <message>
+        <source>Files…</source>
+        <translation>Dateien …</translation>
+    </message>
+    <message>
+        <source>Choose measured curves: text, MATLAB or HDF5 with columns</source>
+        <translation>Gemessene Kurven wählen: Text, MATLAB oder HDF5 mit Spalten</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Fit the laws to the curves</source>
+        <translation>Die Gesetze an die Kurven anpassen</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that fits the same</source>
+        <translation>Die Befehlszeile kopieren, die dasselbe anpasst</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Laws, best by AIC first; a row shows its parameters</source>
+        <translation>Gesetze, das beste nach AIC zuerst; eine Zeile zeigt ihre Parameter</translation>
+    </message>
+    <message>
+        <source>Parameters of the law with intervals</source>
+        <translation>Parameter des Gesetzes mit Intervallen</translation>
+    </message>
+    <message>
+        <source>k_e and d_e of the law over amplitude</source>
+        <translation>k_e und d_e des Gesetzes über der Amplitude</translation>
+    </message>
+    <message>
+        <source>Loops one by one</source>
+        <translation>Schleifen einzeln</translation>
+    </message>
+    <message>
+        <source>Laws and numbers</source>
+        <translation>Gesetze und Zahlen</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Gesetze</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>k_e and d_e</source>
+        <translation>k_e und d_e</translation>
+    </message>
+    <message>
+        <source>Loops</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>Columns: %1. Those that are not chosen are found by their names.</source>
+        <translation>Spalten: %1. Nicht gewählte werden an ihren Namen gefunden.</translation>
+    </message>
+    <message>
+        <source>Fitting …</source>
+        <translation>Wird angepasst …</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>k_e, d_e and energy</source>
+        <translation>k_e, d_e und Energie</translation>
+    </message>
+    <message>
+        <source>slip</source>
+        <translation>Schlupf</translation>
+    </message>
+    <message>
+        <source>loops in turn</source>
+        <translation>Schleifen der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Parameters of %1</source>
+        <translation>Parameter von %1</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>jointid workbench</source>
+        <translation>jointid workbench</translation>
+    </message>
+    <message>
+        <source>Drop FRF files of the parts and of the assembly here, or a scene.
+
+Ctrl+O opens them, Ctrl+N begins an empty scene.</source>
+        <translation>Ziehen Sie FRF-Dateien der Teile und des Zusammenbaus hierher, oder eine Szene.
+
+Strg+O öffnet sie, Strg+N beginnt eine leere Szene.</translation>
+    </message>
+    <message>
+        <source>How to begin</source>
+        <translation>Wie man beginnt</translation>
+    </message>
+    <message>
+        <source>Projects</source>
+        <translation>Projekte</translation>
+    </message>
+    <message>
+        <source>Projects, or how to begin</source>
+        <translation>Projekte, oder wie man beginnt</translation>
+    </message>
+    <message>
+        <source>Content</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Looking at %n file(s) …</source>
+        <translation>
+            <numerusform>Eine Datei wird betrachtet …</numerusform>
+            <numerusform>%n Dateien werden betrachtet …</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>This scene was proposed from the files; why stands above it. Look at it, then save it.</source>
+        <translation>Diese Szene ist ein Vorschlag aus den Dateien; die Gründe stehen darüber. Sehen Sie sie durch und speichern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Die Szene speichern</translation>
+    </message>
+    <message>
+        <source>Scenes (*.toml)</source>
+        <translation>Szenen (*.toml)</translation>
+    </message>
+    <message>
+        <source>Unsaved scene</source>
+        <translation>Nicht gespeicherte Szene</translation>
+    </message>
+    <message>
+        <source>Save the changes of %1?</source>
+        <translation>Die Änderungen von %1 speichern?</translation>
+    </message>
+    <message>
+        <source>%1[*] – jointid workbench</source>
+        <translation>%1[*] – jointid workbench</translation>
+    </message>
+    <message>
+        <source>The language changes with the next start.</source>
+        <translation>Die Sprache wechselt mit dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Begin anew now</source>
+        <translation>Jetzt neu beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;New scene</source>
+        <translation>&amp;Neue Szene</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Ctrl+W</source>
+        <translation>Ctrl+W</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation>Ctrl+Q</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Go to what is &amp;wrong</source>
+        <translation>Zum &amp;Fehler gehen</translation>
+    </message>
+    <message>
+        <source>F8</source>
+        <translation>F8</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Scene</source>
+        <translation>S&amp;zene</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation>Alt+1</translation>
+    </message>
+    <message>
+        <source>Scene as a &amp;form</source>
+        <translation>Szene als &amp;Formular</translation>
+    </message>
+    <message>
+        <source>F4</source>
+        <translation>F4</translation>
+    </message>
+    <message>
+        <source>&amp;Data</source>
+        <translation>D&amp;aten</translation>
+    </message>
+    <message>
+        <source>&amp;Geometry</source>
+        <translation>&amp;Geometrie</translation>
+    </message>
+    <message>
+        <source>S&amp;olution</source>
+        <translation>&amp;Lösung</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleich</translation>
+    </message>
+    <message>
+        <source>S&amp;tudy</source>
+        <translation>S&amp;tudie</translation>
+    </message>
+    <message>
+        <source>&amp;Before measuring</source>
+        <translation>&amp;Vor der Messung</translation>
+    </message>
+    <message>
+        <source>&amp;Next project</source>
+        <translation>&amp;Nächstes Projekt</translation>
+    </message>
+    <message>
+        <source>Ctrl+Tab</source>
+        <translation>Ctrl+Tab</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Rechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Plan</source>
+        <translation>&amp;Plan</translation>
+    </message>
+    <message>
+        <source>F6</source>
+        <translation>F6</translation>
+    </message>
+    <message>
+        <source>&amp;Solve</source>
+        <translation>&amp;Lösen</translation>
+    </message>
+    <message>
+        <source>F5</source>
+        <translation>F5</translation>
+    </message>
+    <message>
+        <source>&amp;Bounds before measuring</source>
+        <translation>&amp;Schranken vor der Messung</translation>
+    </message>
+    <message>
+        <source>F7</source>
+        <translation>F7</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>Shift+F5</source>
+        <translation>Shift+F5</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>Ü&amp;ber</translation>
+    </message>
+    <message>
+        <source>jointid workbench %1
+
+Finds joints from measured FRFs. Sources under BSD-3-Clause; this program links QCustomPlot and is passed on under the GPL, version 3.</source>
+        <translation>jointid workbench %1
+
+Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses Programm bindet QCustomPlot ein und wird unter der GPL, Version 3, weitergegeben.</translation>
+    </message>
+    <message>
+        <source>&amp;Modes</source>
+        <translation>&amp;Moden</translation>
+    </message>
+    <message>
+        <source>Cou&amp;pling</source>
+        <translation>&amp;Kopplung</translation>
+    </message>
+    <message>
+        <source>&amp;Loading curves</source>
+        <translation>&amp;Belastungskurven</translation>
+    </message>
+</context>
+<context>
+    <name>MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Do what the message offers</source>
+        <translation>Tun, was die Meldung anbietet</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Die Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ModalPage</name>
+    <message>
+        <source>Modes</source>
+        <translation>Moden</translation>
+    </message>
+    <message>
+        <source>Status of the modal fit</source>
+        <translation>Stand der Modalanalyse</translation>
+    </message>
+    <message>
+        <source>Stop and keep the modes that are found</source>
+        <translation>Anhalten und die gefundenen Moden behalten</translation>
+    </message>
+    <message>
+        <source>Stabilisation diagram</source>
+        <translation>Stabilisierungsdiagramm</translation>
+    </message>
+    <message>
+        <source>Find modes, and the poles of all orders stand here.
+A click on a pole takes it as a mode, a click on one of a mode leaves it; Ctrl+Z undoes.
+← and → go from pole to pole, Enter is a click; wheel, + and − zoom.</source>
+        <translation>Nach dem Suchen stehen hier die Pole aller Ordnungen.
+Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt sie weg; Strg+Z macht rückgängig.
+← und → gehen von Pol zu Pol, Eingabe ist ein Klick; Rad, + und − vergrößern.</translation>
+    </message>
+    <message>
+        <source>Diagram and modes</source>
+        <translation>Diagramm und Moden</translation>
+    </message>
+    <message>
+        <source>Fitting modes</source>
+        <translation>Moden anpassen</translation>
+    </message>
+    <message>
+        <source>Find modes</source>
+        <translation>Moden suchen</translation>
+    </message>
+    <message>
+        <source>Seek all modes that stand out of the noise</source>
+        <translation>Alle Moden suchen, die aus dem Rauschen ragen</translation>
+    </message>
+    <message>
+        <source>Part, or assembly</source>
+        <translation>Teil oder Zusammenbau</translation>
+    </message>
+    <message>
+        <source>Lowest frequency</source>
+        <translation>Kleinste Frequenz</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>Highest frequency</source>
+        <translation>Größte Frequenz</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>How modes are damped</source>
+        <translation>Wie Moden gedämpft sind</translation>
+    </message>
+    <message>
+        <source>real modes</source>
+        <translation>reelle Moden</translation>
+    </message>
+    <message>
+        <source>Real modes</source>
+        <translation>Reelle Moden</translation>
+    </message>
+    <message>
+        <source>All coordinates move in phase or in antiphase</source>
+        <translation>Alle Koordinaten bewegen sich gleich- oder gegenphasig</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the last pick (Ctrl+Z in the diagram)</source>
+        <translation>Die letzte Wahl rückgängig machen (Strg+Z im Diagramm)</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Pick again (Ctrl+Shift+Z in the diagram)</source>
+        <translation>Wieder wählen (Strg+Umschalt+Z im Diagramm)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Leave all modes, to pick poles one by one</source>
+        <translation>Alle Moden weglassen, um Pole einzeln zu wählen</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that gives the same modes</source>
+        <translation>Die Befehlszeile kopieren, die dieselben Moden ergibt</translation>
+    </message>
+    <message>
+        <source>Shapes…</source>
+        <translation>Formen …</translation>
+    </message>
+    <message>
+        <source>Write the mode shapes as `jointid modalfit --shapes` does (UFF 55)</source>
+        <translation>Die Eigenformen schreiben wie `jointid modalfit --shapes` (UFF 55)</translation>
+    </message>
+    <message>
+        <source>FRFs…</source>
+        <translation>FRFs …</translation>
+    </message>
+    <message>
+        <source>Write the FRFs of the modes as `jointid modalfit --regenerate` does</source>
+        <translation>Die FRFs der Moden schreiben wie `jointid modalfit --regenerate`</translation>
+    </message>
+    <message>
+        <source>Modes with standard deviations; Delete leaves one</source>
+        <translation>Moden mit Standardabweichungen; Entf lässt eine weg</translation>
+    </message>
+    <message>
+        <source>MAC of all modes</source>
+        <translation>MAC aller Moden</translation>
+    </message>
+    <message>
+        <source>Error of all FRFs in dB, away from antiresonances</source>
+        <translation>Fehler aller FRFs in dB, fern von Antiresonanzen</translation>
+    </message>
+    <message>
+        <source>Modes and FRFs</source>
+        <translation>Moden und FRFs</translation>
+    </message>
+    <message>
+        <source>FRFs</source>
+        <translation>FRFs</translation>
+    </message>
+    <message>
+        <source>MAC</source>
+        <translation>MAC</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Measured FRFs, and those of the modes</source>
+        <translation>Gemessene FRFs, und die der Moden</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>Find modes, and what they give stands here over the measured FRFs, anew after every pick.</source>
+        <translation>Nach dem Suchen steht hier über den gemessenen FRFs, was die Moden ergeben, neu nach jeder Wahl.</translation>
+    </message>
+    <message>
+        <source>Write the mode shapes</source>
+        <translation>Die Eigenformen schreiben</translation>
+    </message>
+    <message>
+        <source>Universal files (*.uff)</source>
+        <translation>Universal Files (*.uff)</translation>
+    </message>
+    <message>
+        <source>Write the FRFs of the modes</source>
+        <translation>Die FRFs der Moden schreiben</translation>
+    </message>
+    <message>
+        <source>FRFs (*.h5 *.uff *.mat *.csv)</source>
+        <translation>FRFs (*.h5 *.uff *.mat *.csv)</translation>
+    </message>
+    <message>
+        <source>Finding modes …</source>
+        <translation>Moden werden gesucht …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mode(s); %1</source>
+        <translation>
+            <numerusform>Eine Mode; %1</numerusform>
+            <numerusform>%n Moden; %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No modes are found yet.</source>
+        <translation>Noch sind keine Moden gefunden.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+</context>
+<context>
+    <name>MotionBar</name>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>What moves the structure</source>
+        <translation>Was die Struktur bewegt</translation>
+    </message>
+    <message>
+        <source>A harmonic force at a reference of the assembly, or a mode of the page Modes or of a file</source>
+        <translation>Eine harmonische Kraft an einer Anregung des Zusammenbaus, oder eine Mode der Seite Moden oder einer Datei</translation>
+    </message>
+    <message>
+        <source>Frequency of the force</source>
+        <translation>Frequenz der Kraft</translation>
+    </message>
+    <message>
+        <source>Follows the cursor of the plots</source>
+        <translation>Folgt dem Zeiger der Diagramme</translation>
+    </message>
+    <message>
+        <source> Hz</source>
+        <translation> Hz</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Show the motion</source>
+        <translation>Die Bewegung zeigen</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Hold the motion at its phase</source>
+        <translation>Die Bewegung bei ihrer Phase halten</translation>
+    </message>
+    <message>
+        <source>Shapes…</source>
+        <translation>Formen …</translation>
+    </message>
+    <message>
+        <source>Take mode shapes from a universal file (dataset 55)</source>
+        <translation>Eigenformen aus einem Universal File nehmen (Datensatz 55)</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Phase in degrees</source>
+        <translation>Phase in Grad</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Fügestelle</translation>
+    </message>
+    <message>
+        <source>Deflection of the joint</source>
+        <translation>Verformung der Fügestelle</translation>
+    </message>
+    <message>
+        <source>Show how the nodes of the joint move against each other, and nothing else</source>
+        <translation>Nur zeigen, wie sich die Knoten der Fügestelle gegeneinander bewegen</translation>
+    </message>
+    <message>
+        <source>undeformed</source>
+        <translation>unverformt</translation>
+    </message>
+    <message>
+        <source>Show the structure at rest, too</source>
+        <translation>Auch die ruhende Struktur zeigen</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Nummern</translation>
+    </message>
+    <message>
+        <source>Show the numbers of nodes</source>
+        <translation>Die Nummern der Knoten zeigen</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>force at %1</source>
+        <translation>Kraft an %1</translation>
+    </message>
+    <message>
+        <source>mode %1</source>
+        <translation>Mode %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlanPage</name>
+    <message>
+        <source>Before measuring</source>
+        <translation>Vor der Messung</translation>
+    </message>
+    <message>
+        <source>Status of the prediction</source>
+        <translation>Stand der Vorhersage</translation>
+    </message>
+    <message>
+        <source>Smallest errors, and what leaving out data would change</source>
+        <translation>Kleinste Fehler, und was ein Weglassen von Daten änderte</translation>
+    </message>
+    <message>
+        <source>Candidates, best first</source>
+        <translation>Kandidaten, der beste zuerst</translation>
+    </message>
+    <message>
+        <source>Bounds and candidates</source>
+        <translation>Schranken und Kandidaten</translation>
+    </message>
+    <message>
+        <source>The smallest errors that FRFs of a model or an earlier test allow, for the joint of [truth] or [identify] start, with the errors of [noise] or of the files.</source>
+        <translation>Die kleinsten Fehler, die FRFs eines Modells oder einer früheren Messung zulassen, für die Fügestelle von [truth] oder [identify] start, mit den Fehlern von [noise] oder der Dateien.</translation>
+    </message>
+    <message>
+        <source>Cancelled before anything was predicted.</source>
+        <translation>Abgebrochen, bevor etwas vorhergesagt war.</translation>
+    </message>
+    <message>
+        <source>Predicting</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Vorhersagen</translation>
+    </message>
+    <message>
+        <source>Predict the smallest errors, and rank the candidates (F7)</source>
+        <translation>Die kleinsten Fehler vorhersagen und die Kandidaten ordnen (F7)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop and show what is done</source>
+        <translation>Anhalten und zeigen, was fertig ist</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Kandidaten</translation>
+    </message>
+    <message>
+        <source>Coordinates of the files that count as not measured, until it is told what each would bring</source>
+        <translation>Koordinaten der Dateien, die als nicht gemessen gelten; gesagt wird, was jede brächte</translation>
+    </message>
+    <message>
+        <source>candidates, not measured so far: 3:+Y, 4:+RZ</source>
+        <translation>Kandidaten, bisher nicht gemessen: 3:+Y, 4:+RZ</translation>
+    </message>
+    <message>
+        <source>DOFs to choose from</source>
+        <translation>DOFs zur Auswahl</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that predicts the same</source>
+        <translation>Die Befehlszeile kopieren, die dasselbe vorhersagt</translation>
+    </message>
+    <message>
+        <source>Tables…</source>
+        <translation>Tabellen …</translation>
+    </message>
+    <message>
+        <source>Save both tables as CSV</source>
+        <translation>Beide Tabellen als CSV speichern</translation>
+    </message>
+    <message>
+        <source>Predicting …</source>
+        <translation>Wird vorhergesagt …</translation>
+    </message>
+    <message>
+        <source>Cancelled: not all changes of the data were looked at.</source>
+        <translation>Abgebrochen: nicht alle Änderungen der Daten wurden betrachtet.</translation>
+    </message>
+    <message>
+        <source>Bounds are predicted.</source>
+        <translation>Die Schranken sind vorhergesagt.</translation>
+    </message>
+    <message>
+        <source>Save the tables</source>
+        <translation>Die Tabellen speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>SCENE.toml</source>
+        <translation>SZENE.toml</translation>
+    </message>
+</context>
+<context>
+    <name>PlotCanvas</name>
+    <message>
+        <source>FRF plot</source>
+        <translation>FRF-Diagramm</translation>
+    </message>
+</context>
+<context>
+    <name>PlotMenu</name>
+    <message>
+        <source>What is drawn</source>
+        <translation>Was gezeichnet wird</translation>
+    </message>
+</context>
+<context>
+    <name>Project</name>
+    <message>
+        <source>What is wrong with the scene</source>
+        <translation>Was an der Szene falsch ist</translation>
+    </message>
+    <message>
+        <source>Scene and pages</source>
+        <translation>Szene und Seiten</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Scene as text or form</source>
+        <translation>Szene als Text oder Formular</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Formular</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Geometry</source>
+        <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Before measuring</source>
+        <translation>Vor der Messung</translation>
+    </message>
+    <message>
+        <source>The scene is complete.</source>
+        <translation>Die Szene ist vollständig.</translation>
+    </message>
+    <message>
+        <source>Line %1: </source>
+        <translation>Zeile %1: </translation>
+    </message>
+    <message>
+        <source>it is larger than 16 MiB</source>
+        <translation>sie ist größer als 16 MiB</translation>
+    </message>
+    <message>
+        <source>it is no text in UTF-8</source>
+        <translation>sie ist kein Text in UTF-8</translation>
+    </message>
+    <message>
+        <source>new scene</source>
+        <translation>neue Szene</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>%1 is gone or cannot be read: %2</source>
+        <translation>%1 ist verschwunden oder lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program, and here.</source>
+        <translation>%1 wurde von einem anderen Programm geändert, und hier.</translation>
+    </message>
+    <message>
+        <source>Take the other one</source>
+        <translation>Die andere nehmen</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program and read again.</source>
+        <translation>%1 wurde von einem anderen Programm geändert und neu gelesen.</translation>
+    </message>
+    <message>
+        <source>Modes</source>
+        <translation>Moden</translation>
+    </message>
+    <message>
+        <source>Coupling</source>
+        <translation>Kopplung</translation>
+    </message>
+    <message>
+        <source>Loading curves</source>
+        <translation>Belastungskurven</translation>
+    </message>
+</context>
+<context>
+    <name>QDoubleSpinBox</name>
+    <message>
+        <source>%1; 0: all lines</source>
+        <translation>%1; 0: alle Linien</translation>
+    </message>
+    <message>
+        <source>%1: all lines</source>
+        <translation>%1: alle Linien</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Scenes and FRFs (*.toml *.uff *.unv *.h5 *.hdf5 *.mat *.csv *.txt);;All files (*)</source>
+        <translation>Szenen und FRFs (*.toml *.uff *.unv *.h5 *.hdf5 *.mat *.csv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>Said</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Frequencies</source>
+        <translation>Frequenzen</translation>
+    </message>
+    <message>
+        <source>Frequencies near resonances</source>
+        <translation>Frequenzen nahe Resonanzen</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Fügestelle</translation>
+    </message>
+    <message>
+        <source>Joint: stiffness K</source>
+        <translation>Fügestelle: Steifigkeit K</translation>
+    </message>
+    <message>
+        <source>Joint: mass M</source>
+        <translation>Fügestelle: Masse M</translation>
+    </message>
+    <message>
+        <source>Joint: viscous damping C</source>
+        <translation>Fügestelle: viskose Dämpfung C</translation>
+    </message>
+    <message>
+        <source>Joint: hysteretic damping D</source>
+        <translation>Fügestelle: hysteretische Dämpfung D</translation>
+    </message>
+    <message>
+        <source>Identification</source>
+        <translation>Identifikation</translation>
+    </message>
+    <message>
+        <source>Identification: start</source>
+        <translation>Identifikation: Startwerte</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise: gross errors</source>
+        <translation>Rauschen: grobe Fehler</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Wahrheit</translation>
+    </message>
+    <message>
+        <source>name of the scene</source>
+        <translation>Name der Szene</translation>
+    </message>
+    <message>
+        <source>positions in m: { "4" = [0.9, 0, 0], … }</source>
+        <translation>Orte in m: { "4" = [0.9, 0, 0], … }</translation>
+    </message>
+    <message>
+        <source>files of the parts without the joint</source>
+        <translation>Dateien der Teile ohne die Fügestelle</translation>
+    </message>
+    <message>
+        <source>files of the parts with the joint</source>
+        <translation>Dateien der Teile mit der Fügestelle</translation>
+    </message>
+    <message>
+        <source>whether an FRF that is not there is taken from its transpose</source>
+        <translation>ob eine fehlende FRF aus ihrer Transponierten genommen wird</translation>
+    </message>
+    <message>
+        <source>whose FRFs their modal models replace: substructures, assembly</source>
+        <translation>wessen FRFs durch ihre Modalmodelle ersetzt werden: substructures, assembly</translation>
+    </message>
+    <message>
+        <source>what files do not say themselves, and what is wrong in them</source>
+        <translation>was Dateien nicht selbst sagen, und was in ihnen falsch ist</translation>
+    </message>
+    <message>
+        <source>lowest and highest frequency in Hz: 400, 1000</source>
+        <translation>kleinste und größte Frequenz in Hz: 400, 1000</translation>
+    </message>
+    <message>
+        <source>bands left out, in Hz: [[560, 566], [700, 702]]</source>
+        <translation>ausgelassene Bänder in Hz: [[560, 566], [700, 702]]</translation>
+    </message>
+    <message>
+        <source>lines near resonances left out: { of = ["assembly"], half_width = 0.01 }</source>
+        <translation>ausgelassene Linien nahe Resonanzen: { of = ["assembly"], half_width = 0.01 }</translation>
+    </message>
+    <message>
+        <source>whose resonances: substructures, assembly</source>
+        <translation>wessen Resonanzen: substructures, assembly</translation>
+    </message>
+    <message>
+        <source>half the width left out, relative: 0.01</source>
+        <translation>halbe ausgelassene Breite, relativ: 0.01</translation>
+    </message>
+    <message>
+        <source>coordinates of both sides: 4:+Y, 4:+RZ, 5:+Y, 5:+RZ</source>
+        <translation>Koordinaten beider Seiten: 4:+Y, 4:+RZ, 5:+Y, 5:+RZ</translation>
+    </message>
+    <message>
+        <source>bands that are identified separately, in Hz: [[100, 200], [200, 400]]</source>
+        <translation>einzeln identifizierte Bänder in Hz: [[100, 200], [200, 400]]</translation>
+    </message>
+    <message>
+        <source>pairs that are joined rigidly before: [["4:+X", "5:+X"]]</source>
+        <translation>Paare, die vorher starr verbunden werden: [["4:+X", "5:+X"]]</translation>
+    </message>
+    <message>
+        <source>which elements are unknown</source>
+        <translation>welche Elemente unbekannt sind</translation>
+    </message>
+    <message>
+        <source>element by element: [["a", "-a"], ["-a", "a"]]; numbers are known</source>
+        <translation>Element für Element: [["a", "-a"], ["-a", "a"]]; Zahlen sind bekannt</translation>
+    </message>
+    <message>
+        <source>between two DOFs, or one and ground: [["4:+Y", "5:+Y"]]</source>
+        <translation>zwischen zwei DOFs, oder einem und dem Boden: [["4:+Y", "5:+Y"]]</translation>
+    </message>
+    <message>
+        <source>whether it is required to be positive semidefinite</source>
+        <translation>ob sie positiv semidefinit sein muss</translation>
+    </message>
+    <message>
+        <source>N/m, N, N·m: [[1e6, -1e6], [-1e6, 1e6]]</source>
+        <translation>N/m, N, N·m: [[1e6, -1e6], [-1e6, 1e6]]</translation>
+    </message>
+    <message>
+        <source>kg, kg·m, kg·m²: [[0, 0], [0, 0]]</source>
+        <translation>kg, kg·m, kg·m²: [[0, 0], [0, 0]]</translation>
+    </message>
+    <message>
+        <source>N·s/m, N·s, N·m·s: [[10, -10], [-10, 10]]</source>
+        <translation>N·s/m, N·s, N·m·s: [[10, -10], [-10, 10]]</translation>
+    </message>
+    <message>
+        <source>N/m, N, N·m: [[1e4, -1e4], [-1e4, 1e4]]</source>
+        <translation>N/m, N, N·m: [[1e4, -1e4], [-1e4, 1e4]]</translation>
+    </message>
+    <message>
+        <source>the way of identification</source>
+        <translation>der Weg der Identifikation</translation>
+    </message>
+    <message>
+        <source>blocks of the assembly to explain: nn, nj, jj, jn</source>
+        <translation>zu erklärende Blöcke des Zusammenbaus: nn, nj, jj, jn</translation>
+    </message>
+    <message>
+        <source>of the equations of linear methods</source>
+        <translation>der Gleichungen linearer Methoden</translation>
+    </message>
+    <message>
+        <source>drops equations whose sides differ by less: 0 to 2</source>
+        <translation>lässt Gleichungen weg, deren Seiten sich um weniger unterscheiden: 0 bis 2</translation>
+    </message>
+    <message>
+        <source>which numerical way the method takes</source>
+        <translation>welchen numerischen Weg die Methode nimmt</translation>
+    </message>
+    <message>
+        <source>start of iterations: { stiffness = [[1e6, -1e6], [-1e6, 1e6]] }</source>
+        <translation>Startwerte der Iterationen: { stiffness = [[1e6, -1e6], [-1e6, 1e6]] }</translation>
+    </message>
+    <message>
+        <source>how many starts are followed</source>
+        <translation>wie viele Startwerte verfolgt werden</translation>
+    </message>
+    <message>
+        <source>where the variances of the FRFs come from</source>
+        <translation>woher die Varianzen der FRFs kommen</translation>
+    </message>
+    <message>
+        <source>whether a law replaces the variances of files</source>
+        <translation>ob ein Gesetz die Varianzen der Dateien ersetzt</translation>
+    </message>
+    <message>
+        <source>known beside the data, value and deviation: { "K(1,1)" = [6.6e5, 1e4] }</source>
+        <translation>neben den Daten bekannt, Wert und Abweichung: { "K(1,1)" = [6.6e5, 1e4] }</translation>
+    </message>
+    <message>
+        <source>of unknowns: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</source>
+        <translation>von Unbekannten: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</translation>
+    </message>
+    <message>
+        <source>equations between unknowns: ["K(1,1) = K(3,3)"]</source>
+        <translation>Gleichungen zwischen Unbekannten: ["K(1,1) = K(3,3)"]</translation>
+    </message>
+    <message>
+        <source>how many replicates: 0, or 100 and more</source>
+        <translation>wie viele Wiederholungen: 0, oder 100 und mehr</translation>
+    </message>
+    <message>
+        <source>of the random numbers of the bootstrap</source>
+        <translation>der Zufallszahlen des Bootstraps</translation>
+    </message>
+    <message>
+        <source>the law of the measurement errors</source>
+        <translation>das Gesetz der Messfehler</translation>
+    </message>
+    <message>
+        <source>size of the errors relative to |H|: 0.01</source>
+        <translation>Größe der Fehler, bezogen auf |H|: 0.01</translation>
+    </message>
+    <message>
+        <source>of a hammer test: 0.998</source>
+        <translation>eines Hammerversuchs: 0.998</translation>
+    </message>
+    <message>
+        <source>of a hammer test: 5</source>
+        <translation>eines Hammerversuchs: 5</translation>
+    </message>
+    <message>
+        <source>of the averages: 0 to 1</source>
+        <translation>der Mittelungen: 0 bis 1</translation>
+    </message>
+    <message>
+        <source>constant error relative to the rms of the FRF</source>
+        <translation>konstanter Fehler, bezogen auf den Effektivwert der FRF</translation>
+    </message>
+    <message>
+        <source>lines with larger errors: { share = 0.02, factor = 10 }</source>
+        <translation>Linien mit größeren Fehlern: { share = 0.02, factor = 10 }</translation>
+    </message>
+    <message>
+        <source>share of the lines with larger errors: 0.02</source>
+        <translation>Anteil der Linien mit größeren Fehlern: 0.02</translation>
+    </message>
+    <message>
+        <source>how many times larger: 10</source>
+        <translation>wievielmal größer: 10</translation>
+    </message>
+    <message>
+        <source>probability that a direction is noted the wrong way round</source>
+        <translation>Wahrscheinlichkeit, dass eine Richtung verkehrt notiert ist</translation>
+    </message>
+    <message>
+        <source>standard deviation of a DOF's place, in m</source>
+        <translation>Standardabweichung des Orts eines DOFs, in m</translation>
+    </message>
+    <message>
+        <source>whether an FRF and its transpose share their errors</source>
+        <translation>ob eine FRF und ihre Transponierte die Fehler teilen</translation>
+    </message>
+    <message>
+        <source>planning</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>bootstrap</source>
+        <translation>Bootstrap</translation>
+    </message>
+    <message>
+        <source>identifiability</source>
+        <translation>Identifizierbarkeit</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>constraining</source>
+        <translation>Nebenbedingungen</translation>
+    </message>
+    <message>
+        <source>standard errors</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
+        <source>Finds joints from measured FRFs</source>
+        <translation>Bestimmt Fügestellen aus gemessenen FRFs</translation>
+    </message>
+    <message>
+        <source>scenes, or FRF files to make a new scene of</source>
+        <translation>Szenen, oder FRF-Dateien für eine neue Szene</translation>
+    </message>
+    <message>
+        <source>no longer fixed</source>
+        <translation>nicht mehr bestimmt</translation>
+    </message>
+    <message>
+        <source>candidate</source>
+        <translation>Kandidat</translation>
+    </message>
+    <message>
+        <source>bounds times (mean)</source>
+        <translation>Schranken mal (Mittel)</translation>
+    </message>
+    <message>
+        <source>bounds times (worst)</source>
+        <translation>Schranken mal (schlechteste)</translation>
+    </message>
+    <message>
+        <source>what it brings</source>
+        <translation>was er bringt</translation>
+    </message>
+    <message>
+        <source>computed over measured (dB)</source>
+        <translation>berechnet zu gemessen (dB)</translation>
+    </message>
+    <message>
+        <source>sum of |H|</source>
+        <translation>Summe der |H|</translation>
+    </message>
+    <message>
+        <source>real part</source>
+        <translation>Realteil</translation>
+    </message>
+    <message>
+        <source>imaginary part</source>
+        <translation>Imaginärteil</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>%1 of %2 FRFs</source>
+        <translation>%1 aus %2 FRFs</translation>
+    </message>
+    <message>
+        <source>frequency (Hz)</source>
+        <translation>Frequenz (Hz)</translation>
+    </message>
+    <message>
+        <source>real part (%1)</source>
+        <translation>Realteil (%1)</translation>
+    </message>
+    <message>
+        <source>imaginary part (%1)</source>
+        <translation>Imaginärteil (%1)</translation>
+    </message>
+    <message>
+        <source>Pictures and tables (*.png *.svg *.pdf *.csv)</source>
+        <translation>Bilder und Tabellen (*.png *.svg *.pdf *.csv)</translation>
+    </message>
+    <message>
+        <source>Save the plot</source>
+        <translation>Das Diagramm speichern</translation>
+    </message>
+    <message>
+        <source>Not saved</source>
+        <translation>Nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>way</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>assembly FRF error (dB)</source>
+        <translation>FRF-Fehler des Zusammenbaus (dB)</translation>
+    </message>
+    <message>
+        <source>χ² / degrees of freedom</source>
+        <translation>χ² / Freiheitsgrade</translation>
+    </message>
+    <message>
+        <source>run time (s)</source>
+        <translation>Rechenzeit (s)</translation>
+    </message>
+    <message>
+        <source>%1 of the run in front</source>
+        <translation>%1 gegenüber dem Lauf vorn</translation>
+    </message>
+    <message>
+        <source>run </source>
+        <translation>Lauf </translation>
+    </message>
+    <message>
+        <source>assembly FRF error</source>
+        <translation>FRF-Fehler des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>outlying lines</source>
+        <translation>ausreißende Linien</translation>
+    </message>
+    <message>
+        <source>misfit</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>RJCF %1, ARVF %2, relative error %3 (rms)</source>
+        <translation>RJCF %1, ARVF %2, relativer Fehler %3 (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>joint DOFs</source>
+        <translation>DOFs der Fügestelle</translation>
+    </message>
+    <message>
+        <source>other responses</source>
+        <translation>übrige Antworten</translation>
+    </message>
+    <message>
+        <source>other references</source>
+        <translation>übrige Anregungen</translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3 Hz</source>
+        <translation>%1, %2 bis %3 Hz</translation>
+    </message>
+    <message>
+        <source>unknowns</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>constraint</source>
+        <translation>Nebenbedingung</translation>
+    </message>
+    <message>
+        <source>to read</source>
+        <translation>zu lesen</translation>
+    </message>
+    <message>
+        <source>iterations expected</source>
+        <translation>erwartete Iterationen</translation>
+    </message>
+    <message>
+        <source>time expected</source>
+        <translation>erwartete Zeit</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>standard error</source>
+        <translation>Standardfehler</translation>
+    </message>
+    <message>
+        <source>relative, or bounds times (worst)</source>
+        <translation>relativ, oder Schranken mal (schlechteste)</translation>
+    </message>
+    <message>
+        <source>smallest error</source>
+        <translation>kleinster Fehler</translation>
+    </message>
+    <message>
+        <source>not fixed by the data</source>
+        <translation>durch die Daten nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>without a coordinate</source>
+        <translation>ohne eine Koordinate</translation>
+    </message>
+    <message>
+        <source>without lines</source>
+        <translation>ohne Linien</translation>
+    </message>
+    <message>
+        <source>with more data</source>
+        <translation>mit mehr Daten</translation>
+    </message>
+    <message>
+        <source>variances</source>
+        <translation>Varianzen</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>95 % interval or error</source>
+        <translation>95-%-Intervall oder Fehler</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>value and interval</source>
+        <translation>Wert und Intervall</translation>
+    </message>
+    <message>
+        <source>not determined by the data</source>
+        <translation>durch die Daten nicht bestimmt</translation>
+    </message>
+    <message>
+        <source>finding</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <translation>gewählt</translation>
+    </message>
+    <message>
+        <source>suspect</source>
+        <translation>Verdacht</translation>
+    </message>
+    <message>
+        <source>remedy</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>regenerated</source>
+        <translation>nachgerechnet</translation>
+    </message>
+    <message>
+        <source>trials: </source>
+        <translation>Versuche: </translation>
+    </message>
+    <message>
+        <source>so far</source>
+        <translation>bisher</translation>
+    </message>
+    <message>
+        <source>only the lines nearest to lo, lo + step, …, in Hz</source>
+        <translation>nur die Linien, die lo, lo + step, … am nächsten sind, in Hz</translation>
+    </message>
+    <message>
+        <source>FRF</source>
+        <translation>FRF</translation>
+    </message>
+    <message>
+        <source>error in dB (rms)</source>
+        <translation>Fehler in dB (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>resonance (Hz)</source>
+        <translation>Resonanz (Hz)</translation>
+    </message>
+    <message>
+        <source>with all conditions (Hz)</source>
+        <translation>mit allen Bedingungen (Hz)</translation>
+    </message>
+    <message>
+        <source>missing lines</source>
+        <translation>fehlende Linien</translation>
+    </message>
+    <message>
+        <source>mean coherence</source>
+        <translation>mittlere Kohärenz</translation>
+    </message>
+    <message>
+        <source>deviation over |H|</source>
+        <translation>Abweichung über |H|</translation>
+    </message>
+    <message>
+        <source>reciprocity error</source>
+        <translation>Reziprozitätsfehler</translation>
+    </message>
+    <message>
+        <source>coherence of %1 averages</source>
+        <translation>Kohärenz aus %1 Mittelungen</translation>
+    </message>
+    <message>
+        <source>nothing of its noise</source>
+        <translation>nichts über das Rauschen</translation>
+    </message>
+    <message>
+        <source>%1, %2 lines, %3 to %4 Hz; %5 × %6 FRFs; %7</source>
+        <translation>%1, %2 Linien, %3 bis %4 Hz; %5 × %6 FRFs; %7</translation>
+    </message>
+    <message>
+        <source>MAC of the modes at %1 and %2</source>
+        <translation>MAC der Moden bei %1 und %2</translation>
+    </message>
+    <message>
+        <source>by the modes</source>
+        <translation>aus den Moden</translation>
+    </message>
+</context>
+<context>
+    <name>SceneEditor</name>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>The scene as text (TOML). Ctrl+Space offers what can be written here.</source>
+        <translation>Die Szene als Text (TOML). Strg+Leertaste bietet an, was hier stehen kann.</translation>
+    </message>
+    <message>
+        <source>Completions</source>
+        <translation>Ergänzungen</translation>
+    </message>
+    <message>
+        <source>Line numbers</source>
+        <translation>Zeilennummern</translation>
+    </message>
+</context>
+<context>
+    <name>SceneForm</name>
+    <message>
+        <source>Scene as a form</source>
+        <translation>Szene als Formular</translation>
+    </message>
+    <message>
+        <source>The joints of this scene stand in [[joints]]: they are edited in the text.</source>
+        <translation>Die Fügestellen dieser Szene stehen in [[joints]]: sie werden im Text geändert.</translation>
+    </message>
+    <message>
+        <source>Several joints</source>
+        <translation>Mehrere Fügestellen</translation>
+    </message>
+    <message>
+        <source>What is wrong with these fields</source>
+        <translation>Was an diesen Feldern falsch ist</translation>
+    </message>
+    <message>
+        <source>It is a table of its own in the text.</source>
+        <translation>Im Text ist es eine eigene Tabelle.</translation>
+    </message>
+</context>
+<context>
+    <name>SolvePage</name>
+    <message>
+        <source>Solve</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Bounds before measuring</source>
+        <translation>Schranken vor der Messung</translation>
+    </message>
+    <message>
+        <source>Unknowns</source>
+        <translation>Unbekannte</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Runs beside each other</source>
+        <translation>Läufe nebeneinander</translation>
+    </message>
+    <message>
+        <source>Status of the solution</source>
+        <translation>Stand der Lösung</translation>
+    </message>
+    <message>
+        <source>Plan and results</source>
+        <translation>Plan und Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Schranken</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Fügestelle</translation>
+    </message>
+    <message>
+        <source>Assembly FRFs</source>
+        <translation>FRFs des Zusammenbaus</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Solving</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Identify the joint (F5)</source>
+        <translation>Die Fügestelle bestimmen (F5)</translation>
+    </message>
+    <message>
+        <source>The smallest errors that the data allow, and what other data would change (F7)</source>
+        <translation>Die kleinsten Fehler, die die Daten zulassen, und was andere Daten änderten (F7)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best values so far (Shift+F5)</source>
+        <translation>Anhalten und die bisher besten Werte behalten (Umschalt+F5)</translation>
+    </message>
+    <message>
+        <source>Solutions of this session</source>
+        <translation>Lösungen dieser Sitzung</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that solves this scene to the same numbers</source>
+        <translation>Die Befehlszeile kopieren, die diese Szene zu denselben Zahlen löst</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabelle …</translation>
+    </message>
+    <message>
+        <source>Save the table in front as CSV</source>
+        <translation>Die Tabelle vorn als CSV speichern</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Save the page that `jointid solve --report` writes</source>
+        <translation>Die Seite speichern, die `jointid solve --report` schreibt</translation>
+    </message>
+    <message>
+        <source>JSON…</source>
+        <translation>JSON …</translation>
+    </message>
+    <message>
+        <source>Save the solution as `jointid solve --json` writes it</source>
+        <translation>Die Lösung speichern, wie `jointid solve --json` sie schreibt</translation>
+    </message>
+    <message>
+        <source>Planned; F5 solves.</source>
+        <translation>Geplant; F5 löst.</translation>
+    </message>
+    <message>
+        <source>Predicting bounds …</source>
+        <translation>Schranken werden vorhergesagt …</translation>
+    </message>
+    <message>
+        <source>Cancelled: not all changes of the data were looked at.</source>
+        <translation>Abgebrochen: nicht alle Änderungen der Daten wurden betrachtet.</translation>
+    </message>
+    <message>
+        <source>Bounds are predicted.</source>
+        <translation>Die Schranken sind vorhergesagt.</translation>
+    </message>
+    <message>
+        <source>Solving …</source>
+        <translation>Wird gelöst …</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>
+assembly FRF error %1 dB</source>
+        <translation>
+FRF-Fehler des Zusammenbaus %1 dB</translation>
+    </message>
+    <message>
+        <source>; %1 s</source>
+        <translation>; %1 s</translation>
+    </message>
+    <message>
+        <source>SCENE.toml</source>
+        <translation>SZENE.toml</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet.</source>
+        <translation>Noch ist nichts gelöst.</translation>
+    </message>
+    <message>
+        <source>Save the solution</source>
+        <translation>Die Lösung speichern</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Den Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>Seiten (*.html)</translation>
+    </message>
+    <message>
+        <source>The report is written to %1.</source>
+        <translation>Der Bericht ist nach %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is no table in front; the plot has its own button.</source>
+        <translation>Vorn ist keine Tabelle; das Diagramm hat seinen eigenen Knopf.</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Die Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>StructureView</name>
+    <message>
+        <source>Structure: nodes, lines and measured DOFs</source>
+        <translation>Struktur: Knoten, Linien und gemessene DOFs</translation>
+    </message>
+    <message>
+        <source>The files of the scene say no positions of nodes (UFF datasets 15 and 2411, node_position in HDF5).
+Joint DOFs can be chosen in the list all the same.</source>
+        <translation>Die Dateien der Szene nennen keine Orte von Knoten (UFF-Datensätze 15 und 2411, node_position in HDF5).
+DOFs der Fügestelle lassen sich trotzdem in der Liste wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPage</name>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Status of the study</source>
+        <translation>Stand der Studie</translation>
+    </message>
+    <message>
+        <source>Histograms of the unknowns</source>
+        <translation>Histogramme der Unbekannten</translation>
+    </message>
+    <message>
+        <source>Run, and the estimates of all trials grow here as histograms.
+The noise is that of [noise], or that of the coherences of the files.</source>
+        <translation>Nach dem Start wachsen hier die Schätzwerte aller Versuche als Histogramme.
+Das Rauschen ist das von [noise], oder das der Kohärenzen der Dateien.</translation>
+    </message>
+    <message>
+        <source>Statistics of the unknowns</source>
+        <translation>Statistik der Unbekannten</translation>
+    </message>
+    <message>
+        <source>Histograms and table</source>
+        <translation>Histogramme und Tabelle</translation>
+    </message>
+    <message>
+        <source>Cancelled before any trial was done.</source>
+        <translation>Abgebrochen, bevor ein Versuch fertig war.</translation>
+    </message>
+    <message>
+        <source>Studying</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Identify over and over with simulated noise</source>
+        <translation>Immer wieder mit simuliertem Rauschen identifizieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop; what is done stays, and the next run goes on from there</source>
+        <translation>Anhalten; was fertig ist, bleibt, und der nächste Start macht dort weiter</translation>
+    </message>
+    <message>
+        <source>trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>Startzahl</translation>
+    </message>
+    <message>
+        <source>from the beginning</source>
+        <translation>von vorn</translation>
+    </message>
+    <message>
+        <source>Do not take up what was cancelled</source>
+        <translation>Abgebrochenes nicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>Forget the trials that a cancelled run left, as after a change of the scene</source>
+        <translation>Die Versuche eines abgebrochenen Laufs vergessen, wie nach einer Änderung der Szene</translation>
+    </message>
+    <message>
+        <source>Which histograms</source>
+        <translation>Welche Histogramme</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that writes the same file</source>
+        <translation>Die Befehlszeile kopieren, die dieselbe Datei schreibt</translation>
+    </message>
+    <message>
+        <source>Save the scene first: the results of the study lie beside it.</source>
+        <translation>Speichern Sie zuerst die Szene: die Ergebnisse der Studie liegen daneben.</translation>
+    </message>
+    <message>
+        <source>Going on …</source>
+        <translation>Wird fortgesetzt …</translation>
+    </message>
+    <message>
+        <source>Running …</source>
+        <translation>Läuft …</translation>
+    </message>
+    <message>
+        <source>
+all results: %1</source>
+        <translation>
+alle Ergebnisse: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled: %1 of %2 trials are kept; Run goes on from there.</source>
+        <translation>Abgebrochen: %1 von %2 Versuchen sind behalten; Start macht dort weiter.</translation>
+    </message>
+    <message>
+        <source>SCENE.toml</source>
+        <translation>SZENE.toml</translation>
+    </message>
+</context>
+</TS>

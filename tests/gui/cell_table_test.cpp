@@ -1,0 +1,48 @@
+#include "gui/table/cell_table.hpp"
+
+#include <gmock/gmock.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QTemporaryDir>
+
+#include "base/error.hpp"
+#include "gui/look/paths.hpp"
+#include "widgets.hpp"
+
+namespace jointid::gui {
+namespace {
+
+CellRows two_by_two() { return {{"name", "value"}, {}, {{Cell{"K, left"}, Cell{"1"}}, {Cell{"D"}, Cell{"2"}}}}; }
+
+TEST(CellTable, IsWrittenAsCsv) {
+  const QTemporaryDir folder;
+  CellTable table("table", "table");
+  table.show_rows(two_by_two());
+  table.write_csv(folder.filePath("t.csv"));
+  EXPECT_EQ(read_file(folder.filePath("t.csv")), "name,value\n\"K, left\",1\nD,2\n");
+}
+
+TEST(CellTable, NoCsvReplacesAnInput) {
+  const QTemporaryDir folder;
+  const QString input = folder.filePath("frf.csv");
+  write_file(input, "FRFs");
+  CellTable table("table", "table");
+  table.show_rows(two_by_two());
+  table.protect({as_path(input)});
+  EXPECT_THROW(table.write_csv(input), InputError);
+  EXPECT_EQ(read_file(input), "FRFs");
+}
+
+TEST(CellTable, ItsMenuCopiesAndSaves) {
+  CellTable table("table", "table");
+  table.show_rows(two_by_two());
+  ASSERT_EQ(table.actions().size(), 2);
+  table.actions().front()->trigger();
+  EXPECT_EQ(QApplication::clipboard()->text().toStdString(), "name\tvalue\nK, left\t1\nD\t2\n");
+  EXPECT_EQ(table.actions().back()->shortcut(), QKeySequence("Ctrl+E"));
+}
+
+}  // namespace
+}  // namespace jointid::gui

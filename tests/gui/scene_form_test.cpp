@@ -1,0 +1,205 @@
+#include "gui/forms/scene_form.hpp"
+
+#include <gmock/gmock.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTest>
+#include <QTextDocument>
+
+#include "gui/forms/field.hpp"
+#include "gui/forms/field_hints.hpp"
+#include "gui/forms/list_completer.hpp"
+#include "gui/main_window.hpp"
+#include "gui/project.hpp"
+#include "gui/scene/scene_editor.hpp"
+#include "gui/scene/scene_words.hpp"
+#include "widgets.hpp"
+
+namespace jointid::gui {
+namespace {
+
+const char* const commented = R"(# of rig one
+title = "rig"  # its name
+[data]
+substructures = ["a.uff", "b.uff"]
+assembly = ["c.uff"]  # on Monday
+
+[joint]
+dofs = ["1:+Y", "2:+Y"]
+
+[joint.stiffness]
+pattern = "symmetric"
+)";
+
+/// A window with a scene, its form in front.
+struct Form {
+  QTemporaryDir folder;
+  MainWindow window;
+
+  explicit Form(const std::string& text = commented) {
+    window.resize(1000, 700);
+    window.show();
+    window.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+    write_file(folder.filePath("scene.toml"), text);
+    window.open({folder.filePath("scene.toml")});
+    QTest::keyClick(&window, Qt::Key_F4);
+  }
+  ~Form() { editor().document()->setModified(false); }
+  SceneEditor& editor() { return *window.current()->editor(); }
+  std::string text() { return editor().text(); }
+  Field& field(const char* table, const char* key) { return *window.current()->form()->field(table, key); }
+  QLineEdit& line(const char* table, const char* key) { return *qobject_cast<QLineEdit*>(field(table, key).input()); }
+  QComboBox& choice(const char* table, const char* key) { return *qobject_cast<QComboBox*>(field(table, key).input()); }
+  void type(QLineEdit& line, const char* text) {
+    line.setFocus();
+    line.selectAll();
+    QTest::keyClicks(&line, text);
+  }
+};
+
+TEST(SceneForm, HasAFieldForEveryKeyThatTheReaderKnows) {
+  Form form;
+  for (const std::string& table : all_tables()) {
+    if (table == "data.files") continue;
+    for (const std::string& key : keys_of(table)) {
+      EXPECT_NE(form.window.current()->form()->field(table, key), nullptr) << table << " " << key;
+      EXPECT_FALSE(hint_of(table, key).isEmpty()) << table << " " << key;
+    }
+    EXPECT_NE(title_of(table).toStdString(), table);
+  }
+}
+
+TEST(SceneForm, ShowsTheText) {
+  Form form;
+  EXPECT_EQ(form.line("", "title").text(), "rig");
+  EXPECT_EQ(form.line("data", "substructures").text(), "a.uff, b.uff");
+  EXPECT_EQ(form.line("joint", "dofs").text(), "1:+Y, 2:+Y");
+  EXPECT_EQ(form.choice("joint.stiffness", "pattern").currentText(), "symmetric");
+  EXPECT_EQ(form.choice("identify", "method").currentText(), "default");
+  form.editor().replace_text(form.text() + "[identify]\nmethod = \"one\"\n");
+  EXPECT_EQ(form.choice("identify", "method").currentText(), "one");
+}
+
+TEST(SceneForm, EditsAreThoseOfTheTextAndCommentsStay) {
+  Form form;
+  form.type(form.line("", "title"), "rig two");
+  form.type(form.line("frequency", "range"), "400, 1000");
+  QTest::keyClick(&form.line("frequency", "range"), Qt::Key_Return);
+  std::string wanted = commented;
+  wanted.replace(wanted.find("\"rig\""), 5, "\"rig two\"");
+  EXPECT_EQ(form.text(), wanted + "\n[frequency]\nrange = [400, 1000]\n");
+  ASSERT_TRUE(form.window.current()->checked().scene);
+  EXPECT_EQ(*form.window.current()->checked().scene->frequency.range_hz, (ident::Range{400.0, 1000.0}));
+}
+
+TEST(SceneForm, AChoiceIsMadeByKeys) {
+  Form form;
+  QComboBox& method = form.choice("identify", "method");
+  method.setFocus();
+  QTest::keyClick(&method, Qt::Key_L);
+  EXPECT_THAT(form.text(), testing::EndsWith("\n[identify]\nmethod = \"likelihood\"\n"));
+  QTest::keyClick(&method, Qt::Key_Home);
+  EXPECT_EQ(form.text(), commented);
+}
+
+/// Undo of the form, the text and the pages is one.
+TEST(SceneForm, UndoIsThatOfTheText) {
+  Form form;
+  form.type(form.line("", "title"), "x");
+  form.type(form.line("data", "assembly"), "d.uff");
+  QTest::keyClick(&form.line("data", "assembly"), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(form.line("data", "assembly").text(), "c.uff");
+  EXPECT_EQ(form.line("", "title").text(), "x");
+  QTest::keyClick(&form.line("data", "assembly"), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(form.text(), commented);
+  EXPECT_EQ(form.line("", "title").text(), "rig");
+  QTest::keySequence(&form.line("data", "assembly"), QKeySequence(QKeySequence::Redo));
+  EXPECT_EQ(form.line("", "title").text(), "x");
+}
+
+TEST(SceneForm, WhatIsTypedIsSaved) {
+  Form form;
+  form.type(form.line("", "title"), "typed");
+  QTest::keyClick(&form.line("", "title"), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_THAT(read_file(form.folder.filePath("scene.toml")), testing::HasSubstr("title = \"typed\"  # its name"));
+}
+
+TEST(SceneForm, WhatIsWrongStandsAtItsField) {
+  Form form;
+  form.type(form.line("joint", "dofs"), "1:+Y, 2:+Q");
+  QTest::keyClick(&form.line("joint", "dofs"), Qt::Key_Return);
+  EXPECT_THAT(form.field("joint", "dofs").error().toStdString(), testing::HasSubstr("2:+Q"));
+  EXPECT_TRUE(form.field("data", "assembly").error().isEmpty());
+  form.line("", "title").setFocus();
+  QTest::keyClick(&form.window, Qt::Key_F8);
+  EXPECT_TRUE(form.line("joint", "dofs").hasFocus());
+  QTest::keyClick(&form.line("joint", "dofs"), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(form.field("joint", "dofs").error().isEmpty());
+}
+
+TEST(SceneForm, WhatIsMissingStandsAtItsTable) {
+  Form form("[data]\nassembly = [\"c.uff\"]\n");
+  QLabel* shown = nullptr;
+  for (QLabel* label : form.window.current()->form()->findChildren<QLabel*>("section_error")) {
+    if (!label->isHidden()) shown = label;
+  }
+  ASSERT_NE(shown, nullptr);
+  EXPECT_THAT(shown->text().toStdString(), testing::HasSubstr("substructures"));
+}
+
+TEST(SceneForm, TablesInOneLineAreFieldsOfTheTableAbove) {
+  const std::string start = "[identify]\nstart = { stiffness = [[1, 2], [2, 3]] }\n";
+  Form form(commented + start);
+  EXPECT_EQ(form.line("identify", "start").text(), "{ stiffness = [[1, 2], [2, 3]] }");
+  EXPECT_FALSE(form.field("identify.start", "stiffness").isVisible());
+  form.editor().replace_text(commented + std::string("[identify.start]\nstiffness = [[1, 2], [2, 3]]\n"));
+  EXPECT_FALSE(form.field("identify", "start").isVisible());
+  EXPECT_EQ(form.line("identify.start", "stiffness").text(), "[[1, 2], [2, 3]]");
+}
+
+TEST(SceneForm, SeveralJointsAreLeftToTheText) {
+  Form form("[[joints]]\nname = \"left\"\ndofs = [\"1:+X\", \"2:+X\"]\n[joints.stiffness]\npattern = \"full\"\n");
+  EXPECT_TRUE(find<QLabel>(*form.window.current()->form(), "several_joints")->isVisible());
+  EXPECT_FALSE(form.field("joint", "dofs").isVisible());
+}
+
+TEST(SceneForm, CellsOfASpreadsheetArePastedIntoAMatrix) {
+  Form form;
+  QApplication::clipboard()->setText("1e6\t-1e6\n-1e6\t1e6\n");
+  QLineEdit& truth = form.line("truth", "stiffness");
+  truth.setFocus();
+  QTest::keyClick(&truth, Qt::Key_V, Qt::ControlModifier);
+  QTest::keyClick(&truth, Qt::Key_Return);
+  EXPECT_THAT(form.text(), testing::EndsWith("[truth]\nstiffness = [[1e6, -1e6], [-1e6, 1e6]]\n"));
+}
+
+TEST(SceneForm, TheLastNameOfAListIsCompleted) {
+  QLineEdit line;
+  ListCompleter completer(line, "names");
+  completer.set_words({"1:+X", "2:+X"});
+  line.setText("1:+X, 2");
+  EXPECT_EQ(completer.splitPath(line.text()), QStringList{"2"});
+  EXPECT_EQ(completer.pathFromIndex(completer.model()->index(1, 0)), "1:+X, 2:+X");
+}
+
+TEST(SceneForm, EveryFieldIsReachedByTabAndHasAName) {
+  Form form;
+  EXPECT_EQ(without_accessible_name(form.window), QStringList());
+  for (QWidget* field : form.window.current()->form()->findChildren<QWidget*>()) {
+    const QString name = field->objectName();
+    if (name != "field_line" && name != "field_choice" && name != "choose_files") continue;
+    EXPECT_TRUE((field->focusPolicy() & Qt::TabFocus) != 0) << field->accessibleName().toStdString();
+  }
+  EXPECT_TRUE(form.line("data", "substructures").hasFocus());
+  QTest::keyClick(&form.line("data", "substructures"), Qt::Key_Tab);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  EXPECT_TRUE(form.line("data", "assembly").hasFocus());
+}
+
+}  // namespace
+}  // namespace jointid::gui
