@@ -41,4 +41,4 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return bench::run(argc, argv, "[PROBLEM FIRST LAST]", measure); }
+int main(int argc, char** argv) { return bench::run(argc, argv, "[PROBLEM FIRST LAST NOISE]", measure); }

@@ -14,7 +14,7 @@ namespace jointid::response {
 namespace {
 
 constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};  ///< of the joint's force
-constexpr int most_lifted_steps = 30;                                       ///< with one tolerance
+constexpr int most_lifted_steps = 30;                                ///< with one tolerance
 constexpr double least_gain = 1e-3, least_share_gained = 1e-4;  ///< of Σr², and of it relatively: a step that lowers it by less
 constexpr double first_lifted_damping = 1e-4, most_lifted_damping = 1e6;
 constexpr double shares[] = {1.0, 0.5, 0.2};  ///< of a step that are tried before more damping
@@ -89,7 +89,7 @@ class LiftedProblem {
   }
 
   LiftedFit described(Point point, int steps) const {
-    LiftedFit out = {point.numbers, point.errors, point.force, {}, 0.0, steps};
+    LiftedFit out = {point.numbers, layout_, point.errors, point.force, {}, 0.0, steps};
     const std::vector<StateModel> models = this->models(point.errors);
     const std::vector<Joint> joints = *unknowns_.at_numbers(point.numbers);
     out.chi_square = squared_norm(point.errors);

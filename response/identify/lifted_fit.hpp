@@ -12,7 +12,8 @@ namespace jointid::response {
 /// Where a lifted fit ended: near a minimum of the likelihood, and what the states are there.
 struct LiftedFit {
   Eigen::VectorXd numbers;              ///< of LawUnknowns
-  LineErrors errors;                    ///< of the receptances, in the layout of these harmonics
+  LineLayout layout;                    ///< of these harmonics
+  LineErrors errors;                    ///< of the receptances
   std::vector<Eigen::MatrixXcd> force;  ///< F_n of each state, [harmonic, joint]
   std::vector<StatePrediction> states;  ///< harmonics and joint motions: where harmonic balance starts
   double chi_square = 0.0;              ///< Σ|X − Y|²/σ² + Σu², the law's forces being met to the last tolerance
