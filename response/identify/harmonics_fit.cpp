@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "response/identify/corrected_models.hpp"
-#include "response/identify/lifted_fit.hpp"
 #include "response/identify/nuisance_residuals.hpp"
 
 namespace jointid::response {
@@ -28,7 +27,14 @@ FitOfHarmonics fit_residuals(R& residuals, const Eigen::VectorXd& start, std::ve
   return fit;
 }
 
-double cost(const FitOfHarmonics& fit) { return fit.result.at.residual.squaredNorm(); }
+/// The one that converged, or else that with the smaller sum.
+FitOfHarmonics better(FitOfHarmonics a, FitOfHarmonics b) {
+  if (!a.result.defined || !b.result.defined) return a.result.defined ? a : b;
+  const auto rank = [](const FitOfHarmonics& fit) {
+    return std::pair(!fit.result.converged, fit.result.at.residual.squaredNorm());
+  };
+  return rank(b) < rank(a) ? b : a;
+}
 
 }  // namespace
 
@@ -57,30 +63,35 @@ FitOfHarmonics HarmonicsFits::with_nuisance(const std::vector<int>& harmonics, c
   return fit;
 }
 
-FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitOfHarmonics& before) const {
+FitOfHarmonics HarmonicsFits::from(const std::vector<int>& harmonics, const FitOfHarmonics& before) const {
   return nuisance_ ? with_nuisance(harmonics, before) : plain(harmonics, before.result.unknowns, before.states);
 }
 
+FitOfHarmonics HarmonicsFits::from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted) const {
+  if (!lifted) return {};
+  FitOfHarmonics start;
+  start.result.unknowns = lifted->numbers;
+  start.states = std::move(lifted->states);
+  start.layout = std::move(lifted->layout);
+  start.errors = std::move(lifted->errors);
+  return from(harmonics, start);
+}
+
+FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitOfHarmonics& before) const {
+  if (!nuisance_) return from(harmonics, before);
+  const LiftedFit start = {before.result.unknowns, *before.layout, before.errors, before.states, 0.0, 0};
+  FitOfHarmonics fit = from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, start));
+  return fit.result.converged ? fit : better(std::move(fit), from(harmonics, before));
+}
+
 FitOfHarmonics HarmonicsFits::first(const std::vector<int>& harmonics) const {
-  FitOfHarmonics fit;
-  auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics);
-  if (lifted) {
-    FitOfHarmonics from;
-    from.result.unknowns = lifted->numbers;
-    from.states = std::move(lifted->states);
-    if (nuisance_) {
-      from.layout = std::move(lifted->layout);
-      from.errors = std::move(lifted->errors);
-    }
-    fit = next(harmonics, from);
-    if (fit.result.converged) return fit;
-  }
+  FitOfHarmonics fit = from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics));
+  if (fit.result.converged) return fit;
   FitOfHarmonics other = plain(harmonics, unknowns_.start(), {});
   const int steps = other.result.steps;
   if (nuisance_ && other.result.defined) other = with_nuisance(harmonics, other);
   other.result.steps += steps;
-  const auto rank = [](const FitOfHarmonics& each) { return std::pair(!each.result.converged, cost(each)); };
-  return !fit.result.defined || (other.result.defined && rank(other) < rank(fit)) ? other : fit;
+  return better(std::move(fit), std::move(other));
 }
 
 }  // namespace jointid::response

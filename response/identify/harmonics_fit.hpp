@@ -6,6 +6,7 @@
 
 #include "response/identify/gauss_newton.hpp"
 #include "response/identify/law_unknowns.hpp"
+#include "response/identify/lifted_fit.hpp"
 #include "response/identify/line_correlation.hpp"
 
 namespace jointid::response {
@@ -29,11 +30,13 @@ class HarmonicsFits {
   /// From the values of the unknowns: by fit_lifted, then by harmonic balance. Where that does not end in a minimum, or no direct
   /// step starts it, by harmonic balance alone, first with the receptances as measured.
   FitOfHarmonics first(const std::vector<int>& harmonics) const;
-  /// From another fit.
+  /// From another fit; where the receptances are unknown, by fit_lifted first.
   FitOfHarmonics next(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
 
  private:
   FitOfHarmonics plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start, std::vector<StatePrediction> from) const;
+  FitOfHarmonics from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted) const;
+  FitOfHarmonics from(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
   FitOfHarmonics with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
 
   std::shared_ptr<const Receptance> structure_;

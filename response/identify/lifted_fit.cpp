@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "base/error.hpp"
@@ -14,6 +15,7 @@ namespace jointid::response {
 namespace {
 
 constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};  ///< of the joint's force
+constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};             ///< from a fit with other harmonics
 constexpr int most_lifted_steps = 30;                                ///< with one tolerance
 constexpr double least_gain = 1e-3, least_share_gained = 1e-4;  ///< of Σr², and of it relatively: a step that lowers it by less
 constexpr double first_lifted_damping = 1e-4, most_lifted_damping = 1e6;
@@ -35,29 +37,30 @@ class LiftedProblem {
         unknowns_(unknowns),
         harmonics_(harmonics),
         layout_(ResponseResiduals(structure, states, unknowns, harmonics).models(), *structure),
-        tolerance_(states.size(), Eigen::VectorXd::Zero(structure->joints())) {}
+        tolerance_(states.size(), Eigen::VectorXd::Zero(structure->joints())) {
+    for (const StateModel& model : models(layout_.no_errors())) harmonics_of_.push_back(model.harmonics());
+  }
 
   /// Forces of the direct step, and those of the law at its motions where it has none.
   std::optional<Point> start() {
     Point point = {unknowns_.start(), {}, layout_.no_errors()};
-    const std::vector<StateModel> models = this->models(point.errors);
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      try {
-        const DirectStep step = direct_step(*structure_, states_[i]);
-        const Harmonics& harmonics = models[i].harmonics();
-        Eigen::MatrixXcd motion = Eigen::MatrixXcd::Zero(harmonics.size(), structure_->joints());
-        for (std::size_t n = 0; n < step.harmonics.size(); ++n)
-          motion.row(harmonics.find(step.harmonics[n])) = step.joint_motion.row(at(n));
-        const CondensedEquations equations(unknowns_.joints(), harmonics);
-        Eigen::MatrixXcd force = equations.forces(states_[i].omega, equations.pack(motion));
-        scale_.emplace_back(force.cwiseAbs().colwise().maxCoeff().transpose());
-        for (std::size_t n = 0; n < step.harmonics.size(); ++n)
-          force.row(harmonics.find(step.harmonics[n])) = step.joint_force.row(at(n));
-        point.force.push_back(std::move(force));
-      } catch (const InputError&) {
-        return std::nullopt;
+    try {
+      for (const MeasuredState& state : states_) {
+        const DirectStep step = direct_step(*structure_, state);
+        add_state(unknowns_.joints(), step.harmonics, step.joint_motion, step.joint_force, point);
       }
+    } catch (const InputError&) {
+      return std::nullopt;
     }
+    return point;
+  }
+
+  std::optional<Point> start(const LiftedFit& from) {
+    Point point = {from.numbers, {}, carried(from.layout, from.errors, layout_)};
+    const auto joints = unknowns_.at_numbers(from.numbers);
+    if (!joints) return std::nullopt;
+    for (const StatePrediction& state : from.states)
+      add_state(*joints, state.solution.harmonics, state.solution.joint_motion, state.solution.joint_force, point);
     return point;
   }
 
@@ -89,7 +92,7 @@ class LiftedProblem {
   }
 
   LiftedFit described(Point point, int steps) const {
-    LiftedFit out = {point.numbers, layout_, point.errors, point.force, {}, 0.0, steps};
+    LiftedFit out = {point.numbers, layout_, point.errors, {}, 0.0, steps};
     const std::vector<StateModel> models = this->models(point.errors);
     const std::vector<Joint> joints = *unknowns_.at_numbers(point.numbers);
     out.chi_square = squared_norm(point.errors);
@@ -107,6 +110,26 @@ class LiftedProblem {
   }
 
  private:
+  /// Its forces are those known at some harmonics and the law's at all others; the law's tell the scale.
+  void add_state(const std::vector<Joint>& joints, const std::vector<int>& known, const Eigen::MatrixXcd& motion,
+                 const Eigen::MatrixXcd& force, Point& point) {
+    const std::size_t i = point.force.size();
+    const Harmonics& harmonics = harmonics_of_[i];
+    Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(harmonics.size(), structure_->joints());
+    const auto put = [&](const Eigen::MatrixXcd& values) {
+      for (std::size_t n = 0; n < known.size(); ++n) {
+        const Eigen::Index row = harmonics.find(known[n]);
+        if (row >= 0) all.row(row) = values.row(at(n));
+      }
+    };
+    put(motion);
+    const CondensedEquations equations(joints, harmonics);
+    all = equations.forces(states_[i].omega, equations.pack(all));
+    scale_.emplace_back(all.cwiseAbs().colwise().maxCoeff().transpose());
+    put(force);
+    point.force.push_back(std::move(all));
+  }
+
   std::vector<StateModel> models(const LineErrors& errors) const {
     return corrected_models(structure_, states_, layout_, errors, harmonics_);
   }
@@ -140,23 +163,33 @@ class LiftedProblem {
   const LawUnknowns& unknowns_;
   const std::vector<int>& harmonics_;
   LineLayout layout_;
+  std::vector<Harmonics> harmonics_of_{};             ///< of each state
   std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
 };
+
+std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point, std::span<const double> tolerance) {
+  if (!point) return std::nullopt;
+  int steps = 0;
+  for (const double share : tolerance) {
+    problem.set_tolerance(share);
+    if (!problem.cost(*point)) return std::nullopt;
+    steps += problem.descend(*point);
+  }
+  return problem.described(std::move(*point), steps);
+}
 
 }  // namespace
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics) {
   LiftedProblem problem(structure, states, unknowns, harmonics);
-  std::optional<Point> point = problem.start();
-  if (!point) return std::nullopt;
-  int steps = 0;
-  for (const double share : tolerances) {
-    problem.set_tolerance(share);
-    if (!problem.cost(*point)) return std::nullopt;
-    steps += problem.descend(*point);
-  }
-  return problem.described(std::move(*point), steps);
+  return fit(problem, problem.start(), tolerances);
+}
+
+std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from) {
+  LiftedProblem problem(structure, states, unknowns, harmonics);
+  return fit(problem, problem.start(from), last_tolerances);
 }
 
 }  // namespace jointid::response

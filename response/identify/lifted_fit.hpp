@@ -14,8 +14,7 @@ struct LiftedFit {
   Eigen::VectorXd numbers;              ///< of LawUnknowns
   LineLayout layout;                    ///< of these harmonics
   LineErrors errors;                    ///< of the receptances
-  std::vector<Eigen::MatrixXcd> force;  ///< F_n of each state, [harmonic, joint]
-  std::vector<StatePrediction> states;  ///< harmonics and joint motions: where harmonic balance starts
+  std::vector<StatePrediction> states;  ///< harmonics, motions and forces of the joints: where harmonic balance starts
   double chi_square = 0.0;              ///< Σ|X − Y|²/σ² + Σu², the law's forces being met to the last tolerance
   int steps = 0;
 };
@@ -27,5 +26,9 @@ struct LiftedFit {
 /// likelihood. Gauss–Newton steps, the unknowns of a line eliminated from its rows. Nothing when direct_step cannot start it.
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics);
+
+/// The same with other harmonics from where a fit ended: tolerances from 1e-2 on; forces of new harmonics begin as the law's.
+std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from);
 
 }  // namespace jointid::response
