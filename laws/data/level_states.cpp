@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "frf/set/frf_system.hpp"
 #include "ident/plan/data_source.hpp"
-#include "laws/data/phasor_file.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::laws {
@@ -25,12 +24,12 @@ using frf::Dof;
 }
 
 /// Those of the scene, or all that the parts and every file of responses have.
-std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts) {
+std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts, PhasorFiles& files) {
   if (!scene.responses.empty()) return scene.responses;
   std::vector<Dof> common = parts.responses();
   for (const ForceLevel& level : scene.levels) {
     for (const HarmonicFiles& each : level.harmonics) {
-      const std::vector<Dof> own = phasor_dofs(each.responses);
+      const std::vector<Dof>& own = files.dofs(each.responses);
       std::erase_if(common, [&](const Dof& dof) { return !frf::has(own, dof); });
     }
   }
@@ -54,8 +53,7 @@ std::vector<Dof> forces_of(const LawScene& scene) {
 /// One harmonic of a level, with the lines of its files that belong to the lines of the force.
 struct HarmonicData {
   int harmonic = 1;
-  Phasors responses;
-  std::optional<Phasors> forces;
+  std::shared_ptr<const Phasors> responses, forces;  ///< no forces where an amplitude is told
   std::vector<std::size_t> response_line, force_line;
 };
 
@@ -68,11 +66,11 @@ ident::DataFile in_newton(ident::DataFile file) {
 /// The states of one level.
 class LevelReader {
  public:
-  LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, LevelStates& to)
+  LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, PhasorFiles& files, LevelStates& to)
       : scene_(scene), level_(level), forces_(forces), to_(to) {
     for (const HarmonicFiles& each : level.harmonics) {
-      harmonics_.push_back({each.harmonic, read_phasors(each.responses, to.responses), {}, {}, {}});
-      if (each.forces) harmonics_.back().forces = read_phasors(in_newton(*each.forces), level.force_dofs);
+      harmonics_.push_back({each.harmonic, files.read(each.responses, to.responses), {}, {}, {}});
+      if (each.forces) harmonics_.back().forces = files.read(in_newton(*each.forces), level.force_dofs);
     }
     find_lines();
   }
@@ -89,14 +87,14 @@ class LevelReader {
  private:
   void find_lines() {
     const HarmonicData& first = harmonics_.front();
-    for (const double hz : first.responses.frequency_hz) {
+    for (const double hz : first.responses->frequency_hz) {
       if (hz > 0.0) lines_hz_.push_back(hz / first.harmonic);
     }
     structure_line_ = frf::match_lines(lines_hz_, to_.structure->frequency_hz());
     for (HarmonicData& each : harmonics_) {
       std::vector<double> wanted = lines_hz_;
       for (double& hz : wanted) hz *= each.harmonic;
-      each.response_line = frf::match_lines(wanted, each.responses.frequency_hz);
+      each.response_line = frf::match_lines(wanted, each.responses->frequency_hz);
       if (each.forces) each.force_line = frf::match_lines(wanted, each.forces->frequency_hz);
     }
   }
@@ -129,7 +127,7 @@ class LevelReader {
       return;
     }
     const std::size_t own = data.response_line[line];
-    if (own == frf::npos || !data.responses.values.row(at(own)).allFinite()) {
+    if (own == frf::npos || !data.responses->values.row(at(own)).allFinite()) {
       ++left_out_[name + " where it was not measured"];
       return;
     }
@@ -139,9 +137,9 @@ class LevelReader {
     }
     const Eigen::Index row = at(state.harmonics.size());
     const Complex factor = level_.per_force ? state.force.amplitudes(0, column_of(level_.force_dofs.front())) : Complex(1.0);
-    state.response.row(row) = factor * data.responses.values.row(at(own));
+    state.response.row(row) = factor * data.responses->values.row(at(own));
     for (Eigen::Index r = 0; r < state.response.cols(); ++r) {
-      state.deviation(row, r) = deviation(data.responses, at(own), r, std::abs(factor), std::abs(state.response(row, r)));
+      state.deviation(row, r) = deviation(*data.responses, at(own), r, std::abs(factor), std::abs(state.response(row, r)));
     }
     state.harmonics.push_back(data.harmonic);
   }
@@ -188,16 +186,16 @@ class LevelReader {
 
 }  // namespace
 
-LevelStates read_level_states(const LawScene& scene) {
+LevelStates read_level_states(const LawScene& scene, PhasorFiles files) {
   frf::FrfSystem parts("[data] parts", ident::open_all(scene.parts), frf::Composition::uncoupled, scene.reciprocity);
   LevelStates out;
-  out.responses = responses_of(scene, parts);
+  out.responses = responses_of(scene, parts, files);
   const std::vector<Dof> forces = forces_of(scene);
   std::vector<response::JointEnds> joints;
   for (const FrictionJoint& joint : scene.joints) joints.push_back({joint.positive, joint.negative});
   out.structure = std::make_shared<response::FrfReceptance>(parts, joints, out.responses, forces);
   for (const ForceLevel& level : scene.levels) {
-    LevelReader reader(scene, level, forces, out);
+    LevelReader reader(scene, level, forces, files, out);
     reader.read();
     for (const auto& [what, count] : reader.left_out()) {
       out.notes.push_back(level.name + ": left out: " + what + " (" + std::to_string(count) +

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "laws/data/phasor_file.hpp"
 #include "laws/scene/law_scene.hpp"
 #include "response/identify/measured_state.hpp"
 #include "response/structure/frf_receptance.hpp"
@@ -22,6 +23,6 @@ struct LevelStates {
 /// Reads the files of a scene. States are the lines of [frequency] that a level and the parts have; a harmonic whose line nω one
 /// of them lacks, or with a phasor that was not measured, is left out of a state, and told. Throws InputError (data) for files
 /// that do not hold what the scene says, phasors of which nobody says how exact they are, and when nothing is left.
-LevelStates read_level_states(const LawScene& scene);
+LevelStates read_level_states(const LawScene& scene, PhasorFiles files = {});
 
 }  // namespace jointid::laws

@@ -1,10 +1,10 @@
 #include "laws/data/phasor_file.hpp"
 
 #include <numeric>
+#include <span>
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
-#include "frf/set/frf_system.hpp"
 #include "ident/plan/data_source.hpp"
 #include "response/structure/frf_variances.hpp"
 
@@ -19,12 +19,7 @@ namespace {
                     .remedy = std::move(remedy)});
 }
 
-}  // namespace
-
-std::vector<frf::Dof> phasor_dofs(const ident::DataFile& file) { return ident::open_all({file}).front()->header().response; }
-
-Phasors read_phasors(const ident::DataFile& file, const std::vector<frf::Dof>& dofs) {
-  frf::FrfSystem system(file.path.string(), ident::open_all({file}), frf::Composition::merged, false);
+void require_dofs(const ident::DataFile& file, const frf::FrfSystem& system, const std::vector<frf::Dof>& dofs) {
   if (system.references().size() != 1) {
     fail(file, "references", "there are " + std::to_string(system.references().size()) + ", phasors of one state belong to one",
          "write the phasors of one level and harmonic to a file of their own");
@@ -34,8 +29,11 @@ Phasors read_phasors(const ident::DataFile& file, const std::vector<frf::Dof>& d
     const std::string nearest = nearest_word(dof.name(), frf::names(system.responses()));
     fail(file, "response " + dof.name(), "the file does not have it", nearest.empty() ? "" : "did you mean " + nearest + "?");
   }
+}
+
+Phasors phasors_of(frf::FrfSystem& system, const std::vector<frf::Dof>& dofs) {
   Phasors out;
-  out.file = file.path.string();
+  out.file = system.name();
   out.frequency_hz = system.frequency_hz();
   std::vector<std::size_t> lines(out.frequency_hz.size());
   std::iota(lines.begin(), lines.end(), std::size_t{0});
@@ -51,6 +49,27 @@ Phasors read_phasors(const ident::DataFile& file, const std::vector<frf::Dof>& d
     out.variances.row(at(line)) = 0.5 * (own.real() + own.imag()).transpose();
   }
   return out;
+}
+
+}  // namespace
+
+PhasorFiles::PhasorFiles() : opener_(ident::open_all) {}
+
+PhasorFiles::Opened& PhasorFiles::opened(const ident::DataFile& file) {
+  Opened& found = files_[{file.path, file.options.quantity}];
+  if (!found.system) found.system.emplace(file.path.string(), opener_({file}), frf::Composition::merged, false);
+  return found;
+}
+
+const std::vector<frf::Dof>& PhasorFiles::dofs(const ident::DataFile& file) { return opened(file).system->responses(); }
+
+std::shared_ptr<const Phasors> PhasorFiles::read(const ident::DataFile& file, const std::vector<frf::Dof>& dofs) {
+  Opened& found = opened(file);
+  if (found.phasors && found.dofs == dofs) return found.phasors;
+  require_dofs(file, *found.system, dofs);
+  found.phasors = std::make_shared<const Phasors>(phasors_of(*found.system, dofs));
+  found.dofs = dofs;
+  return found.phasors;
 }
 
 }  // namespace jointid::laws

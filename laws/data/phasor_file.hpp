@@ -1,10 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "frf/set/dof.hpp"
+#include "frf/set/frf_system.hpp"
 #include "ident/scene/scene.hpp"
 
 namespace jointid::laws {
@@ -17,11 +22,32 @@ struct Phasors {
   Eigen::MatrixXd variances;  ///< of real and imaginary part each, their mean; empty when the file says nothing
 };
 
-/// The responses of a file that an FRF file can be: displacements (m) of every line, or forces as the file has them. Its one
-/// reference says nothing here.
-std::vector<frf::Dof> phasor_dofs(const ident::DataFile& file);
+/// Opens files as ident::open_all does.
+using Opener = std::function<std::vector<std::unique_ptr<frf::FrfSource>>(const std::vector<ident::DataFile>&)>;
 
-/// Throws InputError (data) when the file has more than one reference, or lacks a DOF.
-Phasors read_phasors(const ident::DataFile& file, const std::vector<frf::Dof>& dofs);
+/// Files of phasors: any format that FRFs have, displacements (m) of every line, or forces as the file has them. The one
+/// reference says nothing here. Each file is opened once, and read once for the same DOFs, however many harmonics it holds.
+class PhasorFiles {
+ public:
+  PhasorFiles();  ///< by ident::open_all
+  explicit PhasorFiles(Opener opener) : opener_(std::move(opener)) {}
+
+  /// The responses of a file.
+  const std::vector<frf::Dof>& dofs(const ident::DataFile& file);
+
+  /// Throws InputError (data) when the file has more than one reference, or lacks a DOF.
+  std::shared_ptr<const Phasors> read(const ident::DataFile& file, const std::vector<frf::Dof>& dofs);
+
+ private:
+  struct Opened {
+    std::optional<frf::FrfSystem> system;
+    std::vector<frf::Dof> dofs;                ///< read last
+    std::shared_ptr<const Phasors> phasors{};  ///< of them
+  };
+  Opened& opened(const ident::DataFile& file);
+
+  Opener opener_;
+  std::map<std::pair<ident::Path, std::optional<frf::Quantity>>, Opened> files_;
+};
 
 }  // namespace jointid::laws

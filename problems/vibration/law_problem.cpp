@@ -1,6 +1,7 @@
 #include "problems/vibration/law_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/complex.hpp"
@@ -71,6 +72,13 @@ response::Excitation shaker(double level) {
   return force;
 }
 
+std::shared_ptr<const response::FrfReceptance> receptance_of(const LawProblem& problem, const std::vector<frf::FrfSet>& parts) {
+  const auto system = frf::memory_system("parts", parts, frf::Composition::uncoupled);
+  std::vector<response::JointEnds> ends;
+  for (const LawProblemJoint& joint : problem.joints) ends.push_back(joint.ends);
+  return std::make_shared<response::FrfReceptance>(*system, ends, problem.responses, std::vector<frf::Dof>{problem.force});
+}
+
 /// One level: phasors of the responses and of the force.
 void measure_level(const LawProblem& problem, const std::shared_ptr<const response::Receptance>& structure,
                    const std::vector<response::Joint>& joints, double level, LawMeasurement& to) {
@@ -104,15 +112,10 @@ void measure_level(const LawProblem& problem, const std::shared_ptr<const respon
 LawMeasurement measure(const LawProblem& problem) {
   LawMeasurement out;
   out.parts = parts_of(problem);
-  const auto system = frf::memory_system("parts", out.parts, frf::Composition::uncoupled);
-  std::vector<response::JointEnds> ends;
   std::vector<response::Joint> joints;
-  for (const LawProblemJoint& joint : problem.joints) {
-    ends.push_back(joint.ends);
+  for (const LawProblemJoint& joint : problem.joints)
     joints.push_back({.name = joint.name, .friction = friction::make_element(joint.law, joint.parameters)});
-  }
-  const auto structure =
-      std::make_shared<response::FrfReceptance>(*system, ends, problem.responses, std::vector<frf::Dof>{problem.force});
+  const auto structure = receptance_of(problem, out.parts);
   for (const double level : problem.levels) measure_level(problem, structure, joints, level, out);
   return out;
 }
@@ -125,6 +128,31 @@ LawMeasurement polluted(const LawProblem& problem, LawMeasurement exact, std::ui
     for (frf::FrfSet& set : *sets) set = frf::polluted(set, noise, seed, 0, number++);
   }
   return exact;
+}
+
+LawStates states_of(const LawProblem& problem, const LawMeasurement& measured) {
+  LawStates out = {receptance_of(problem, measured.parts), {}};
+  const Eigen::Index harmonics = at(problem.measured.size()), responses = at(problem.responses.size());
+  for (std::size_t level = 0; level < problem.levels.size(); ++level) {
+    const frf::FrfSet &set = measured.responses[level], &force = measured.forces[level];
+    for (const double hz : problem.frequency_hz) {
+      response::MeasuredState state = {angular(hz), {problem.measured, Eigen::MatrixXcd(harmonics, 1)}, problem.measured, {}, {}};
+      state.response.resize(harmonics, responses);
+      state.deviation.resize(harmonics, responses);
+      for (Eigen::Index n = 0; n < harmonics; ++n) {
+        const std::size_t line = line_of(set, problem.measured[static_cast<std::size_t>(n)] * hz);
+        state.force.amplitudes(n, 0) = force.values[force.index(line, 0, 0)];
+        for (Eigen::Index r = 0; r < responses; ++r) {
+          const std::size_t place = set.index(line, static_cast<std::size_t>(r), 0);
+          state.response(n, r) = set.values[place];
+          const double own = problem.noise * std::abs(set.values[place]) / std::numbers::sqrt2;
+          state.deviation(n, r) = set.variance.empty() ? own : std::sqrt(set.variance[place].real());
+        }
+      }
+      out.states.push_back(std::move(state));
+    }
+  }
+  return out;
 }
 
 }  // namespace jointid::problems

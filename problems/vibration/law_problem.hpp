@@ -8,6 +8,7 @@
 #include "friction/path/element.hpp"
 #include "problems/case/write_options.hpp"
 #include "problems/structure/structure.hpp"
+#include "response/identify/measured_state.hpp"
 #include "response/structure/frf_receptance.hpp"
 
 namespace jointid::problems {
@@ -48,6 +49,14 @@ LawMeasurement measure(const LawProblem& problem);
 
 /// With the problem's circular noise on responses and perhaps parts, whose files tell their variances.
 LawMeasurement polluted(const LawProblem& problem, LawMeasurement exact, std::uint64_t seed);
+
+/// A measurement as what a fit takes.
+struct LawStates {
+  std::shared_ptr<const response::FrfReceptance> structure;
+  std::vector<response::MeasuredState> states;  ///< level by level
+};
+/// Deviations are those of the sets; where they tell none, the problem's noise of each phasor.
+LawStates states_of(const LawProblem& problem, const LawMeasurement& measured);
 
 /// Writes files, NAME.toml and truth.json into `directory` and returns the scene's path.
 std::filesystem::path write(const LawProblem& problem, const std::filesystem::path& directory, const WriteOptions& options);

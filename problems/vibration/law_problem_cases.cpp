@@ -45,8 +45,7 @@ LawProblem frame_with_joints() {
           .force = across(13),
           .levels = {1.0, 4.0, 12.0, 30.0},
           .frequency_hz = lines(40.0, 8.0, 6),
-          .model = {1, 3, 5, 7, 9, 11},
-          .noisy_parts = false};
+          .model = {1, 3, 5, 7, 9, 11}};
 }
 
 LawProblem mass_with_iwan() {

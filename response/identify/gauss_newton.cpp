@@ -16,22 +16,6 @@ constexpr double step_of_rounding = 1e-6;  ///< where Σr² cannot fall any more
 
 double largest_element(const Eigen::VectorXd& step) { return step.size() == 0 ? 0.0 : step.cwiseAbs().maxCoeff(); }
 
-/// −(JᵀJ + damping·D²)⁺Jᵀr, D the norms of J's columns.
-Eigen::VectorXd damped_step(const Linearised& at, double damping) {
-  const Eigen::Index rows = at.jacobian.rows(), columns = at.jacobian.cols();
-  Eigen::VectorXd scale = at.jacobian.colwise().norm().transpose();
-  scale = (scale.array() > 0.0).select(scale, 1.0);
-  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(rows + columns, columns);
-  system.topRows(rows) = at.jacobian * scale.cwiseInverse().asDiagonal();
-  system.bottomRows(columns).diagonal().setConstant(std::sqrt(damping));
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(rows + columns);
-  right.head(rows) = -at.residual;
-  Eigen::VectorXd step = dense::RealMinimumNorm(system).solve(right).cwiseQuotient(scale);
-  const double size = largest_element(step);
-  if (size > longest_step) step *= longest_step / size;
-  return step;
-}
-
 /// A damped step that lowers Σr², more and more damped; false when there is none.
 bool descend(const Residuals& residuals, GaussNewtonResult& result, double& damping) {
   const double cost = result.at.residual.squaredNorm();
@@ -48,6 +32,21 @@ bool descend(const Residuals& residuals, GaussNewtonResult& result, double& damp
 }
 
 }  // namespace
+
+Eigen::VectorXd damped_step(const Linearised& at, double damping) {
+  const Eigen::Index rows = at.jacobian.rows(), columns = at.jacobian.cols();
+  Eigen::VectorXd scale = at.jacobian.colwise().norm().transpose();
+  scale = (scale.array() > 0.0).select(scale, 1.0);
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(rows + columns, columns);
+  system.topRows(rows) = at.jacobian * scale.cwiseInverse().asDiagonal();
+  system.bottomRows(columns).diagonal().setConstant(std::sqrt(damping));
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(rows + columns);
+  right.head(rows) = -at.residual;
+  Eigen::VectorXd step = dense::RealMinimumNorm(system).solve(right).cwiseQuotient(scale);
+  const double size = largest_element(step);
+  if (size > longest_step) step *= longest_step / size;
+  return step;
+}
 
 GaussNewtonResult gauss_newton(const Residuals& residuals, const Eigen::VectorXd& start, const GaussNewtonOptions& options) {
   GaussNewtonResult result;

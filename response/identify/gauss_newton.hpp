@@ -28,6 +28,9 @@ struct GaussNewtonResult {
   Linearised at;  ///< the unknowns
 };
 
+/// −(JᵀJ + damping·D²)⁺Jᵀr, D the norms of J's columns; no element is longer than 1.
+Eigen::VectorXd damped_step(const Linearised& at, double damping);
+
 /// min Σr² by Gauss–Newton steps, damped (Levenberg–Marquardt, columns of the Jacobian scaled) while they do not lower it and
 /// never longer than 1; unknowns that no residual depends on are left. Near the end, where a step would lower Σr² by less than
 /// 1e-10 of it, full steps are taken as long as they become shorter.

@@ -8,76 +8,12 @@
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "friction/fit/tied_limit.hpp"
+#include "response/identify/harmonics_fit.hpp"
+#include "response/identify/harmonics_to_add.hpp"
 #include "response/identify/information.hpp"
-#include "response/identify/nuisance_residuals.hpp"
 
 namespace jointid::response {
 namespace {
-
-/// The harmonics that a model may have, and how many come next.
-class HarmonicsToAdd {
- public:
-  HarmonicsToAdd(const Receptance& structure, const std::vector<MeasuredState>& states, int largest)
-      : structure_(structure), states_(states), most_(largest) {
-    for (const MeasuredState& state : states) {
-      for (const auto* numbers : {&state.harmonics, &state.force.harmonics}) {
-        first_ = std::max(first_, numbers->back());
-        odd_ = odd_ && std::ranges::all_of(*numbers, [](int n) { return n % 2 == 1; });
-      }
-    }
-  }
-
-  int first() const { return first_; }
-
-  std::vector<int> to(int largest) const { return odd_ ? Harmonics::odd(largest).numbers() : Harmonics::all(largest).numbers(); }
-
-  /// The next largest one, or 0 when it is above the most or no state's structure is known there.
-  int after(int largest) const {
-    const int next = largest + (odd_ && largest % 2 == 0 ? 1 : 2);
-    if (next > most_) return 0;
-    for (int n = next; n > largest; n -= odd_ ? 2 : 1) {
-      if (std::ranges::any_of(states_, [&](const MeasuredState& state) { return structure_.covers(n * state.omega); }))
-        return next;
-    }
-    return 0;
-  }
-
- private:
-  const Receptance& structure_;
-  const std::vector<MeasuredState>& states_;
-  int most_, first_ = 1;
-  bool odd_ = true;
-};
-
-/// A fit with the harmonics of one model.
-struct FitOfHarmonics {
-  GaussNewtonResult result;
-  std::vector<StatePrediction> states;
-};
-
-/// `residuals`: ResponseResiduals or NuisanceResiduals.
-template <class R>
-FitOfHarmonics fit_harmonics(R residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
-                             const GaussNewtonOptions& options) {
-  FitOfHarmonics fit;
-  const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
-    auto value = residuals.evaluate(numbers, from);
-    if (!value) return std::nullopt;
-    from = std::move(value->states);
-    return std::move(value->linearised);
-  };
-  fit.result = gauss_newton(linearise, start, options);
-  if (!fit.result.defined) return fit;
-  auto last = residuals.evaluate(fit.result.unknowns, from);
-  if (last) fit.states = std::move(last->states);
-  return fit;
-}
-
-bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>& states) {
-  return std::ranges::any_of(states, [&](const MeasuredState& state) {
-    return std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
-  });
-}
 
 LawFitStatus status_of(const GaussNewtonResult& result) {
   if (!result.defined) return LawFitStatus::no_response;
@@ -206,21 +142,14 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
   }
   const HarmonicsToAdd add(*structure, states, options.largest);
   const bool adds = options.harmonics.empty();
-  FitOfHarmonics fit;
   const bool nuisance = options.receptance_errors && knows_errors(*structure, states);
+  const HarmonicsFits fits(structure, states, unknowns, nuisance, options.steps);
+  FitOfHarmonics fit;
   Eigen::VectorXd numbers = unknowns.start();
   for (int largest = add.first(); largest > 0; largest = add.after(largest)) {
     const std::vector<int> harmonics = adds ? add.to(largest) : options.harmonics;
-    if (!nuisance || out.rounds.empty()) {
-      fit =
-          fit_harmonics(ResponseResiduals(structure, states, unknowns, harmonics), numbers, std::move(fit.states), options.steps);
-      out.steps += fit.result.steps;
-    }
-    if (nuisance && (fit.result.defined || !out.rounds.empty())) {
-      const Eigen::VectorXd from = out.rounds.empty() ? fit.result.unknowns : numbers;
-      fit = fit_harmonics(NuisanceResiduals(structure, states, unknowns, harmonics), from, std::move(fit.states), options.steps);
-      out.steps += fit.result.steps;
-    }
+    fit = out.rounds.empty() ? fits.first(harmonics) : fits.next(harmonics, fit);
+    out.steps += fit.result.steps;
     out.status = status_of(fit.result);
     if (!fit.result.defined) break;
     const double moved = out.rounds.empty() ? 0.0 : (fit.result.at.jacobian * (fit.result.unknowns - numbers)).norm();

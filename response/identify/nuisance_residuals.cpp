@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "response/structure/corrected_receptance.hpp"
+#include "response/identify/corrected_models.hpp"
 
 namespace jointid::response {
 namespace {
@@ -11,12 +11,6 @@ namespace {
 constexpr int most_rounds = 10, most_halvings = 4;
 constexpr double settled = 1e-7;              ///< largest last change of an error, in its deviations
 constexpr double far = 10.0, roughly = 1e-3;  ///< cost over numbers from which the errors need not settle, and how well they do
-
-double squared(const LineErrors& errors) {
-  double sum = 0.0;
-  for (const Eigen::VectorXd& line : errors) sum += line.squaredNorm();
-  return sum;
-}
 
 double largest_change(const LineErrors& from, const LineErrors& to) {
   double largest = 0.0;
@@ -35,28 +29,14 @@ NuisanceResiduals::NuisanceResiduals(std::shared_ptr<const Receptance> structure
       unknowns_(std::move(unknowns)),
       harmonics_(std::move(harmonics)),
       layout_(ResponseResiduals(structure_, states_, unknowns_, harmonics_).models(), *structure_),
-      line_of_state_(states_.size()),
-      errors_(layout_.no_errors()) {
-  for (std::size_t line = 0; line < layout_.lines().size(); ++line) {
-    for (const std::size_t state : layout_.lines()[line].states) line_of_state_[state] = line;
-  }
-}
+      errors_(layout_.no_errors()) {}
 
 std::optional<NuisanceResiduals::Trial> NuisanceResiduals::tried(const LineErrors& errors, const Eigen::VectorXd& numbers,
                                                                  const std::vector<StatePrediction>& last) const {
-  std::vector<std::shared_ptr<CorrectedReceptance>> of_line;
-  for (std::size_t i = 0; i < layout_.lines().size(); ++i) {
-    const LineLayout::Line& line = layout_.lines()[i];
-    of_line.push_back(std::make_shared<CorrectedReceptance>(structure_));
-    for (const auto& [number, first, count] : line.harmonics)
-      of_line.back()->correct(number * line.omega, errors[i].segment(first, count));
-  }
-  std::vector<StateModel> models;
-  for (std::size_t i = 0; i < states_.size(); ++i) models.emplace_back(of_line[line_of_state_[i]], states_[i], harmonics_);
-  ResponseResiduals residuals(std::move(models), unknowns_);
+  ResponseResiduals residuals(corrected_models(structure_, states_, layout_, errors, harmonics_), unknowns_);
   auto value = residuals.evaluate(numbers, last);
   if (!value) return std::nullopt;
-  const double cost = value->linearised.residual.squaredNorm() + squared(errors);
+  const double cost = value->linearised.residual.squaredNorm() + squared_norm(errors);
   return Trial{std::move(residuals), std::move(*value), cost};
 }
 

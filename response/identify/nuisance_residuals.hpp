@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "response/identify/line_correlation.hpp"
@@ -16,6 +17,11 @@ class NuisanceResiduals {
  public:
   NuisanceResiduals(std::shared_ptr<const Receptance> structure, std::vector<MeasuredState> states, LawUnknowns unknowns,
                     std::vector<int> harmonics);
+
+  const LineLayout& layout() const { return layout_; }
+  /// Those found last, where the next evaluation begins; none at first.
+  const LineErrors& errors() const { return errors_; }
+  void begin_with(LineErrors errors) { errors_ = std::move(errors); }
 
   /// Nothing where a law makes no sense or harmonic balance does not converge. Begins with the errors found last.
   std::optional<ResponseResiduals::Value> evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last = {});
@@ -37,7 +43,6 @@ class NuisanceResiduals {
   LawUnknowns unknowns_;
   std::vector<int> harmonics_;
   LineLayout layout_;
-  std::vector<std::size_t> line_of_state_;
   LineErrors errors_;
 };
 

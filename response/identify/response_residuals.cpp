@@ -14,6 +14,20 @@ std::vector<StateModel> models_of(const std::shared_ptr<const Receptance>& struc
 
 }  // namespace
 
+Linearised prior_residuals(const LawUnknowns& unknowns, const Eigen::VectorXd& numbers) {
+  const Eigen::VectorXd values = unknowns.values(numbers), slopes = unknowns.slopes(numbers);
+  Linearised out = {Eigen::VectorXd(unknowns.priors()), Eigen::MatrixXd::Zero(unknowns.priors(), unknowns.size())};
+  Eigen::Index row = 0;
+  for (Eigen::Index i = 0; i < unknowns.size(); ++i) {
+    const auto& prior = unknowns.unknown(i).prior;
+    if (!prior) continue;
+    const auto [mean, deviation] = *prior;
+    out.residual(row) = (values(i) - mean) / deviation;
+    out.jacobian(row++, i) = slopes(i) / deviation;
+  }
+  return out;
+}
+
 ResponseResiduals::ResponseResiduals(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                                      LawUnknowns unknowns, const std::vector<int>& harmonics)
     : ResponseResiduals(models_of(structure, states, harmonics), std::move(unknowns)) {}
@@ -36,7 +50,9 @@ std::optional<ResponseResiduals::Value> ResponseResiduals::evaluate(const Eigen:
     if (!value.states.back().solution.converged) return std::nullopt;
     fill(models_[i], value.states.back(), slopes, row, value.linearised);
   }
-  fill_priors(numbers, row, value.linearised);
+  const Linearised priors = prior_residuals(unknowns_, numbers);
+  value.linearised.residual.tail(priors.residual.size()) = priors.residual;
+  value.linearised.jacobian.bottomRows(priors.residual.size()) = priors.jacobian;
   if (!value.linearised.residual.allFinite() || !value.linearised.jacobian.allFinite()) return std::nullopt;
   return value;
 }
@@ -51,17 +67,6 @@ void ResponseResiduals::fill(const StateModel& model, const StatePrediction& pre
     linearised.jacobian.col(unknown).segment(row, count) += slopes(unknown) * in_deviations(state, prediction.by_parameter[i]);
   }
   row += count;
-}
-
-void ResponseResiduals::fill_priors(const Eigen::VectorXd& numbers, Eigen::Index row, Linearised& linearised) const {
-  const Eigen::VectorXd values = unknowns_.values(numbers), slopes = unknowns_.slopes(numbers);
-  for (Eigen::Index i = 0; i < unknowns_.size(); ++i) {
-    const auto& prior = unknowns_.unknown(i).prior;
-    if (!prior) continue;
-    const auto [mean, deviation] = *prior;
-    linearised.residual(row) = (values(i) - mean) / deviation;
-    linearised.jacobian(row++, i) = slopes(i) / deviation;
-  }
 }
 
 }  // namespace jointid::response

@@ -10,9 +10,11 @@
 
 namespace jointid::response {
 
+/// (value − prior)/deviation of the unknowns that have a prior.
+Linearised prior_residuals(const LawUnknowns& unknowns, const Eigen::VectorXd& numbers);
+
 /// (X − Y)/σ of all measured states over the unknown parameters of the joints. Rows: states in their order, of each the
-/// harmonics, of each the responses, of each Re and Im (of the mean Re alone); then (value − prior)/deviation of the unknowns
-/// that have a prior.
+/// harmonics, of each the responses, of each Re and Im (of the mean Re alone); then prior_residuals.
 class ResponseResiduals {
  public:
   /// `harmonics`: of the model, see StateModel. The states must be valid.
@@ -34,7 +36,6 @@ class ResponseResiduals {
  private:
   void fill(const StateModel& model, const StatePrediction& prediction, const Eigen::VectorXd& slopes, Eigen::Index& row,
             Linearised& linearised) const;
-  void fill_priors(const Eigen::VectorXd& numbers, Eigen::Index row, Linearised& linearised) const;
 
   std::vector<StateModel> models_;
   LawUnknowns unknowns_;

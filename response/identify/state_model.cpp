@@ -34,6 +34,22 @@ Eigen::MatrixXcd StateModel::measured(const Eigen::MatrixXcd& of_model) const {
   return rows;
 }
 
+Eigen::MatrixXd StateModel::error_shares(int harmonic, const Eigen::VectorXcd& joint_force) const {
+  Eigen::VectorXcd acting(joint_force.size() + structure_->forces());
+  acting << -joint_force, state_.force.of(harmonic);
+  const std::vector<ReceptanceError> errors = structure_->errors(harmonic * state_.omega);
+  Eigen::MatrixXd shares(2 * (structure_->joints() + structure_->responses()), 2 * at(errors.size()));
+  for (std::size_t e = 0; e < errors.size(); ++e) {
+    const Eigen::VectorXcd moved = errors[e].shape * acting;
+    const double re = std::sqrt(errors[e].variance.real()), im = std::sqrt(errors[e].variance.imag());
+    for (Eigen::Index k = 0; k < moved.size(); ++k) {
+      shares.block<2, 1>(2 * k, 2 * at(e)) << re * moved(k).real(), re * moved(k).imag();
+      shares.block<2, 1>(2 * k, 2 * at(e) + 1) << -im * moved(k).imag(), im * moved(k).real();
+    }
+  }
+  return shares;
+}
+
 StatePrediction StateModel::predict(const std::vector<Joint>& joints, const std::vector<JointParameter>& parameters,
                                     const HarmonicSolution* last) const {
   const HarmonicBalance balance(structure_, joints, state_.force, {.fixed = harmonics_.numbers()});
@@ -113,21 +129,8 @@ Eigen::MatrixXd ReceptanceResponse::by_motion(Eigen::Index harmonic) const {
 }
 
 Eigen::MatrixXd ReceptanceResponse::by_errors(int harmonic) const {
-  const Eigen::Index n = model_.harmonics_.find(harmonic), joints = model_.structure_->joints();
-  Eigen::VectorXcd acting(joints + model_.structure_->forces());
-  acting << -prediction_.solution.joint_force.row(n).transpose(), model_.state_.force.of(harmonic);
-  const Eigen::MatrixXd motion = by_motion(n);
-  const std::vector<ReceptanceError> errors = model_.structure_->errors(harmonic * model_.state_.omega);
-  Eigen::MatrixXd shares(motion.cols(), 2 * at(errors.size()));
-  for (std::size_t e = 0; e < errors.size(); ++e) {
-    const Eigen::VectorXcd moved = errors[e].shape * acting;
-    const double re = std::sqrt(errors[e].variance.real()), im = std::sqrt(errors[e].variance.imag());
-    for (Eigen::Index k = 0; k < moved.size(); ++k) {
-      shares.block<2, 1>(2 * k, 2 * at(e)) << re * moved(k).real(), re * moved(k).imag();
-      shares.block<2, 1>(2 * k, 2 * at(e) + 1) << -im * moved(k).imag(), im * moved(k).real();
-    }
-  }
-  return motion * shares;
+  const Eigen::Index n = model_.harmonics_.find(harmonic);
+  return by_motion(n) * model_.error_shares(harmonic, prediction_.solution.joint_force.row(n).transpose());
 }
 
 }  // namespace jointid::response

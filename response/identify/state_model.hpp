@@ -30,12 +30,19 @@ class StateModel {
 
   /// Of the model.
   const Harmonics& harmonics() const { return harmonics_; }
+  const HarmonicLine& line() const { return line_; }
+
+  /// Of numbers at the model's harmonics those at the measured ones.
+  Eigen::MatrixXcd measured(const Eigen::MatrixXcd& of_model) const;
+
+  /// δu = δH(P − WF) of each of the structure's errors at one harmonic, one deviation of its real part and one of its imaginary
+  /// part; of each element Re and Im. [2 · (joints + responses), 2 · errors]
+  Eigen::MatrixXd error_shares(int harmonic, const Eigen::VectorXcd& joint_force) const;
 
  private:
   friend class ReceptanceResponse;
   void differentiate(const CondensedEquations& equations, const Eigen::VectorXd& motion,
                      const std::vector<JointParameter>& parameters, StatePrediction& prediction) const;
-  Eigen::MatrixXcd measured(const Eigen::MatrixXcd& of_model) const;
 
   std::shared_ptr<const Receptance> structure_;
   MeasuredState state_;

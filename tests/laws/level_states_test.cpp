@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 
 #include "base/error.hpp"
+#include "ident/plan/data_source.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "problems/vibration/law_problem_cases.hpp"
 #include "tests/test_folder.hpp"
@@ -44,6 +46,30 @@ TEST(LevelStates, VariancesOfFilesCount) {
   EXPECT_TRUE(data.structure->knows_errors());
   EXPECT_TRUE(data.notes.empty());
   EXPECT_NEAR(data.states[0].deviation(0, 0) / std::abs(data.states[0].response(0, 0)), 0.01 / std::sqrt(2.0), 1e-6);
+}
+
+/// Two harmonics in one file: it is opened once, parsed once, and asked for its DOFs besides.
+TEST(LevelStates, OpenEveryFileOnce) {
+  const TestFolder folder;
+  const auto problem = problems::make_law_problem("sdof-iwan");
+  const LawScene scene = read_law_scene(problems::write(problem, folder, {.clean = true}));
+  std::map<std::filesystem::path, int> opened;
+  read_level_states(scene, PhasorFiles([&](const std::vector<ident::DataFile>& files) {
+                      for (const ident::DataFile& file : files) ++opened[file.path];
+                      return ident::open_all(files);
+                    }));
+  EXPECT_EQ(opened.size(), 2 * problem.levels.size());
+  for (const auto& [file, count] : opened) EXPECT_EQ(count, 1) << file;
+}
+
+/// The phasors of all harmonics are read in one go.
+TEST(LevelStates, ReadEveryFileOnce) {
+  const TestFolder folder;
+  const LawScene scene = read_law_scene(problems::write(problems::make_law_problem("sdof-iwan"), folder, {.clean = true}));
+  PhasorFiles files;
+  const ForceLevel& level = scene.levels.front();
+  const auto first = files.read(level.harmonics[0].responses, files.dofs(level.harmonics[0].responses));
+  EXPECT_EQ(first, files.read(level.harmonics[1].responses, files.dofs(level.harmonics[1].responses)));
 }
 
 TEST(LevelStates, SayWhatIsNotThere) {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "response/identify/gauss_newton.hpp"
+#include "response/identify/law_unknowns.hpp"
+#include "response/identify/lifted_fit.hpp"
+#include "response/identify/line_correlation.hpp"
+
+namespace jointid::response {
+
+/// A fit with the harmonics of one model.
+struct FitOfHarmonics {
+  GaussNewtonResult result;
+  std::vector<StatePrediction> states;
+  /// Of the receptances where they are unknown, too, and their layout.
+  std::optional<LineLayout> layout{};
+  LineErrors errors{};
+};
+
+/// Fits of the same states with one model after the other.
+class HarmonicsFits {
+ public:
+  /// `nuisance`: the receptances are unknowns of their own.
+  HarmonicsFits(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
+                const LawUnknowns& unknowns, bool nuisance, const GaussNewtonOptions& options);
+
+  /// From the values of the unknowns: by fit_lifted, then by harmonic balance. Where that does not end in a minimum, or no direct
+  /// step starts it, by harmonic balance alone, first with the receptances as measured.
+  FitOfHarmonics first(const std::vector<int>& harmonics) const;
+  /// From another fit; where the receptances are unknown, by fit_lifted first.
+  FitOfHarmonics next(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
+
+ private:
+  FitOfHarmonics plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start, std::vector<StatePrediction> from) const;
+  FitOfHarmonics from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted) const;
+  FitOfHarmonics from(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
+  FitOfHarmonics with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
+
+  std::shared_ptr<const Receptance> structure_;
+  const std::vector<MeasuredState>& states_;
+  const LawUnknowns& unknowns_;
+  bool nuisance_;
+  GaussNewtonOptions options_;
+};
+
+/// Whether the structure tells errors of its receptances at a measured harmonic.
+bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>& states);
+
+}  // namespace jointid::response

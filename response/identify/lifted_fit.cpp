@@ -1,0 +1,195 @@
+#include "response/identify/lifted_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "base/error.hpp"
+#include "response/identify/corrected_models.hpp"
+#include "response/identify/direct_step.hpp"
+#include "response/identify/lifted_line.hpp"
+#include "response/identify/response_residuals.hpp"
+
+namespace jointid::response {
+namespace {
+
+constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};  ///< of the joint's force
+constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};             ///< from a fit with other harmonics
+constexpr int most_lifted_steps = 30;                                ///< with one tolerance
+constexpr double least_gain = 1e-3, least_share_gained = 1e-4;  ///< of Σr², and of it relatively: a step that lowers it by less
+constexpr double first_lifted_damping = 1e-4, most_lifted_damping = 1e6;
+constexpr double shares[] = {1.0, 0.5, 0.2};  ///< of a step that are tried before more damping
+
+/// All unknowns.
+struct Point {
+  Eigen::VectorXd numbers;
+  std::vector<Eigen::MatrixXcd> force;
+  LineErrors errors;
+};
+
+class LiftedProblem {
+ public:
+  LiftedProblem(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                const LawUnknowns& unknowns, const std::vector<int>& harmonics)
+      : structure_(structure),
+        states_(states),
+        unknowns_(unknowns),
+        harmonics_(harmonics),
+        layout_(ResponseResiduals(structure, states, unknowns, harmonics).models(), *structure),
+        tolerance_(states.size(), Eigen::VectorXd::Zero(structure->joints())) {
+    for (const StateModel& model : models(layout_.no_errors())) harmonics_of_.push_back(model.harmonics());
+  }
+
+  /// Forces of the direct step, and those of the law at its motions where it has none.
+  std::optional<Point> start() {
+    Point point = {unknowns_.start(), {}, layout_.no_errors()};
+    try {
+      for (const MeasuredState& state : states_) {
+        const DirectStep step = direct_step(*structure_, state);
+        add_state(unknowns_.joints(), step.harmonics, step.joint_motion, step.joint_force, point);
+      }
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+    return point;
+  }
+
+  std::optional<Point> start(const LiftedFit& from) {
+    Point point = {from.numbers, {}, carried(from.layout, from.errors, layout_)};
+    const auto joints = unknowns_.at_numbers(from.numbers);
+    if (!joints) return std::nullopt;
+    for (const StatePrediction& state : from.states)
+      add_state(*joints, state.solution.harmonics, state.solution.joint_motion, state.solution.joint_force, point);
+    return point;
+  }
+
+  void set_tolerance(double share) {
+    for (std::size_t i = 0; i < states_.size(); ++i) tolerance_[i] = share * scale_[i];
+  }
+
+  std::optional<double> cost(const Point& point) const {
+    const auto joints = unknowns_.at_numbers(point.numbers);
+    if (!joints) return std::nullopt;
+    const std::vector<StateModel> models = this->models(point.errors);
+    double sum = squared_norm(point.errors) + prior_residuals(unknowns_, point.numbers).residual.squaredNorm();
+    for (std::size_t i = 0; i < models.size(); ++i)
+      sum += LiftedState(models[i], *joints, point.force[i], tolerance_[i]).residual().squaredNorm();
+    return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
+  }
+
+  /// Moves the point to a minimum with the present tolerance; how many steps.
+  int descend(Point& point) const {
+    double now = cost(point).value_or(0.0), damping = first_lifted_damping;
+    int steps = 0;
+    for (; steps < most_lifted_steps; ++steps) {
+      const LiftedLines lines = linearise(point);
+      const double gain = now - lines.least(damped_step(lines.reduced(), 0.0));
+      if (!(gain > least_gain + least_share_gained * now)) break;
+      if (!move(lines, point, now, damping)) break;
+    }
+    return steps;
+  }
+
+  LiftedFit described(Point point, int steps) const {
+    LiftedFit out = {point.numbers, layout_, point.errors, {}, 0.0, steps};
+    const std::vector<StateModel> models = this->models(point.errors);
+    const std::vector<Joint> joints = *unknowns_.at_numbers(point.numbers);
+    out.chi_square = squared_norm(point.errors);
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      HarmonicSolution solution;
+      solution.converged = true;
+      solution.harmonics = models[i].harmonics().numbers();
+      solution.joint_motion = LiftedState::motion(models[i], point.force[i]);
+      solution.joint_force = point.force[i];
+      out.states.push_back({std::move(solution), {}, {}});
+      const Eigen::Index measured = measured_numbers(states_[i]);
+      out.chi_square += LiftedState(models[i], joints, point.force[i], tolerance_[i]).residual().head(measured).squaredNorm();
+    }
+    return out;
+  }
+
+ private:
+  /// Its forces are those known at some harmonics and the law's at all others; the law's tell the scale.
+  void add_state(const std::vector<Joint>& joints, const std::vector<int>& known, const Eigen::MatrixXcd& motion,
+                 const Eigen::MatrixXcd& force, Point& point) {
+    const std::size_t i = point.force.size();
+    const Harmonics& harmonics = harmonics_of_[i];
+    Eigen::MatrixXcd all = Eigen::MatrixXcd::Zero(harmonics.size(), structure_->joints());
+    const auto put = [&](const Eigen::MatrixXcd& values) {
+      for (std::size_t n = 0; n < known.size(); ++n) {
+        const Eigen::Index row = harmonics.find(known[n]);
+        if (row >= 0) all.row(row) = values.row(at(n));
+      }
+    };
+    put(motion);
+    const CondensedEquations equations(joints, harmonics);
+    all = equations.forces(states_[i].omega, equations.pack(all));
+    scale_.emplace_back(all.cwiseAbs().colwise().maxCoeff().transpose());
+    put(force);
+    point.force.push_back(std::move(all));
+  }
+
+  std::vector<StateModel> models(const LineErrors& errors) const {
+    return corrected_models(structure_, states_, layout_, errors, harmonics_);
+  }
+
+  LiftedLines linearise(const Point& point) const {
+    return {layout_, models(point.errors), unknowns_, point.numbers, point.force, point.errors, tolerance_};
+  }
+
+  bool move(const LiftedLines& lines, Point& point, double& now, double& damping) const {
+    for (; damping <= most_lifted_damping; damping = std::max(10.0 * damping, 1e-9)) {
+      const Eigen::VectorXd step = damped_step(lines.reduced(), damping);
+      const LiftedChange change = lines.change(step);
+      for (const double share : shares) {
+        Point tried = point;
+        tried.numbers += share * step;
+        for (std::size_t i = 0; i < tried.force.size(); ++i) tried.force[i] += share * change.force[i];
+        for (std::size_t i = 0; i < tried.errors.size(); ++i) tried.errors[i] += share * change.errors[i];
+        const auto next = cost(tried);
+        if (!next || !(*next < now)) continue;
+        point = std::move(tried);
+        now = *next;
+        if (share == 1.0) damping *= 0.1;
+        return true;
+      }
+    }
+    return false;
+  }
+
+  const std::shared_ptr<const Receptance>& structure_;
+  const std::vector<MeasuredState>& states_;
+  const LawUnknowns& unknowns_;
+  const std::vector<int>& harmonics_;
+  LineLayout layout_;
+  std::vector<Harmonics> harmonics_of_{};             ///< of each state
+  std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
+};
+
+std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point, std::span<const double> tolerance) {
+  if (!point) return std::nullopt;
+  int steps = 0;
+  for (const double share : tolerance) {
+    problem.set_tolerance(share);
+    if (!problem.cost(*point)) return std::nullopt;
+    steps += problem.descend(*point);
+  }
+  return problem.described(std::move(*point), steps);
+}
+
+}  // namespace
+
+std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics) {
+  LiftedProblem problem(structure, states, unknowns, harmonics);
+  return fit(problem, problem.start(), tolerances);
+}
+
+std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from) {
+  LiftedProblem problem(structure, states, unknowns, harmonics);
+  return fit(problem, problem.start(from), last_tolerances);
+}
+
+}  // namespace jointid::response

@@ -1,0 +1,101 @@
+#include "response/identify/lifted_state.hpp"
+
+namespace jointid::response {
+
+Eigen::MatrixXcd LiftedState::motion(const StateModel& model, const Eigen::MatrixXcd& force) {
+  Eigen::MatrixXcd motion(force.rows(), force.cols());
+  for (Eigen::Index n = 0; n < force.rows(); ++n) {
+    const HarmonicLine::One& one = model.line().harmonics[static_cast<std::size_t>(n)];
+    motion.row(n) = (one.driven - one.joints * force.row(n).transpose()).transpose();
+  }
+  return motion;
+}
+
+LiftedState::LiftedState(const StateModel& model, const std::vector<Joint>& joints, const Eigen::MatrixXcd& force,
+                         const Eigen::VectorXd& tolerance)
+    : model_(model), equations_(joints, model.harmonics()), force_(force), tolerance_(tolerance) {
+  const Harmonics& harmonics = model.harmonics();
+  const Eigen::Index size = harmonics.unknowns();
+  const Eigen::MatrixXcd own = motion(model, force);
+  stiffness_.setZero(equations_.unknowns(), equations_.unknowns());
+  weight_.resize(equations_.unknowns());
+  for (Eigen::Index j = 0; j < force.cols(); ++j) {
+    const JointForce& joint = equations_.joints()[static_cast<std::size_t>(j)];
+    law_.push_back(joint.evaluate(Motion(harmonics, own.col(j)), model.line().omega, harmonics, true));
+    for (Eigen::Index u = 0; u < size; ++u)
+      stiffness_.col(j * size + u).segment(j * size, size) = harmonics.pack(law_.back().by_motion.col(u));
+    weight_.segment(j * size, size).setConstant(1.0 / tolerance(j));
+  }
+}
+
+Eigen::VectorXd LiftedState::residual() const {
+  const Eigen::Index measured = measured_numbers(model_.state());
+  Eigen::MatrixXcd missing = force_, response(force_.rows(), model_.state().response.cols());
+  for (std::size_t j = 0; j < law_.size(); ++j) missing.col(at(j)) -= law_[j].force;
+  for (Eigen::Index n = 0; n < force_.rows(); ++n) {
+    const HarmonicLine::One& one = model_.line().harmonics[static_cast<std::size_t>(n)];
+    response.row(n) = (one.free - one.to_joints * force_.row(n).transpose()).transpose();
+  }
+  Eigen::VectorXd rows(measured + weight_.size());
+  rows << in_deviations(model_.state(), model_.measured(response) - model_.state().response),
+      equations_.pack(missing).cwiseProduct(weight_);
+  return rows;
+}
+
+Eigen::MatrixXd LiftedState::by_motion(Eigen::Index harmonic) const {
+  const Harmonics& harmonics = model_.harmonics();
+  const Eigen::Index joints = force_.cols(), responses = model_.state().response.cols();
+  const Eigen::Index measured = measured_numbers(model_.state()), parts = harmonics[harmonic] > 0 ? 2 : 1;
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(measured + weight_.size(), 2 * (joints + responses));
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    for (Eigen::Index part = 0; part < parts; ++part) {
+      const Eigen::Index place = j * harmonics.unknowns() + harmonics.offset(harmonic) + part;
+      columns.col(2 * j + part).tail(weight_.size()) = -stiffness_.col(place).cwiseProduct(weight_);
+    }
+  }
+  for (Eigen::Index k = 0; k < 2 * responses; ++k) {
+    Eigen::MatrixXcd response = Eigen::MatrixXcd::Zero(harmonics.size(), responses);
+    response(harmonic, k / 2) = k % 2 == 0 ? Complex(1.0) : Complex(0.0, 1.0);
+    columns.col(2 * joints + k).head(measured) = in_deviations(model_.state(), model_.measured(response));
+  }
+  return columns;
+}
+
+LiftedRows LiftedState::rows(const LawUnknowns& unknowns, const Eigen::VectorXd& slopes) const {
+  const Harmonics& harmonics = model_.harmonics();
+  const Eigen::Index joints = force_.cols(), measured = measured_numbers(model_.state()), size = harmonics.unknowns();
+  LiftedRows out = {residual(), {}, Eigen::MatrixXd::Zero(measured + weight_.size(), weight_.size())};
+  out.by_parameter.setZero(out.residual.size(), slopes.size());
+  for (std::size_t i = 0; i < unknowns.moved().size(); ++i) {
+    const auto [joint, parameter] = unknowns.moved()[i];
+    const Eigen::Index row = measured + at(joint) * size, unknown = unknowns.moved_by()[i];
+    const Eigen::VectorXd change = harmonics.pack(law_[joint].by_parameters.col(at(parameter)));
+    out.by_parameter.col(unknown).segment(row, size) -= slopes(unknown) / tolerance_(at(joint)) * change;
+  }
+  for (Eigen::Index n = 0; n < harmonics.size(); ++n) {
+    const HarmonicLine::One& one = model_.line().harmonics[static_cast<std::size_t>(n)];
+    Eigen::MatrixXcd moved(joints + one.to_joints.rows(), joints);
+    moved << -one.joints, -one.to_joints;
+    Eigen::MatrixXd shares(2 * moved.rows(), 2 * joints);
+    for (Eigen::Index i = 0; i < moved.rows(); ++i) {
+      for (Eigen::Index j = 0; j < joints; ++j) {
+        const Complex g = moved(i, j);
+        shares.block<2, 2>(2 * i, 2 * j) << g.real(), -g.imag(), g.imag(), g.real();
+      }
+    }
+    const Eigen::MatrixXd columns = by_motion(n) * shares;
+    for (Eigen::Index j = 0; j < joints; ++j) {
+      const Eigen::Index parts = harmonics[n] > 0 ? 2 : 1;
+      out.by_force.middleCols(j * size + harmonics.offset(n), parts) = columns.middleCols(2 * j, parts);
+    }
+  }
+  out.by_force.bottomRows(weight_.size()).diagonal() += weight_;
+  return out;
+}
+
+Eigen::MatrixXd LiftedState::by_errors(int harmonic) const {
+  const Eigen::Index n = model_.harmonics().find(harmonic);
+  return by_motion(n) * model_.error_shares(harmonic, force_.row(n).transpose());
+}
+
+}  // namespace jointid::response
