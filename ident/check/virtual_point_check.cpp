@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/text.hpp"
 
@@ -24,11 +25,20 @@ std::vector<std::size_t> lines_of(const Scene& scene, const std::vector<double>&
   return some;
 }
 
-/// A file as it was measured.
-DataFile without_virtual_points(DataFile file) {
-  file.virtual_points.clear();
-  for (DataFile& run : file.repeats) run.virtual_points.clear();
-  return file;
+/// The files as they were measured.
+Scene without_virtual_points(Scene scene) {
+  for (auto* files : {&scene.data.substructures, &scene.data.assembly}) {
+    for (DataFile& file : *files) {
+      file.virtual_points.clear();
+      for (DataFile& run : file.repeats) run.virtual_points.clear();
+    }
+  }
+  return scene;
+}
+
+bool has_virtual_points(const Scene& scene) {
+  const auto has = [](const DataFile& file) { return !file.virtual_points.empty(); };
+  return std::ranges::any_of(scene.data.substructures, has) || std::ranges::any_of(scene.data.assembly, has);
 }
 
 /// Numbers of which those next to 0 and ±1 are these; of a direction near an axis.
@@ -86,15 +96,19 @@ Suspect suspect_of(const virtualpoint::Consistency& point, const virtualpoint::W
 }  // namespace
 
 void check_virtual_points(const Scene& scene, const Control& control, CheckResult& result) {
+  if (!has_virtual_points(scene)) return;
   std::vector<Suspect> found;
-  for (const auto* files : {&scene.data.substructures, &scene.data.assembly}) {
-    for (const DataFile& file : *files) {
+  const OpenedScene opened = open_scene(without_virtual_points(scene));
+  for (const auto& [files, sources] : {std::pair(&scene.data.substructures, &opened.substructures),
+                                       std::pair(&scene.data.assembly, &opened.assembly)}) {
+    for (std::size_t i = 0; i < files->size(); ++i) {
+      const DataFile& file = (*files)[i];
       if (file.virtual_points.empty()) continue;
-      const auto source = std::move(open_all({without_virtual_points(file)}).front());
-      const std::vector<std::size_t> lines = lines_of(scene, source->header().frequency_hz);
+      frf::FrfSource& source = *(*sources)[i];
+      const std::vector<std::size_t> lines = lines_of(scene, source.header().frequency_hz);
       for (const virtualpoint::VirtualPoint& point : file.virtual_points) {
         if (control.interrupted && control.interrupted()) return;
-        virtualpoint::Consistency of = virtualpoint::consistency(*source, point, lines);
+        virtualpoint::Consistency of = virtualpoint::consistency(source, point, lines);
         if (!of.sensors.any() && !of.impacts.any()) continue;
         for (const virtualpoint::WrongDirection& wrong : of.wrong) found.push_back(suspect_of(of, wrong));
         result.virtual_points.push_back(std::move(of));
