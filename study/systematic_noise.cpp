@@ -20,7 +20,7 @@ void SystematicNoise::apply(frf::FrfSet& set, const RandomStream& stream) const 
     const double measured = std::exp(-gain * z[0]);
     for (std::size_t line = 0; line < set.header.lines(); ++line) {
       Complex factor = measured;
-      if (mass > 0.0 && driving != frf::npos) {
+      if (mass > 0.0 && driving != frf::npos && !dof.is_rotation()) {
         const double frequency = set.header.frequency_hz[line], omega = angular(frequency);
         const double sign = dof.sign * set.header.reference[driving].sign;
         const Complex receptance = sign * set.values[set.index(line, r, driving)] * frf::to_receptance(set.header.quantity, frequency);
@@ -33,7 +33,7 @@ void SystematicNoise::apply(frf::FrfSet& set, const RandomStream& stream) const 
 
 std::string without_driving_point(const frf::FrfHeader& header) {
   for (const frf::Dof& dof : header.response) {
-    if (!frf::has(header.reference, dof)) return dof.name();
+    if (!dof.is_rotation() && !frf::has(header.reference, dof)) return dof.name();
   }
   return "";
 }
