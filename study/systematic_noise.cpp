@@ -23,7 +23,8 @@ void SystematicNoise::apply(frf::FrfSet& set, const RandomStream& stream) const 
       if (mass > 0.0 && driving != frf::npos && !dof.is_rotation()) {
         const double frequency = set.header.frequency_hz[line], omega = angular(frequency);
         const double sign = dof.sign * set.header.reference[driving].sign;
-        const Complex receptance = sign * set.values[set.index(line, r, driving)] * frf::to_receptance(set.header.quantity, frequency);
+        const Complex receptance =
+            sign * set.values[set.index(line, r, driving)] * frf::to_receptance(set.header.quantity, frequency);
         factor /= 1.0 - omega * omega * mass * z[1] * receptance;
       }
       for (std::size_t c = 0; c < references; ++c) set.values[set.index(line, r, c)] *= factor;

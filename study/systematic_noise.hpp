@@ -7,9 +7,8 @@
 
 namespace jointid::study {
 
-/// Gains and masses of roving sensors, normal and drawn anew in every trial, one per DOF: the same in all sets of a trial. A mass m at the
-/// response p makes H(p,:)/(1 − ω²m H(p,p)) of its row, and a gain e^z divides it. Rotations have
-/// no mass.
+/// Gains and masses of roving sensors, normal and drawn anew in every trial, one per DOF: the same in all sets of a trial. A mass
+/// m at the response p makes H(p,:)/(1 − ω²m H(p,p)) of its row, and a gain e^z divides it. Rotations have no mass.
 struct SystematicNoise {
   double gain = 0.0;  ///< standard deviation of z
   double mass = 0.0;  ///< kg

@@ -313,7 +313,9 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
   });
   declare_noise(noise, *data);
   declare_regeneration(*data);
-  if (drawn_apart) data->notes.push_back("With errors of gains or masses FRFs there and back are measurements of their own: their noise is drawn apart.");
+  if (drawn_apart) {
+    data->notes.push_back("With errors of gains or masses FRFs there and back are measurements of their own: their noise is drawn apart.");
+  }
   return data;
 }
 

@@ -32,7 +32,8 @@ ErrorFiles read_error_files(const scene::Item& list, const std::vector<PlacedFil
     const auto place = static_cast<std::size_t>(std::ranges::find(names, item.word(names)) - names.begin());
     const PlacedFile& file = files[place];
     std::vector<std::size_t>& of = file.of_assembly ? out.assembly : out.substructures;
-    if (std::ranges::find(of, file.number) != of.end()) item.fail("the file is named twice", "name each file, or one of its runs, once");
+    if (std::ranges::find(of, file.number) != of.end())
+      item.fail("the file is named twice", "name each file, or one of its runs, once");
     of.push_back(file.number);
   }
   return out;
@@ -48,7 +49,8 @@ GainPrior read_gain_prior(const scene::Item& item, const std::vector<PlacedFile>
   if (const auto gain = table.find("gain")) prior.gain = gain->positive();
   if (const auto delay = table.find("delay")) prior.delay = delay->positive();
   if (prior.gain == 0.0 && prior.delay == 0.0) {
-    item.fail("neither gain nor delay is given", "write gain = 0.01 for gains of 1 ± 0.01, delay = 1e-6 for delays of 0 ± 1e-6 s");
+    item.fail("neither gain nor delay is given",
+              "write gain = 0.01 for gains of 1 ± 0.01, delay = 1e-6 for delays of 0 ± 1e-6 s");
   }
   prior.shared = read_sharing(table);
   return prior;
@@ -61,7 +63,8 @@ MassPrior read_mass_prior(const scene::Item& item, const std::vector<PlacedFile>
   prior.files = read_error_files(table.require("files"), files);
   prior.mass = table.require("mass").not_negative();
   if (const auto deviation = table.find("deviation")) prior.deviation = deviation->not_negative();
-  if (prior.mass == 0.0 && prior.deviation == 0.0) item.fail("neither mass nor deviation is above 0", "give the mass in kg, 3e-3");
+  if (prior.mass == 0.0 && prior.deviation == 0.0)
+    item.fail("neither mass nor deviation is above 0", "give the mass in kg, 3e-3");
   prior.shared = read_sharing(table);
   return prior;
 }
@@ -70,7 +73,8 @@ MassPrior read_mass_prior(const scene::Item& item, const std::vector<PlacedFile>
 void remove_mass(const scene::Item& item, const MassPrior& prior, DataFile& file) {
   if (prior.mass == 0.0) return;
   for (const frf::Dof& dof : prior.dofs) {
-    const bool there = std::ranges::any_of(file.corrections.sensor_mass, [&](const auto& of) { return of.dof.same_coordinate(dof); });
+    const bool there =
+        std::ranges::any_of(file.corrections.sensor_mass, [&](const auto& of) { return of.dof.same_coordinate(dof); });
     if (there) {
       item.fail("the sensor at " + dof.name() + " in " + file.path.filename().string() + " has a mass already",
                 "give each mass once, here or as sensor_mass of the file");

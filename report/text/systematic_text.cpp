@@ -14,8 +14,8 @@ std::string with_error(double value, double error) { return fmt::format("{:.6g} 
 Table systematic_table(const std::vector<ident::SystematicEstimate>& systematic) {
   Table table({{"error of the measurement", Align::left}, {"value"}, {"standard error"}, {"unit", Align::left}, {"prior"}});
   for (const ident::SystematicEstimate& each : systematic) {
-    table.add({each.name, fmt::format("{:.6g}", each.value), each.std_error ? fmt::format("{:.2g}", *each.std_error) : "–", each.unit,
-               with_error(each.prior, each.prior_deviation)});
+    table.add({each.name, fmt::format("{:.6g}", each.value), each.std_error ? fmt::format("{:.2g}", *each.std_error) : "–",
+               each.unit, with_error(each.prior, each.prior_deviation)});
   }
   return table;
 }

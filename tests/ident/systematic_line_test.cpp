@@ -113,8 +113,8 @@ TEST(SystematicLine, MassIsRemovedExactly) {
   const auto loaded = [&](Complex h) { return h / (1.0 - omega * omega * mass * driving_free); };
   const std::size_t element = sample.layout.variables();
   sample.data.a.value[0] = loaded(free);
-  sample.data.systematic = std::make_shared<SystematicFrfs>(
-      SystematicFrfs{{element, 1.0, loaded(free), 1.0, {{1.0, {{0, loaded(driving_free)}}}}}});
+  sample.data.systematic =
+      std::make_shared<SystematicFrfs>(SystematicFrfs{{element, 1.0, loaded(free), 1.0, {{1.0, {{0, loaded(driving_free)}}}}}});
   const std::vector<SystematicUnknown> one = {{Systematic::mass, 0.5}};
   const std::vector<double> phi = {mass / 0.5};
   EXPECT_NEAR(std::abs(corrected_line(sample.data, one, phi).a.value[0] - free), 0.0, 1e-12 * std::abs(loaded(free)));

@@ -106,7 +106,9 @@ TEST(SystematicScene, IntervalsHoldWithPriors) {
     const Solution good = solved(with, data), bad = solved(a1.scene, data);
     for (std::size_t i = 0; i < good.unknowns.size(); ++i) {
       const double truth = a1.problem.unknowns[i].value;
-      const auto holds = [&](const Solution& of) { return (*of.unknowns[i].ci95)[0] <= truth && truth <= (*of.unknowns[i].ci95)[1]; };
+      const auto holds = [&](const Solution& of) {
+        return (*of.unknowns[i].ci95)[0] <= truth && truth <= (*of.unknowns[i].ci95)[1];
+      };
       if (truth == 0.0 || !good.unknowns[i].ci95) continue;
       ++count;
       inside += holds(good) ? 1 : 0;

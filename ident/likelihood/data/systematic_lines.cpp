@@ -27,7 +27,8 @@ bool has_factors(const std::vector<SystematicWay>& ways) {
 
 }  // namespace
 
-SystematicLines::SystematicLines(SystematicPlan plan, frf::FrfSystem& substructures, frf::FrfSystem& assembly, const Dofs& coordinates)
+SystematicLines::SystematicLines(SystematicPlan plan, frf::FrfSystem& substructures, frf::FrfSystem& assembly,
+                                 const Dofs& coordinates)
     : plan_(std::move(plan)),
       unknowns_(plan_.unknowns()),
       coordinates_(coordinates),

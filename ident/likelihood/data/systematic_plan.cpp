@@ -33,13 +33,15 @@ std::vector<SensorRole> roles_of(const std::vector<frf::Dof>& dofs, bool of_refe
   return roles;
 }
 
-void require_all(const Scene& scene, const GainPrior& prior, const std::vector<TableFile>& files, const std::vector<SensorRole>& roles) {
+void require_all(const Scene& scene, const GainPrior& prior, const std::vector<TableFile>& files,
+                 const std::vector<SensorRole>& roles) {
   const std::string role = prior.of_reference ? "reference" : "response";
   for (const frf::Dof& dof : prior.dofs) {
     if (std::ranges::any_of(roles, [&](const SensorRole& of) { return of.dof.same_coordinate(dof); })) continue;
     std::vector<std::string> names;
     for (const TableFile& file : files) {
-      for (const frf::Dof& other : prior.of_reference ? file.header->reference : file.header->response) names.push_back(other.name());
+      for (const frf::Dof& other : prior.of_reference ? file.header->reference : file.header->response)
+        names.push_back(other.name());
     }
     const std::string near = nearest_word(dof.name(), names);
     fail(scene, "[[data.gains]] dofs", "no file of the table has the " + role + " " + dof.name(),
@@ -51,8 +53,10 @@ void require_driving_points(const Scene& scene, const MassPrior& prior, const st
   for (const TableFile& file : files) {
     for (const frf::Dof& dof : prior.dofs) {
       if (frf::has(file.header->response, dof) && frf::has(file.header->reference, dof)) continue;
-      fail(scene, "[[data.masses]] dofs", file.header->file + " does not have the driving point " + dof.name() + ", which tells what the mass does",
-           "measure it (response and reference " + dof.name() + "), or leave the DOF out: the sensor then counts as without mass");
+      fail(
+          scene, "[[data.masses]] dofs",
+          file.header->file + " does not have the driving point " + dof.name() + ", which tells what the mass does",
+          "measure it (response and reference " + dof.name() + "), or leave the DOF out: the sensor then counts as without mass");
     }
   }
 }
@@ -63,7 +67,8 @@ SystematicPlan SystematicPlan::of(const Scene& scene, const frf::FrfSystem& subs
   SystematicPlan plan;
   if (scene.data.gains.empty() && scene.data.masses.empty()) return plan;
   if (!scene.couple_first.pairs.empty()) {
-    fail(scene, "[data]", "gains and masses are of measured FRFs, and couple_first makes new ones of them", "leave out one of both");
+    fail(scene, "[data]", "gains and masses are of measured FRFs, and couple_first makes new ones of them",
+         "leave out one of both");
   }
   for (const GainPrior& prior : scene.data.gains) plan.add_gains(scene, prior, substructures, assembly);
   for (const MassPrior& prior : scene.data.masses) plan.add_masses(scene, prior, substructures, assembly);
@@ -102,10 +107,12 @@ void SystematicPlan::add_masses(const Scene& scene, const MassPrior& prior, cons
                                 const frf::FrfSystem& assembly) {
   const std::vector<TableFile> files = files_of(prior.files, substructures, assembly);
   require_driving_points(scene, prior, files);
-  add_shared(scene, prior.shared, {{Systematic::mass, prior.deviation}, "mass at ", "kg", prior.mass}, roles_of(prior.dofs, false, files));
+  add_shared(scene, prior.shared, {{Systematic::mass, prior.deviation}, "mass at ", "kg", prior.mass},
+             roles_of(prior.dofs, false, files));
 }
 
-void SystematicPlan::add_shared(const Scene& scene, Sharing shared, const NamedSystematic& systematic, const std::vector<SensorRole>& roles) {
+void SystematicPlan::add_shared(const Scene& scene, Sharing shared, const NamedSystematic& systematic,
+                                const std::vector<SensorRole>& roles) {
   for (const SensorRole& role : roles) {
     for (const std::size_t u : of(role)) {
       if (all_[u].unknown.kind != systematic.unknown.kind) continue;

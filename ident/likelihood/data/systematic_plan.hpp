@@ -45,7 +45,8 @@ class SystematicPlan {
   using Key = std::tuple<bool, std::size_t, bool, std::int64_t>;
   static Key key(const SensorRole& role) { return {role.of_assembly, role.file, role.is_reference, coordinate_key(role.dof)}; }
   void add_gains(const Scene& scene, const GainPrior& prior, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly);
-  void add_masses(const Scene& scene, const MassPrior& prior, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly);
+  void add_masses(const Scene& scene, const MassPrior& prior, const frf::FrfSystem& substructures,
+                  const frf::FrfSystem& assembly);
   void add_shared(const Scene& scene, Sharing shared, const NamedSystematic& systematic, const std::vector<SensorRole>& roles);
 
   std::vector<NamedSystematic> all_;

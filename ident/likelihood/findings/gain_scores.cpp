@@ -28,7 +28,8 @@ struct Trials {
   SystematicPlan plan;
   std::vector<Trial> sensors;
 
-  void add(bool of_assembly, std::size_t file, const frf::FrfHeader& header, const SystematicPlan* declared, const Dofs& coordinates) {
+  void add(bool of_assembly, std::size_t file, const frf::FrfHeader& header, const SystematicPlan* declared,
+           const Dofs& coordinates) {
     for (const frf::Dof& dof : coordinates) {
       const bool response = frf::has(header.response, dof);
       if (!response && !frf::has(header.reference, dof)) continue;
@@ -53,7 +54,8 @@ Trials trials_of(const Plan& plan, const Observations& observations) {
 }
 
 /// The terms of both, those of `more` numbered after the others.
-std::shared_ptr<const SystematicTerms> joined(const SystematicTerms* declared, std::size_t unknowns, const SystematicTerms& more) {
+std::shared_ptr<const SystematicTerms> joined(const SystematicTerms* declared, std::size_t unknowns,
+                                              const SystematicTerms& more) {
   auto out = std::make_shared<SystematicTerms>();
   out->unknowns = unknowns + more.unknowns;
   out->first = {0};
@@ -79,11 +81,13 @@ struct Scores {
 void add_line(const ReducedLine& line, const std::vector<std::size_t>& columns, double weight, Scores& to) {
   for (std::size_t i = 0; i < columns.size(); ++i) {
     to.gradient[at(columns[i])] += weight * line.gradient[at(i)];
-    for (std::size_t j = 0; j < columns.size(); ++j) to.information(at(columns[i]), at(columns[j])) += weight * line.information(at(i), at(j));
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      to.information(at(columns[i]), at(columns[j])) += weight * line.information(at(i), at(j));
   }
 }
 
-Scores scores_of(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials) {
+Scores scores_of(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
+                 const SystematicLines& trials) {
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const Observations& observations = *own.observations;
   const std::size_t joint = plan.columns->size(), known = fit.theta.size(), all = known + trials.plan().all().size();
@@ -150,7 +154,8 @@ std::vector<GainSuspect> suspect_gains(const Plan& plan, const LikelihoodEstimat
   Trials trials = trials_of(plan, *own.observations);
   const std::vector<Trial> sensors = trials.sensors;
   if (sensors.empty() || sensors.size() > most_sensors || !plan.scene.couple_first.pairs.empty()) return {};
-  const SystematicLines lines(std::move(trials.plan), *plan.substructures, *plan.assembly, own.observations->layout().coordinates);
+  const SystematicLines lines(std::move(trials.plan), *plan.substructures, *plan.assembly,
+                              own.observations->layout().coordinates);
   Scores scores = left_of(scores_of(plan, estimator, fit, lines), fit.theta.size());
   const Eigen::VectorXd at_first = scores.information.diagonal();
   const double inflation = std::sqrt(std::max(1.0, chi_square.value / std::max(1.0, chi_square.degrees_of_freedom)));
@@ -161,8 +166,8 @@ std::vector<GainSuspect> suspect_gains(const Plan& plan, const LikelihoodEstimat
       const double information = scores.information(at(k), at(k));
       if (information > dependent * at_first[at(k)]) z[k] = scores.gradient[at(k)] / std::sqrt(information) / inflation;
     }
-    const auto best = static_cast<std::size_t>(
-        std::ranges::max_element(z, {}, [](double value) { return std::abs(value); }) - z.begin());
+    const auto best =
+        static_cast<std::size_t>(std::ranges::max_element(z, {}, [](double value) { return std::abs(value); }) - z.begin());
     if (!(std::abs(z[best]) >= significant)) break;
     const Eigen::Index k = at(best);
     const double information = scores.information(k, k);
@@ -179,8 +184,9 @@ std::vector<GainSuspect> suspect_gains(const Plan& plan, const LikelihoodEstimat
 void tell_gains(const std::vector<GainSuspect>& suspects, Solution& out) {
   if (!out.identifiability) return;
   for (const GainSuspect& each : suspects) {
-    std::string text = "The FRFs fit better with a gain of " + digits(each.gain, "%.4f") + " ± " + digits(each.error, "%.1g") + " of the sensor " +
-                       each.sensor + " (" + digits(std::abs(each.score), "%.2g") + " standard deviations from 1)";
+    std::string text = "The FRFs fit better with a gain of " + digits(each.gain, "%.4f") + " ± " + digits(each.error, "%.1g") +
+                       " of the sensor " + each.sensor + " (" + digits(std::abs(each.score), "%.2g") +
+                       " standard deviations from 1)";
     if (!each.instead.empty()) text += ", or with its inverse in " + each.instead;
     out.identifiability->findings.push_back(
         {FindingKind::gain, text + ". Is its calibration off? [[data.gains]] estimates it with the joint."});

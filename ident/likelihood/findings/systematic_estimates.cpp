@@ -16,7 +16,8 @@ constexpr std::size_t most_told = 3;
 
 SystematicEstimate estimate_of(const NamedSystematic& of, double phi, double deviation) {
   const double sigma = of.unknown.deviation;
-  SystematicEstimate out{.name = of.name, .unit = of.unit, .value = 0.0, .std_error = {}, .prior = of.known, .prior_deviation = sigma};
+  SystematicEstimate out{
+      .name = of.name, .unit = of.unit, .value = 0.0, .std_error = {}, .prior = of.known, .prior_deviation = sigma};
   if (of.unknown.kind == Systematic::gain) {
     out.prior = 1.0;
     out.value = std::exp(sigma * phi);
@@ -51,7 +52,8 @@ std::string sentence(const CalibrationShare& share) {
 
 }  // namespace
 
-std::vector<SystematicEstimate> systematic_estimates(const Plan& plan, const LikelihoodFit& fit, const Eigen::MatrixXd& information) {
+std::vector<SystematicEstimate> systematic_estimates(const Plan& plan, const LikelihoodFit& fit,
+                                                     const Eigen::MatrixXd& information) {
   const SystematicPlan* systematic = likelihood_plan(plan)->observations->systematic_plan();
   if (systematic == nullptr) return {};
   const Eigen::MatrixXd covariance = covariance_of(information);

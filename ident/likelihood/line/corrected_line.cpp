@@ -52,8 +52,8 @@ class Elements {
 };
 
 /// What corrects an FRF, and its terms.
-Complex correction(const SystematicFrf& frf, std::span<const SystematicUnknown> unknowns, std::span<const double> phi, double omega,
-                   std::vector<SystematicTerm>& terms) {
+Complex correction(const SystematicFrf& frf, std::span<const SystematicUnknown> unknowns, std::span<const double> phi,
+                   double omega, std::vector<SystematicTerm>& terms) {
   const std::size_t begin = terms.size();
   Complex sum = 0.0;
   for (const SystematicWay& way : frf.ways) {

@@ -10,7 +10,7 @@ namespace jointid::ident {
 enum class Systematic {
   gain,   ///< e^{σφ}: true FRF = gain · measured
   delay,  ///< σφ in s by which the responses lag: e^{iωσφ}
-  mass    ///< σφ in kg that the structure carries at the response p, with p: 1/(1 + ω²σφ H(p,p)), free of what is removed as known
+  mass  ///< σφ in kg that the structure carries at the response p, with p: 1/(1 + ω²σφ H(p,p)), free of what is removed as known
 };
 
 struct SystematicUnknown {
@@ -32,10 +32,10 @@ struct SystematicWay {
 
 /// The measured FRF of one system in the value of an element.
 struct SystematicFrf {
-  std::size_t element = 0;  ///< of a line, in the order x, y, a, b, d
-  double sign = 1.0;        ///< −1: H_asm(n,n) in D
-  Complex value;            ///< measured
-  double share = 1.0;       ///< of the variance of the element
+  std::size_t element = 0;          ///< of a line, in the order x, y, a, b, d
+  double sign = 1.0;                ///< −1: H_asm(n,n) in D
+  Complex value;                    ///< measured
+  double share = 1.0;               ///< of the variance of the element
   std::vector<SystematicWay> ways;  ///< their shares add up to 1
 };
 
