@@ -186,7 +186,8 @@ std::string time_text(const ident::RunTime& time) {
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
   return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + constraints_text(solution) +
-         systematic_text(solution) + identifiability_text(solution) + fit_text(solution) + search_text(solution) + variances_text(solution.variances) +
+         systematic_text(solution) + identifiability_text(solution) +
+         fit_text(solution) + search_text(solution) + variances_text(solution.variances) +
          quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 

@@ -167,7 +167,8 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   plan.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
                                  (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
   plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
-  plan.cost.iteration = iteration_cost(own.observations->layout(), plan.columns->size() + own.observations->systematic().size(), plan.lines.size());
+  const std::size_t unknowns = plan.columns->size() + own.observations->systematic().size();
+  plan.cost.iteration = iteration_cost(own.observations->layout(), unknowns, plan.lines.size());
   plan_prediction(plan, own);
 }
 

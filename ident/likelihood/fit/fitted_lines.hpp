@@ -10,8 +10,9 @@
 namespace jointid::ident {
 
 /// All lines of a likelihood, worked on in parallel, and Σ L over them: L is χ² of a line that fits, and bounded for one with gross
-/// errors (robust_loss()). The unknowns θ, the joint's and after them those of systematic errors, are the caller's. Sums go from line to line in order: they do not depend on the
-/// number of threads. Of lines that other processes have (LikelihoodData::shares()) χ² and weights are known here and nothing else.
+/// errors (robust_loss()). The unknowns θ, the joint's and after them those of systematic errors, are the caller's. Sums go from line to
+/// line in order: they do not depend on the number of threads. Of lines that other processes have (LikelihoodData::shares()) χ² and
+/// weights are known here and nothing else.
 class FittedLines {
  public:
   FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
