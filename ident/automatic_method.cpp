@@ -49,6 +49,7 @@ Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::
     }
   }
   if (!identify.priors.empty() || identify.bootstrap > 0) return {Method::likelihood, "the scene has priors or a bootstrap"};
+  if (!scene.data.gains.empty() || !scene.data.masses.empty()) return {Method::likelihood, "the scene has gains or masses with priors"};
   if (!identify.start.empty() || identify.starts > 0) return {Method::likelihood, "the scene gives a start"};
   if (scene.data.regenerate.any()) return {Method::one, "errors of regenerated FRFs are not independent"};
   if (!knows_variances(scene, substructures) || !knows_variances(scene, assembly)) {

@@ -54,6 +54,13 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
   fail(plan.scene, "[identify] start", "the data allow no linear estimate to start from", "add start = { … } to [identify]");
 }
 
+void warn_of_systematic_errors(Plan& plan) {
+  const DataSection& data = plan.scene.data;
+  if (plan.scene.identify.method == Method::likelihood || (data.gains.empty() && data.masses.empty())) return;
+  plan.warnings.push_back("Gains of [[data.gains]] are taken for 1 and masses of [[data.masses]] for known: only method \"likelihood\" "
+                          "estimates them.");
+}
+
 /// What the FRFs' variances do not say of their errors.
 void warn_of_shared_errors(const Plan& plan, Solution& out) {
   if (!traits(plan.scene.identify.method).uses_variances) return;
@@ -100,6 +107,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
   auto plan = prepare_plan(scene, std::move(substructures), std::move(assembly));
   plan->method = plan_method(*plan);
   complete_plan(*plan);
+  warn_of_systematic_errors(*plan);
   return plan;
 }
 

@@ -30,6 +30,11 @@ Json identifiability_json(const ident::Solution& solution) {
                {"largest_relative_error", value(found.largest_relative_error)},
                {"joint", {{"effect", value(found.joint.effect)}, {"deformation", value(found.joint.deformation)}}},
                {"weakest", weakest_json(found.weakest)}};
+  for (const ident::CalibrationShare& share : found.calibration) {
+    Json largest = Json::object();
+    for (const auto& [name, part] : share.largest) largest[name] = value(part);
+    json["calibration"].push_back({{"unknown", share.unknown}, {"share", value(share.all)}, {"largest", largest}});
+  }
   json["findings"] = Json::array();
   for (const ident::Finding& finding : found.findings) {
     json["findings"].push_back({{"kind", ident::name(finding.kind)}, {"text", finding.text}});

@@ -56,6 +56,18 @@ Json chi_square(const std::optional<ident::ChiSquare>& found) {
           {"by_line", values(found->by_line)}};
 }
 
+Json systematic(const std::vector<ident::SystematicEstimate>& estimates) {
+  Json all = Json::array();
+  for (const auto& each : estimates) {
+    all.push_back({{"name", each.name},
+                   {"value", value(each.value)},
+                   {"unit", each.unit},
+                   {"std_error", value(each.std_error)},
+                   {"prior", {each.prior, each.prior_deviation}}});
+  }
+  return all;
+}
+
 Json variances(const std::vector<ident::VarianceSource>& files) {
   Json all = Json::array();
   for (const auto& [file, origin, note] : files) all.push_back({{"file", file}, {"origin", origin}, {"note", note}});
@@ -120,6 +132,7 @@ std::string solution_json(const ident::Solution& solution) {
   json["fit"] = fit(solution.fit);
   if (solution.search) json["search"] = minima(*solution.search);
   if (solution.admissibility) json["admissibility"] = admissibility(*solution.admissibility);
+  if (!solution.systematic.empty()) json["systematic"] = systematic(solution.systematic);
   if (solution.identifiability) json["identifiability"] = identifiability_json(solution);
   json["quality"] = quality(solution.quality);
   const auto& time = solution.runtime_s;

@@ -12,6 +12,7 @@
 #include "ident/result/quality.hpp"
 #include "models/model_source.hpp"
 #include "study/recorded_noise.hpp"
+#include "study/systematic_noise.hpp"
 #include "study/trial_noise.hpp"
 #include "study/trial_regeneration.hpp"
 
@@ -234,11 +235,34 @@ class SetPollution {
   std::optional<RecordedNoise> recorded_;
 };
 
-Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model) {
+SystematicNoise systematic_of(const ident::Scene& scene) {
+  return scene.noise ? SystematicNoise{scene.noise->gain_errors, scene.noise->mass_errors} : SystematicNoise{};
+}
+
+/// What a mass does is known from the driving point.
+void require_driving_points(const ident::Scene& scene, const Excerpts& excerpts) {
+  for (const auto* sets : {&excerpts.substructures, &excerpts.assembly}) {
+    for (const frf::Excerpt& excerpt : *sets) {
+      const std::string dof = without_driving_point(excerpt.set.header);
+      if (dof.empty()) continue;
+      fail(scene, "mass_errors need the driving point of every response, and " + excerpt.set.header.file + " lacks that of " + dof,
+           "use files with it, or leave mass_errors out");
+    }
+  }
+}
+
+Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model, const SystematicNoise& systematic) {
   std::vector<SetPollution> substructures, assembly;
   for (const frf::Excerpt& excerpt : excerpts.substructures) substructures.emplace_back(excerpt, model);
   for (const frf::Excerpt& excerpt : excerpts.assembly) assembly.emplace_back(excerpt, model);
-  return [substructures, assembly](std::uint64_t seed, std::uint64_t trial, Measurements& data) mutable {
+  return [substructures, assembly, systematic](std::uint64_t seed, std::uint64_t trial, Measurements& data) mutable {
+    if (systematic.any()) {
+      for (auto* sets : {&data.substructures, &data.assembly}) {
+        for (frf::FrfSet& each : *sets) {
+          if (!models::is_model(each.header)) systematic.apply(each, {seed, trial, 0});
+        }
+      }
+    }
     std::uint64_t set = 0;
     for (std::size_t i = 0; i < substructures.size(); ++i) {
       substructures[i].pollute(data.substructures[i], {seed, trial, set++});
@@ -302,13 +326,21 @@ std::string unused_noise(const ident::Scene& scene, const Sources& substructures
   return "Trials draw their errors from [noise] (" + scene.noise->model + "): the variances or coherences of " + files + " are not used.";
 }
 
-std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly, const frf::NoiseModel& noise) {
+std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructures, Sources assembly, frf::NoiseModel noise) {
   frf::validate(noise);
-  const bool all_dofs = noise.position_errors > 0.0 || scene.data.regenerate.any();
-  const auto data = prepare(scene, std::move(substructures), std::move(assembly), all_dofs, false,
-                            [&](const Excerpts& excerpts) { return pollution_of(excerpts, noise); });
+  const SystematicNoise systematic = systematic_of(scene);
+  const bool drawn_apart = systematic.any() && noise.reciprocal && noise.kind != frf::NoiseKind::hammer;
+  if (systematic.any()) noise.reciprocal = false;
+  const bool all_dofs = noise.position_errors > 0.0 || systematic.mass > 0.0 || scene.data.regenerate.any();
+  const auto data = prepare(scene, std::move(substructures), std::move(assembly), all_dofs, false, [&](const Excerpts& excerpts) {
+    if (systematic.mass > 0.0) require_driving_points(scene, excerpts);
+    return pollution_of(excerpts, noise, systematic);
+  });
   declare_noise(noise, *data);
   declare_regeneration(*data);
+  if (drawn_apart) {
+    data->notes.push_back("With errors of gains or masses FRFs there and back are measurements of their own: their noise is drawn apart.");
+  }
   return data;
 }
 

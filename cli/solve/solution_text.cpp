@@ -10,12 +10,14 @@
 #include "cli/text/words.hpp"
 #include "report/text/admissibility_text.hpp"
 #include "report/text/identifiability_text.hpp"
+#include "report/text/systematic_text.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using jointid::report::constraints_text;
 using jointid::report::identifiability_text;
+using jointid::report::systematic_text;
 
 std::string number_or_dash(const std::optional<double>& value) { return value ? number(*value) : "–"; }
 
@@ -184,7 +186,8 @@ std::string time_text(const ident::RunTime& time) {
 
 std::string solution_text(const ident::Solution& solution, const std::string& title) {
   return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + constraints_text(solution) +
-         identifiability_text(solution) + fit_text(solution) + search_text(solution) + variances_text(solution.variances) +
+         systematic_text(solution) + identifiability_text(solution) +
+         fit_text(solution) + search_text(solution) + variances_text(solution.variances) +
          quality_text(solution.quality) + time_text(solution.runtime_s);
 }
 

@@ -131,7 +131,9 @@ void withhold_errors(Solution& out) {
   if (!out.identifiability) return;
   out.identifiability->weakest.clear();
   out.identifiability->largest_relative_error = std::numeric_limits<double>::quiet_NaN();
-  std::erase_if(out.identifiability->findings, [](const Finding& finding) { return finding.kind != FindingKind::misfit; });
+  std::erase_if(out.identifiability->findings, [](const Finding& finding) {
+    return finding.kind != FindingKind::misfit && finding.kind != FindingKind::gain;
+  });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <tuple>
+#include <utility>
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
@@ -25,7 +26,10 @@
 #include "ident/likelihood/findings/bootstrap.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/findings/findings.hpp"
+#include "ident/likelihood/findings/gain_scores.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
+#include "ident/likelihood/findings/joint_part.hpp"
+#include "ident/likelihood/findings/systematic_estimates.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/likelihood/fit/estimator.hpp"
 #include "ident/likelihood/fit/predicted_start.hpp"
@@ -94,7 +98,8 @@ Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& cont
 }
 
 /// Of the unknowns of a fit, by the inverse of its information.
-double largest_relative_error(const Plan& plan, const LikelihoodFit& fit) {
+double largest_relative_error(const Plan& plan, const LikelihoodFit& whole) {
+  const LikelihoodFit fit = joint_part(whole, plan.columns->size());
   std::vector<double> values = fit.theta;
   for (std::size_t c = 0; c < values.size(); ++c) values[c] *= plan.unscale(c);
   std::vector<std::size_t> all(values.size());
@@ -114,8 +119,8 @@ class BestJoint {
     Solution best = begun_;
     best.status = Status::not_converged;
     LinearSolution linear;
-    linear.y = fit.theta;
-    linear.rank = fit.theta.size();
+    linear.y = {fit.theta.begin(), fit.theta.begin() + std::ptrdiff_t(plan_.columns->size())};
+    linear.rank = linear.y.size();
     interpret(plan_, linear, best);
     best.fit.lines = plan_.lines.size();
     best.fit.iterations = steps_;
@@ -274,11 +279,15 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     out.admissibility->from_variances = true;
   }
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.read - out.runtime_s.start;
-  interpret(plan, with_rank(plan, fit), out);
   *stage = "standard errors";
   const Clock::time_point solved = Clock::now();
+  const ChiSquare chi_square = chi_square_of(observations, likelihood_plan(plan)->priors, fit);
   const bool own_solver = plan.solver == "gauss-helmert" && fit.converged;
-  const Eigen::MatrixXd covariance = covariance_under_ties(plan, own_solver ? estimator.godambe_information_at(fit) : fit.information);
+  const Eigen::MatrixXd information = own_solver ? estimator.godambe_information_at(fit) : fit.information;
+  const LikelihoodFit whole = std::exchange(fit, joint_part(fit, plan.columns->size()));
+  interpret(plan, with_rank(plan, fit), out);
+  const Eigen::MatrixXd covariance = covariance_under_ties(plan, joint_information(information, fit.theta.size()));
+  out.systematic = systematic_estimates(plan, whole, information);
   state_errors(plan, covariance, out);
   if (control.so_far) control.so_far(out);
   if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, estimator, fit, control, out);
@@ -297,7 +306,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   }
   out.fit.iterations = fit.iterations;
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;
-  out.fit.chi_square = chi_square_of(observations, likelihood_plan(plan)->priors, fit);
+  out.fit.chi_square = chi_square;
   if (tied(plan))
     out.fit.chi_square->degrees_of_freedom +=
         static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());
@@ -308,6 +317,8 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     if (control.progress) control.progress("identifiability", 0, 0);
     const Stopwatch watch(out.runtime_s.identifiability);
     out.identifiability = identifiability_of(plan, estimator, covariance, out);
+    tell_calibration(plan, information, out);
+    if (fit.converged) tell_gains(suspect_gains(plan, estimator, whole, chi_square), out);
   }
   if (control.judgement == Judgement::none) return;
   const Stopwatch watch(out.runtime_s.check);

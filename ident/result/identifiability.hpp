@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace jointid::ident {
@@ -29,7 +30,15 @@ struct JointVisibility {
   std::optional<double> deformation;  ///< work of the combination fixed worst on the assembly's motion over that on the free parts'
 };
 
-enum class FindingKind { weak_combination, soft_joint, stiff_joint, nonlinear, misfit };
+/// What systematic errors (gains, delays, masses) have of the variance of an unknown.
+struct CalibrationShare {
+  std::string unknown;
+  double all = 0.0;  ///< what of its variance would go if all of them were known exactly
+  /// The same of one alone, largest first, those of 5 % or more, at most three.
+  std::vector<std::pair<std::string, double>> largest;
+};
+
+enum class FindingKind { weak_combination, soft_joint, stiff_joint, nonlinear, misfit, calibration, gain };
 
 std::string name(FindingKind kind);
 
@@ -47,7 +56,8 @@ struct Identifiability {
   /// parts (median over FRFs and lines). None when they are all that the joint has.
   std::vector<std::array<std::string, 2>> stiff_pairs;
   double largest_relative_error = 0.0;   ///< of the determined unknowns; NaN where errors are withheld
-  std::vector<Finding> findings;
+  std::vector<CalibrationShare> calibration{};  ///< per determined unknown, where systematic errors are estimated
+  std::vector<Finding> findings{};
 };
 
 }  // namespace jointid::ident

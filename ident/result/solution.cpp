@@ -44,6 +44,10 @@ std::string name(FindingKind kind) {
       return "stiff_joint";
     case FindingKind::nonlinear:
       return "nonlinear";
+    case FindingKind::calibration:
+      return "calibration";
+    case FindingKind::gain:
+      return "gain";
     case FindingKind::misfit:
       break;
   }

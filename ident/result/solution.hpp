@@ -52,6 +52,14 @@ struct Estimate {
   std::string limit{};  ///< the constraint that holds it: "tied", "at its lower bound", "K is singular"; empty: none
 };
 
+/// A gain, delay or mass that was estimated with the joint.
+struct SystematicEstimate {
+  std::string name, unit;  ///< "gain of 125:+Y"; empty unit of gains
+  double value = 1.0;      ///< true FRF = gain · FRF of the file; delays in s, masses in kg
+  std::optional<double> std_error;
+  double prior = 1.0, prior_deviation = 0.0;
+};
+
 using Matrices = std::map<restrictions::Kind, Matrix>;
 
 /// Joint matrices of one frequency band (one band without limits when the scene names none).
@@ -161,6 +169,7 @@ struct Solution {
   Used used;
   std::vector<std::string> warnings;      ///< what makes the numbers doubtful though they were found, one sentence each
   std::optional<CheckResult> check{};     ///< of the data, its short form (quick_check()); with Detail::full
+  std::vector<SystematicEstimate> systematic{};  ///< of [[data.gains]] and [[data.masses]]
   std::vector<VarianceSource> variances;  ///< per file, of methods that weigh FRFs by their variances
 };
 

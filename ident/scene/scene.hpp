@@ -12,6 +12,7 @@
 #include "frf/set/corrections.hpp"
 #include "frf/set/frf_source.hpp"
 #include "ident/scene/method_traits.hpp"
+#include "ident/scene/systematic_errors.hpp"
 #include "restrictions/joint_spec.hpp"
 #include "scene/value.hpp"
 #include "virtualpoint/virtual_point.hpp"
@@ -53,6 +54,8 @@ struct DataSection {
   std::vector<DataFile> assembly;
   Regeneration regenerate{};  ///< by modal models, before anything else
   bool reciprocity = false;  ///< on request: an FRF that is not there is taken from its transpose
+  std::vector<GainPrior> gains{};   ///< of method likelihood
+  std::vector<MassPrior> masses{};  ///< those that are not known exactly; of method likelihood
 };
 
 /// Leaves out lines within half_width·f of every resonance f found in the data.
@@ -129,6 +132,8 @@ struct NoiseSection {
   std::string model;  ///< uniform | gaussian | circular | hammer | modal
   double level = 0.0;
   frf::NoiseModel frf_model;  ///< the whole section, for every model but modal
+  double gain_errors = 0.0;   ///< of studies: standard deviation of the gain of the sensor at a DOF, the same in all files
+  double mass_errors = 0.0;   ///< of studies: kg, of the mass of the roving sensor at a DOF, the same in all files
 };
 
 /// A scene file, checked for everything that can be checked without opening the data.

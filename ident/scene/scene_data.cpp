@@ -34,6 +34,19 @@ std::vector<DataFile> read_files(const scene::Item& list, const Path& folder, Na
   return files;
 }
 
+/// Names as all_files() orders the files.
+std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names) {
+  std::vector<PlacedFile> all;
+  for (const auto* files : {&data.substructures, &data.assembly}) {
+    for (std::size_t i = 0; i < files->size(); ++i) {
+      for (std::size_t run = 0; run <= (*files)[i].repeats.size(); ++run) {
+        all.push_back({names[all.size()], files == &data.assembly, i});
+      }
+    }
+  }
+  return all;
+}
+
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
   keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable", "mass"});
@@ -92,7 +105,7 @@ std::vector<DataFile*> all_files(DataSection& data) {
 }
 
 DataSection read_data(const scene::Item& item, const Path& folder) {
-  const scene::Table table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files"});
+  const scene::Table table = item.table({"substructures", "assembly", "reciprocity", "regenerate", "files", "gains", "masses"});
   DataSection data;
   Names names;
   data.substructures = read_files(table.require("substructures"), folder, names);
@@ -100,6 +113,7 @@ DataSection read_data(const scene::Item& item, const Path& folder) {
   if (const auto regenerate = table.find("regenerate")) data.regenerate = read_regeneration(*regenerate);
   if (const auto reciprocity = table.find("reciprocity")) data.reciprocity = reciprocity->boolean();
   if (const auto files = table.find("files")) read_all_options(*files, names, all_files(data));
+  read_systematic_errors(table, placed_files(data, names), data);
   return data;
 }
 

@@ -57,7 +57,8 @@ void read_extra_errors(const scene::Table& table, frf::NoiseModel& model) {
 }  // namespace
 
 NoiseSection read_noise(const scene::Item& item) {
-  const std::vector<std::string> beside = {"floor", "gross", "sign_errors", "position_errors", "reciprocal"};
+  const std::vector<std::string> beside = {"floor", "gross", "sign_errors", "position_errors", "reciprocal",
+                                           "gain_errors", "mass_errors"};
   const scene::Table all = item.open_table();
   NoiseSection noise;
   noise.model = all.require("model").word(models);
@@ -78,6 +79,8 @@ NoiseSection read_noise(const scene::Item& item) {
   noise.frf_model.kind = frf::parse_noise_kind(noise.model);
   if (noise.model != "hammer") noise.frf_model.level = noise.level;
   read_extra_errors(table, noise.frf_model);
+  if (const auto gain = table.find("gain_errors")) noise.gain_errors = gain->not_negative();
+  if (const auto mass = table.find("mass_errors")) noise.mass_errors = mass->not_negative();
   return noise;
 }
 

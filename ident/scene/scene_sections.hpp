@@ -12,6 +12,16 @@ frf::Corrections read_corrections(const scene::Table& table);
 /// [data]; paths are resolved against `folder`.
 DataSection read_data(const scene::Item& item, const Path& folder);
 
+/// A file, or a run of it, as [data] names it.
+struct PlacedFile {
+  std::string name;
+  bool of_assembly = false;
+  std::size_t number = 0;  ///< in the list of its system; of all its runs the same
+};
+
+/// [[data.gains]] and [[data.masses]]; masses become corrections of their files.
+void read_systematic_errors(const scene::Table& table, const std::vector<PlacedFile>& files, DataSection& data);
+
 /// A file that another section of the scene names; [data.files] may speak of it.
 struct FurtherFile {
   std::string name;  ///< as written

@@ -14,6 +14,7 @@
 #include "report/page/status_banner.hpp"
 #include "report/text/admissibility_text.hpp"
 #include "report/text/identifiability_text.hpp"
+#include "report/text/systematic_text.hpp"
 #include "report/text/table.hpp"
 #include "report/text/words.hpp"
 #include "ident/tasks/entry_errors.hpp"
@@ -100,6 +101,15 @@ void add_identifiability(const ident::Solution& solution, ReportPage& page) {
   for (const ident::Finding& finding : solution.identifiability->findings) page.add(Text{finding.text});
   page.add(Facts{visibility_rows(solution)});
   page.add(weakest_table(solution.identifiability->weakest), "Weakest combinations, in parts of the estimates");
+}
+
+void add_systematic(const ident::Solution& solution, ReportPage& page) {
+  if (solution.systematic.empty()) return;
+  page.section("Gains, delays and masses");
+  page.add(systematic_table(solution.systematic), "Estimated with the joint");
+  if (!solution.identifiability) return;
+  page.add(calibration_table(solution.identifiability->calibration),
+           "What of the variance would go if these were known exactly, all of them and one alone");
 }
 
 void add_matrices(const ident::Plan& plan, const ident::Solution& solution, ReportPage& page) {
@@ -214,6 +224,7 @@ std::string solve_report(ident::Plan& plan, const ident::Solution& solution, con
   add_summary(solution, page);
   add_unknowns(solution, page);
   add_constraints(solution, page);
+  add_systematic(solution, page);
   add_identifiability(solution, page);
   add_matrices(plan, solution, page);
   add_quality(plan, solution, control, page);

@@ -16,6 +16,9 @@ class LikelihoodData {
   const std::vector<LineData>& lines() const { return data_; }
   const LineShares& shares() const { return shares_; }
 
+  /// Unknown systematic errors; FRFs as in lines() have them.
+  const std::vector<SystematicUnknown>& systematic() const { return systematic_; }
+
   /// Whether some variances follow a law of the value.
   virtual bool variances_by_law() const = 0;
 
@@ -30,6 +33,7 @@ class LikelihoodData {
   LineLayout layout_;
   std::vector<LineData> data_;
   LineShares shares_;
+  std::vector<SystematicUnknown> systematic_;
 };
 
 }  // namespace jointid::ident

@@ -24,6 +24,14 @@ Dofs find_others(const Plan& plan) {
   return others;
 }
 
+/// "gain of 1:+Y, gain of 2:+Y and 7 more"
+std::string listed_names(const std::vector<NamedSystematic>& all) {
+  constexpr std::size_t most = 4;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) text += (i == 0 ? "" : ", ") + all[i].name;
+  return all.size() > most ? text + " and " + std::to_string(all.size() - most) + " more" : text;
+}
+
 /// Why an equation cannot be used, or empty.
 std::string lacks(const LikelihoodPlan& own, Equation equation, bool joint_on_assembly) {
   if (equation != Equation::jj && own.others.empty()) {
@@ -77,6 +85,21 @@ std::vector<ScaledPrior> plan_priors(const Plan& plan) {
     priors.push_back({column, prior.value / plan.unscale(column), plan.unscale(column) / prior.deviation});
   }
   return priors;
+}
+
+/// Priors of systematic errors, and what cannot go with them.
+void plan_systematic(Plan& plan, LikelihoodPlan& own) {
+  const SystematicPlan* systematic = own.observations->systematic_plan();
+  if (systematic == nullptr) return;
+  const auto refuse = [&](const std::string& what, const std::string& remedy) {
+    fail(plan.scene, "[data]", "gains and masses as unknowns do not go with " + what, remedy);
+  };
+  if (plan.solver != "gauss-helmert") refuse("solver \"" + plan.solver + "\"", "leave solver out");
+  if (plan.scene.identify.bootstrap > 0) refuse("a bootstrap", "leave bootstrap out");
+  if (plan.admissible) refuse("definite, bounds and ties", "leave these out, or put the gains right in [data.files]");
+  const std::size_t first = plan.columns->size();
+  for (std::size_t u = 0; u < systematic->all().size(); ++u) own.priors.push_back({first + u, 0.0, 1.0});
+  plan.notes.push_back("Estimated with the joint: " + listed_names(systematic->all()) + ".");
 }
 
 /// Which assembly FRFs are predicted from its result.
@@ -136,6 +159,7 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   plan.coordinates.responses = plan.coordinates.references = own.others;
   plan.entries_per_line = own.observations->entries_per_line();
   plan.solver = plan.scene.identify.solver == "auto" ? "gauss-helmert" : plan.scene.identify.solver;
+  plan_systematic(plan, own);
   const EquationSet use(plan.equations);
   const std::size_t n = own.others.size(), j = joint.size();
   plan.cost.lines = plan.lines.size();
@@ -143,7 +167,8 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   plan.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
                                  (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
   plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
-  plan.cost.iteration = iteration_cost(own.observations->layout(), plan.columns->size(), plan.lines.size());
+  const std::size_t unknowns = plan.columns->size() + own.observations->systematic().size();
+  plan.cost.iteration = iteration_cost(own.observations->layout(), unknowns, plan.lines.size());
   plan_prediction(plan, own);
 }
 

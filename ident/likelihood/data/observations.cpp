@@ -50,6 +50,11 @@ Observations::Observations(const Scene& scene, const Dofs& coordinates, std::siz
     : substructures_(substructures, scene, coordinates, others, blocks.substructures),
       assembly_(assembly, scene, coordinates, others, blocks.assembly),
       background_(substructures.background(coordinates, coordinates)) {
+  SystematicPlan systematic = SystematicPlan::of(scene, substructures, assembly);
+  if (!systematic.all().empty()) {
+    systematic_ = systematic.unknowns();
+    systematic_lines_ = std::make_unique<SystematicLines>(std::move(systematic), substructures, assembly, coordinates);
+  }
   const std::size_t size = coordinates.size();
   Raw promised{promised_frfs(substructures, coordinates, others, blocks.substructures),
                promised_frfs(assembly, coordinates, others, blocks.assembly)};
@@ -86,6 +91,7 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
   raw_.clear();
   errors_.clear();
   data_.clear();
+  if (systematic_lines_) systematic_lines_->clear();
   std::vector<std::size_t> substructure_lines, assembly_lines;
   for (const Line& line : lines) {
     substructure_lines.push_back(line.substructures);
@@ -112,6 +118,7 @@ void Observations::leave_out(const std::vector<std::size_t>& coordinates) {
 void Observations::read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) {
   substructures_.read(substructure_lines);
   assembly_.read(assembly_lines);
+  if (systematic_lines_) systematic_lines_->read(substructure_lines, assembly_lines);
   const std::size_t size = layout_.coordinates.size();
   for (std::size_t i = 0; i < substructure_lines.size(); ++i) {
     raw_.push_back({Symmetric<Measured>(size), Symmetric<Measured>(size)});
@@ -139,6 +146,7 @@ LineData Observations::data_of(std::size_t own_line, double omega) const {
   for (const auto [p, q] : layout_.b) append(data.b, raw.assembly.at(n + p, n + q));
   for (const auto [r, k] : layout_.d) append(data.d, raw.substructures.at(r, k) - raw.assembly.at(r, k));
   for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) data.measured += count_measured(*channel);
+  if (systematic_lines_) data.systematic = systematic_lines_->of(own_line, layout_, raw);
   if (errors_.empty()) return data;
   std::vector<double> variance;
   for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {

@@ -4,6 +4,7 @@
 
 #include "ident/likelihood/data/estimated_frfs.hpp"
 #include "ident/likelihood/data/likelihood_data.hpp"
+#include "ident/likelihood/data/systematic_lines.hpp"
 #include "ident/plan/line.hpp"
 
 namespace jointid::ident {
@@ -37,6 +38,14 @@ class Observations final : public LikelihoodData {
 
   std::vector<FileVariances> origins() const;
 
+  /// What the scene says of systematic errors; nullptr where that is nothing.
+  const SystematicPlan* systematic_plan() const { return systematic_lines_ ? &systematic_lines_->plan() : nullptr; }
+
+  /// Where systematic errors that the scene says nothing of would be on a line of this process.
+  std::shared_ptr<const SystematicFrfs> systematic_frfs(std::size_t line, const SystematicLines& errors) const {
+    return errors.of(line - own_lines_.first, layout_, raw_[line - own_lines_.first]);
+  }
+
   /// Of the measured FRFs and their weights.
   std::size_t bytes() const;
 
@@ -54,6 +63,7 @@ class Observations final : public LikelihoodData {
   void reweigh_differences(const Raw& raw, const BothSystems<Complex>& values, Channel& channel) const;
 
   SymmetricFrfs substructures_, assembly_;
+  std::unique_ptr<SystematicLines> systematic_lines_;
   std::vector<Line> plan_lines_;
   std::vector<Complex> background_;  ///< of the substructures: zero across two parts, NaN elsewhere
   std::vector<Raw> raw_;        ///< of own_lines_

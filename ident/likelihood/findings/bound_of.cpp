@@ -7,12 +7,14 @@
 #include "ident/algebra/covariance.hpp"
 #include "ident/algebra/null_space.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
+#include "ident/likelihood/findings/joint_part.hpp"
 #include "ident/plan/joint_guess.hpp"
 
 namespace jointid::ident {
 
 std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& information) {
-  const Eigen::MatrixXd covariance = covariance_of(information), free = null_space_of(information);
+  const Eigen::MatrixXd of_joint = joint_information(information, plan.columns->size());
+  const Eigen::MatrixXd covariance = covariance_of(of_joint), free = null_space_of(of_joint);
   std::vector<double> bound;
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const auto c = at(column);

@@ -11,7 +11,8 @@
 
 namespace jointid::ident {
 
-/// √diag of the inverse of an information on the scaled unknowns of a plan, in SI; infinite where it fixes nothing.
+/// √diag of the inverse of an information on the scaled unknowns of a plan, and systematic errors after them, in SI; infinite where it
+/// fixes nothing.
 std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& information);
 
 /// Reads all lines of a plan with method "likelihood".

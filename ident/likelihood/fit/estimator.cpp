@@ -69,7 +69,9 @@ std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step
 
 LikelihoodEstimator::LikelihoodEstimator(LikelihoodData& observations, const restrictions::Restriction& restriction,
                                          const UnknownColumns& columns, double omega0, std::size_t threads)
-    : unknowns_(columns.size()), lines_(observations, restriction, columns, omega0, threads) {}
+    : unknowns_(columns.size() + observations.systematic().size()),
+      joint_unknowns_(columns.size()),
+      lines_(observations, restriction, columns, omega0, threads) {}
 
 double LikelihoodEstimator::total(const std::vector<double>& theta) const {
   double sum = lines_.loss();
@@ -153,7 +155,7 @@ bool LikelihoodEstimator::far_from_fitting() const { return lines_.tolerance() >
 
 bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
   if (!second_opinion_ || !far_from_fitting()) return false;
-  if (!beyond_any_joint_) beyond_any_joint_ = second_opinion_(theta);
+  if (!beyond_any_joint_) beyond_any_joint_ = second_opinion_({theta.begin(), theta.begin() + std::ptrdiff_t(joint_unknowns_)});
   return *beyond_any_joint_;
 }
 
@@ -249,6 +251,7 @@ LikelihoodFit LikelihoodEstimator::run_whitened(std::vector<double> start, const
 LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
   LikelihoodFit fit;
   fit.theta = std::move(start);
+  fit.theta.resize(unknowns_, 0.0);
   secants_.forget();
   shrinks_ = 1.0;
   tell(fit);
@@ -355,7 +358,8 @@ double LikelihoodEstimator::misfit_at(const std::vector<double>& theta) {
   return lines_.linearised_misfit();
 }
 
-Eigen::MatrixXd LikelihoodEstimator::information_at(const std::vector<double>& theta) {
+Eigen::MatrixXd LikelihoodEstimator::information_at(std::vector<double> theta) {
+  theta.resize(unknowns_, 0.0);
   lines_.begin(theta);
   lines_.relax(theta);
   lines_.linearise(theta);

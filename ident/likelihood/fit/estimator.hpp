@@ -13,7 +13,7 @@
 
 namespace jointid::ident {
 
-/// What the likelihood found, in the scaled unknowns x = {k, ω₀²m, ω₀c, d}.
+/// What the likelihood found, in the scaled unknowns x = {k, ω₀²m, ω₀c, d} and after them those of systematic errors.
 struct LikelihoodFit {
   std::vector<double> theta;
   Eigen::MatrixXd information;    ///< Σ weighted reduced information at theta: its inverse is the Cramér–Rao covariance
@@ -84,6 +84,7 @@ class LikelihoodEstimator {
   /// Called with every estimate on the way and Σ L there, infinite before the FRFs of the lines are optimised.
   void set_listener(std::function<void(const LikelihoodFit& fit, double loss)> listener) { listener_ = std::move(listener); }
 
+  /// Starts are of the joint's unknowns, systematic errors begin at zero.
   /// From the first start, and from the next while χ² tells that the fit is not the right minimum, or from all; the best of them.
   LikelihoodFit run(const Starts& starts, const FitWatcher& watch, Follow follow = Follow::until_it_fits, const Doubt& doubtful = {});
 
@@ -105,8 +106,8 @@ class LikelihoodEstimator {
   /// redundancy r, with χ² as linearised where the iteration would begin. A few lines near resonances do not decide it.
   double misfit_at(const std::vector<double>& theta);
 
-  /// The Fisher information of the data on the joint's unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
-  Eigen::MatrixXd information_at(const std::vector<double>& theta);
+  /// The Fisher information of the data on all unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
+  Eigen::MatrixXd information_at(std::vector<double> theta);
 
   /// godambe_information() at a fit of run(), where the lines stand.
   Eigen::MatrixXd godambe_information_at(const LikelihoodFit& fit);
@@ -142,7 +143,8 @@ class LikelihoodEstimator {
   std::function<void(const LikelihoodFit&, double)> listener_;
   std::function<bool(const std::vector<double>&)> second_opinion_;
   std::optional<bool> beyond_any_joint_;  ///< what it said
-  std::size_t unknowns_;
+  std::size_t unknowns_;  ///< with those of systematic errors
+  std::size_t joint_unknowns_;
   FittedLines lines_;
   std::vector<ScaledPrior> priors_;
   const AdmissibleSet* admissible_ = nullptr;  ///< while a fit is constrained

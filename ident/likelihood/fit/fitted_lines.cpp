@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "ident/likelihood/line/corrected_line.hpp"
 #include "ident/likelihood/line/robust_loss.hpp"
 
 namespace jointid::ident {
@@ -23,14 +24,25 @@ Eigen::VectorXd pick(const Eigen::VectorXd& all, const std::vector<std::size_t>&
 
 FittedLines::FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
                          std::size_t threads)
-    : data_(&data), threads_(threads), own_(data.shares().own(data.lines().size())) {
+    : data_(&data), joint_unknowns_(columns.size()), threads_(threads), own_(data.shares().own(data.lines().size())) {
+  if (!data.systematic().empty()) corrected_.resize(data.lines().size());
   for (std::size_t i = 0; i < data.lines().size(); ++i) {
     const LineData& each = data.lines()[i];
-    FittedLine line{JointImpedance(restriction, columns, omega0, each.omega), {}, 0.0, 0.0, 1.0, {}};
+    FittedLine line{JointImpedance(restriction, columns, omega0, each.omega), {}, {}, 0.0, 0.0, 1.0, {}};
     if (!line.joint.columns().empty()) line.redundancy = each.redundancy(data.layout());
+    line.columns = line.joint.columns();
+    for (std::size_t u = 0; u < data.systematic().size(); ++u) line.columns.push_back(joint_unknowns_ + u);
     if (!own_.has(i)) line.joint = {};
     lines_.push_back(std::move(line));
   }
+}
+
+const LineData& FittedLines::data_at(std::size_t line, const std::vector<double>& theta) {
+  const LineData& measured = data_->lines()[line];
+  if (corrected_.empty()) return measured;
+  const auto phi = std::span(theta).subspan(std::min(theta.size(), joint_unknowns_));
+  corrected_[line] = corrected_line(measured, data_->systematic(), phi);
+  return corrected_[line];
 }
 
 void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) {
@@ -73,12 +85,12 @@ void FittedLines::exchange_costs() {
 }
 
 void FittedLines::begin(const std::vector<double>& theta) {
-  for_all([&](std::size_t i, LineModel&) { lines_[i].state = first_state(layout(), data_->lines()[i], impedance(i, theta)); });
+  for_all([&](std::size_t i, LineModel&) { lines_[i].state = first_state(layout(), data_at(i, theta), impedance(i, theta)); });
 }
 
 void FittedLines::linearise(const std::vector<double>& theta) {
   for_all([&](std::size_t i, LineModel& model) {
-    lines_[i].reduced = linearised(data_->lines()[i], impedance(i, theta), model, lines_[i]);
+    lines_[i].reduced = linearised(data_at(i, theta), impedance(i, theta), model, lines_[i]);
   });
 }
 
@@ -91,7 +103,7 @@ void FittedLines::advance(const std::vector<double>& theta, const std::vector<do
     FittedLine& line = lines_[i];
     const ComplexMatrix z = line.joint.at(theta);
     model.prepare(z, line.state);
-    model.advance(line.reduced.own - line.reduced.back * pick(step, line.joint.columns()), line.joint.at(next) - z, line.state);
+    model.advance(line.reduced.own - line.reduced.back * pick(step, line.columns), line.joint.at(next) - z, line.state);
   });
 }
 
@@ -99,7 +111,7 @@ void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
   std::atomic<bool> relaxed = false;
   for_all([&](std::size_t i, LineModel& model) {
     FittedLine& line = lines_[i];
-    const LineData& data = data_->lines()[i];
+    const LineData& data = data_at(i, theta);
     const ComplexMatrix z = line.joint.at(theta);
     if (until == Relaxation::beginning) {
       put_on_constraint(layout(), z, line.state);
@@ -115,7 +127,7 @@ void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
 }
 
 void FittedLines::relax(const std::vector<double>& theta) {
-  for_all([&](std::size_t i, LineModel& model) { ident::relax(data_->lines()[i], impedance(i, theta), model, lines_[i]); });
+  for_all([&](std::size_t i, LineModel& model) { ident::relax(data_at(i, theta), impedance(i, theta), model, lines_[i]); });
   relax_stuck(theta);
 }
 
@@ -123,7 +135,7 @@ bool FittedLines::relax_stuck(const std::vector<double>& theta) {
   const auto far = std::ranges::count_if(lines_, &FittedLine::far_from_fitting);
   // A few lines far from fitting may be stuck. Where there are many it is the joint.
   if (far == 0 || 4 * static_cast<std::size_t>(far) > lines_.size()) return false;
-  for_all([&](std::size_t i, LineModel& model) { relax_again(data_->lines()[i], impedance(i, theta), model, lines_[i]); });
+  for_all([&](std::size_t i, LineModel& model) { relax_again(data_at(i, theta), impedance(i, theta), model, lines_[i]); });
   return true;
 }
 
@@ -131,7 +143,7 @@ void FittedLines::answer(const std::vector<FittedLine>& before, const std::vecto
   for_all([&](std::size_t i, LineModel&) {
     FittedLine& line = lines_[i];
     line.state = before[i].state;
-    move(layout(), -(before[i].reduced.back * pick(step, line.joint.columns())), 1.0, line.state.x, line.state.y);
+    move(layout(), -(before[i].reduced.back * pick(step, line.columns)), 1.0, line.state.x, line.state.y);
     put_on_constraint(layout(), line.joint.at(theta), line.state);
   });
 }
@@ -141,9 +153,9 @@ void FittedLines::follow(const std::vector<FittedLine>& before, const std::vecto
   std::atomic<bool> relaxed = false;
   for_all([&](std::size_t i, LineModel& model) {
     FittedLine& line = lines_[i];
-    const LineData& data = data_->lines()[i];
+    const LineData& data = data_at(i, theta);
     const ReducedLine& reduced = before[i].reduced;
-    const Eigen::VectorXd own_step = pick(step, line.joint.columns());
+    const Eigen::VectorXd own_step = pick(step, line.columns);
     const ComplexMatrix z = line.joint.at(theta);
     const LineStep answer = -(reduced.back * own_step);
     const auto cost_after = [&](const LineStep& change) {
@@ -208,7 +220,7 @@ void FittedLines::add_to(Eigen::MatrixXd& information, Eigen::VectorXd& gradient
   for (std::size_t l = own_.first; l < own_.last; ++l) {
     const FittedLine& line = lines_[l];
     if (line.redundancy <= 0.0) continue;
-    const auto& columns = line.joint.columns();
+    const auto& columns = line.columns;
     for (std::size_t i = 0; i < columns.size(); ++i) sums(at(columns[i]), unknowns) += line.weight * line.reduced.gradient[at(i)];
     add_information(l, line.weight, sums);
   }
@@ -219,7 +231,7 @@ void FittedLines::add_to(Eigen::MatrixXd& information, Eigen::VectorXd& gradient
 
 void FittedLines::add_information(std::size_t line, double weight, Eigen::MatrixXd& information) const {
   if (lines_[line].redundancy <= 0.0) return;
-  const auto& columns = lines_[line].joint.columns();
+  const auto& columns = lines_[line].columns;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) {
       information(at(columns[i]), at(columns[j])) += weight * lines_[line].reduced.information(at(i), at(j));

@@ -10,8 +10,9 @@
 namespace jointid::ident {
 
 /// All lines of a likelihood, worked on in parallel, and Σ L over them: L is χ² of a line that fits, and bounded for one with gross
-/// errors (robust_loss()). The joint's unknowns θ are the caller's. Sums go from line to line in order: they do not depend on the
-/// number of threads. Of lines that other processes have (LikelihoodData::shares()) χ² and weights are known here and nothing else.
+/// errors (robust_loss()). The unknowns θ, the joint's and after them those of systematic errors, are the caller's. Sums go from line to
+/// line in order: they do not depend on the number of threads. Of lines that other processes have (LikelihoodData::shares()) χ² and
+/// weights are known here and nothing else.
 class FittedLines {
  public:
   FittedLines(LikelihoodData& data, const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
@@ -95,7 +96,12 @@ class FittedLines {
   void for_all(const std::function<void(std::size_t, LineModel&)>& work);
   void exchange_costs();
 
+  /// The line without the systematic errors of `theta`; as measured where there are none.
+  const LineData& data_at(std::size_t line, const std::vector<double>& theta);
+
   LikelihoodData* data_;
+  std::size_t joint_unknowns_;
+  std::vector<LineData> corrected_;  ///< data_at() of every line, where there are systematic errors
   std::size_t threads_;
   std::function<void(std::size_t, std::size_t)> watch_;
   std::vector<FittedLine> lines_;

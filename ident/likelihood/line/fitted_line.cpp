@@ -10,7 +10,7 @@ namespace jointid::ident {
 namespace {
 
 ReducedLine nothing(const LineLayout& layout, const FittedLine& line) {
-  const auto p = at(line.joint.columns().size()), v = at(2 * layout.variables());
+  const auto p = at(line.columns.size()), v = at(2 * layout.variables());
   return {Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p), Eigen::MatrixXd::Zero(v, p), LineStep::Zero(v), line.redundancy};
 }
 

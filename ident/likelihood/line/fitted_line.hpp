@@ -12,6 +12,7 @@ constexpr double next_to_nothing = 1e-5;
 /// A line of the likelihood: its true FRFs as they are estimated now, how well they fit, and the line linearised about them.
 struct FittedLine {
   JointImpedance joint;
+  std::vector<std::size_t> columns{};  ///< of the whole problem: the joint's, then those of systematic errors
   LineState state;
   double redundancy = 0.0;  ///< what is measured more than is unknown; a line that has none says nothing
   double cost = 0.0;        ///< χ²

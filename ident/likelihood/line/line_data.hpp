@@ -6,6 +6,7 @@
 
 #include "ident/algebra/correlation.hpp"
 #include "ident/likelihood/line/line_layout.hpp"
+#include "ident/likelihood/line/systematic_errors.hpp"
 
 namespace jointid::ident {
 
@@ -20,6 +21,8 @@ struct LineData {
   Channel x, y, a, b, d;
   std::size_t measured = 0;  ///< real numbers with a weight
   std::shared_ptr<const Correlation> correlation;  ///< of the errors; empty where they are independent
+  std::shared_ptr<const SystematicFrfs> systematic{};  ///< as measured; empty where there are none
+  std::shared_ptr<const SystematicTerms> terms{};      ///< of corrected_line()
 
   /// Real conditions that the measured numbers are left with: the expected χ² of the line at the true joint.
   double redundancy(const LineLayout& layout) const {

@@ -42,14 +42,24 @@ void LineModel::put_y(const Complex* left, const ComplexMatrix& right, Eigen::In
 }
 
 void LineModel::put_joint(const JointImpedance& joint, const Complex* left, const Complex* right) {
-  if (unknowns_ == 0) return;
+  if (joint_unknowns_ == 0) return;
   joint.sensitivity(left, right, row_.data() + place_);
-  place_ += unknowns_;
+  place_ += joint_unknowns_;
+}
+
+/// The measured value moves, not the predicted one.
+void LineModel::put_systematic(std::size_t element, Complex residual) {
+  if (terms_ == nullptr) return;
+  for (std::size_t t = terms_->first[element]; t < terms_->first[element + 1]; ++t) {
+    row_[place_ + terms_->terms[t].unknown] -= terms_->terms[t].derivative(residual);
+  }
+  place_ += terms_->unknowns;
 }
 
 void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first,
                      NormalRows::Run second) {
   const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
+  put_systematic(first_element_ + i, residual);
   row_[place_++] = {weight.real() == 0.0 ? 0.0 : residual.real(), weight.imag() == 0.0 ? 0.0 : residual.imag()};
   const Correlation::Place place = correlation_ ? correlation_->place(first_element_ + i) : Correlation::Place();
   if (place.group != Correlation::none) {
@@ -96,6 +106,18 @@ void LineModel::put_correlated(Correlation::Place place, Complex weight, NormalR
   for (std::size_t k = frfs; k < place_; ++k) out[(complex_ ? 1 : 2) * variables + k - frfs] = weighted(row_[k]);
 }
 
+/// A measured FRF with systematic errors, as a row.
+void LineModel::put_systematic_prior(std::size_t variable, const Channel& channel, std::size_t i, Complex current) {
+  const bool is_x = variable < layout_.x.size();
+  const NormalRows::Run run = is_x ? column(layout_.x[variable].column) : NormalRows::Run{layout_.x.size(), 0};
+  row_[variable - run.first] = 1.0;
+  place_ = run.count + layout_.y.size() + joint_unknowns_;
+  first_element_ = variable - i;
+  emit(channel, i, current, is_x ? run : NormalRows::Run{}, {});
+  prior_weight_.push_back(channel.weight[i].real());
+  if (!complex_) prior_weight_.push_back(channel.weight[i].imag());
+}
+
 /// A measured FRF whose error depends on others, as a row of its own. False: it stands alone.
 bool LineModel::put_correlated_prior(std::size_t variable, Complex residual, Complex weight) {
   const Correlation::Place place = correlation_ ? correlation_->place(variable) : Correlation::Place();
@@ -130,7 +152,9 @@ void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
 void LineModel::linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
                           bool with_joint) {
   prepare(z, state);
-  unknowns_ = with_joint ? joint.columns().size() : 0;
+  joint_unknowns_ = with_joint ? joint.columns().size() : 0;
+  terms_ = with_joint ? data.terms.get() : nullptr;
+  unknowns_ = joint_unknowns_ + (terms_ ? terms_->unknowns : 0);
   h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
   yh_ = state.x - state.y.transpose() * h_;
   const bool pays = numbers_ == Numbers::complex || (numbers_ == Numbers::chosen && (layout_.is_large() || data.correlation));
@@ -182,12 +206,23 @@ void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight
 void LineModel::add_priors(const LineData& data, const LineState& state) {
   prior_weight_.clear();
   const double x_size = largest(state.x), y_size = largest(state.y);
+  const auto is_systematic = [&](std::size_t variable, Complex weight) {
+    return terms_ && terms_->has(variable) && weight.real() > 0.0 && weight.imag() > 0.0;
+  };
   for (std::size_t i = 0; i < layout_.x.size(); ++i) {
     const Complex current = state.x(at(layout_.x[i].row), at(layout_.x[i].column));
+    if (is_systematic(i, data.x.weight[i])) {
+      put_systematic_prior(i, data.x, i, current);
+      continue;
+    }
     add_prior(i, data.x.value[i] - current, data.x.weight[i], x_size);
   }
   for (std::size_t i = 0; i < layout_.y.size(); ++i) {
     const Complex current = state.y(at(layout_.y[i].row), at(layout_.y[i].column));
+    if (is_systematic(layout_.x.size() + i, data.y.weight[i])) {
+      put_systematic_prior(layout_.x.size() + i, data.y, i, current);
+      continue;
+    }
     add_prior(layout_.x.size() + i, data.y.value[i] - current, data.y.weight[i], y_size);
   }
 }

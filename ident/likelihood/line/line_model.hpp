@@ -12,7 +12,7 @@ namespace jointid::ident {
 /// The part of a line's least-squares problem that is left for the joint unknowns once its FRFs are eliminated (Schur
 /// complement), and the way back to the FRFs.
 struct ReducedLine {
-  Eigen::MatrixXd information;  ///< p×p: Σ JᵀJ − WᵀU⁻¹W
+  Eigen::MatrixXd information;  ///< p×p: Σ JᵀJ − WᵀU⁻¹W; p counts systematic errors, too
   Eigen::VectorXd gradient;     ///< p: a step of the unknowns solves information · δθ = gradient
   Eigen::MatrixXd back;         ///< 2v×p, U⁻¹W
   LineStep own;                 ///< 2v, U⁻¹g: the step of the FRFs is own − back · δθ
@@ -42,7 +42,8 @@ class LineModel {
 
   const LineLayout& layout() const { return layout_; }
 
-  /// Linearises at `state`; `with_joint`: the unknowns of the joint too.
+  /// Linearises at `state`; `with_joint`: the unknowns of the joint too, followed by those of the systematic errors that `data` is
+  /// corrected for (corrected_line()).
   void linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
                  bool with_joint);
 
@@ -62,6 +63,7 @@ class LineModel {
   std::optional<ReducedLine> reduce_complex(double damping);
   void add_priors(const LineData& data, const LineState& state);
   void add_prior(std::size_t variable, Complex residual, Complex weight, double size);
+  void put_systematic_prior(std::size_t variable, const Channel& channel, std::size_t i, Complex current);
   bool put_correlated_prior(std::size_t variable, Complex residual, Complex weight);
   void add_a(const LineData& data, const JointImpedance& joint, const LineState& state);
   void add_b(const LineData& data, const JointImpedance& joint, const LineState& state);
@@ -70,21 +72,24 @@ class LineModel {
   void put(Complex coefficient);
   void put_y(const Complex* left, const ComplexMatrix& right, Eigen::Index right_column);
   void put_joint(const JointImpedance& joint, const Complex* left, const Complex* right);
+  void put_systematic(std::size_t element, Complex residual);
   void emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first, NormalRows::Run second);
   void put_correlated(Correlation::Place place, Complex weight, NormalRows::Run first, NormalRows::Run second);
 
   const LineLayout& layout_;
   Numbers numbers_;
   bool complex_ = false;      ///< the normal equations of the line
-  std::size_t unknowns_ = 0;  ///< of the joint
+  std::size_t unknowns_ = 0;  ///< of the joint, and of systematic errors
+  std::size_t joint_unknowns_ = 0;
   std::size_t place_ = 0;     ///< in the row that is being written
-  std::vector<Complex> row_;  ///< FRFs that it touches, the joint's unknowns, residual
+  std::vector<Complex> row_;  ///< FRFs that it touches, the joint's unknowns, those of systematic errors, residual
   ComplexMatrix p_, py_, za_, h_, yh_, r_, pr_;
   ComplexMatrix c_, pr_b_;  ///< where B is measured: I − Z B, P·(Y − B − Y Z B)
   std::vector<double> prior_weight_;  ///< 2v, v of complex equations
   NormalRows rows_;
   ComplexRows complex_rows_;
   const Correlation* correlation_ = nullptr;  ///< of the line's errors
+  const SystematicTerms* terms_ = nullptr;    ///< of the line, while unknowns are asked for
   std::size_t first_element_ = 0;             ///< of the channel whose rows are written, see Correlation
   CorrelatedRows correlated_rows_;
   ComplexMatrix factor_, right_;  ///< of reduce_complex()
