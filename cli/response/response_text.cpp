@@ -42,6 +42,11 @@ void add_truncation(const ResponseScene& scene, const ResponseRun& run, std::vec
   }
   if (next > 0.0)
     remarks.push_back(fmt::format("the next harmonics would move the joints by at most {:.1e} of their motion", next));
+  if (next > 1.0) {
+    remarks.push_back(
+        "that is more than their motion itself: a joint so stiff, or so loose, that its motion is rounding; leave it out or "
+        "connect its ends rigidly");
+  }
   if (scene.harmonics.fixed.empty() && next > scene.harmonics.tolerance) {
     remarks.push_back(fmt::format("that is above the tolerance of {:.1e}: raise largest_harmonic above {}",
                                   scene.harmonics.tolerance, scene.harmonics.largest));
@@ -58,6 +63,7 @@ void add_truncation(const ResponseScene& scene, const ResponseRun& run, std::vec
 
 /// What shooting found: the unstable, those with residual force, how far the harmonics are from the exact orbits.
 void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
+  bool any_known = false;
   double difference = 0.0;
   std::vector<std::string> free;
   const auto add = [&](const PointStability& stability, const HarmonicSolution& at, double level) {
@@ -67,6 +73,7 @@ void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
     } else if (stability.another) {
       remarks.push_back(place + ": the exact orbit that was found is another one, the solution's stability is not known");
     } else {
+      any_known = true;
       if (!stability.stable)
         remarks.push_back(fmt::format("{}: unstable, a multiplier has modulus {:.6g}", place, stability.largest));
       difference = std::max(difference, stability.difference);
@@ -75,9 +82,7 @@ void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
       }
     }
   };
-  bool asked = false;
   for (const LevelResponse& level : run.levels) {
-    asked = asked || level.peak_stability;
     if (level.peak_stability) add(*level.peak_stability, *level.peak, level.level);
     for (std::size_t i = 0; i < level.stability.size(); ++i) {
       if (level.points[i].converged && !(level.peak && level.points[i].omega == level.peak->omega)) {
@@ -85,7 +90,7 @@ void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
       }
     }
   }
-  if (!asked) return;
+  if (!any_known) return;
   remarks.push_back(fmt::format(
       "where nothing else is said, the responses are stable; exact orbits differ from them by at most {:.2g} of the motion",
       difference));
