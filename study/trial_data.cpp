@@ -243,7 +243,7 @@ SystematicNoise systematic_of(const ident::Scene& scene) {
 void require_driving_points(const ident::Scene& scene, const Excerpts& excerpts) {
   for (const auto* sets : {&excerpts.substructures, &excerpts.assembly}) {
     for (const frf::Excerpt& excerpt : *sets) {
-      const std::string dof = without_driving_point(excerpt.set.header);
+      const std::string dof = models::is_model(excerpt.set.header) ? "" : without_driving_point(excerpt.set.header);
       if (dof.empty()) continue;
       fail(scene, "mass_errors need the driving point of every response, and " + excerpt.set.header.file + " lacks that of " + dof,
            "use files with it, or leave mass_errors out");
@@ -347,6 +347,10 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
 }  // namespace
 
 std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
+  if (systematic_of(scene).any() && has_virtual_points(scene)) {
+    fail(scene, "gain_errors and mass_errors are not drawn for sensors of virtual points",
+         "remove them, or [[virtual_points]]");
+  }
   auto [substructures, assembly] = open_scene(scene);
   if (draws_from_files(scene, substructures, assembly)) {
     const auto data = prepare(scene, std::move(substructures), std::move(assembly), scene.data.regenerate.any(), true, recorded_pollution);

@@ -25,9 +25,9 @@ void require_case(const ResponseScene& scene) {
                       .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
-  if (!scene.structure) {
-    fail("the exact motion needs mass, damping and stiffness of at most " + std::to_string(most_full) + " coordinates",
-         "give [structure]");
+  if (!marches(scene)) {
+    fail("the exact motion needs mass, damping and stiffness, of at most " + std::to_string(most_full) + " coordinates or modes",
+         "give [structure], and modes in it");
   }
   if (scene.values_hz.empty() || scene.levels.empty()) fail("there is no case", "give [force], and [frequency] values");
 }
@@ -69,7 +69,7 @@ std::vector<WaysRun> run_comparison(const ResponseScene& scene, Progress& progre
       };
       runs.push_back(
           {level, hz,
-           response::compare_ways(*prepared.assembly, scene.force, angular(hz), level, prepared.responses.col(0), asked)});
+           response::compare_ways(*prepared.marched, scene.force, angular(hz), level, prepared.responses.col(0), asked)});
     }
   }
   return runs;

@@ -54,6 +54,16 @@ void require_full(const scene::Item& item, const ResponseScene& scene) {
   item.fail("needs mass, damping and stiffness", "give [structure], or remove it");
 }
 
+void require_marching(const scene::Item& item, const ResponseScene& scene) {
+  if (marches(scene)) return;
+  if (coordinates(scene) > 0) {
+    item.fail("the structure has " + std::to_string(coordinates(scene)) + " coordinates, marching in time takes at most " +
+                  std::to_string(most_full),
+              "give [structure] modes, on which it marches");
+  }
+  require_full(item, scene);
+}
+
 SceneCurve read_curve(const scene::Item& item, const ResponseScene& scene) {
   const scene::Table table = item.table({"along", "joint", "range", "frequency", "force"});
   SceneCurve curve;

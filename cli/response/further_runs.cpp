@@ -50,8 +50,8 @@ records::Record read_force(const SceneRecord& record) {
 }
 
 /// Straight lines between the samples of all records, which must be sampled alike.
-response::ForceHistory history_of(const std::vector<SceneRecord>& records, Eigen::Index coordinates) {
-  Eigen::MatrixXd directions = Eigen::MatrixXd::Zero(coordinates, at(records.size())), values;
+response::ForceHistory history_of(const std::vector<SceneRecord>& records, const Prepared& prepared) {
+  Eigen::MatrixXd directions(prepared.responses.rows(), at(records.size())), values;
   std::vector<double> times;
   for (std::size_t i = 0; i < records.size(); ++i) {
     const records::Record record = read_force(records[i]);
@@ -66,7 +66,7 @@ response::ForceHistory history_of(const std::vector<SceneRecord>& records, Eigen
                         .remedy = "give forces that were sampled together"});
     }
     values.col(at(i)) = Eigen::Map<const Eigen::VectorXd>(record.channels.front().samples.data(), values.rows());
-    directions(records[i].dof.coordinate, at(i)) = 1.0;
+    directions.col(at(i)) = prepared.unit_force(records[i].dof.coordinate);
   }
   return response::ForceHistory::sampled(directions, times, values);
 }
@@ -74,19 +74,18 @@ response::ForceHistory history_of(const std::vector<SceneRecord>& records, Eigen
 /// The forces of a transient by name.
 std::vector<std::pair<std::string, response::ForceHistory>> histories_of(const ResponseScene& scene, const Prepared& prepared) {
   const SceneTransient& transient = *scene.transient;
-  const Eigen::Index n = prepared.responses.rows();
   std::vector<std::pair<std::string, response::ForceHistory>> all;
-  if (!transient.records.empty()) all.emplace_back("record", history_of(transient.records, n));
+  if (!transient.records.empty()) all.emplace_back("record", history_of(transient.records, prepared));
   for (const ScenePulse& pulse : transient.pulses) {
     all.emplace_back(
         fmt::format("pulse of {:.6g} N, {:.6g} s", pulse.amplitude, pulse.length),
-        response::ForceHistory::half_sine(pulse.amplitude * Eigen::VectorXd::Unit(n, pulse.dof.coordinate), pulse.length));
+        response::ForceHistory::half_sine(pulse.amplitude * prepared.unit_force(pulse.dof.coordinate), pulse.length));
   }
   if (!all.empty()) return all;
   const double frequency_hz = prepared.frequency_hz.empty() ? scene.range_hz->front() : prepared.frequency_hz.front();
   for (const double level : scene.levels) {
     const response::PeriodicProblem problem =
-        response::periodic_problem(*prepared.assembly, scene.force, angular(frequency_hz), level);
+        response::periodic_problem(*prepared.marched, scene.force, angular(frequency_hz), level);
     all.emplace_back(fmt::format("{:.6g} N at {:.6g} Hz", level, frequency_hz), problem.force());
   }
   return all;
@@ -140,8 +139,9 @@ void run_equivalents(const ResponseScene& scene, const Prepared& prepared, Respo
 void run_transients(const ResponseScene& scene, const Prepared& prepared, Progress& progress, ResponseRun& run) {
   if (!scene.transient) return;
   const response::JointedStructure structure =
-      response::from_joints(*scene.structure, prepared.assembly->w, prepared.assembly->joints);
-  for (const std::size_t j : response::friction_joints(prepared.assembly->joints)) run.friction_joints.push_back(run.joints[j]);
+      response::from_joints(prepared.marched->structure, prepared.marched->w, prepared.marched->joints);
+  for (const std::size_t j : response::friction_joints(prepared.marched->joints)) run.marched.push_back(run.joints[j]);
+  for (const std::size_t j : response::cubic_joints(prepared.marched->joints)) run.marched.push_back(run.joints[j] + " cubic");
   response::TransientRequest request = {.duration = scene.transient->duration,
                                         .step = scene.transient->step,
                                         .method = scene.transient->method,

@@ -71,7 +71,7 @@ PointStability stability_of(const response::HarmonicBalance& balance, const Prep
                             const HarmonicSolution& solution) {
   PointStability told;
   if (!solution.converged) return told;
-  const response::SolutionStability found = response::stability(*prepared.assembly, balance.force(), solution);
+  const response::SolutionStability found = response::stability(*prepared.marched, balance.force(), solution);
   told.known = found.orbit.status == response::OrbitStatus::closed;
   if (!told.known) return told;
   told.stable = found.orbit.stable;

@@ -10,6 +10,7 @@
 #include "dense/eigen.hpp"
 #include "frf/set/frf_system.hpp"
 #include "ident/plan/data_source.hpp"
+#include "response/condensation/condensation.hpp"
 #include "response/structure/frf_receptance.hpp"
 #include "response/structure/matrix_receptance.hpp"
 
@@ -44,6 +45,31 @@ std::vector<double> asked_lines_hz(const ResponseScene& scene) {
   return all;
 }
 
+/// Columns of joints, responses and the force, N × each.
+struct Columns {
+  Eigen::MatrixXd joints, responses, force;
+};
+
+/// Free modes, and the deflections by joints and the force, for what marches in time.
+void condense_marched(const Columns& columns, const ResponseScene& scene, Prepared& prepared) {
+  const response::MatrixStructure full =
+      scene.structure ? *scene.structure
+                      : response::MatrixStructure{Eigen::MatrixXd(scene.sparse->mass), Eigen::MatrixXd(scene.sparse->damping),
+                                                  Eigen::MatrixXd(scene.sparse->stiffness)};
+  Eigen::MatrixXd loads(full.mass.rows(), columns.joints.cols() + columns.force.cols());
+  loads << columns.joints, columns.force;
+  const response::JointedStructure loaded = {
+      full, loads, std::vector<std::shared_ptr<const friction::Element>>(static_cast<std::size_t>(loads.cols()))};
+  const Eigen::MatrixXd basis = response::free_and_attachment_modes(loaded, *scene.modes).columns;
+  const auto project = [&](const Eigen::MatrixXd& matrix) { return Eigen::MatrixXd(basis.transpose() * matrix * basis); };
+  prepared.marched = {{project(full.mass), project(full.damping), project(full.stiffness)},
+                      basis.transpose() * columns.joints,
+                      joints_of(scene),
+                      basis.transpose() * columns.force};
+  prepared.responses = basis.transpose() * columns.responses;
+  prepared.basis = basis;
+}
+
 Prepared from_matrices(const ResponseScene& scene) {
   const Eigen::Index n = coordinates(scene);
   Eigen::MatrixXd joints = Eigen::MatrixXd::Zero(n, at(scene.joints.size())), force = Eigen::MatrixXd::Zero(n, 1);
@@ -64,6 +90,8 @@ Prepared from_matrices(const ResponseScene& scene) {
     prepared.assembly = {*scene.structure, joints, joints_of(scene), force};
   }
   prepared.responses = responses;
+  prepared.marched = prepared.assembly;
+  if (scene.modes) condense_marched({joints, responses, force}, scene, prepared);
   if (scene.method == CurveMethod::sweep) prepared.frequency_hz = asked_hz(scene);
   return prepared;
 }
@@ -144,6 +172,11 @@ std::vector<response::Joint> joints_of(const ResponseScene& scene) {
 }
 
 Prepared prepare(const ResponseScene& scene) { return coordinates(scene) > 0 ? from_matrices(scene) : from_files(scene); }
+
+Eigen::VectorXd Prepared::unit_force(Eigen::Index coordinate) const {
+  if (basis.size() > 0) return basis.row(coordinate).transpose();
+  return Eigen::VectorXd::Unit(responses.rows(), coordinate);
+}
 
 std::optional<std::array<double, 2>> Prepared::beside(double omega) const {
   if (everywhere) return std::array{omega * (1.0 - between_lines), omega * (1.0 + between_lines)};

@@ -91,7 +91,7 @@ void read_response(const scene::Item& item, ResponseScene& scene) {
   }
   if (const auto stability = table.find("stability")) {
     scene.stability = stability->boolean();
-    if (scene.stability) require_full(*stability, scene);
+    if (scene.stability) require_marching(*stability, scene);
   }
 }
 

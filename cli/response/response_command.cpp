@@ -6,6 +6,7 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/response/comparison_run.hpp"
+#include "cli/response/curve_rows.hpp"
 #include "cli/response/read_response_scene.hpp"
 #include "cli/response/response_file.hpp"
 #include "cli/response/response_page.hpp"
@@ -25,6 +26,8 @@ void add_response(CLI::App& app, Chosen& chosen) {
   add_outputs(command, *arguments, "the responses, joints and peaks", "the harmonics of the responses",
               "FRFs of all levels, harmonics, peaks, loops, curves and motions");
   command->add_option("--out", arguments->out, "Write what --csv has as a table in HDF5 to this file");
+  command->add_option("--curves", arguments->curves,
+                      "Write the peaks over the force and [[curves]] to a file: HDF5 by the name .h5, else CSV; - for stdout");
   command->add_option("--history", arguments->history,
                       "Write the motions of [transient] to a file: HDF5 by the name .h5, else CSV; - for stdout");
   command->add_flag("--compare", arguments->compare,
@@ -47,13 +50,15 @@ void check_outputs(const ResponseArguments& arguments, const ResponseScene& scen
   check_targets(files_of(scene), {{"--json", arguments.json},
                                   {"--csv", arguments.csv},
                                   {"--report", arguments.report},
+                                  {"--curves", arguments.curves},
                                   {"--history", arguments.history},
                                   {"--out", arguments.out}});
   if (arguments.history && !scene.transient)
     refuse("--history", "the scene has no [transient]", "add one, or leave --history out");
   if (arguments.out && *arguments.out == "-") refuse("--out", "HDF5 does not go to standard output", "name a file");
   if (arguments.out && scene.levels.empty()) refuse("--out", "the scene has no [force]", "--history writes the motions");
-  if (arguments.compare && (arguments.history || arguments.out || arguments.report)) {
+  if (arguments.curves && scene.levels.empty()) refuse("--curves", "the scene has no [force]", "--history writes the motions");
+  if (arguments.compare && (arguments.history || arguments.curves || arguments.out || arguments.report)) {
     refuse("--compare", "it writes --json and --csv alone", "leave the others out");
   }
 }
@@ -63,6 +68,14 @@ void write_history(const std::string& target, const ResponseRun& run, std::ostre
     write_history_table(target, run);
   } else {
     write_target(target, history_csv(run), out);
+  }
+}
+
+void write_curves(const std::string& target, const ResponseRun& run, std::ostream& out) {
+  if (names_hdf5(target)) {
+    write_curves_table(target, run);
+  } else {
+    write_target(target, curves_csv(run), out);
   }
 }
 
@@ -92,9 +105,11 @@ ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
   if (arguments.json) write_target(*arguments.json, response_json(scene, run), out);
   if (arguments.csv) write_target(*arguments.csv, response_csv(run), out);
   if (arguments.report) write_target(*arguments.report, report::response_report(scene, run), out);
+  if (arguments.curves) write_curves(*arguments.curves, run, out);
   if (arguments.history) write_history(*arguments.history, run, out);
   if (arguments.out) write_response_table(*arguments.out, run);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.history})) out << response_text(scene, run);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.curves, arguments.history}))
+    out << response_text(scene, run);
   if (all_converged(run)) return ExitCode::done;
   print_error(arguments.scene.string() + ": harmonic balance did not converge everywhere");
   return ExitCode::unusable;

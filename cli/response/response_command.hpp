@@ -14,7 +14,7 @@ namespace jointid::cli {
 
 struct ResponseArguments {
   std::filesystem::path scene;
-  Target json{}, csv{}, report{}, history{}, out{};
+  Target json{}, csv{}, report{}, curves{}, history{}, out{};
   bool compare = false;
 };
 

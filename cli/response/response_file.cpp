@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/complex.hpp"
+#include "cli/response/curve_rows.hpp"
 #include "frf/hdf5/table_file.hpp"
 
 namespace jointid::cli {
@@ -67,10 +68,31 @@ void write_response_table(const std::filesystem::path& path, const ResponseRun& 
   rows.write(path, {{"dofs", fmt::format("{}", fmt::join(run.dofs, ","))}});
 }
 
+void write_curves_table(const std::filesystem::path& path, const ResponseRun& run) {
+  Rows rows({{"curve", "1"},
+             {"place", "1"},
+             {"parameter", "SI"},
+             {"force", "N"},
+             {"frequency", "Hz"},
+             {"harmonic", "1"},
+             {"dof", "1"},
+             {"re", "m"},
+             {"im", "m"},
+             {"loss", "J"},
+             {"damping", "1"}});
+  for (const CurveRow& row : curve_rows(run)) {
+    rows.add({static_cast<double>(row.curve), static_cast<double>(row.place), row.parameter, row.force, row.frequency_hz,
+              static_cast<double>(row.harmonic), static_cast<double>(row.dof + 1), row.x.real(), row.x.imag(), row.loss,
+              row.damping.value_or(unknown)});
+  }
+  rows.write(path, {{"dofs", fmt::format("{}", fmt::join(run.dofs, ","))},
+                    {"curves", fmt::format("{}", fmt::join(curve_names(run), ";"))}});
+}
+
 void write_history_table(const std::filesystem::path& path, const ResponseRun& run) {
   std::vector<frf::TableColumn> columns = {{"motion", "1"}, {"time", "s"}};
   for (const std::string& dof : run.dofs) columns.push_back({"x(" + dof + ")", "m"});
-  for (const std::string& joint : run.friction_joints)
+  for (const std::string& joint : run.marched)
     columns.insert(columns.end(), {{"q(" + joint + ")", "m"}, {"f(" + joint + ")", "N"}});
   Rows rows(std::move(columns));
   std::vector<std::string> names;

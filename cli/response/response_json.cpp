@@ -145,7 +145,7 @@ std::string response_json(const ResponseScene& scene, const ResponseRun& run) {
 std::string history_csv(const ResponseRun& run) {
   std::vector<std::string> titles = {"motion", "time [s]"};
   for (const std::string& dof : run.dofs) titles.push_back("x(" + dof + ") [m]");
-  for (const std::string& joint : run.friction_joints)
+  for (const std::string& joint : run.marched)
     titles.insert(titles.end(), {"q(" + joint + ") [m]", "f(" + joint + ") [N]"});
   std::string text = csv_line(titles);
   for (const TransientRun& each : run.transients) {

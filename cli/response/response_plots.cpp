@@ -236,8 +236,8 @@ PlotGroup transient_plots(const ResponseRun& run) {
       series.push_back({run.dofs[i], Values(x.begin(), x.end()), Style::line});
     }
     choice.plots.emplace_back(over("Motion", {"time (s)", false}, {"x (m)", false}, motion.times, std::move(series)));
-    for (std::size_t j = 0; j < run.friction_joints.size(); ++j) {
-      ScatterPlot plot = loop_plot("Path of " + run.friction_joints[j]);
+    for (std::size_t j = 0; j < run.marched.size(); ++j) {
+      ScatterPlot plot = loop_plot("Path of " + run.marched[j]);
       plot.groups.push_back(loop_points(each.name, motion.q.col(at(j)), motion.f.col(at(j)), 1000));
       choice.plots.emplace_back(std::move(plot));
     }

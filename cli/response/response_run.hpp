@@ -68,7 +68,7 @@ struct ResponseRun {
   std::vector<LevelResponse> levels;
   std::vector<CurveRun> curves{};
   std::vector<EquivalentRow> equivalents{};
-  std::vector<std::string> friction_joints{};  ///< the columns of transients
+  std::vector<std::string> marched{};  ///< friction elements and cubic springs: the columns of transients
   std::vector<TransientRun> transients{};
   std::vector<std::string> doubts;  ///< one phrase each
 };

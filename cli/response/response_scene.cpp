@@ -6,6 +6,10 @@ Eigen::Index coordinates(const ResponseScene& scene) {
   return scene.structure ? scene.structure->mass.rows() : scene.sparse ? scene.sparse->mass.rows() : 0;
 }
 
+bool marches(const ResponseScene& scene) {
+  return scene.modes.has_value() || (scene.structure && coordinates(scene) <= most_full);
+}
+
 std::vector<ident::NamedFile> files_of(const ResponseScene& scene) {
   std::vector<ident::NamedFile> files = {{scene.file, "the scene"}};
   for (const ident::DataFile& part : scene.parts) {

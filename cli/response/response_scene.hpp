@@ -79,6 +79,7 @@ struct ResponseScene {
   bool reciprocity = false;
   std::optional<response::MatrixStructure> structure;  ///< [structure] of at most most_full coordinates, or with modal_damping …
   std::optional<response::SparseStructure> sparse;     ///< … or of more
+  std::optional<Eigen::Index> modes;                   ///< free modes on which it marches in time
   std::vector<ident::NamedFile> matrix_files;
   std::vector<SceneJoint> joints;
   SceneDof force_dof;
@@ -102,6 +103,9 @@ inline constexpr Eigen::Index most_full = 300;
 
 /// Coordinates of [structure]; 0 with files.
 Eigen::Index coordinates(const ResponseScene& scene);
+
+/// Whether it can march in time: at most most_full coordinates, or condensed to modes.
+bool marches(const ResponseScene& scene);
 
 /// The scene and every file that it names.
 std::vector<ident::NamedFile> files_of(const ResponseScene& scene);

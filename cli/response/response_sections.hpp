@@ -15,6 +15,9 @@ void read_structure(const scene::Item& item, const ident::Path& folder, Response
 /// most_full.
 void require_full(const scene::Item& item, const ResponseScene& scene);
 
+/// The same at an item that marches in time, unless [structure] names modes for that.
+void require_marching(const scene::Item& item, const ResponseScene& scene);
+
 /// One of [[joints]]; `number` counts from 1.
 SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::size_t number);
 

@@ -162,7 +162,7 @@ Table equivalents_table(const ResponseRun& run) {
 Table transients_table(const ResponseRun& run) {
   std::vector<Column> columns = {{"", Align::left}, {"until s"}};
   for (const std::string& dof : run.dofs) columns.push_back({"max |x(" + dof + ")| m"});
-  for (const std::string& joint : run.friction_joints)
+  for (const std::string& joint : run.marched)
     columns.insert(columns.end(), {{"max |q(" + joint + ")| m"}, {"max |f| N"}});
   columns.push_back({"events"});
   Table table(columns);

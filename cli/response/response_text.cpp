@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "base/complex.hpp"
 #include "cli/response/response_tables.hpp"
@@ -28,9 +27,8 @@ double largest_bar(const ResponseRun& run) {
 }
 
 /// What is left out by the harmonics, the worst of all points.
-std::string truncation_text(const ResponseScene& scene, const ResponseRun& run) {
+void add_truncation(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
   double next = 0.0;
-  std::string text;
   const response::DroppedHarmonic* worst = nullptr;
   double worst_hz = 0.0;
   for (const LevelResponse& level : run.levels) {
@@ -43,43 +41,49 @@ std::string truncation_text(const ResponseScene& scene, const ResponseRun& run) 
       }
     }
   }
-  if (next > 0.0) text += fmt::format("the next harmonics would move the joints by at most {:.1e} of their motion\n", next);
+  if (next > 0.0)
+    remarks.push_back(fmt::format("the next harmonics would move the joints by at most {:.1e} of their motion", next));
+  if (next > 1.0) {
+    remarks.push_back(
+        "that is more than their motion itself: a joint so stiff, or so loose, that its motion is rounding; leave it out or "
+        "connect its ends rigidly");
+  }
   if (scene.harmonics.fixed.empty() && next > scene.harmonics.tolerance) {
-    text += fmt::format("that is above the tolerance of {:.1e}: raise largest_harmonic above {}\n", scene.harmonics.tolerance,
-                        scene.harmonics.largest);
+    remarks.push_back(fmt::format("that is above the tolerance of {:.1e}: raise largest_harmonic above {}",
+                                  scene.harmonics.tolerance, scene.harmonics.largest));
   }
   if (worst != nullptr) {
-    text += fmt::format(
+    remarks.push_back(fmt::format(
         "harmonics beyond the lines of the files are dropped: at most {:.3g} N at harmonic {} of {:.6g} Hz, about {:.3g} m at "
-        "the joint\n",
-        worst->force, worst->harmonic, worst_hz, worst->motion);
-    text += fmt::format("their error bar (H of the nearest line): |X| by at most {:.2g} of its size\n", largest_bar(run));
+        "the joint",
+        worst->force, worst->harmonic, worst_hz, worst->motion));
+    remarks.push_back(
+        fmt::format("their error bar (H of the nearest line): |X| by at most {:.2g} of its size", largest_bar(run)));
   }
-  return text;
 }
 
 /// What shooting found: the unstable, those with residual force, how far the harmonics are from the exact orbits.
-std::string stability_text(const ResponseRun& run) {
-  std::string text;
+void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
+  bool any_known = false;
   double difference = 0.0;
   std::vector<std::string> free;
   const auto add = [&](const PointStability& stability, const HarmonicSolution& at, double level) {
     const std::string place = fmt::format("{:.6g} N, {:.6g} Hz", level, hertz(at.omega));
     if (!stability.known) {
-      text += place + ": no exact orbit was found from the solution, its stability is not known\n";
+      remarks.push_back(place + ": no exact orbit was found from the solution, its stability is not known");
     } else if (stability.another) {
-      text += place + ": the exact orbit that was found is another one, the solution's stability is not known\n";
+      remarks.push_back(place + ": the exact orbit that was found is another one, the solution's stability is not known");
     } else {
-      if (!stability.stable) text += fmt::format("{}: unstable, a multiplier has modulus {:.6g}\n", place, stability.largest);
+      any_known = true;
+      if (!stability.stable)
+        remarks.push_back(fmt::format("{}: unstable, a multiplier has modulus {:.6g}", place, stability.largest));
       difference = std::max(difference, stability.difference);
       for (const std::string& joint : stability.residual_force_free) {
         if (std::ranges::find(free, joint) == free.end()) free.push_back(joint);
       }
     }
   };
-  bool asked = false;
   for (const LevelResponse& level : run.levels) {
-    asked = asked || level.peak_stability;
     if (level.peak_stability) add(*level.peak_stability, *level.peak, level.level);
     for (std::size_t i = 0; i < level.stability.size(); ++i) {
       if (level.points[i].converged && !(level.peak && level.points[i].omega == level.peak->omega)) {
@@ -87,72 +91,73 @@ std::string stability_text(const ResponseRun& run) {
       }
     }
   }
-  if (!asked) return text;
-  text += fmt::format(
-      "where nothing else is said, the responses are stable; exact orbits differ from them by at most {:.2g} of the motion\n",
-      difference);
+  if (!any_known) return;
+  remarks.push_back(fmt::format(
+      "where nothing else is said, the responses are stable; exact orbits differ from them by at most {:.2g} of the motion",
+      difference));
   if (!free.empty()) {
-    text += fmt::format(
+    remarks.push_back(fmt::format(
         "residual force free: {} never slip fully, a multiplier is exactly 1; means depend on the past, harmonics above 0 do "
-        "not\n",
-        fmt::join(free, ", "));
+        "not",
+        fmt::join(free, ", ")));
   }
-  return text;
 }
 
 /// Ends of curves and of transients that are not those asked for.
-std::string further_problems(const ResponseRun& run) {
-  std::string text;
+void add_further_problems(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
   for (const CurveRun& curve : run.curves) {
     for (std::size_t i = 0; i < curve.found.turning_points.size(); ++i) {
-      text += fmt::format("the curve along {} turns back at {:.6g}\n", curve.name, curve.found.turning_parameters[i]);
+      remarks.push_back(fmt::format("the curve along {} turns back at {:.6g}", curve.name, curve.found.turning_parameters[i]));
     }
     if (curve.found.end != response::CurveEnd::reached) {
-      text += fmt::format("the curve along {} could not be followed to its end\n", curve.name);
+      remarks.push_back(fmt::format("the curve along {} could not be followed to its end", curve.name));
     }
   }
   for (const TransientRun& run_of : run.transients) {
     const response::Transient& motion = run_of.motion;
     if (!motion.complete) {
-      text += fmt::format("{}: events come closer to each other than numbers can tell; the motion ends at {:.6g} s\n",
-                          run_of.name, motion.times.back());
+      remarks.push_back(fmt::format("{}: {}; the motion ends at {:.6g} s", run_of.name,
+                                    scene.transient->method == response::TransientMethod::exact
+                                        ? "events come closer to each other than numbers can tell, or the motion runs away"
+                                        : "the motion grows beyond all numbers",
+                                    motion.times.back()));
     }
     if (motion.growth > 1.0 || !motion.too_soft.empty()) {
-      text += fmt::format("{}: Algorithm Two may be boundedly unstable (its character matrix has {:.6g}): plausible and wrong\n",
-                          run_of.name, motion.growth);
+      remarks.push_back(
+          fmt::format("{}: Algorithm Two may be boundedly unstable (its character matrix has {:.6g}): plausible and wrong",
+                      run_of.name, motion.growth));
     }
   }
-  return text;
 }
 
-std::string problems_text(const ResponseRun& run) {
-  std::string text;
+void add_problems(const ResponseRun& run, std::vector<std::string>& remarks) {
   for (const LevelResponse& level : run.levels) {
     const auto lost = std::ranges::count(level.points, false, &HarmonicSolution::converged);
     if (lost > 0) {
-      text += fmt::format(
-          "{:.6g} N: harmonic balance did not converge at {} of {} frequencies; marching in time may find a response there\n",
-          level.level, lost, level.points.size());
+      remarks.push_back(fmt::format(
+          "{:.6g} N: harmonic balance did not converge at {} of {} frequencies; marching in time may find a response there",
+          level.level, lost, level.points.size()));
     } else if (!level.complete) {
-      text += fmt::format("{:.6g} N: the curve could not be followed to its end\n", level.level);
+      remarks.push_back(fmt::format("{:.6g} N: the curve could not be followed to its end", level.level));
     }
     for (const HarmonicSolution& turn : level.turning_points) {
-      text += fmt::format(
+      remarks.push_back(fmt::format(
           "{:.6g} N: the curve turns back at {:.6g} Hz, |X| = {:.6g} m: between two such frequencies there are several "
-          "responses\n",
-          level.level, hertz(turn.omega), std::abs(turn.response(first_row(turn), 0)));
+          "responses",
+          level.level, hertz(turn.omega), std::abs(turn.response(first_row(turn), 0))));
     }
   }
-  for (const std::string& doubt : run.doubts) text += doubt + "\n";
-  return text;
+  remarks.insert(remarks.end(), run.doubts.begin(), run.doubts.end());
 }
 
 }  // namespace
 
 std::vector<std::string> response_remarks(const ResponseScene& scene, const ResponseRun& run) {
-  std::istringstream all(truncation_text(scene, run) + stability_text(run) + problems_text(run) + further_problems(run));
   std::vector<std::string> remarks;
-  for (std::string line; std::getline(all, line);) remarks.push_back(line);
+  add_truncation(scene, run, remarks);
+  add_stability(run, remarks);
+  add_problems(run, remarks);
+  add_further_problems(scene, run, remarks);
   return remarks;
 }
 

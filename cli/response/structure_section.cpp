@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "cli/options/scene_values.hpp"
@@ -7,13 +8,16 @@
 namespace jointid::cli {
 namespace {
 
-constexpr Eigen::Index most_modes = 5000;  ///< of modal damping, which needs them all
+constexpr Eigen::Index most_modes = 5000;  ///< whose modes are computed: all of them, of full matrices
 
 /// Reads [structure].
 class StructureReader {
  public:
   StructureReader(const scene::Item& item, const ident::Path& folder, ResponseScene& scene)
-      : item_(item), folder_(folder), scene_(scene), table_(item.table({"mass", "stiffness", "damping", "modal_damping"})) {}
+      : item_(item),
+        folder_(folder),
+        scene_(scene),
+        table_(item.table({"mass", "stiffness", "damping", "modal_damping", "modes"})) {}
 
   void read() {
     response::SparseStructure structure;
@@ -25,6 +29,10 @@ class StructureReader {
     if (damping && modal) item_.fail("there are both damping and modal_damping", "remove one");
     if (damping) structure.damping = matrix("damping", n);
     if (modal) require_modal(*modal, n);
+    if (const auto modes = table_.find("modes")) {
+      require_modal(*modes, n);
+      scene_.modes = static_cast<Eigen::Index>(read_whole(*modes, 1.0, static_cast<double>(std::min(n, most_full))));
+    }
     if (n > most_full && !modal) {
       scene_.sparse = std::move(structure);
       return;

@@ -57,7 +57,7 @@ void read_method(const scene::Table& table, SceneTransient& transient) {
 
 SceneTransient read_transient(const scene::Item& item, const ident::Path& folder, const ResponseScene& scene) {
   const scene::Table table = item.table({"duration", "step", "method", "delta", "forces", "pulses"});
-  require_full(item, scene);
+  require_marching(item, scene);
   SceneTransient transient;
   const scene::Item duration = table.require("duration");
   transient.duration = duration.positive();

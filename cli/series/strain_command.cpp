@@ -25,8 +25,13 @@ std::vector<double> points_of(const SeriesStrainArguments& arguments) {
   return arguments.points.empty() ? std::vector<double>{arguments.length} : arguments.points;
 }
 
+/// As many as gauges unless said.
+std::size_t shapes_of(const SeriesStrainArguments& arguments) {
+  return arguments.shapes > 0 ? arguments.shapes : arguments.gauges.size();
+}
+
 series::StrainMap map_of(const SeriesStrainArguments& arguments) {
-  const std::size_t shapes = arguments.shapes > 0 ? arguments.shapes : arguments.gauges.size();
+  const std::size_t shapes = shapes_of(arguments);
   if (arguments.static_shapes && shapes < 2)
     throw InputError(
         {ErrorKind::usage, "", "--static-shapes", "are two, and the basis has one shape", "take more gauges, or leave it out"});
@@ -78,8 +83,7 @@ std::size_t write_displacements(const SeriesStrainArguments& arguments, const se
 
 std::string map_text(const SeriesStrainArguments& arguments, const series::StrainMap& map) {
   std::string text =
-      fmt::format("{} gauges, {} shapes{}, condition {}\n", arguments.gauges.size(),
-                  arguments.shapes > 0 ? arguments.shapes : arguments.gauges.size(),
+      fmt::format("{} gauges, {} shapes{}, condition {}\n", arguments.gauges.size(), shapes_of(arguments),
                   arguments.static_shapes ? " with those of a tip force and a tip moment" : "", number(map.condition));
   Table table({{"x m"}, {"noise, m rms per unit strain rms"}});
   const std::vector<double> points = points_of(arguments);

@@ -14,7 +14,7 @@ PeriodMap::PeriodMap(const PeriodicProblem& problem, const MarchOptions& options
     : omega_(problem.omega), period_(problem.period()), march_(problem.structure, problem.force(), options) {
   const std::size_t joints = problem.structure.laws.size();
   for (std::size_t j = 0; j < joints; ++j) {
-    if (masing(j) == nullptr) bilinear_.push_back(at(j));
+    if (dynamic_cast<JenkinsState*>(march_.joint_states()[j].get()) != nullptr) bilinear_.push_back(at(j));
   }
   memory_.resize(joints);
   next_memory_.resize(joints);
@@ -68,7 +68,7 @@ void PeriodMap::place(Index columns) {
     Turns& turns = memory_[j];
     for (auto& turn : turns) turn.slope = columns > 0 ? Row(Row::Unit(columns, next++)) : Row();
     const auto largest = std::ranges::max_element(turns, {}, [](const auto& turn) { return std::abs(turn.displacement); });
-    if (!turns.empty()) joint->remember({largest, turns.end()}, q[at(j)]);
+    if (!turns.empty()) joint->remember({largest, turns.end()}, q[at(j)], tangent_of_loop(j));
     joint->forget_turns();
   }
   march_.place(0.0, state_.head(n), state_.segment(n, n), forces);
@@ -76,16 +76,29 @@ void PeriodMap::place(Index columns) {
   for (Index row = 2 * n; row < motion_size(); ++row) jenkins(row).watch();
 }
 
+namespace {
+
+double range_of(const std::vector<MasingState::Turn>& turns) {
+  const auto [low, high] =
+      std::ranges::minmax_element(turns, {}, [](const MasingState::Turn& turn) { return turn.displacement; });
+  return high->displacement - low->displacement;
+}
+
+}  // namespace
+
+std::optional<double> PeriodMap::tangent_of_loop(std::size_t joint) const {
+  if (!keeps_ || !free_[joint]) return {};
+  return masing(joint)->tangent_at_turn(range_of(memory_[joint]));
+}
+
 void PeriodMap::remember_turns() {
-  const auto displacement = [](const MasingState::Turn& turn) { return turn.displacement; };
   for (std::size_t j = 0; j < memory_.size(); ++j) {
     const MasingState* joint = masing(j);
     if (joint == nullptr) continue;
     next_memory_[j] = memory_[j];
     if (joint->turns().empty()) continue;
     next_memory_[j] = joint->turns();
-    const auto [low, high] = std::ranges::minmax_element(next_memory_[j], {}, displacement);
-    free_[j] = joint->keeps_residual_force(high->displacement - low->displacement);
+    free_[j] = joint->keeps_residual_force(range_of(next_memory_[j]));
   }
 }
 
@@ -138,7 +151,17 @@ bool PeriodMap::run(bool with_derivative) {
 
 void PeriodMap::accept_image() { move(image_ - state_.head(image_.size())); }
 
+void PeriodMap::abandon_move() {
+  state_ = state_before_;
+  image_ = image_before_;
+  next_memory_ = memory_before_;
+  accept_image();
+}
+
 void PeriodMap::move(const VectorXd& ds) {
+  state_before_ = state_;
+  image_before_ = image_;
+  memory_before_ = next_memory_;
   VectorXd moved(motion_size());
   moved = state_.head(moved.size()) + ds.head(moved.size());
   const bool with_memory = image_.size() > moved.size();

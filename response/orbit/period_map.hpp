@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "response/orbit/periodic_problem.hpp"
@@ -19,6 +20,10 @@ class PeriodMap {
   void start(const Eigen::VectorXd& x, const Eigen::VectorXd& v, const Eigen::VectorXd& f,
              const std::vector<std::vector<double>>& turns);
 
+  /// Derivatives from here on are those of the motion itself, whose residual forces stay where they are free: a perturbed cycle
+  /// hangs inside the one before. (Until here the largest |q| lies on the virgin curve, which is no motion but a choice.)
+  void keep_residual_forces() { keeps_ = true; }
+
   /// Marches one period from state(), with the derivative or without. False when the march stalls.
   bool run(bool with_derivative);
 
@@ -31,6 +36,8 @@ class PeriodMap {
   /// The state becomes the image, or moves by ds as far as the image goes.
   void accept_image();
   void move(const Eigen::VectorXd& ds);
+  /// After a move into a state from which the march stalls: the image from which it went is the state.
+  void abandon_move();
 
   /// Of every element of the image, the size of its kind: x and ẋ/ω of the largest, the limit of its joint.
   Eigen::VectorXd scales() const;
@@ -60,18 +67,20 @@ class PeriodMap {
   JenkinsState& jenkins(Eigen::Index row) const;
   Eigen::Index motion_size() const;
   void place(Eigen::Index columns);
+  std::optional<double> tangent_of_loop(std::size_t joint) const;
   void remember_turns();
   void collect_image();
 
   std::vector<Eigen::Index> bilinear_;
   double omega_, period_;
   ExactMarch march_;
-  Eigen::VectorXd state_, image_;
+  Eigen::VectorXd state_, image_, state_before_, image_before_;
   Eigen::MatrixXd derivative_;
-  std::vector<Turns> memory_, next_memory_;  ///< by joint, empty for bilinear ones
+  std::vector<Turns> memory_, next_memory_, memory_before_;  ///< by joint, empty for bilinear ones
   std::vector<bool> free_;
   std::vector<bool> was_idle_, bound_to_slip_;  ///< by row of s
   std::size_t events_ = 0;
+  bool keeps_ = false;
 };
 
 }  // namespace jointid::response

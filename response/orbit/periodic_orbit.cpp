@@ -67,6 +67,12 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
   const Index n = map.march().structure().coordinates(), joints = map.march().structure().joints();
   orbit.closure = map.closure();
   orbit.events = map.events();
+  bool remembered = false;
+  for (Index j = 0; j < joints; ++j) remembered = remembered || (map.residual_force_free(j) && !map.bilinear(j));
+  if (remembered) {
+    map.keep_residual_forces();
+    map.run(true);
+  }
   const VectorXd sizes = energy_sizes(map.march().structure(), map);
   const Eigen::VectorXcd eigenvalues =
       dense::eigenvalues(sizes.cwiseInverse().asDiagonal() * map.derivative() * sizes.asDiagonal());
@@ -87,16 +93,29 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
 }
 
 /// `to_march` periods from the map's state, then Newton's steps while they halve what is lacking within four; else the motion
-/// settles by itself for a while, ever longer.
+/// settles by itself for a while, ever longer; so it does where a step led to a state from which no march goes on.
 PeriodicOrbit find_from(PeriodMap& map, int to_march, const OrbitOptions& options) {
   PeriodicOrbit orbit;
   int patience = 4, rest = 4;
+  bool moved = false;
   double best = std::numeric_limits<double>::infinity(), last = best;
+  const auto settle = [&] {
+    to_march = rest;
+    rest *= 2;
+    patience = 4;
+    best = std::numeric_limits<double>::infinity();
+    moved = false;
+  };
   while (true) {
     ++orbit.periods;
     if (!map.run(to_march == 0)) {
-      orbit.status = OrbitStatus::stalled;
-      return orbit;
+      if (!moved || orbit.periods >= options.most_periods) {
+        orbit.status = OrbitStatus::stalled;
+        return orbit;
+      }
+      map.abandon_move();
+      settle();
+      continue;
     }
     const double now = lack(map);
     if (to_march > 0 && now > options.closure) {
@@ -118,14 +137,12 @@ PeriodicOrbit find_from(PeriodMap& map, int to_march, const OrbitOptions& option
       best = now;
       patience = 4;
     } else if (--patience == 0) {
-      to_march = rest;
-      rest *= 2;
-      patience = 4;
-      best = std::numeric_limits<double>::infinity();
+      settle();
       map.accept_image();
       continue;
     }
     map.move(newton_step(map));
+    moved = true;
     ++orbit.newton_steps;
   }
   describe(map, orbit);

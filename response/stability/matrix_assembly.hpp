@@ -18,7 +18,7 @@ struct MatrixAssembly {
   Eigen::MatrixXd forces;     ///< N × forces
 };
 
-/// The forces times `level` at ω (rad/s) on the assembly. Throws InputError for what time marching does not know (from_joints()).
+/// The forces times `level` at ω (rad/s) on the assembly.
 PeriodicProblem periodic_problem(const MatrixAssembly& assembly, const Excitation& force, double omega, double level);
 
 /// The motion of all coordinates by a solution of harmonic balance, X_n = H(nω)(P_n − WF_n), N × harmonics.

@@ -14,7 +14,7 @@ struct SolutionStability {
 /// Above this difference the orbit is another one than the solution meant.
 inline constexpr double another_orbit = 0.5;
 
-/// Shooting from a converged solution, with the multipliers by saltation (response.md §7). Throws InputError for cubic springs.
+/// Shooting from a converged solution, with the multipliers by saltation (response.md §7).
 SolutionStability stability(const MatrixAssembly& assembly, const Excitation& force, const HarmonicSolution& solution,
                             const OrbitOptions& options = {});
 

@@ -81,7 +81,8 @@ VectorXd AlgorithmOne::solve_joints(const VectorXd& q_linear) {
     const double scale = std::max(joints.force.cwiseAbs().maxCoeff(), lambda.cwiseAbs().maxCoeff());
     left = scale > 0.0 ? g.cwiseAbs().maxCoeff() / scale : 0.0;
     // Rounding of q alone changes the forces by as much as T′(0) ε |q|.
-    const double rounding = 4e-16 * initial_stiffness_.cwiseProduct(q.cwiseAbs().cwiseMax(q_linear.cwiseAbs())).maxCoeff();
+    const double rounding =
+        4e-16 * initial_stiffness_.cwiseMax(joints.tangent).cwiseProduct(q.cwiseAbs().cwiseMax(q_linear.cwiseAbs())).maxCoeff();
     if (left <= 1e-13 || left * scale <= rounding) break;
     const MatrixXd jacobian = MatrixXd::Identity(q.size(), q.size()) + joints.tangent.asDiagonal() * flexibility_;
     const VectorXd dlambda = dense::RealLu(jacobian).solve(g);

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "friction/path/masing_path.hpp"
 #include "response/time/exact_march.hpp"
+#include "response/time/joint_path.hpp"
 
 namespace jointid::response {
 
@@ -42,7 +42,7 @@ class AlgorithmOne {
   Eigen::MatrixXd lower_;        ///< Cholesky factor of S
   Eigen::MatrixXd columns_;      ///< S⁻¹W
   Eigen::MatrixXd flexibility_;  ///< G
-  std::vector<friction::MasingPath> paths_;
+  std::vector<JointPath> paths_;
   Instant motion_;
   Eigen::VectorXd acceleration_, initial_stiffness_;
   std::size_t steps_ = 0, solutions_ = 0, most_solutions_ = 0;

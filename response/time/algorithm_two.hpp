@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "friction/path/masing_path.hpp"
 #include "response/time/exact_march.hpp"
+#include "response/time/joint_path.hpp"
 
 namespace jointid::response {
 
@@ -44,7 +44,7 @@ class AlgorithmTwo {
   double delta_;
   AlgorithmTwoOptions options_;
   Eigen::MatrixXd lower_, now_, before_;  ///< Cholesky factor of the left side; matrices of x₁ and x₀
-  std::vector<friction::MasingPath> paths_;
+  std::vector<JointPath> paths_;
   Instant motion_;
   Eigen::VectorXd last_;
   std::size_t steps_ = 0;

@@ -81,6 +81,7 @@ Instant ExactMarch::motion() const {
 }
 
 MarchStatus ExactMarch::march(double until, const std::function<void(const MarchStep&)>& see) {
+  if (until - time_ > most_steps * flow().longest_step()) return MarchStatus::stalled;
   while (time_ < until) {
     const double change = force_.next_change(time_), limit = std::min(until, change);
     if (!step(limit, see)) return MarchStatus::stalled;

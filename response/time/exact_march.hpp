@@ -31,8 +31,11 @@ struct MarchStep {
 /// Why a march ended.
 enum class MarchStatus {
   reached,  ///< the time asked for
-  stalled   ///< events or steps came closer to each other than numbers can tell
+  stalled   ///< events or steps came closer to each other than numbers can tell, or would be more than most_steps
 };
+
+/// Steps of one call of march() beyond which it does not begin: joints or springs stiffer than any that takes part in the motion.
+inline constexpr double most_steps = 1e6;
 
 struct MarchOptions {
   double longest_step = friction::infinity;  ///< s

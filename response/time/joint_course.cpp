@@ -111,13 +111,20 @@ MatrixXd JointCourse::force_series() const {
   return series;
 }
 
+/// A spring without stiffness at rest has a force as small as one likes: it counts beside the one that accelerates the joint.
+double JointCourse::inertia(Index joint, Index curved) const {
+  const double mobility = std::abs(flow_->markov(1)(joint, curved));
+  return mobility > 0.0 ? std::max(std::abs(start_[2][joint]), std::abs(motion_[2][joint])) / mobility : 0.0;
+}
+
 double JointCourse::mismatch() const {
   double worst = 0.0;
   const MatrixXd series = force_series();
   for (Index c = 0; c < series.rows(); ++c) {
     const Index j = flow_->curved()[static_cast<std::size_t>(c)];
     const double force = (*states_)[static_cast<std::size_t>(j)]->response(motion_[0][j]).force;
-    const double scale = std::max(forces_.segment(c * points, points).cwiseAbs().maxCoeff(), std::abs(force));
+    double scale = std::max(forces_.segment(c * points, points).cwiseAbs().maxCoeff(), std::abs(force));
+    if ((*states_)[static_cast<std::size_t>(j)]->piece().direction == 0) scale = std::max(scale, inertia(j, c));
     if (scale > 0.0) worst = std::max(worst, std::abs(series.row(c).sum() - force) / scale);
   }
   return worst;

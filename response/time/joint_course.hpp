@@ -39,12 +39,13 @@ class JointCourse {
   Eigen::MatrixXd force_series() const;
 
   /// How far the forces' polynomials, continued to the end of the step, are from the laws: the largest difference, in parts of
-  /// the forces' size.
+  /// the forces' size (of springs, or of the force that accelerates them).
   double mismatch() const;
 
  private:
   void free_motion(double h);
   bool meet_laws(double h);
+  double inertia(Eigen::Index joint, Eigen::Index curved) const;
 
   LinearFlow* flow_;
   const JointStates* states_;

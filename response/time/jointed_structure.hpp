@@ -10,8 +10,7 @@
 namespace jointid::response {
 
 /// A structure with friction joints: M ẍ + C ẋ + K x + W f(q) = p(t), q = Wᵀx. A column of W is the relative coordinate of a
-/// joint
-/// (+1 and −1, or one ±1 for a joint to ground), f_j its force on the positive end.
+/// joint (+1 and −1, or one ±1 for a joint to ground), f_j its force on the positive end. A CubicSpring may stand for a law.
 struct JointedStructure {
   MatrixStructure matrices;
   Eigen::MatrixXd incidence;                                   ///< W, N × J

@@ -82,13 +82,13 @@ double MasingState::reach(double q, const Row& dq, Row& df) {
   return path_.force();
 }
 
-void MasingState::remember(const std::vector<Turn>& turns, double q) {
+void MasingState::remember(const std::vector<Turn>& turns, double q, std::optional<double> inside) {
   path_ = friction::MasingPath(path_.element());
   slopes_.clear();
   for (const Turn& turn : turns) {
     const Response at = path_.advance(turn.displacement);
     slopes_.resize(path_.corners().size(), {Row::Zero(parameters_), Row::Zero(parameters_)});
-    Row force = at.tangent * turn.slope;
+    Row force = inside.value_or(at.tangent) * turn.slope;
     if (!slopes_.empty()) force = slopes_.back().force + at.tangent * (turn.slope - slopes_.back().displacement);
     slopes_.push_back({turn.slope, force});
   }

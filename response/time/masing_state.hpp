@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "friction/path/masing_path.hpp"
 #include "response/time/joint_state.hpp"
 
@@ -29,8 +31,12 @@ class MasingState final : public JointState {
   void forget_turns() { turns_.clear(); }
 
   /// The memory of a path that came without force to the first of `turns`, the largest displacement, and passed the others up to
-  /// q.
-  void remember(const std::vector<Turn>& turns, double q);
+  /// q. Should that first turn move by dq, its force does by dT/du there, as that of a joint that chooses to have no residual
+  /// force, or by `inside` dq.
+  void remember(const std::vector<Turn>& turns, double q, std::optional<double> inside = {});
+
+  /// df/dq where a cycle of a `range` turns, of a motion that stays within it.
+  double tangent_at_turn(double range) const { return path_.element().response(0.5 * range).tangent; }
 
   /// Whether a cycle between displacements `range` apart leaves the joint any force from before: it does unless all of it slips.
   bool keeps_residual_force(double range) const;

@@ -58,6 +58,7 @@ void march_steps(Algorithm& algorithm, const TransientRequest& request, Teller& 
   const Instant rest = algorithm.motion();
   teller.march(rest, [&](double) {
     for (long long i = 0; i < steps; ++i) algorithm.step();
+    if (!algorithm.motion().x.allFinite()) return false;
     teller.tell(algorithm.motion());
     return true;
   });

@@ -20,7 +20,7 @@ struct TransientRequest {
 };
 
 struct Transient {
-  bool complete = true;  ///< false: event-exact marching stalled, the motion is that until then
+  bool complete = true;  ///< false: event-exact marching stalled, or an algorithm grew beyond numbers; the motion is that until then
   std::vector<double> times;
   Eigen::MatrixXd x;                     ///< [time, response], m
   Eigen::MatrixXd q, f;                  ///< [time, joint], m and N

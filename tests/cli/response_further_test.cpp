@@ -2,11 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "cli/response/comparison_run.hpp"
+#include "cli/response/curve_rows.hpp"
 #include "cli/response/response_command.hpp"
 #include "cli/response/response_file.hpp"
 #include "cli/response/response_page.hpp"
@@ -182,9 +184,35 @@ TEST(ResponseFurther, SaysInOneLineWhatIsWrong) {
     EXPECT_THAT(found, HasSubstr(message)) << what << " → " << by;
     EXPECT_EQ(found.find('\n'), std::string::npos);
   }
-  EXPECT_THROW(
-      run_of(scene_of(replaced(replaced(good, "k = 150.0 }", "k = 150.0 }\ncubic = 1e3"), "along = \"k\"", "along = \"cubic\""))),
-      InputError);  // transients know no cubic springs
+}
+
+TEST(ResponseFurther, TransientsKnowCubicSprings) {
+  const std::string spring = replaced(chain + at_one, "k = 150.0 }", "k = 150.0 }\ncubic = 1e3");
+  const ResponseRun run = run_of(scene_of(spring + "[transient]\nduration = 1.0\nstep = 0.1\n"));
+  EXPECT_EQ(run.marched, (std::vector<std::string>{"2–3", "2–3 cubic"}));
+  EXPECT_THAT(history_csv(run), HasSubstr("q(2–3 cubic) [m]"));
+  const response::Transient& motion = run.transients.at(0).motion;
+  EXPECT_LT((motion.f.col(1) - 1e3 * motion.q.col(1).array().cube().matrix()).cwiseAbs().maxCoeff(),
+            1e-9 * motion.f.col(1).cwiseAbs().maxCoeff());
+}
+
+/// On all three modes the motion is that of the coordinates; on one and the deflections nearly.
+TEST(ResponseFurther, MarchesOnModes) {
+  const std::string all = replaced(chain + at_one, "[1, 3, 5]", "[1, 3, 5]\nstability = true") +
+                          "[transient]\nduration = 1.0\nstep = 0.05\npulses = [{ dof = 1, amplitude = 5.0, length = 0.3 }]\n";
+  const ResponseRun full = run_of(scene_of(all));
+  const auto on = [&](const std::string& modes) {
+    return run_of(scene_of(replaced(all, "[structure]\n", "[structure]\nmodes = " + modes + "\n")));
+  };
+  const auto difference = [&](const ResponseRun& run) {
+    const Eigen::MatrixXd& exact = full.transients.at(0).motion.x;
+    return (run.transients.at(0).motion.x - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
+  };
+  const ResponseRun three = on("3"), one = on("1");
+  EXPECT_LT(difference(three), 1e-10);
+  EXPECT_NEAR(three.levels[1].stability[0].largest, full.levels[1].stability[0].largest, 1e-9);
+  EXPECT_LT(difference(one), 0.2);
+  EXPECT_THAT(error_of(replaced(all, "[structure]\n", "[structure]\nmodes = 4\n")), HasSubstr("from 1 to 3"));
 }
 
 TEST(ResponseFurther, ComparesAllWays) {
@@ -209,6 +237,7 @@ TEST(ResponseFurther, WritesPageAndTables) {
   arguments.report = (folder / "page.html").string();
   arguments.out = (folder / "response.h5").string();
   arguments.history = (folder / "history.h5").string();
+  arguments.curves = (folder / "curves.h5").string();
   std::ostringstream out;
   EXPECT_EQ(execute(arguments, out), ExitCode::done);
   std::ifstream file(folder / "page.html");
@@ -221,6 +250,13 @@ TEST(ResponseFurther, WritesPageAndTables) {
   EXPECT_EQ(responses.rows(), 2u * 41u * 3u * 2u);
   EXPECT_EQ(responses.header().texts.at("dofs"), "1,3");
   EXPECT_EQ(history.rows(), 2u * 101u);
+  const frf::TableReader curves(folder / "curves.h5");
+  const ResponseRun run = run_of(scene_of(chain + rest + further));
+  EXPECT_EQ(curves.rows(), curve_rows(run).size());
+  EXPECT_EQ(curves.header().texts.at("curves"), "peaks over force N;force N;k of 2–3");
+  const std::string csv = curves_csv(run);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), curves.rows() + 1);
+  EXPECT_THAT(csv, HasSubstr("peaks over force N,peak,3,3,"));
   arguments.out = "-";
   EXPECT_THROW(execute(arguments, out), InputError);
   arguments.out.reset();

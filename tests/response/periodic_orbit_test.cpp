@@ -200,6 +200,19 @@ TEST(PeriodicOrbit, OfAnyLawsClosesAndKeepsItsEnergy) {
   }
 }
 
+/// Forces of Masing joints with free residual force, drawn by RapidCheck: two orbits that were told unstable with multipliers of
+/// the map that chooses no residual force (no motion with increasing forces is), and two where a Newton step leads to a state from
+/// which no march goes on.
+TEST(PeriodicOrbit, RareDrawsCloseAndAreStable) {
+  const rc::Gen<PeriodicProblem> problems = rc::gen::exec(any_problem);
+  for (const std::uint64_t seed : {499U, 5902U, 7460U, 9826U}) {
+    SCOPED_TRACE(seed);
+    const PeriodicOrbit orbit = find_orbit(problems(rc::Random(seed), rc::kNominalSize).value());
+    EXPECT_EQ(orbit.status, OrbitStatus::closed);
+    EXPECT_TRUE(orbit.stable);
+  }
+}
+
 TEST(PeriodicOrbit, WithoutForceIsRest) {
   PeriodicProblem problem = problem_of(golden::cases("mdof_jenkins_exact").at(0));
   problem.amplitudes.setZero();

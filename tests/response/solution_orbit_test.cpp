@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.hpp"
 #include "friction/law/laws.hpp"
 #include "response/harmonic/harmonic_balance.hpp"
 #include "response/structure/matrix_receptance.hpp"
@@ -80,12 +79,6 @@ TEST(SolutionOrbit, SpringsOfJointsAreThoseOfTheStructure) {
   const SolutionStability b = stability(inside, force, solution_of(inside, force, 14.0, odd(9)));
   ASSERT_EQ(a.orbit.status, OrbitStatus::closed);
   EXPECT_LE((a.orbit.x - b.orbit.x).cwiseAbs().maxCoeff(), 1e-10 * b.orbit.x.cwiseAbs().maxCoeff());
-}
-
-TEST(SolutionOrbit, RefusesCubicSprings) {
-  const MatrixAssembly all = assembly({{.name = "cubic", .friction = law("bilinear", {0.01, 150.0}), .cubic = 1e5}});
-  const Excitation force = Excitation::single(1.0);
-  EXPECT_THROW(stability(all, force, solution_of(all, force, 14.0, odd(3))), InputError);
 }
 
 }  // namespace
