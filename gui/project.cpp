@@ -10,12 +10,15 @@
 #include <algorithm>
 
 #include "gui/compare/compare_page.hpp"
+#include "gui/couple/couple_page.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
+#include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/modal/modal_page.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/completion_place.hpp"
@@ -87,11 +90,18 @@ void Project::add_pages() {
   pages_->addTab(compare_page_, tr("Compare"));
   study_page_ = named(new StudyPage, "study_page", tr("Study"));
   pages_->addTab(study_page_, tr("Study"));
+  modal_page_ = named(new ModalPage, "modal_page", tr("Modes"));
+  pages_->addTab(modal_page_, tr("Modes"));
+  couple_page_ = named(new CouplePage, "couple_page", tr("Coupling"));
+  pages_->addTab(couple_page_, tr("Coupling"));
+  loading_curve_page_ = named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves"));
+  pages_->addTab(loading_curve_page_, tr("Loading curves"));
   splitter_->addWidget(pages_);
   link_cursors();
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
   connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
+  connect(couple_page_, &CouplePage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
@@ -176,6 +186,8 @@ bool Project::save_as(const QString& file) {
 
 void Project::check() {
   checked_ = check_scene(editor_->text(), path());
+  const auto wrong_couple = couple_page_->set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
+  if (is_couple_scene(editor_->text())) checked_ = {{}, wrong_couple};
   editor_->set_error(checked_.error);
   show_problem();
   show_scene();
@@ -188,6 +200,7 @@ void Project::show_scene() {
   compare_page_->set_file(file_);
   compare_page_->set_scene(checked_.scene);
   study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
+  modal_page_->set_scene(checked_.scene);
   if (!checked_.scene) return;
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
   data_page_->set_scene(*checked_.scene, files);
@@ -209,6 +222,9 @@ void Project::cancel() {
   solve_page_->cancel();
   compare_page_->cancel();
   study_page_->cancel();
+  modal_page_->cancel();
+  couple_page_->cancel();
+  loading_curve_page_->cancel();
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.

@@ -14,9 +14,12 @@ class QTabWidget;
 namespace jointid::gui {
 
 class ComparePage;
+class CouplePage;
 class DataPage;
 class GeometryPage;
+class LoadingCurvePage;
 class MessageBar;
+class ModalPage;
 class SceneEditor;
 class SolvePage;
 class StudyPage;
@@ -49,6 +52,9 @@ class Project : public QWidget {
   SolvePage* solve_page() const { return solve_page_; }
   ComparePage* compare_page() const { return compare_page_; }
   StudyPage* study_page() const { return study_page_; }
+  ModalPage* modal_page() const { return modal_page_; }
+  LoadingCurvePage* loading_curve_page() const { return loading_curve_page_; }
+  CouplePage* couple_page() const { return couple_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   /// Stops what runs on any page.
@@ -89,6 +95,9 @@ class Project : public QWidget {
   SolvePage* solve_page_;
   ComparePage* compare_page_;
   StudyPage* study_page_;
+  ModalPage* modal_page_;
+  LoadingCurvePage* loading_curve_page_;
+  CouplePage* couple_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

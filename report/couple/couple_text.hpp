@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 #include "ident/tasks/couple.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// What coupling did, for people.
 std::string couple_text(const ident::CoupleScene& scene, const ident::CoupleResult& result);
@@ -29,4 +29,4 @@ std::vector<std::pair<std::size_t, std::size_t>> kept_counts(const ident::Couple
 /// Index of the line with the largest condition number, or npos.
 std::size_t worst_line(const ident::CoupleResult& result);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

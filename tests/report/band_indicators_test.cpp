@@ -1,10 +1,10 @@
-#include "cli/report/cmif.hpp"
+#include "report/modalfit/band_indicators.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-namespace jointid::cli::report {
+namespace jointid::report {
 namespace {
 
 /// FRFs of a sum of modes A_r a_r b_rᵀ/(f_r² − f² + 0.02i f_r f) at whole frequencies.
@@ -33,7 +33,7 @@ modalfit::Band band_of(const std::vector<PlantedMode>& modes, std::size_t lines)
 
 TEST(Cmif, OfOneReferenceIsTheNormOfItsColumn) {
   const modalfit::Band band = band_of({{40.0, 1.0, {1.0, 2.0, 2.0}, {1.0}}}, 100);
-  const Backdrop found = mode_indicators(band, 2, 1000);
+  const Backdrop found = band_indicators(band, 2, 1000);
   ASSERT_EQ(found.series.size(), 1U);
   for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(found.series[0].y[i] / (3.0 * std::abs(band.value(0)[i])), 1.0, 1e-12);
 }
@@ -41,7 +41,7 @@ TEST(Cmif, OfOneReferenceIsTheNormOfItsColumn) {
 /// Two modes at one frequency with orthogonal shapes: the singular values are those of the modes.
 TEST(Cmif, TheSecondTellsASecondModeAtTheSameFrequency) {
   const modalfit::Band band = band_of({{40.0, 1.0, {1.0, 1.0}, {1.0, 1.0}}, {40.0, 0.25, {1.0, -1.0}, {1.0, -1.0}}}, 100);
-  const Backdrop found = mode_indicators(band, 2, 1000);
+  const Backdrop found = band_indicators(band, 2, 1000);
   ASSERT_EQ(found.series.size(), 2U);
   const double peak = 2.0 / (0.02 * 40.0 * 40.0);
   EXPECT_NEAR(found.series[0].y[39] / peak, 1.0, 1e-12);
@@ -52,7 +52,7 @@ TEST(Cmif, TheSecondTellsASecondModeAtTheSameFrequency) {
 TEST(Cmif, ManyReferencesAndLinesAreThinnedAndPeaksStay) {
   const std::vector<double> shape(20, 1.0);
   const modalfit::Band band = band_of({{1234.0, 1.0, {1.0, 1.0}, shape}}, 5000);
-  const Backdrop found = mode_indicators(band, 1, 200);
+  const Backdrop found = band_indicators(band, 1, 200);
   EXPECT_LE(found.x_values.size(), 200U);
   const auto peak = std::ranges::max_element(found.series[0].y) - found.series[0].y.begin();
   EXPECT_EQ(found.x_values[static_cast<std::size_t>(peak)], 1234.0);
@@ -60,4 +60,4 @@ TEST(Cmif, ManyReferencesAndLinesAreThinnedAndPeaksStay) {
 }
 
 }  // namespace
-}  // namespace jointid::cli::report
+}  // namespace jointid::report

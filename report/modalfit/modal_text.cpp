@@ -1,4 +1,4 @@
-#include "cli/modalfit/modalfit_text.hpp"
+#include "report/modalfit/modal_text.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include "modalfit/model/mac.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 constexpr double alike = 0.3;
@@ -153,7 +153,7 @@ std::vector<std::string> notes(const ModalRun& run) {
   return out;
 }
 
-std::string modalfit_text(const ModalRun& run) {
+std::string modal_text(const ModalRun& run) {
   const auto& axis = run.band.frequency_hz;
   std::string text = fmt::format("{}: {} × {} FRFs, {} lines, {:.6g} to {:.6g} Hz; {}\n\n", run.files, run.band.responses,
                                  run.band.references, axis.size(), axis.front(), axis.back(), model_text(run.fit.kind));
@@ -170,4 +170,4 @@ std::string modalfit_text(const ModalRun& run) {
   return text;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

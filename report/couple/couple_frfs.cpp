@@ -1,17 +1,20 @@
-#include "cli/couple/couple_frfs.hpp"
+#include "report/couple/couple_frfs.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "base/statistics.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::report {
 namespace {
 
 using ComplexValues = std::vector<std::complex<double>>;
 using Entry = std::array<std::size_t, 2>;  ///< indices of response and reference
 
 constexpr std::size_t lines_at_once = 64;
+constexpr double same_line = 1e-6;  ///< of the frequency
 
 /// Point FRFs, then the others row by row.
 std::vector<Entry> choose(const frf::FrfHeader& header, std::size_t most) {
@@ -59,6 +62,16 @@ std::vector<ComplexValues> read_entries(const frf::FrfHeader& header, const std:
   return out;
 }
 
+/// Of each frequency the line of `axis` that is the same, or npos. Both ascend.
+std::vector<std::size_t> lines_at(const std::vector<double>& axis, const std::vector<double>& frequency_hz) {
+  std::vector<std::size_t> out;
+  for (const double f : frequency_hz) {
+    const auto at = std::ranges::lower_bound(axis, f * (1.0 - same_line));
+    out.push_back(at != axis.end() && *at <= f * (1.0 + same_line) ? static_cast<std::size_t>(at - axis.begin()) : frf::npos);
+  }
+  return out;
+}
+
 std::vector<ComplexValues> read_values(frf::FrfSource& source, const std::vector<Entry>& entries) {
   return read_entries(source.header(), entries, [&](const frf::Block& block, ComplexValues& values) { source.read(block, values); });
 }
@@ -76,11 +89,39 @@ std::vector<PredictedFrf> read_predicted(const ident::CoupleResult& result, std:
   if (result.with_all) with_all = read_values(*frf::open_hdf5(result.with_all->path), entries);
   std::vector<PredictedFrf> out;
   for (std::size_t e = 0; e < entries.size(); ++e) {
-    out.push_back({header.response[entries[e][0]], header.reference[entries[e][1]], std::move(values[e]), {}, {}});
+    out.push_back({header.response[entries[e][0]], header.reference[entries[e][1]], std::move(values[e]), {}, {}, {}});
     if (!variances.empty()) out.back().variance = std::move(variances[e]);
     if (!with_all.empty()) out.back().with_all = std::move(with_all[e]);
   }
   return out;
 }
 
-}  // namespace jointid::cli::report
+void compare_with(frf::FrfSource& measured, const std::vector<double>& frequency_hz, std::vector<PredictedFrf>& frfs) {
+  const frf::FrfHeader& header = measured.header();
+  const std::vector<std::size_t> lines = lines_at(header.frequency_hz, frequency_hz);
+  for (PredictedFrf& frf : frfs) {
+    const std::size_t response = frf::find_coordinate(header.response, frf.response),
+                      reference = frf::find_coordinate(header.reference, frf.reference);
+    if (response == frf::npos || reference == frf::npos) continue;
+    const double sign = frf.response.sign * frf.reference.sign * header.response[response].sign * header.reference[reference].sign;
+    const ComplexValues all = read_values(measured, {{response, reference}}).front();
+    frf.measured.assign(frequency_hz.size(), {nan, nan});
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      if (lines[i] != frf::npos) frf.measured[i] = sign * all[lines[i]];
+    }
+  }
+}
+
+double error_db(const PredictedFrf& frf) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < frf.measured.size(); ++i) {
+    const double level = 20.0 * std::log10(std::abs(frf.value[i]) / std::abs(frf.measured[i]));
+    if (!std::isfinite(level)) continue;
+    sum += level * level;
+    ++count;
+  }
+  return count == 0 ? nan : std::sqrt(sum / static_cast<double>(count));
+}
+
+}  // namespace jointid::report

@@ -1,4 +1,4 @@
-#include "cli/loading_curve/loading_curve_data.hpp"
+#include "report/loading_curve/loading_curve_data.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "frf/uff/uff_units.hpp"
 #include "friction/path/loops.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 using friction::Curve;
@@ -76,12 +76,12 @@ const std::vector<Dimension> motion = {{1, 0, 0}, {0, 0, 0}}, rate = {{1, -1, 0}
 
 class Reader {
  public:
-  explicit Reader(const LoadingCurveArguments& arguments) : arguments_(arguments) {}
+  explicit Reader(const LoadingCurveTask& task) : task_(task) {}
 
   LoadingCurveData read() {
-    for (std::size_t i = 0; i < arguments_.files.size(); ++i) {
+    for (std::size_t i = 0; i < task_.files.size(); ++i) {
       const std::size_t before = out_.curves.size();
-      add(arguments_.files[i]);
+      add(task_.files[i]);
       for (std::size_t c = before; c < out_.curves.size(); ++c) finish(out_.curves[c], i);
     }
     return std::move(out_);
@@ -91,34 +91,34 @@ class Reader {
   void add(const std::filesystem::path& path) {
     const frf::Columns columns = frf::read_columns(path);
     const std::string name = path.stem().string();
-    if (!arguments_.energy.empty() || !arguments_.stiffness.empty()) {
+    if (!task_.energy.empty() || !task_.stiffness.empty()) {
       out_.curves.push_back(series(columns, name));
       return;
     }
     Record record = directed(record_of(columns), path.filename().string());
-    if (arguments_.specimen_stiffness) record = friction::without_elastic(std::move(record), *arguments_.specimen_stiffness);
-    if (!arguments_.specimen.empty()) record = without_specimen(std::move(record));
+    if (task_.specimen_stiffness) record = friction::without_elastic(std::move(record), *task_.specimen_stiffness);
+    if (!task_.specimen.empty()) record = without_specimen(std::move(record));
     add_record(record, path, name);
   }
 
   std::vector<double> displacement(const frf::Columns& columns) const {
-    const Wanted wanted{"--displacement", "a displacement", arguments_.displacement,
+    const Wanted wanted{"--displacement", "a displacement", task_.displacement,
                         {"displacement", "disp", "position", "pos", "deformation", "angle", "rotation", "amplitude", "u", "x"}};
-    return si_values(columns, chosen(columns, wanted), {"--unit", arguments_.unit, "mm"}, motion);
+    return si_values(columns, chosen(columns, wanted), {"--unit", task_.unit, "mm"}, motion);
   }
 
   std::vector<double> integrated_velocity(const frf::Columns& columns) const {
-    const Wanted velocity{"--displacement", "a velocity", arguments_.displacement, {"velocity", "vel", "speed", "v"}};
-    const Wanted time{"--time", "a time", arguments_.time, {"time", "t"}};
-    const auto v = si_values(columns, chosen(columns, velocity), {"--unit", arguments_.unit, "mm/s"}, rate);
-    const auto t = si_values(columns, chosen(columns, time), {"--time-unit", arguments_.time_unit, "ms"}, {{0, 1, 0}});
+    const Wanted velocity{"--displacement", "a velocity", task_.displacement, {"velocity", "vel", "speed", "v"}};
+    const Wanted time{"--time", "a time", task_.time, {"time", "t"}};
+    const auto v = si_values(columns, chosen(columns, velocity), {"--unit", task_.unit, "mm/s"}, rate);
+    const auto t = si_values(columns, chosen(columns, time), {"--time-unit", task_.time_unit, "ms"}, {{0, 1, 0}});
     return of_file(columns.file, [&] { return friction::integrated(t, v); });
   }
 
   Record record_of(const frf::Columns& columns) const {
-    const Wanted force{"--force", "a force", arguments_.force, {"force", "friction", "tangential", "torque", "moment", "f"}, {"normal"}};
-    Record record{arguments_.velocity ? integrated_velocity(columns) : displacement(columns),
-                  si_values(columns, chosen(columns, force), {"--force-unit", arguments_.force_unit, "uN"}, load)};
+    const Wanted force{"--force", "a force", task_.force, {"force", "friction", "tangential", "torque", "moment", "f"}, {"normal"}};
+    Record record{task_.velocity ? integrated_velocity(columns) : displacement(columns),
+                  si_values(columns, chosen(columns, force), {"--force-unit", task_.force_unit, "uN"}, load)};
     if (record.displacement.size() != record.force.size()) {
       throw InputError({ErrorKind::data, columns.file, "",
                         fmt::format("{} displacements and {} forces", record.displacement.size(), record.force.size()),
@@ -128,24 +128,24 @@ class Reader {
   }
 
   Record directed(Record record, const std::string& file) {
-    const bool turn = arguments_.sign == "-1" || (arguments_.sign == "auto" && friction::work(record) < 0.0);
+    const bool turn = task_.sign == "-1" || (task_.sign == "auto" && friction::work(record) < 0.0);
     if (!turn) return record;
-    out_.notes.push_back(file + ": forces times -1" + (arguments_.sign == "auto" ? ", as the joint would give energy otherwise" : ""));
+    out_.notes.push_back(file + ": forces times -1" + (task_.sign == "auto" ? ", as the joint would give energy otherwise" : ""));
     return friction::with_force_times(std::move(record), -1.0);
   }
 
   Record without_specimen(Record record) const {
-    const frf::Columns columns = frf::read_columns(arguments_.specimen);
+    const frf::Columns columns = frf::read_columns(task_.specimen);
     return of_file(columns.file, [&] { return friction::without_elastic(std::move(record), record_of(columns)); });
   }
 
   void add_record(const Record& record, const std::filesystem::path& path, const std::string& name) {
     std::vector<friction::Loop> loops;
-    if (arguments_.kind != "loading" && !record.displacement.empty()) {
+    if (task_.kind != "loading" && !record.displacement.empty()) {
       const auto [low, high] = std::ranges::minmax(record.displacement);
       loops = friction::loops(record, 0.5 * (high - low));
     }
-    if (loops.empty() && arguments_.kind == "loops") {
+    if (loops.empty() && task_.kind == "loops") {
       throw InputError({ErrorKind::data, path.string(), "", "holds no whole cycle between reversals over half the stroke",
                         "check the displacement column, or fit it with --kind loading"});
     }
@@ -156,7 +156,7 @@ class Reader {
     out_.loops = true;
     out_.notes.push_back(fmt::format("{}: {} loops, each about its centre", path.filename().string(), loops.size()));
     for (std::size_t i = 0; i < loops.size(); ++i) {
-      const std::string number = arguments_.files.size() == 1 ? fmt::format("loop {}", i + 1) : fmt::format("{} loop {}", name, i + 1);
+      const std::string number = task_.files.size() == 1 ? fmt::format("loop {}", i + 1) : fmt::format("{} loop {}", name, i + 1);
       out_.curves.push_back(friction::loop_curve(number, friction::centred(loops[i])));
     }
   }
@@ -168,33 +168,33 @@ class Reader {
     const auto named = [&](const std::string& column, const std::vector<Dimension>& allowed, const std::string& unit) {
       return si_values(columns, columns.column(column), {"--force-unit", unit, "N/mm"}, allowed);
     };
-    if (!arguments_.energy.empty()) {
+    if (!task_.energy.empty()) {
       curve.kind = CurveKind::energy;
-      curve.value = named(arguments_.energy, {{1, 0, 1}}, "");
+      curve.value = named(task_.energy, {{1, 0, 1}}, "");
     } else {
       curve.kind = CurveKind::equivalent;
-      curve.value = named(arguments_.stiffness, {{-1, 0, 1}, {1, 0, 1}}, arguments_.force_unit);
-      curve.damping = named(arguments_.damping, {{-1, 0, 1}, {1, 0, 1}}, arguments_.force_unit);
+      curve.value = named(task_.stiffness, {{-1, 0, 1}, {1, 0, 1}}, task_.force_unit);
+      curve.damping = named(task_.damping, {{-1, 0, 1}, {1, 0, 1}}, task_.force_unit);
     }
     return curve;
   }
 
   void finish(Curve& curve, std::size_t file) const {
-    const auto& loads = arguments_.normal_loads;
+    const auto& loads = task_.normal_loads;
     if (!loads.empty()) curve.normal_load = loads.size() == 1 ? loads[0] : loads[file];
-    if (!arguments_.ring.empty()) {
+    if (!task_.ring.empty()) {
       curve.displacement_unit = "rad";
       curve.force_unit = "N·m";
     }
-    of_file(arguments_.files[file].string(), [&] { friction::validate(curve); });
+    of_file(task_.files[file].string(), [&] { friction::validate(curve); });
   }
 
-  const LoadingCurveArguments& arguments_;
+  const LoadingCurveTask& task_;
   LoadingCurveData out_;
 };
 
 }  // namespace
 
-LoadingCurveData read_curves(const LoadingCurveArguments& arguments) { return Reader(arguments).read(); }
+LoadingCurveData read_curves(const LoadingCurveTask& task) { return Reader(task).read(); }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

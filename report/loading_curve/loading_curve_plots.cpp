@@ -1,4 +1,4 @@
-#include "cli/loading_curve/loading_curve_plots.hpp"
+#include "report/loading_curve/loading_curve_plots.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
-#include "cli/report/decimate.hpp"
+#include "report/decimate.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::report {
 namespace {
 
 using friction::Curve;
@@ -232,4 +232,4 @@ PlotGroup loops_in_turn(const LoadingCurveReport& report) {
   return group;
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::report

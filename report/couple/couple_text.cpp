@@ -1,4 +1,4 @@
-#include "cli/couple/couple_text.hpp"
+#include "report/couple/couple_text.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 std::string frequencies_text(const std::vector<double>& frequencies_hz) {
@@ -130,4 +130,4 @@ std::string couple_csv(const ident::CoupleResult& result) {
   return text;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

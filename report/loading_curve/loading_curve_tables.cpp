@@ -1,4 +1,4 @@
-#include "cli/loading_curve/loading_curve_tables.hpp"
+#include "report/loading_curve/loading_curve_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "friction/path/loops.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 namespace {
 
 using friction::CurveFit;
@@ -132,4 +132,4 @@ Table equivalents_table(const CurveFit& fit, std::size_t count) {
   return table;
 }
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -1,4 +1,4 @@
-#include "cli/couple/couple_plots.hpp"
+#include "report/couple/couple_plots.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "base/statistics.hpp"
-#include "cli/report/decimate.hpp"
-#include "cli/report/frf_curves.hpp"
-#include "cli/report/phase_branch.hpp"
+#include "report/decimate.hpp"
+#include "report/frf_curves.hpp"
+#include "report/page/phase_branch.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::report {
 namespace {
 
 using Values = std::vector<double>;
@@ -42,9 +42,13 @@ double relative_deviation(std::complex<double> h, std::complex<double> variance)
   return std::sqrt(h.real() * h.real() * variance.real() + h.imag() * h.imag() * variance.imag()) / square;
 }
 
+/// The broad curve is what was measured, where that is there.
+Style bound_style(const PredictedFrf& frf) { return frf.measured.empty() ? Style::reference : Style::line; }
+
 std::vector<Series> magnitude_series(const PredictedFrf& frf) {
   std::vector<Series> series;
-  if (!frf.with_all.empty()) series.push_back({"with all conditions", magnitudes(frf.with_all), Style::reference});
+  if (!frf.measured.empty()) series.push_back({"measured", magnitudes(frf.measured), Style::reference});
+  if (!frf.with_all.empty()) series.push_back({"with all conditions", magnitudes(frf.with_all), bound_style(frf)});
   series.push_back({"predicted", magnitudes(frf.value), Style::line});
   if (frf.variance.empty()) return series;
   Series upper{"95 %, upper", series.back().y, Style::dashed}, lower{"95 %, lower", series.back().y, Style::dashed};
@@ -67,7 +71,8 @@ Values all_phases(const std::vector<std::complex<double>>& frf) {
 Choice choice(const Values& frequency_hz, const PredictedFrf& frf, std::size_t most) {
   const std::string name = frf.response.name() + " / " + frf.reference.name();
   std::vector<Series> phases;
-  if (!frf.with_all.empty()) phases.push_back({"with all conditions", all_phases(frf.with_all), Style::reference});
+  if (!frf.measured.empty()) phases.push_back({"measured", all_phases(frf.measured), Style::reference});
+  if (!frf.with_all.empty()) phases.push_back({"with all conditions", all_phases(frf.with_all), bound_style(frf)});
   phases.push_back({"predicted", all_phases(frf.value), Style::line});
   CurvePlot phase = over_frequency("Phase", {"phase (°)", false}, frequency_hz, std::move(phases), most);
   choose_branch(phase);
@@ -134,4 +139,4 @@ PlotGroup alpha_plots(const std::vector<double>& frequency_hz, const std::vector
   return group;
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::report

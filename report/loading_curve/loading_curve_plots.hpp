@@ -1,10 +1,10 @@
 #pragma once
 
-#include "cli/loading_curve/loading_curve_report.hpp"
-#include "cli/report/contents.hpp"
+#include "report/loading_curve/loading_curve_report.hpp"
+#include "report/page/contents.hpp"
 
 /// The plots of a report on loading curves.
-namespace jointid::cli::report {
+namespace jointid::report {
 
 /// Measured curves with those of all laws, and their residuals; one choice per curve, at most `most` of them, evenly chosen.
 PlotGroup curves_and_residuals(const LoadingCurveReport& report, std::size_t most);
@@ -18,4 +18,4 @@ PlotGroup equivalents_plots(const LoadingCurveReport& report);
 /// Limit and stiffness of every loop, in turn; empty without several loops.
 PlotGroup loops_in_turn(const LoadingCurveReport& report);
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::report

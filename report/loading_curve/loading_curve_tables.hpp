@@ -1,10 +1,10 @@
 #pragma once
 
-#include "cli/loading_curve/loading_curve_report.hpp"
-#include "cli/text/table.hpp"
+#include "report/loading_curve/loading_curve_report.hpp"
+#include "report/text/table.hpp"
 
 /// Tables of `jointid loading-curve` on the terminal and in its report.
-namespace jointid::cli {
+namespace jointid::report {
 
 /// One row per law: AIC and how far it is from the best one, residuals, limit and initial stiffness.
 Table laws_table(const LoadingCurveReport& report);
@@ -18,4 +18,4 @@ Table loops_table(const LoadingCurveReport& report);
 /// Equivalents of an element over amplitude.
 Table equivalents_table(const friction::CurveFit& fit, std::size_t count);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/loading_curve/loading_curve_arguments.hpp"
+#include "report/loading_curve/loading_curve_task.hpp"
 #include "friction/curve/curve.hpp"
 
-namespace jointid::cli {
+namespace jointid::report {
 
 /// The curves of the files as they are fitted, SI units, and what was done to get them.
 struct LoadingCurveData {
@@ -17,6 +17,6 @@ struct LoadingCurveData {
 
 /// Reads the files: columns, units, integration of velocities, direction, elastic deformation of the specimen, cycles cut and
 /// centred. Throws InputError (data, or usage for options that the file contradicts).
-LoadingCurveData read_curves(const LoadingCurveArguments& arguments);
+LoadingCurveData read_curves(const LoadingCurveTask& task);
 
-}  // namespace jointid::cli
+}  // namespace jointid::report
