@@ -18,6 +18,7 @@
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/said.hpp"
 #include "gui/modal/modal_page.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/recent_files.hpp"
@@ -101,6 +102,9 @@ void Project::add_pages() {
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
   connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
+  connect(modal_page_, &ModalPage::modes_changed, this, [this] {
+    geometry_page_->set_modes(named_shapes(report::uff_modes(*modal_page_->shown()), q(modal_page_->shown()->files)));
+  });
   connect(couple_page_, &CouplePage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
