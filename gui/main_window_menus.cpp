@@ -77,7 +77,8 @@ void MainWindow::add_view_menu() {
   menu->addAction(tr("&Scene"), QKeySequence(tr("Alt+1")), this,
                   on_current(this, [](Project& project) { project.editor()->setFocus(); }));
   int page = 0;
-  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Modes"), tr("Cou&pling"), tr("&Loading curves")}) {
+  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
+                              tr("Cou&pling"), tr("&Loading curves")}) {
     menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg(page + 2)), this,
                     on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
     ++page;

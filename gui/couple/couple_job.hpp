@@ -25,8 +25,8 @@ struct Coupled {
   std::vector<report::PredictedFrf> frfs;
 };
 
-/// As `jointid couple --out` does; reads back what it wrote, and what was measured beside it. Throws InputError and Interrupted, the
-/// latter with no file.
+/// As `jointid couple --out` does; reads back what it wrote, and what was measured beside it. Throws InputError and Interrupted,
+/// the latter with no file.
 std::shared_ptr<const Coupled> run_coupling(const CoupleWish& wish, const Worker::Watch& watch);
 
 /// Errors of the predicted FRFs in dB, those shown, coloured to 3 dB; empty without anything measured.

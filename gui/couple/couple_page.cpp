@@ -27,7 +27,8 @@ constexpr std::size_t most_points = 4000;
 
 report::PlotGroup alphas(const Coupled& coupled) {
   const auto& found = coupled.result.dependencies;
-  if (!found) return report::alpha_plots(coupled.result.frequency_hz, coupled.result.records, coupled.result.conditions, {}, most_points);
+  if (!found)
+    return report::alpha_plots(coupled.result.frequency_hz, coupled.result.records, coupled.result.conditions, {}, most_points);
   std::vector<std::string> names;
   for (const coupling::Dependency& condition : found->conditions) names.push_back(condition.condition);
   const auto level = found->threshold > 0.0 ? std::optional(found->threshold) : std::nullopt;
@@ -44,9 +45,10 @@ bool is_couple_scene(const std::string& text) {
 CouplePage::CouplePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Coupling"));
   line_ = new JobLine("couple", tr("Status of the coupling"), tr("Stop; nothing is written then"));
-  plots_ = new PlotMenu("coupled", tr("Predicted FRFs, and what was measured"),
-                        tr("With a scene of coupling, [data] parts and [couple], the assembly's FRFs stand here as its parts and joints "
-                           "give them,\nwith what was measured of it, if it is chosen."));
+  plots_ = new PlotMenu(
+      "coupled", tr("Predicted FRFs, and what was measured"),
+      tr("With a scene of coupling, [data] parts and [couple], the assembly's FRFs stand here as its parts and joints "
+         "give them,\nwith what was measured of it, if it is chosen."));
   auto* both = named(new QSplitter(Qt::Vertical), "coupled_and_tables", tr("Diagram and tables"));
   both->addWidget(plots_);
   both->addWidget(make_tables());
@@ -65,8 +67,9 @@ CouplePage::CouplePage(QWidget* parent) : QWidget(parent) {
 QWidget* CouplePage::make_top() {
   auto* top = named(new QWidget, "couple_top", tr("Coupling"));
   run_ = push_button("couple", tr("Couple"), tr("Predict the assembly's FRFs; they are written beside the scene"));
-  bounds_ = named(new QCheckBox(tr("bounds")), "couple_bounds", tr("Bounds"),
-                  tr("Leave out conditions that the others nearly imply, and compute with them as well: what is right lies between"));
+  bounds_ =
+      named(new QCheckBox(tr("bounds")), "couple_bounds", tr("Bounds"),
+            tr("Leave out conditions that the others nearly imply, and compute with them as well: what is right lies between"));
   auto* measured = push_button("couple_measured", tr("Measured…"), tr("Choose FRFs of the real assembly, to compare with"));
   names_ = named(new QLabel, "couple_names", tr("Measured files"));
   names_->setTextFormat(Qt::PlainText);

@@ -56,7 +56,7 @@ MotionBar::MotionBar(QWidget* parent) : QWidget(parent) {
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(row_of({source_, frequency_, play_, hold_}, {shapes}));
-  add_look(*rows);
+  rows->addLayout(make_look());
   timer_.setInterval(picture_ms);
   connect(&timer_, &QTimer::timeout, this, &MotionBar::next_picture);
   connect(source_, &QComboBox::currentIndexChanged, this, [this] {
@@ -70,7 +70,7 @@ MotionBar::MotionBar(QWidget* parent) : QWidget(parent) {
   show_controls();
 }
 
-void MotionBar::add_look(QLayout& rows) {
+QLayout* MotionBar::make_look() {
   amplitude_ = slider("amplitude", tr("Amplitude"), 1, 100, 25);
   speed_ = slider("speed", tr("Speed"), 1, 100, 30);
   phase_ = slider("phase", tr("Phase in degrees"), 0, last_degree, 0);
@@ -80,8 +80,6 @@ void MotionBar::add_look(QLayout& rows) {
   undeformed->setChecked(true);
   auto* numbers = named(new QCheckBox(tr("numbers")), "node_numbers", tr("Show the numbers of nodes"));
   numbers->setChecked(true);
-  rows.addItem(row_of({new QLabel(tr("amplitude")), amplitude_, new QLabel(tr("speed")), speed_, new QLabel(tr("phase")), phase_},
-                      {joint_, undeformed, numbers}));
   connect(amplitude_, &QSlider::valueChanged, this, &MotionBar::look_changed);
   connect(joint_, &QCheckBox::toggled, this, &MotionBar::look_changed);
   connect(undeformed, &QCheckBox::toggled, this, &MotionBar::undeformed_wanted);
@@ -91,6 +89,8 @@ void MotionBar::add_look(QLayout& rows) {
     Q_EMIT phase_changed(phase_rad_);
   });
   connect(phase_, &QSlider::sliderPressed, this, [this] { hold_->setChecked(true); });
+  return row_of({new QLabel(tr("amplitude")), amplitude_, new QLabel(tr("speed")), speed_, new QLabel(tr("phase")), phase_},
+                {joint_, undeformed, numbers});
 }
 
 void MotionBar::set_references(const std::vector<frf::Dof>& references) {

@@ -37,15 +37,15 @@ class MotionBar : public QWidget {
   bool is_of_joint() const;
 
  Q_SIGNALS:
-  void motion_changed();     ///< another one, or whether it is shown
-  void look_changed();       ///< amplitude, or what is shown of the motion
+  void motion_changed();  ///< another one, or whether it is shown
+  void look_changed();    ///< amplitude, or what is shown of the motion
   void phase_changed(double phase_rad);
   void undeformed_wanted(bool on);
   void numbers_wanted(bool on);
-  void shapes_wanted();      ///< of a file
+  void shapes_wanted();  ///< of a file
 
  private:
-  void add_look(QLayout& rows);
+  QLayout* make_look();
   void fill();
   void next_picture();
   void show_controls();

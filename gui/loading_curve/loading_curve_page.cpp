@@ -49,9 +49,10 @@ LoadingCurvePage::LoadingCurvePage(QWidget* parent) : QWidget(parent) {
   setAcceptDrops(true);
   line_ = new JobLine("curve", tr("Status of the fits"), tr("Stop and keep the laws that are fitted"));
   choices_ = new LoadingCurveChoices;
-  plots_ = new PlotMenu("curve_plots", tr("Curves and what is fitted to them"),
-                        tr("Drop a measured curve here, or choose it: columns of displacement and force, from rest or in cycles,\n"
-                           "or k_e and d_e over amplitude. Fit, and the laws stand over it, with their residuals below."));
+  plots_ =
+      new PlotMenu("curve_plots", tr("Curves and what is fitted to them"),
+                   tr("Drop a measured curve here, or choose it: columns of displacement and force, from rest or in cycles,\n"
+                      "or k_e and d_e over amplitude. Fit, and the laws stand over it, with their residuals below."));
   auto* both = named(new QSplitter(Qt::Vertical), "curves_and_laws", tr("Curves and laws"));
   both->addWidget(plots_);
   both->addWidget(make_tables());
@@ -171,7 +172,8 @@ void LoadingCurvePage::show_law(int row) {
   if (!report_ || row < 0 || static_cast<std::size_t>(row) >= report_->fits.size()) return;
   const friction::Fit& fit = report_->fits[static_cast<std::size_t>(row)];
   parameters_->show_rows(fit.curves.empty() ? CellRows() : rows_of(report::parameters_table(*report_, fit)));
-  equivalents_->show_rows(fit.curves.empty() ? CellRows() : rows_of(report::equivalents_table(fit.curves.front(), amplitudes_listed)));
+  equivalents_->show_rows(fit.curves.empty() ? CellRows()
+                                             : rows_of(report::equivalents_table(fit.curves.front(), amplitudes_listed)));
   tables_->setTabText(tables_->indexOf(parameters_), tr("Parameters of %1").arg(q(fit.law)));
 }
 

@@ -18,8 +18,8 @@ class JobLine;
 class LoadingCurveChoices;
 class PlotMenu;
 
-/// Friction laws fitted to measured curves, as `jointid loading-curve` does: curves with their fits and residuals, k_e and d_e over
-/// amplitude, laws and parameters. Needs no scene; files are chosen or dropped.
+/// Friction laws fitted to measured curves, as `jointid loading-curve` does: curves with their fits and residuals, k_e and d_e
+/// over amplitude, laws and parameters. Needs no scene; files are chosen or dropped.
 class LoadingCurvePage : public QWidget {
   Q_OBJECT
 

@@ -26,7 +26,7 @@ frf::FrfSet load_structure(const ModalStructure& structure);
 
 struct ModalWish {
   ModalStructure structure;
-  modalfit::FitOptions options{};             ///< poles: what is picked, or nothing for all modes to be sought
+  modalfit::FitOptions options{};               ///< poles: what is picked, or nothing for all modes to be sought
   std::shared_ptr<const frf::FrfSet> loaded{};  ///< of the same structure, where it was read before
 };
 

@@ -44,7 +44,7 @@ ModalPage::ModalPage(QWidget* parent) : QWidget(parent) {
   auto* both = named(new QSplitter(Qt::Vertical), "diagram_and_modes", tr("Diagram and modes"));
   both->addWidget(chart_);
   both->addWidget(make_results());
-  both->setSizes({330, 330});
+  both->setSizes({250, 420});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
@@ -62,14 +62,17 @@ QWidget* ModalPage::make_top() {
   low_ = frequency_box("modal_low", tr("Lowest frequency"), tr("from"));
   high_ = frequency_box("modal_high", tr("Highest frequency"), tr("to"));
   damping_ = named(new QComboBox, "modal_damping", tr("Damping"), tr("How modes are damped"));
-  for (const auto damping : {modalfit::Damping::viscous, modalfit::Damping::hysteretic}) damping_->addItem(q(modalfit::name(damping)));
-  real_ = named(new QCheckBox(tr("real modes")), "modal_real", tr("Real modes"), tr("All coordinates move in phase or in antiphase"));
+  for (const auto damping : {modalfit::Damping::viscous, modalfit::Damping::hysteretic})
+    damping_->addItem(q(modalfit::name(damping)));
+  real_ =
+      named(new QCheckBox(tr("real modes")), "modal_real", tr("Real modes"), tr("All coordinates move in phase or in antiphase"));
   undo_ = push_button("modal_undo", tr("Undo"), tr("Undo the last pick (Ctrl+Z in the diagram)"));
   redo_ = push_button("modal_redo", tr("Redo"), tr("Pick again (Ctrl+Shift+Z in the diagram)"));
   none_ = push_button("modal_none", tr("None"), tr("Leave all modes, to pick poles one by one"));
   command_ = push_button("modal_command", tr("Copy as command"), tr("Copy the command line that gives the same modes"));
   shapes_ = push_button("modal_shapes", tr("Shapes…"), tr("Write the mode shapes as `jointid modalfit --shapes` does (UFF 55)"));
-  regenerated_ = push_button("modal_regenerated", tr("FRFs…"), tr("Write the FRFs of the modes as `jointid modalfit --regenerate` does"));
+  regenerated_ =
+      push_button("modal_regenerated", tr("FRFs…"), tr("Write the FRFs of the modes as `jointid modalfit --regenerate` does"));
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(row_of({find_, line_->cancel_button(), structure_, low_, high_}, {command_}));
@@ -115,12 +118,13 @@ void ModalPage::connect_all() {
   connect(command_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(chart_, &Chart::opened, this, &ModalPage::toggle);
   connect(shapes_, &QPushButton::clicked, this, [this] {
-    const QString file = choose_file_to_save(this, tr("Write the mode shapes"), {}, tr("Universal files (*.uff)"), QStringLiteral("uff"));
+    const QString file =
+        choose_file_to_save(this, tr("Write the mode shapes"), {}, tr("Universal files (*.uff)"), QStringLiteral("uff"));
     if (!file.isEmpty()) write_shapes(file);
   });
   connect(regenerated_, &QPushButton::clicked, this, [this] {
-    const QString file = choose_file_to_save(this, tr("Write the FRFs of the modes"), {},
-                                             tr("FRFs (*.h5 *.uff *.mat *.csv)"), QStringLiteral("h5"));
+    const QString file = choose_file_to_save(this, tr("Write the FRFs of the modes"), {}, tr("FRFs (*.h5 *.uff *.mat *.csv)"),
+                                             QStringLiteral("h5"));
     if (!file.isEmpty()) write_regenerated(file);
   });
 }

@@ -19,8 +19,8 @@ class Chart;
 class FrfPlot;
 class JobLine;
 
-/// Modes behind the FRFs of a part or of the assembly: a stabilisation diagram whose poles are taken and left by click, the FRFs that
-/// the modes give over the measured ones, the modes with their deviations, and their MAC.
+/// Modes behind the FRFs of a part or of the assembly: a stabilisation diagram whose poles are taken and left by click, the FRFs
+/// that the modes give over the measured ones, the modes with their deviations, and their MAC.
 class ModalPage : public QWidget {
   Q_OBJECT
 
@@ -88,7 +88,7 @@ class ModalPage : public QWidget {
   std::shared_ptr<const frf::FrfSet> loaded_;
   std::shared_ptr<const report::ModalRun> run_, sought_;  ///< shown; by the search, whose diagram stays
   ModalStructure of_run_;
-  modalfit::FitOptions used_;                             ///< of the search
+  modalfit::FitOptions used_;  ///< of the search
   PickedPoles picked_;
   std::size_t wanted_ = 0;  ///< counts jobs
 };

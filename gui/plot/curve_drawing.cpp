@@ -113,8 +113,10 @@ QCPAxisRect* draw_one(QCustomPlot& plot, const report::CurvePlot& shown, Names& 
 }
 
 void share_range(QCPAxis& one, QCPAxis& other) {
-  QObject::connect(&one, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), &other, qOverload<const QCPRange&>(&QCPAxis::setRange));
-  QObject::connect(&other, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), &one, qOverload<const QCPRange&>(&QCPAxis::setRange));
+  QObject::connect(&one, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), &other,
+                   qOverload<const QCPRange&>(&QCPAxis::setRange));
+  QObject::connect(&other, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), &one,
+                   qOverload<const QCPRange&>(&QCPAxis::setRange));
 }
 
 }  // namespace
@@ -173,7 +175,8 @@ std::string curve_table(const std::vector<report::CurvePlot>& plots, char separa
   std::string text;
   for (const report::CurvePlot& plot : plots) {
     text += (text.empty() ? "" : "\n") + quoted(plot.x.label);
-    for (const report::Series& series : plot.series) text += separator + quoted(series.name + (series.name.empty() ? "" : ", ") + plot.y.label);
+    for (const report::Series& series : plot.series)
+      text += separator + quoted(series.name + (series.name.empty() ? "" : ", ") + plot.y.label);
     text += "\n";
     for (std::size_t i = 0; i < plot.x_values.size(); ++i) {
       text += digits(plot.x_values[i], "%.17g");

@@ -15,8 +15,8 @@ struct FittingWatch {
   std::function<void(const LoadingCurveReport&)> so_far{};  ///< after every law
 };
 
-/// Reads the curves and fits every law, best by AIC first; of records with several loops each law to all loops together and then to
-/// each alone. Throws InputError (data, or usage for a task that the data contradict), and Interrupted.
+/// Reads the curves and fits every law, best by AIC first; of records with several loops each law to all loops together and then
+/// to each alone. Throws InputError (data, or usage for a task that the data contradict), and Interrupted.
 LoadingCurveReport fit_loading_curves(const LoadingCurveTask& task, const FittingWatch& watch);
 
 }  // namespace jointid::report

@@ -26,7 +26,8 @@ void check_laws(const LoadingCurveTask& task) {
 
 void check_columns(const LoadingCurveTask& task) {
   const bool series = !task.energy.empty() || !task.stiffness.empty() || !task.damping.empty();
-  if (series && !task.force.empty()) fail("--force", "an amplitude series has no forces", "leave --force or the other columns out");
+  if (series && !task.force.empty())
+    fail("--force", "an amplitude series has no forces", "leave --force or the other columns out");
   if (!task.energy.empty() && !task.stiffness.empty())
     fail("--energy", "both energies and stiffnesses are named", "fit one of them");
   if (task.stiffness.empty() != task.damping.empty())

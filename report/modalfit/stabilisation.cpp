@@ -36,12 +36,14 @@ ScatterPlot stabilisation_diagram(const ModalRun& run, const std::vector<modalfi
     for (const auto& pole : order.poles) {
       if (pole.damping <= 0.0) continue;
       const bool found = std::ranges::any_of(run.fit.modes, [&](const modalfit::Mode& mode) { return is_mode(mode, pole); });
-      plot.groups[found ? at_mode : elsewhere].points.push_back({pole.frequency_hz, static_cast<double>(order.order), pole_label(pole)});
+      plot.groups[found ? at_mode : elsewhere].points.push_back(
+          {pole.frequency_hz, static_cast<double>(order.order), pole_label(pole)});
     }
   }
   for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
     const modalfit::Pole& pole = run.fit.modes[r].pole;
-    plot.groups[of_fit].points.push_back({pole.frequency_hz, above_all * highest, fmt::format("mode {}: {:.6g} Hz", r + 1, pole.frequency_hz)});
+    plot.groups[of_fit].points.push_back(
+        {pole.frequency_hz, above_all * highest, fmt::format("mode {}: {:.6g} Hz", r + 1, pole.frequency_hz)});
   }
   plot.backdrop = band_indicators(run.band, indicators_behind, most);
   return plot;

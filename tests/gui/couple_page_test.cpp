@@ -54,7 +54,8 @@ TEST(CouplePage, WritesTheFileOfTheCommand) {
   process.start("/bin/sh", {"-c", shell_word(JOINTID_COMMAND) + line.mid(7)});
   ASSERT_TRUE(process.waitForFinished(60000));
   ASSERT_EQ(process.exitCode(), 0) << line.toStdString();
-  const frf::FrfSet mine = frf::load(*frf::open(as_path(coupling.page.result_file()))), theirs = frf::load(*frf::open(as_path(other)));
+  const frf::FrfSet mine = frf::load(*frf::open(as_path(coupling.page.result_file()))),
+                    theirs = frf::load(*frf::open(as_path(other)));
   EXPECT_EQ(mine.values, theirs.values);
   EXPECT_EQ(mine.header.response.size(), theirs.header.response.size());
   EXPECT_GT(coupling.page.conditions()->cells()->rowCount(), 1);

@@ -126,8 +126,9 @@ TEST(LoadingCurveCommand, SaysWhatIsNotAsUsual) {
   task.laws = {"ren", "iwan"};
   task.weighting = "travel";
   task.limit = 12.5;
-  EXPECT_EQ(loading_curve_command(task).toStdString(),
-            "jointid loading-curve 'a b.csv' --displacement 'x [1]' --unit 'mm' --weighting 'travel' --law ren,iwan --limit 12.5");
+  EXPECT_EQ(
+      loading_curve_command(task).toStdString(),
+      "jointid loading-curve 'a b.csv' --displacement 'x [1]' --unit 'mm' --weighting 'travel' --law ren,iwan --limit 12.5");
 }
 
 }  // namespace

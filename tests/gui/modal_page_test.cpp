@@ -125,7 +125,8 @@ TEST(ModalPage, PolesArePickedOneByOne) {
   ASSERT_EQ(fitting.modes(), 0U);
   EXPECT_FALSE(find<QPushButton>(fitting.page, "modal_command")->isEnabled());
   const auto& loose = fitting.page.chart()->scatter().groups[report::elsewhere].points;
-  const auto nearest = std::ranges::min_element(loose, {}, [&](const report::Point& point) { return std::abs(point.x - sought[2]); });
+  const auto nearest =
+      std::ranges::min_element(loose, {}, [&](const report::Point& point) { return std::abs(point.x - sought[2]); });
   QCoreApplication::processEvents();
   const QPoint at = fitting.page.chart()->pixel_of(report::elsewhere, static_cast<std::size_t>(nearest - loose.begin()));
   QTest::mouseClick(fitting.page.chart()->canvas(), Qt::LeftButton, Qt::NoModifier, at);
