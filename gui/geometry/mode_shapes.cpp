@@ -1,5 +1,6 @@
 #include "gui/geometry/mode_shapes.hpp"
 
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -51,7 +52,7 @@ QString joint_motion_text(const Shape& shape, const std::vector<frf::Dof>& joint
     if (found == shape.end() || dof.is_rotation()) continue;
     const std::complex<double> value = static_cast<double>(dof.sign) * found->second[static_cast<std::size_t>(dof.direction) - 1];
     parts << q(dof.name() + " " + digits(std::abs(value), "%.3g") + " ∠ " +
-               digits(std::arg(value) * 180.0 / std::numbers::pi, "%.0f") + "°");
+               digits(std::atan2(value.imag() + 0.0, value.real()) * 180.0 / std::numbers::pi, "%.0f") + "°");
   }
   return parts.join(QStringLiteral(", "));
 }
