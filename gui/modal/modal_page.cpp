@@ -324,7 +324,7 @@ bool ModalPage::event(QEvent* event) {
 void ModalPage::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Undo)) return undo();
   if (event->matches(QKeySequence::Redo)) return redo();
-  if (event->key() == Qt::Key_Delete && modes_->hasFocus()) return leave_chosen_mode();
+  if (event->key() == Qt::Key_Delete && results_->currentWidget() == modes_) return leave_chosen_mode();
   QWidget::keyPressEvent(event);
 }
 
