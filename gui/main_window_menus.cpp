@@ -84,9 +84,9 @@ void MainWindow::add_view_menu() {
   menu->addAction(tr("Scene as a &form"), QKeySequence(tr("F4")), this,
                   on_current(this, [](Project& project) { project.switch_view(true); }));
   int page = 0;
-  for (const QString& text :
-       {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Before measuring")}) {
-    menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg(page + 2)), this,
+  for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
+                              tr("Cou&pling"), tr("&Loading curves"), tr("&Before measuring")}) {
+    menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg((page + 2) % 10)), this,
                     on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
     ++page;
   }

@@ -8,13 +8,17 @@
 #include <algorithm>
 
 #include "gui/compare/compare_page.hpp"
+#include "gui/couple/couple_page.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/forms/field.hpp"
 #include "gui/forms/scene_form.hpp"
 #include "gui/geometry/geometry_page.hpp"
+#include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
+#include "gui/look/said.hpp"
+#include "gui/modal/modal_page.hpp"
 #include "gui/plan/plan_page.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/scene/completion_place.hpp"
@@ -107,6 +111,12 @@ void Project::add_pages() {
   pages_->addTab(compare_page_, tr("Compare"));
   study_page_ = named(new StudyPage, "study_page", tr("Study"));
   pages_->addTab(study_page_, tr("Study"));
+  modal_page_ = named(new ModalPage, "modal_page", tr("Modes"));
+  pages_->addTab(modal_page_, tr("Modes"));
+  couple_page_ = named(new CouplePage, "couple_page", tr("Coupling"));
+  pages_->addTab(couple_page_, tr("Coupling"));
+  loading_curve_page_ = named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves"));
+  pages_->addTab(loading_curve_page_, tr("Loading curves"));
   plan_page_ = named(new PlanPage, "plan_page", tr("Before measuring"));
   pages_->addTab(plan_page_, tr("Before measuring"));
   splitter_->addWidget(pages_);
@@ -114,6 +124,10 @@ void Project::add_pages() {
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
   connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
+  connect(modal_page_, &ModalPage::modes_changed, this, [this] {
+    geometry_page_->set_modes(named_shapes(report::uff_modes(*modal_page_->shown()), q(modal_page_->shown()->files)));
+  });
+  connect(couple_page_, &CouplePage::failed, this, &Project::show_failure);
   connect(plan_page_, &PlanPage::failed, this, &Project::show_failure);
   connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
@@ -134,6 +148,8 @@ bool Project::is_modified() const { return editor_->document()->isModified(); }
 
 void Project::check() {
   checked_ = check_scene(editor_->text(), path());
+  const auto wrong_couple = couple_page_->set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
+  if (is_couple_scene(editor_->text())) checked_ = {{}, wrong_couple};
   editor_->set_error(checked_.error);
   show_problem();
   show_form();
@@ -150,6 +166,7 @@ void Project::show_scene() {
   plan_page_->set_file(file_);
   plan_page_->set_scene(checked_.scene);
   study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
+  modal_page_->set_scene(checked_.scene);
   if (!checked_.scene) return;
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
   data_page_->set_scene(*checked_.scene, files);
@@ -173,6 +190,9 @@ void Project::cancel() {
   solve_page_->cancel();
   compare_page_->cancel();
   study_page_->cancel();
+  modal_page_->cancel();
+  couple_page_->cancel();
+  loading_curve_page_->cancel();
   plan_page_->cancel();
 }
 

@@ -14,9 +14,12 @@ class QTabWidget;
 namespace jointid::gui {
 
 class ComparePage;
+class CouplePage;
 class DataPage;
 class GeometryPage;
+class LoadingCurvePage;
 class MessageBar;
+class ModalPage;
 class PlanPage;
 class SceneEditor;
 class SceneForm;
@@ -62,6 +65,9 @@ class Project : public QWidget {
   ComparePage* compare_page() const { return compare_page_; }
   StudyPage* study_page() const { return study_page_; }
   PlanPage* plan_page() const { return plan_page_; }
+  ModalPage* modal_page() const { return modal_page_; }
+  LoadingCurvePage* loading_curve_page() const { return loading_curve_page_; }
+  CouplePage* couple_page() const { return couple_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   /// Stops what runs on any page.
@@ -107,6 +113,9 @@ class Project : public QWidget {
   ComparePage* compare_page_;
   StudyPage* study_page_;
   PlanPage* plan_page_;
+  ModalPage* modal_page_;
+  LoadingCurvePage* loading_curve_page_;
+  CouplePage* couple_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

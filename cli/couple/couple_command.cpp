@@ -4,7 +4,7 @@
 
 #include "cli/couple/couple_json.hpp"
 #include "cli/couple/couple_page.hpp"
-#include "cli/couple/couple_text.hpp"
+#include "cli/couple/couple_parts.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/options/whole_number.hpp"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/couple/couple_text.hpp"
+#include "cli/couple/couple_parts.hpp"
 #include "cli/text/json_value.hpp"
 
 namespace jointid::cli {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "cli/couple/couple_plots.hpp"
-#include "cli/couple/couple_text.hpp"
+#include "cli/couple/couple_parts.hpp"
 #include "cli/report/limits.hpp"
 #include "cli/report/page.hpp"
 #include "cli/report/status_banner.hpp"
+#include "cli/text/table.hpp"
 
 namespace jointid::cli::report {
 namespace {

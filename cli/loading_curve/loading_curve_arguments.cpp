@@ -1,20 +1,12 @@
 #include "cli/loading_curve/loading_curve_arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 
-#include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "friction/fit/fit_start.hpp"
 
 namespace jointid::cli {
 namespace {
-
-[[noreturn]] void fail(const char* option, std::string problem, std::string remedy) {
-  throw InputError({ErrorKind::usage, "", option, std::move(problem), std::move(remedy)});
-}
 
 void declare_columns(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_option("--displacement", arguments.displacement, "Column of displacements, angles or amplitudes, by name or number");
@@ -54,52 +46,6 @@ void declare_fit(CLI::App& command, LoadingCurveArguments& arguments) {
   command.add_flag("--global", arguments.global, "Begin with a global search (NLopt)");
 }
 
-void check_laws(const LoadingCurveArguments& arguments) {
-  const std::vector<std::string> valid = friction::fitted_laws();
-  for (const std::string& law : arguments.laws) {
-    if (law == "all" || std::ranges::find(valid, law) != valid.end()) continue;
-    std::string all;
-    for (const std::string& each : valid) all += (all.empty() ? "" : ", ") + each;
-    const std::string near = nearest_word(law, valid);
-    fail("--law", "'" + law + "' is no law", (near.empty() ? "" : "did you mean " + near + "? ") + "all: " + all);
-  }
-}
-
-void check_columns(const LoadingCurveArguments& arguments) {
-  const bool series = !arguments.energy.empty() || !arguments.stiffness.empty() || !arguments.damping.empty();
-  if (series && !arguments.force.empty()) fail("--force", "an amplitude series has no forces", "leave --force or the other columns out");
-  if (!arguments.energy.empty() && !arguments.stiffness.empty())
-    fail("--energy", "both energies and stiffnesses are named", "fit one of them");
-  if (arguments.stiffness.empty() != arguments.damping.empty())
-    fail("--stiffness", "equivalents need both", "name --stiffness and --damping");
-  if (series && (arguments.velocity || arguments.specimen_stiffness || !arguments.specimen.empty())) {
-    fail("--displacement", "an amplitude series has no record to integrate or correct", "leave --velocity and --specimen out");
-  }
-}
-
-bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
-
-void check_numbers(const LoadingCurveArguments& arguments) {
-  if (arguments.limit && !is_positive(*arguments.limit)) fail("--limit", "it is not positive", "give a force, N");
-  if (arguments.limit && arguments.friction_coefficient) fail("--limit", "does not go with --friction-coefficient", "leave one out");
-  if (arguments.friction_coefficient && arguments.normal_loads.empty())
-    fail("--friction-coefficient", "needs normal loads", "give --normal-load");
-  for (const double load : arguments.normal_loads) {
-    if (!is_positive(load)) fail("--normal-load", "a load is not positive", "give forces, N");
-  }
-  if (arguments.normal_loads.size() > 1 && arguments.normal_loads.size() != arguments.files.size()) {
-    fail("--normal-load", std::to_string(arguments.normal_loads.size()) + " loads for " + std::to_string(arguments.files.size()) + " files",
-         "give one for all files or one for each");
-  }
-  if (!arguments.ring.empty() && !(arguments.ring[0] >= 0.0 && arguments.ring[1] > arguments.ring[0] && is_positive(arguments.ring[1]))) {
-    fail("--ring", "the radii do not increase", "give inner and outer radius, m, e.g. 0.0255,0.038");
-  }
-  if (arguments.specimen_stiffness && !is_positive(*arguments.specimen_stiffness))
-    fail("--specimen-stiffness", "it is not positive", "give it in N/m");
-  if (arguments.specimen_stiffness && !arguments.specimen.empty())
-    fail("--specimen", "does not go with --specimen-stiffness", "leave one out");
-}
-
 void check_outputs(const LoadingCurveArguments& arguments) {
   std::vector<ident::NamedFile> inputs;
   for (const auto& file : arguments.files) inputs.push_back({file, "FILES"});
@@ -121,9 +67,7 @@ void declare(CLI::App& command, LoadingCurveArguments& arguments) {
 }
 
 void check(const LoadingCurveArguments& arguments) {
-  check_laws(arguments);
-  check_columns(arguments);
-  check_numbers(arguments);
+  jointid::report::check(arguments);
   check_outputs(arguments);
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
+
+#include "report/loading_curve/loading_curve_task.hpp"
 
 namespace CLI {
 class App;
@@ -11,24 +11,7 @@ class App;
 
 namespace jointid::cli {
 
-struct LoadingCurveArguments {
-  std::vector<std::filesystem::path> files;
-  std::string displacement, force, time;        ///< names or numbers of columns; empty: by the words in their names
-  std::string energy, stiffness, damping;       ///< columns of amplitude series
-  std::string unit, force_unit, time_unit;      ///< empty: as the header says, else SI
-  std::string sign = "auto";                    ///< auto, 1 or -1
-  bool velocity = false;                        ///< the displacement column is a velocity
-  std::string kind = "auto";                    ///< auto, loading or loops
-  std::vector<std::string> laws;                ///< empty: all
-  std::vector<double> ring;                     ///< inner and outer radius, m; empty: translational
-  std::vector<double> normal_loads;             ///< none, one for all, or one per file
-  std::optional<double> limit;                  ///< N or N·m
-  bool friction_coefficient = false;
-  std::vector<std::string> shared;
-  std::optional<double> specimen_stiffness;     ///< N/m
-  std::filesystem::path specimen;               ///< a loading curve, columns and units as FILE
-  std::string weighting = "largest", minimiser = "best";
-  bool global = false;
+struct LoadingCurveArguments : jointid::report::LoadingCurveTask {
   std::optional<std::string> json, csv, report;
 };
 

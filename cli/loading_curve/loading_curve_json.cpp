@@ -12,7 +12,7 @@ using friction::CurveFit;
 using friction::Fit;
 using friction::FittedValue;
 
-Json fitted(const FittedValue& each) {
+Json fitted_json(const FittedValue& each) {
   return {{"name", each.name},
           {"value", value(each.value)},
           {"unit", each.unit},
@@ -23,16 +23,16 @@ Json fitted(const FittedValue& each) {
 
 Json parameters(const CurveFit& curve) {
   Json all = Json::array();
-  for (const FittedValue& each : curve.parameters) all.push_back(fitted(each));
+  for (const FittedValue& each : curve.parameters) all.push_back(fitted_json(each));
   return all;
 }
 
 Json curve_fit(const CurveFit& curve) {
   Json out = {{"curve", curve.curve.name},
               {"parameters", parameters(curve)},
-              {"initial_stiffness", fitted(curve.stiffness)},
-              {"friction_limit", fitted(curve.limit)},
-              {"mu", curve.friction_coefficient ? fitted(*curve.friction_coefficient) : Json(nullptr)},
+              {"initial_stiffness", fitted_json(curve.stiffness)},
+              {"friction_limit", fitted_json(curve.limit)},
+              {"mu", curve.friction_coefficient ? fitted_json(*curve.friction_coefficient) : Json(nullptr)},
               {"shows_slip", curve.shows_slip},
               {"slipped_share", value(curve.slipped_share)},
               {"objective", value(curve.objective)}};

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "cli/loading_curve/loading_curve_plots.hpp"
-#include "cli/loading_curve/loading_curve_tables.hpp"
+#include "report/loading_curve/loading_curve_plots.hpp"
+#include "report/loading_curve/loading_curve_tables.hpp"
 #include "cli/report/page.hpp"
 #include "cli/report/status_banner.hpp"
 
@@ -60,7 +60,7 @@ void add_vibration(const LoadingCurveReport& report, ReportPage& page) {
   if (best.curves.empty()) return;
   page.section("What it means for vibration");
   page.add(equivalents_plots(report));
-  page.add(equivalents_table(*different(report, best).front(), 12), best.law);
+  page.add(jointid::report::equivalents_table(*different(report, best).front(), 12), best.law);
   page.add(Text{"k_e and d_e under x = X cos ωt: the force's first harmonic is (k_e + i·d_e)·X, the energy lost per cycle is π·d_e·X². "
                 "Beyond the largest measured displacement they are the law's extrapolation.",
                 true});

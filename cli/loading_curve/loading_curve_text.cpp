@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cli/loading_curve/loading_curve_report.hpp"
-#include "cli/loading_curve/loading_curve_tables.hpp"
+#include "report/loading_curve/loading_curve_tables.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -23,7 +23,7 @@ std::string best_text(const LoadingCurveReport& report, const friction::Fit& bes
   if (!report.of_loops.empty()) text += "\nloops one by one\n" + loops_table(report).text();
   for (const friction::CurveFit* each : different(report, best)) {
     const std::string of = different(report, best).size() > 1 ? " of " + each->curve.name : "";
-    text += fmt::format("\nequivalent stiffness and damping of {}{}\n", best.law, of) + equivalents_table(*each, 8).text();
+    text += fmt::format("\nequivalent stiffness and damping of {}{}\n", best.law, of) + jointid::report::equivalents_table(*each, 8).text();
   }
   return text;
 }

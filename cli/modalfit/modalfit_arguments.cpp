@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "base/error.hpp"
@@ -13,15 +14,21 @@
 namespace jointid::cli {
 namespace {
 
+std::optional<double> number_in(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
 /// One side of a range; `otherwise` where it is empty.
 double side(std::string_view text, double otherwise, const std::string& whole) {
   if (text.empty()) return otherwise;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
+  const auto value = number_in(text);
+  if (!value) {
     throw InputError({ErrorKind::usage, "", "--range", "'" + whole + "' is not LOW:HIGH in Hz", "write e.g. 400:1000"});
   }
-  return value;
+  return *value;
 }
 
 }  // namespace
@@ -37,6 +44,22 @@ std::array<double, 2> parse_range(const std::string& text) {
   return range;
 }
 
+std::vector<modalfit::Pole> parse_poles(const std::vector<std::string>& texts) {
+  std::vector<modalfit::Pole> poles;
+  for (const std::string& text : texts) {
+    const std::size_t colon = text.find(':');
+    const std::string_view all = text;
+    const auto frequency = number_in(all.substr(0, colon));
+    const auto damping = colon == std::string::npos ? std::nullopt : number_in(all.substr(colon + 1));
+    if (!frequency || !damping || !(*frequency > 0.0 && *damping > 0.0)) {
+      throw InputError({ErrorKind::usage, "", "--poles", "'" + text + "' is not FREQUENCY:DAMPING, both positive",
+                        "write e.g. 51.5:0.001,142.2:0.002 (Hz, and ζ or η as --damping says)"});
+    }
+    poles.push_back({*frequency, *damping});
+  }
+  return poles;
+}
+
 void declare(CLI::App& command, ModalfitArguments& arguments) {
   command.add_option("FILES", arguments.files, "FRFs of one structure: UFF, HDF5, MAT or CSV")->required();
   command.add_option_function<std::string>(
@@ -45,6 +68,12 @@ void declare(CLI::App& command, ModalfitArguments& arguments) {
   add_whole_number(
       &command, "--modes", [&arguments](std::uint64_t count) { arguments.fit.modes = count; },
       "Keep the most significant so many; default: all that stand out of the noise", {.least = 1, .most = 10000, .remedy = {}});
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--poles", [&arguments](const std::vector<std::string>& texts) { arguments.fit.poles = parse_poles(texts); },
+          "Seek no modes, but refine these: FREQUENCY:DAMPING,… in Hz and ζ (η), as the workbench copies them")
+      ->delimiter(',')
+      ->excludes("--modes");
   command.add_flag("--real", arguments.fit.kind.real_modes, "Real modes: all coordinates move in phase or in antiphase");
   command
       .add_option_function<std::string>(

@@ -30,4 +30,7 @@ void declare(CLI::App& command, ModalfitArguments& arguments);
 /// "400:1000" in Hz; either side may be left out. Throws InputError (usage).
 std::array<double, 2> parse_range(const std::string& text);
 
+/// "51.5:0.001,142:0.002": frequencies in Hz and damping ratios (loss factors). Throws InputError (usage).
+std::vector<modalfit::Pole> parse_poles(const std::vector<std::string>& texts);
+
 }  // namespace jointid::cli

@@ -34,7 +34,7 @@ ExitCode execute(const ModalfitArguments& arguments, std::ostream& out) {
   if (arguments.json) write_target(*arguments.json, modalfit_json(run), out);
   if (arguments.csv) write_target(*arguments.csv, modes_csv(run), out);
   if (arguments.report) write_target(*arguments.report, report::modalfit_report(run), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << modalfit_text(run);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << modal_text(run);
   if (!complete) throw Interrupted("interrupted; what was fitted so far is written");
   if (modalfit::is_usable(run.fit.status)) return ExitCode::done;
   print_error(run.files + ": " + run.fit.message);

@@ -7,53 +7,18 @@
 #include <limits>
 
 #include "cli/modalfit/modalfit_text.hpp"
-#include "cli/report/cmif.hpp"
 #include "cli/report/frf_curves.hpp"
 #include "cli/report/heat_map.hpp"
 #include "cli/report/limits.hpp"
 #include "cli/report/page.hpp"
 #include "cli/report/solve_plots.hpp"
 #include "cli/report/status_banner.hpp"
+#include "report/modalfit/stabilisation.hpp"
 
 namespace jointid::cli::report {
 namespace {
 
-constexpr std::size_t most_rows = 50, indicators = 2;
-
-/// Whether the pole is one of the fit's modes, nearer than its decay rate or ten standard deviations.
-bool is_selected(const ModalRun& run, const modalfit::CandidatePole& pole) {
-  const double reach = std::max(std::abs(pole.damping) * pole.frequency_hz, 10.0 * pole.deviation_hz);
-  return pole.damping > 0.0 && std::ranges::any_of(run.fit.modes, [&](const modalfit::Mode& mode) {
-    return std::abs(mode.pole.frequency_hz - pole.frequency_hz) < reach;
-  });
-}
-
-std::string label(const modalfit::CandidatePole& pole) {
-  return fmt::format("{:.5g} Hz ± {:.1e}, ζ {:.3g} %", pole.frequency_hz, pole.deviation_hz, 100.0 * pole.damping);
-}
-
-PlotGroup stabilisation_diagram(const ModalRun& run) {
-  ScatterPlot plot;
-  plot.title = "Stabilisation diagram";
-  plot.x = {"frequency (Hz)", false};
-  plot.y = {"order (pole pairs)", false};
-  PointGroup selected{"stable, at a mode of the fit", {}}, stable{"stable, elsewhere", {}}, fitted{"modes of the fit", {}};
-  double highest = 0.0;
-  for (const auto& order : run.fit.stabilisation) {
-    highest = std::max(highest, static_cast<double>(order.order));
-    for (const auto& pole : order.poles) {
-      if (pole.damping <= 0.0) continue;
-      (is_selected(run, pole) ? selected : stable).points.push_back({pole.frequency_hz, static_cast<double>(order.order), label(pole)});
-    }
-  }
-  for (std::size_t r = 0; r < run.fit.modes.size(); ++r) {
-    const modalfit::Pole& pole = run.fit.modes[r].pole;
-    fitted.points.push_back({pole.frequency_hz, 1.04 * highest, fmt::format("mode {}: {:.6g} Hz", r + 1, pole.frequency_hz)});
-  }
-  plot.groups = {selected, stable, fitted};
-  plot.backdrop = mode_indicators(run.band, indicators, most_points);
-  return {"diagram", {{"stabilisation", {plot}}}};
-}
+constexpr std::size_t most_rows = 50;
 
 /// Errors away from antiresonances of what the page shows as the model.
 HeatMap error_overview(const ModalRun& run) {
@@ -119,8 +84,10 @@ std::string modalfit_report(const ModalRun& run) {
            "Rank-one "
            "misfit: mean square of what keeps the residues from one reciprocal shape, over their variances.",
            true});
-  page.section("Stabilisation diagram");
-  page.add(stabilisation_diagram(run));
+  if (!run.fit.stabilisation.empty()) {
+    page.section("Stabilisation diagram");
+    page.add(PlotGroup{"diagram", {{"stabilisation", {stabilisation_diagram(run, run.fit.stabilisation, most_points)}}}});
+  }
   page.section("FRFs");
   const std::vector<std::size_t> chosen = drawn_entries(run, errors.values);
   page.add(frf_overlay(overlay_data(run, chosen), std::nullopt, most_points));

@@ -4,23 +4,13 @@
 
 #include "cli/modalfit/modalfit_run.hpp"
 #include "cli/text/table.hpp"
+#include "report/modalfit/modal_text.hpp"
 
 namespace jointid::cli {
 
-Table modes_table(const ModalRun& run);
-/// MAC of each pair of modes whose shapes are more alike than 0.3.
-Table mac_table(const ModalRun& run);
-/// Synthesis errors, worst first, at most `most` FRFs.
-Table synthesis_table(const ModalRun& run, std::size_t most);
+using jointid::report::model_text;
+using jointid::report::synthesis_text;
 
-/// "viscous damping, complex modes".
-std::string model_text(const modalfit::ModelKind& kind);
-/// "0.9 dB rms, 0.4 dB away from antiresonances".
-std::string synthesis_text(const std::vector<modalfit::SynthesisError>& errors);
-/// What the user should know, one sentence each.
-std::vector<std::string> notes(const ModalRun& run);
-
-std::string modalfit_text(const ModalRun& run);
 std::string modalfit_json(const ModalRun& run);
 std::string modes_csv(const ModalRun& run);
 

@@ -11,7 +11,7 @@
 namespace jointid::cli {
 namespace {
 
-std::vector<double> list(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
+std::vector<double> listed(const Eigen::VectorXd& values) { return {values.begin(), values.end()}; }
 
 /// As many modes as the table of shapes shows: those of 99.99 %, six at most.
 std::size_t shown(const PodReport& report) { return std::min<std::size_t>(report.pod.modes_for(0.9999), 6); }
@@ -100,11 +100,11 @@ std::string pod_json(const PodReport& report) {
               {"mean_removed", !report.mean_kept},
               {"channels", report.names},
               {"units", report.units},
-              {"mean", values(list(pod.mean))},
-              {"sigma", values(list(pod.sigma))},
-              {"values", values(list(pod.values))},
-              {"fractions_of_sigma_squared", values(list(pod.square_fractions()))},
-              {"fractions_of_sigma", values(list(pod.sigma_fractions()))},
+              {"mean", values(listed(pod.mean))},
+              {"sigma", values(listed(pod.sigma))},
+              {"values", values(listed(pod.values))},
+              {"fractions_of_sigma_squared", values(listed(pod.square_fractions()))},
+              {"fractions_of_sigma", values(listed(pod.sigma_fractions()))},
               {"modes_for_99_percent", pod.modes_for(0.99)},
               {"modes_for_99_99_percent", pod.modes_for(0.9999)},
               {"remarks", pod_remarks(report)}};

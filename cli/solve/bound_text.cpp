@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/text/table.hpp"
 #include "ident/likelihood/findings/findings.hpp"
 #include "report/text/identifiability_text.hpp"
 

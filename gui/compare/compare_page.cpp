@@ -4,16 +4,14 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QItemSelectionModel>
-#include <QLabel>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "gui/compare/compare_choices.hpp"
 #include "gui/look/buttons.hpp"
-#include "gui/look/job_progress.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
-#include "gui/look/theme.hpp"
+#include "gui/page/job_line.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/table/cell_table.hpp"
 #include "report/result/comparison_plots.hpp"
@@ -21,12 +19,12 @@
 #include "report/text/words.hpp"
 
 namespace jointid::gui {
+
 ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Compare"));
-  worker_ = new Worker(this);
+  line_ = new JobLine("compare", tr("Status of the comparison"), tr("Stop and keep the ways that are done"));
+  line_->set_cancelled_text(tr("Cancelled before any way was done."));
   choices_ = new CompareChoices;
-  status_ = named(new QLabel, "compare_status", tr("Status of the comparison"));
-  progress_ = new JobProgress("compare_progress");
   chart_ = new Chart("error_against_time", tr("Error against run time"),
                      tr("Choose what to try, and compare: every way stands here by its error and its run time.\n"
                         "The scene needs [truth] and [noise]. A click on a point opens that solution."));
@@ -41,19 +39,10 @@ ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
   all->addWidget(choices_);
-  all->addLayout(status_row(status_, progress_));
+  all->addWidget(line_);
   all->addWidget(both, 1);
-  connect(worker_, &Worker::failed, this, [this](const InputError& error) {
-    say(QString::fromUtf8(error.what()), true);
-    Q_EMIT failed(error);
-  });
-  connect(worker_, &Worker::cancelled, this, [this] { say(tr("Cancelled before any way was done."), false); });
-  connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
-    progress_->set_busy(busy);
-    cancel_->setEnabled(busy);
-    run_->setEnabled(!busy && scene_.has_value());
-  });
-  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_stage);
+  connect(line_, &JobLine::failed, this, &ComparePage::failed);
+  connect(line_, &JobLine::busy_changed, this, [this](bool busy) { run_->setEnabled(!busy && scene_.has_value()); });
   connect(chart_, &Chart::chosen, this, [this](std::size_t group, std::size_t point) {
     if (const auto found = combination_at(group, point)) table_->selectRow(static_cast<int>(*found));
   });
@@ -69,8 +58,6 @@ ComparePage::ComparePage(QWidget* parent) : QWidget(parent) {
 QWidget* ComparePage::make_top() {
   auto* top = named(new QWidget, "compare_top", tr("Comparing"));
   run_ = push_button("compare", tr("Compare"), tr("Try all ways on the same trials with simulated noise"));
-  cancel_ = push_button("compare_cancel", tr("Cancel"), tr("Stop and keep the ways that are done"));
-  cancel_->setEnabled(false);
   trials_ = number_box("compare_trials", tr("trials"), 1, 200);
   seed_ = number_box("compare_seed", tr("seed"), 0, 1);
   matrix_choice_ = named(new QComboBox, "compare_matrix", tr("Matrix whose error is shown"));
@@ -79,24 +66,17 @@ QWidget* ComparePage::make_top() {
                               tr("Copy the command line that compares the same ways on the same trials"));
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addLayout(row_of({run_, cancel_, trials_, seed_}, {command}));
+  rows->addLayout(row_of({run_, line_->cancel_button(), trials_, seed_}, {command}));
   rows->addLayout(row_of({matrix_choice_}, {}));
   connect(run_, &QPushButton::clicked, this, &ComparePage::run);
-  connect(cancel_, &QPushButton::clicked, this, &ComparePage::cancel);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(matrix_choice_, &QComboBox::activated, this, &ComparePage::show_matrix);
   return top;
 }
 
-bool ComparePage::is_busy() const { return worker_->is_busy(); }
+bool ComparePage::is_busy() const { return line_->is_busy(); }
 
-QString ComparePage::status() const { return status_->text(); }
-
-void ComparePage::say(const QString& text, bool bad) {
-  const Colours use = colours(theme_of(palette()));
-  status_->setStyleSheet(bad ? QStringLiteral("color: %1").arg(use.error.name()) : QString());
-  status_->setText(text);
-}
+QString ComparePage::status() const { return line_->status(); }
 
 void ComparePage::set_scene(std::optional<ident::Scene> scene) {
   scene_ = std::move(scene);
@@ -107,8 +87,8 @@ void ComparePage::run() {
   if (!scene_ || is_busy()) return;
   ComparisonWish wish{*scene_, choices_->alternatives(), static_cast<std::size_t>(trials_->value()),
                       static_cast<std::uint64_t>(seed_->value())};
-  say(tr("Comparing …"), false);
-  worker_->add([this, wish](const Worker::Watch& watch) -> Worker::Deliver {
+  line_->say(tr("Comparing …"));
+  line_->worker().add([this, wish](const Worker::Watch& watch) -> Worker::Deliver {
     const auto so_far = [&](const study::Comparison& comparison) {
       watch.show([this, comparison] { show_comparison(comparison); });
     };
@@ -120,12 +100,12 @@ void ComparePage::run() {
       for (const std::string& line : report::left_out_lines(comparison.left_out)) {
         text += "\n" + tr("left out: ") + QString::fromStdString(line);
       }
-      say(text, comparison.interrupted);
+      line_->say(text, comparison.interrupted);
     };
   });
 }
 
-void ComparePage::cancel() { worker_->cancel(); }
+void ComparePage::cancel() { line_->cancel(); }
 
 void ComparePage::show_comparison(const study::Comparison& comparison) {
   comparison_ = comparison;

@@ -6,7 +6,6 @@
 #include "gui/compare/compare_job.hpp"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QSpinBox;
 
@@ -15,7 +14,7 @@ namespace jointid::gui {
 class CellTable;
 class Chart;
 class CompareChoices;
-class JobProgress;
+class JobLine;
 
 /// Ways to identify the joint of a scene, tried on the same trials with simulated noise: a table and a picture of error against
 /// run time, both of which open a solution.
@@ -47,22 +46,19 @@ class ComparePage : public QWidget {
   QWidget* make_top();
   void show_comparison(const study::Comparison& comparison);
   void show_matrix();
-  void say(const QString& text, bool bad);
   void open_point(std::size_t group, std::size_t point);
   void choose_row(int row);
   /// Of a point of the picture, and the point of a combination.
   std::optional<std::size_t> combination_at(std::size_t group, std::size_t point) const;
   std::size_t matrix() const;
 
-  QPushButton *run_, *cancel_;
+  QPushButton* run_;
   QSpinBox *trials_, *seed_;
   QComboBox* matrix_choice_;
   CompareChoices* choices_;
-  JobProgress* progress_;
-  QLabel* status_;
+  JobLine* line_;
   Chart* chart_;
   CellTable* table_;
-  Worker* worker_;
   std::optional<ident::Scene> scene_;
   study::Comparison comparison_;
   QString file_;

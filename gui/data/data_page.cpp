@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "base/control.hpp"
+#include "gui/data/data_words.hpp"
 #include "gui/data/frf_grid_model.hpp"
 #include "gui/look/named.hpp"
 #include "gui/plot/frf_plot.hpp"
@@ -27,40 +28,6 @@ namespace {
 constexpr std::size_t most_curves = 40;
 constexpr std::size_t most_values = std::size_t{4} << 20;  ///< of FRFs that are read for sums: 64 MB
 constexpr int file_role = Qt::UserRole;
-
-QString text_of(GridFigure figure) {
-  switch (figure) {
-    case GridFigure::missing:
-      return DataPage::tr("missing lines");
-    case GridFigure::coherence:
-      return DataPage::tr("mean coherence");
-    case GridFigure::deviation:
-      return DataPage::tr("deviation over |H|");
-    case GridFigure::reciprocity:
-      return DataPage::tr("reciprocity error");
-  }
-  return {};
-}
-
-QString about(const frf::FrfHeader& header) {
-  const auto noise = [&]() -> QString {
-    if (header.noise == frf::NoiseRecord::coherence) return DataPage::tr("coherence of %1 averages").arg(header.averages);
-    if (header.noise == frf::NoiseRecord::variance) return DataPage::tr("variances");
-    return DataPage::tr("nothing of its noise");
-  };
-  QString text = DataPage::tr("%1, %2 lines, %3 to %4 Hz; %5 × %6 FRFs; %7")
-                     .arg(QString::fromStdString(frf::name(header.quantity)))
-                     .arg(header.lines())
-                     .arg(header.frequency_hz.front())
-                     .arg(header.frequency_hz.back())
-                     .arg(header.response.size())
-                     .arg(header.reference.size())
-                     .arg(noise());
-  for (const auto* notes : {&header.changes, &header.doubts}) {
-    for (const std::string& note : *notes) text += "\n" + QString::fromStdString(note);
-  }
-  return text;
-}
 
 /// Where a file has the FRF of a curve, or nothing.
 std::optional<std::pair<std::size_t, std::size_t>> entry_in(const LoadedFile& file, const frf::Dof& response,

@@ -1,21 +1,17 @@
 #include "gui/geometry/geometry_page.hpp"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
-#include <numbers>
 
+#include "gui/geometry/motion_bar.hpp"
 #include "gui/geometry/structure_view.hpp"
-#include "gui/look/buttons.hpp"
+#include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
+#include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
 #include "gui/scene/scene_edit.hpp"
 #include "gui/work/worker.hpp"
@@ -23,17 +19,7 @@
 namespace jointid::gui {
 namespace {
 
-constexpr int picture_ms = 40;
 constexpr int dof_role = Qt::UserRole;
-constexpr double percent = 0.01;
-
-QSlider* slider(const char* name, const QString& title, int value) {
-  auto* made = named(new QSlider(Qt::Horizontal), name, title, title);
-  made->setRange(1, 100);
-  made->setValue(value);
-  made->setMaximumWidth(120);
-  return made;
-}
 
 std::vector<frf::Dof> references_of(const std::vector<LoadedFile>& files) {
   std::vector<frf::Dof> out;
@@ -52,6 +38,7 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Geometry"));
   worker_ = new Worker(this);
   view_ = new StructureView;
+  motion_ = new MotionBar;
   list_ = named(new QListWidget, "dofs", tr("Measured DOFs; ticked: of the joint"),
                 tr("Space ticks a DOF: it goes into [joint] dofs, or out of it"));
   status_ = named(new QLabel, "geometry_status", tr("About the structure"));
@@ -64,11 +51,10 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   both->setSizes({130, 600});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
-  all->addWidget(make_controls());
+  all->addWidget(motion_);
   all->addWidget(both, 1);
   all->addWidget(status_);
-  timer_.setInterval(picture_ms);
-  connect(&timer_, &QTimer::timeout, this, &GeometryPage::next_picture);
+  connect_motion();
   connect(list_, &QListWidget::itemChanged, this, &GeometryPage::item_changed);
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
     if (item != nullptr) view_->set_current(frf::Dof::parse(item->data(dof_role).toString().toStdString()));
@@ -77,42 +63,15 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   connect(worker_, &Worker::failed, this, [this](const InputError& error) { status_->setText(QString::fromUtf8(error.what())); });
 }
 
-QWidget* GeometryPage::make_controls() {
-  auto* top = named(new QWidget, "geometry_top", tr("Motion"));
-  reference_ = named(new QComboBox, "force_at", tr("Force at"), tr("Where a harmonic force moves the assembly"));
-  reference_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  frequency_ = named(new QDoubleSpinBox, "force_frequency", tr("Frequency of the force"), tr("Follows the cursor of the plots"));
-  frequency_->setRange(0.0, 1e6);
-  frequency_->setSuffix(tr(" Hz"));
-  frequency_->setKeyboardTracking(false);
-  frequency_->findChild<QLineEdit*>()->setAccessibleName(tr("Frequency of the force"));
-  play_ = named(new QToolButton, "play", tr("Move"), tr("Show the motion"));
-  play_->setText(tr("Move"));
-  play_->setCheckable(true);
-  play_->setFocusPolicy(Qt::StrongFocus);
-  amplitude_ = slider("amplitude", tr("Amplitude"), 25);
-  speed_ = slider("speed", tr("Speed"), 30);
-  auto* undeformed = named(new QCheckBox(tr("undeformed")), "undeformed", tr("Show the structure at rest, too"));
-  undeformed->setChecked(true);
-  auto* names = named(new QCheckBox(tr("numbers")), "node_numbers", tr("Show the numbers of nodes"));
-  names->setChecked(true);
-  auto* rows = new QVBoxLayout(top);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->addLayout(row_of({new QLabel(tr("Force at")), reference_, frequency_, play_}, {undeformed, names}));
-  rows->addLayout(row_of({new QLabel(tr("amplitude")), amplitude_, new QLabel(tr("speed")), speed_}, {}));
-  connect(reference_, &QComboBox::activated, this, &GeometryPage::read_deflection);
-  connect(frequency_, &QDoubleSpinBox::valueChanged, this, &GeometryPage::read_deflection);
-  connect(amplitude_, &QSlider::valueChanged, this, &GeometryPage::show_deflection);
-  connect(undeformed, &QCheckBox::toggled, view_, &StructureView::set_undeformed);
-  connect(names, &QCheckBox::toggled, view_, &StructureView::set_names);
-  connect(play_, &QToolButton::toggled, this, [this](bool on) {
-    if (on)
-      timer_.start();
-    else
-      timer_.stop();
-    read_deflection();
+void GeometryPage::connect_motion() {
+  connect(motion_, &MotionBar::motion_changed, this, &GeometryPage::read_deflection);
+  connect(motion_, &MotionBar::look_changed, this, &GeometryPage::show_deflection);
+  connect(motion_, &MotionBar::phase_changed, view_, &StructureView::set_phase);
+  connect(motion_, &MotionBar::undeformed_wanted, view_, &StructureView::set_undeformed);
+  connect(motion_, &MotionBar::numbers_wanted, view_, &StructureView::set_names);
+  connect(motion_, &MotionBar::shapes_wanted, this, [this] {
+    for (const QString& file : choose_files_to_open(this)) open_shapes(file);
   });
-  return top;
 }
 
 bool GeometryPage::is_busy() const { return worker_->is_busy(); }
@@ -158,8 +117,7 @@ void GeometryPage::show_structure(const Structure& structure) {
       item->setCheckState(Qt::Unchecked);
     }
   }
-  reference_->clear();
-  for (const frf::Dof& dof : references_of(*files_)) reference_->addItem(q(dof.name()));
+  motion_->set_references(references_of(*files_));
   status_->setText(tr("%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to take it into the joint or out of it.")
                        .arg(structure.nodes.size())
                        .arg(structure.lines.size())
@@ -204,36 +162,67 @@ void GeometryPage::item_changed(QListWidgetItem* item) {
   Q_EMIT edit_wanted("joint", "dofs", written(joint_));
 }
 
-void GeometryPage::set_frequency(double frequency_hz) { frequency_->setValue(frequency_hz); }
+void GeometryPage::set_frequency(double frequency_hz) { motion_->set_frequency(frequency_hz); }
 
-void GeometryPage::read_deflection() {
-  const std::size_t number = ++*wanted_;
-  if (!play_->isChecked() || files_ == nullptr || reference_->count() == 0) {
-    deflection_ = {};
-    return show_deflection();
-  }
-  const frf::Dof reference = frf::Dof::parse(reference_->currentText().toStdString());
-  const double f = frequency_->value();
-  worker_->add([this, number, wanted = wanted_, files = files_, reference, f](const Worker::Watch&) -> Worker::Deliver {
-    if (number != *wanted) return {};
-    return [this, number, found = deflection_at(*files, reference, f)] {
-      if (number != *wanted_) return;
-      deflection_ = found;
-      show_deflection();
-      status_->setText(tr("The assembly under a force at %1, at its line %2 Hz.")
-                           .arg(reference_->currentText())
-                           .arg(deflection_.frequency_hz));
+void GeometryPage::set_modes(std::vector<NamedShape> shapes) {
+  fitted_ = std::move(shapes);
+  offer_modes();
+}
+
+void GeometryPage::open_shapes(const QString& file) {
+  worker_->add([this, file](const Worker::Watch&) -> Worker::Deliver {
+    return [this, shapes = named_shapes(frf::read_uff55(as_path(file)), QFileInfo(file).fileName())] {
+      const std::size_t first = fitted_.size() + of_files_.size();
+      of_files_.insert(of_files_.end(), shapes.begin(), shapes.end());
+      offer_modes();
+      motion_->choose_mode(first);
     };
   });
 }
 
-void GeometryPage::show_deflection() { view_->set_shape(deflection_.shape, percent * amplitude_->value()); }
+void GeometryPage::offer_modes() {
+  QStringList names;
+  for (const auto* list : {&fitted_, &of_files_}) {
+    for (const NamedShape& each : *list) names << each.name;
+  }
+  motion_->set_modes(names);
+}
 
-/// A turn takes from half a second to five.
-void GeometryPage::next_picture() {
-  const double turns_per_second = 0.02 * speed_->value() + 0.2;
-  phase_ = std::fmod(phase_ + 2.0 * std::numbers::pi * turns_per_second * picture_ms / 1000.0, 2.0 * std::numbers::pi);
-  view_->set_phase(phase_);
+const NamedShape& GeometryPage::chosen_mode() const {
+  const std::size_t mode = *motion_->mode();
+  return mode < fitted_.size() ? fitted_[mode] : of_files_[mode - fitted_.size()];
+}
+
+void GeometryPage::read_deflection() {
+  const std::size_t number = ++*wanted_;
+  deflection_ = {};
+  if (motion_->moves() && motion_->mode()) {
+    deflection_.shape = chosen_mode().shape;
+    return show_deflection();
+  }
+  const auto reference = motion_->reference();
+  if (!motion_->moves() || files_ == nullptr || !reference) return show_deflection();
+  const double f = motion_->frequency_hz();
+  worker_->add([this, number, wanted = wanted_, files = files_, reference, f](const Worker::Watch&) -> Worker::Deliver {
+    if (number != *wanted) return {};
+    return [this, number, found = deflection_at(*files, *reference, f)] {
+      if (number != *wanted_) return;
+      deflection_ = found;
+      show_deflection();
+    };
+  });
+}
+
+void GeometryPage::show_deflection() {
+  const Shape& shape = deflection_.shape;
+  view_->set_shape(motion_->is_of_joint() ? joint_deflection(shape, joint_) : shape, motion_->amplitude());
+  if (shape.empty()) return;
+  const QString what = motion_->mode() ? tr("Mode %1.").arg(chosen_mode().name)
+                                       : tr("The assembly under a force at %1, at its line %2 Hz.")
+                                             .arg(q(motion_->reference()->name()))
+                                             .arg(deflection_.frequency_hz);
+  const QString joint = joint_motion_text(shape, joint_);
+  status_->setText(joint.isEmpty() ? what : what + tr("\nJoint: %1").arg(joint));
 }
 
 }  // namespace jointid::gui

@@ -1,27 +1,22 @@
 #pragma once
 
-#include <QTimer>
 #include <QWidget>
 #include <atomic>
 
-#include "gui/geometry/structure.hpp"
+#include "gui/geometry/mode_shapes.hpp"
 
-class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
-class QSlider;
-class QToolButton;
 
 namespace jointid::gui {
 
+class MotionBar;
 class StructureView;
 class Worker;
 
 /// The structure of a scene in space, its measured DOFs beside it in a list; either chooses the DOFs of the joint. The assembly
-/// as it moves under a harmonic force at a reference, at the frequency of the cursor.
+/// as it moves under a harmonic force at a reference, at the frequency of the cursor, or in a mode.
 class GeometryPage : public QWidget {
   Q_OBJECT
 
@@ -32,9 +27,14 @@ class GeometryPage : public QWidget {
   void set_scene(const ident::Scene& scene, const std::string& signature);
   void set_frequency(double frequency_hz);
   bool is_busy() const;
+  /// Modes of the modal fit, to choose from beside those of files.
+  void set_modes(std::vector<NamedShape> shapes);
+  /// Those of a universal file (dataset 55).
+  void open_shapes(const QString& file);
 
   StructureView* view() const { return view_; }
   QListWidget* dofs() const { return list_; }
+  MotionBar* motion() const { return motion_; }
   QString status() const;
   const Deflection& deflection() const { return deflection_; }
 
@@ -45,7 +45,7 @@ class GeometryPage : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  QWidget* make_controls();
+  void connect_motion();
   void open_files_if_seen();
   void show_structure(const Structure& structure);
   void show_joint();
@@ -53,24 +53,21 @@ class GeometryPage : public QWidget {
   void item_changed(QListWidgetItem* item);
   void read_deflection();
   void show_deflection();
-  void next_picture();
+  void offer_modes();
+  const NamedShape& chosen_mode() const;
   QListWidgetItem* item_of(const frf::Dof& dof) const;
 
   StructureView* view_;
   QListWidget* list_;
-  QComboBox* reference_;
-  QDoubleSpinBox* frequency_;
-  QSlider *amplitude_, *speed_;
-  QToolButton* play_;
+  MotionBar* motion_;
   QLabel* status_;
-  QTimer timer_;
   Worker* worker_;
   ident::DataSection data_;
   std::vector<frf::Dof> joint_;
   std::string wanted_signature_, signature_;
   std::shared_ptr<std::vector<LoadedFile>> files_;  ///< opened by the worker's thread, and read by it alone
   Deflection deflection_;
-  double phase_ = 0.0;
+  std::vector<NamedShape> fitted_, of_files_;
   /// Counts deflections asked for, so that only the last is read and shown.
   std::shared_ptr<std::atomic<std::size_t>> wanted_ = std::make_shared<std::atomic<std::size_t>>(0);
 };

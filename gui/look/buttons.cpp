@@ -26,6 +26,17 @@ QSpinBox* number_box(const char* name, const QString& title, int least, int valu
   return box;
 }
 
+QDoubleSpinBox* frequency_box(const char* name, const QString& title, const QString& word) {
+  auto* box = named(new QDoubleSpinBox, name, title, QDoubleSpinBox::tr("%1; 0: all lines").arg(title));
+  box->setRange(0.0, 1e7);
+  box->setDecimals(3);
+  box->setPrefix(word + " ");
+  box->setSuffix(QStringLiteral(" Hz"));
+  box->setSpecialValueText(QDoubleSpinBox::tr("%1: all lines").arg(word));
+  box->findChild<QLineEdit*>()->setAccessibleName(title);
+  return box;
+}
+
 QLayout* row_of(std::initializer_list<QWidget*> left, std::initializer_list<QWidget*> right) {
   auto* row = new QHBoxLayout;
   for (QWidget* each : left) row->addWidget(each);

@@ -7,8 +7,12 @@
 namespace jointid::gui {
 
 ChoiceButton::ChoiceButton(const char* name, const QString& title, const QStringList& words, QWidget* parent)
-    : QToolButton(parent), title_(title) {
-  named(this, name, title, tr("What to try; nothing chosen: as in the scene"));
+    : ChoiceButton(name, title, words, tr("as in the scene"), tr("What to try; nothing chosen: as in the scene"), parent) {}
+
+ChoiceButton::ChoiceButton(const char* name, const QString& title, const QStringList& words, const QString& none,
+                           const QString& hint, QWidget* parent)
+    : QToolButton(parent), title_(title), none_(none) {
+  named(this, name, title, hint);
   setFocusPolicy(Qt::StrongFocus);
   setPopupMode(QToolButton::InstantPopup);
   auto* words_menu = named(new QMenu(this), "choices", title);
@@ -36,7 +40,7 @@ void ChoiceButton::choose(const QStringList& words) {
 
 void ChoiceButton::show_choice() {
   const QStringList words = chosen();
-  setText(title_ + ": " + (words.isEmpty() ? tr("as in the scene") : words.join(QStringLiteral(", "))));
+  setText(title_ + ": " + (words.isEmpty() ? none_ : words.join(QStringLiteral(", "))));
 }
 
 }  // namespace jointid::gui

@@ -5,12 +5,15 @@
 
 namespace jointid::gui {
 
-/// A button with a menu of words, of which any number may be chosen: "method: one, two"; "as in the scene" where none is.
+/// A button with a menu of words, of which any number may be chosen: "method: one, two"; "as in the scene", say, where none is.
 class ChoiceButton : public QToolButton {
   Q_OBJECT
 
  public:
   ChoiceButton(const char* name, const QString& title, const QStringList& words, QWidget* parent = nullptr);
+  /// `none`: what stands where nothing is chosen, instead of "as in the scene".
+  ChoiceButton(const char* name, const QString& title, const QStringList& words, const QString& none, const QString& hint,
+               QWidget* parent = nullptr);
 
   QStringList chosen() const;
   void choose(const QStringList& words);
@@ -18,7 +21,7 @@ class ChoiceButton : public QToolButton {
  private:
   void show_choice();
 
-  QString title_;
+  QString title_, none_;
   QList<QAction*> actions_;
 };
 

@@ -8,14 +8,18 @@
 
 namespace jointid::gui {
 
-void write_output(const QString& file, std::string_view bytes, const std::vector<std::filesystem::path>& inputs) {
+void check_output(const QString& file, const std::vector<std::filesystem::path>& inputs) {
   const auto target = as_path(file);
   for (const auto& input : inputs) {
     std::error_code none;
     if (!std::filesystem::equivalent(input, target, none)) continue;
     throw InputError({ErrorKind::usage, target.string(), "", "this file is an input of the scene", "choose another name"});
   }
-  write_text(target, bytes);
+}
+
+void write_output(const QString& file, std::string_view bytes, const std::vector<std::filesystem::path>& inputs) {
+  check_output(file, inputs);
+  write_text(as_path(file), bytes);
 }
 
 }  // namespace jointid::gui

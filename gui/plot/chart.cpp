@@ -10,12 +10,14 @@
 
 #include "gui/look/named.hpp"
 #include "gui/plot/chart_drawing.hpp"
+#include "gui/plot/curve_drawing.hpp"
 #include "gui/plot/panel_drawing.hpp"
 
 namespace jointid::gui {
 namespace {
 
-constexpr double nearest_px = 14.0;
+constexpr double nearest_px = 14.0, zoom_factor = 1.4;
+constexpr int least_drag_px = 4;
 
 }  // namespace
 
@@ -55,30 +57,61 @@ void Chart::add_controls() {
 
 Saveable Chart::saveable() const {
   return {[this](const QString& ending) { return picture_of(*plot_, ending); },
-          [this](char separator) { return chart_table(scatter_, histograms_, separator); }};
+          [this](char separator) {
+            return curves_.empty() ? chart_table(scatter_, histograms_, separator) : curve_table(curves_, separator);
+          }};
 }
 
 void Chart::draw(report::ScatterPlot plot) {
-  clear();
+  forget();
   scatter_ = std::move(plot);
   redraw();
 }
 
 void Chart::draw(std::vector<report::HistogramPlot> plots) {
-  clear();
+  forget();
   histograms_ = std::move(plots);
   redraw();
 }
 
+void Chart::draw(std::vector<report::CurvePlot> plots) {
+  forget();
+  curves_ = std::move(plots);
+  redraw();
+}
+
 void Chart::clear() {
+  forget();
+  zoomed_ = false;
+  redraw();
+}
+
+void Chart::forget() {
   scatter_ = {};
   histograms_.clear();
+  curves_.clear();
   chosen_.reset();
   readout_->clear();
+}
+
+void Chart::let_zoom() {
+  may_zoom_ = true;
+  plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+}
+
+std::array<double, 2> Chart::shown() const {
+  if (plot_->axisRectCount() == 0) return {};
+  const QCPRange range = plot_->axisRects().front()->axis(QCPAxis::atBottom)->range();
+  return {range.lower, range.upper};
+}
+
+void Chart::show_all() {
+  zoomed_ = false;
   redraw();
 }
 
 void Chart::redraw() {
+  const std::array<double, 2> before = shown();
   plot_->clearItems();
   plot_->clearPlottables();
   plot_->plotLayout()->clear();
@@ -89,8 +122,15 @@ void Chart::redraw() {
     draw_scatter(*plot_, scatter_, theme);
   else if (!histograms_.empty())
     draw_histograms(*plot_, histograms_, theme);
+  else if (!curves_.empty())
+    draw_curves(*plot_, curves_, theme);
   else
     draw_hint(*plot_, hint_, theme);
+  for (QCPAxisRect* rect : plot_->axisRects()) {
+    rect->setRangeDrag(Qt::Horizontal);
+    rect->setRangeZoom(Qt::Horizontal);
+    if (zoomed_) rect->axis(QCPAxis::atBottom)->setRange(before[0], before[1]);
+  }
   ring();
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -151,7 +191,36 @@ bool Chart::click(const QPoint& at) {
   return true;
 }
 
+bool Chart::zoom_by(int key) {
+  if (!may_zoom_ || plot_->axisRectCount() == 0) return false;
+  if (key == Qt::Key_Home) {
+    show_all();
+    return true;
+  }
+  if (key != Qt::Key_Plus && key != Qt::Key_Minus) return false;
+  zoomed_ = true;
+  QCPAxis* const x = plot_->axisRects().front()->axis(QCPAxis::atBottom);
+  const double factor = key == Qt::Key_Plus ? 1.0 / zoom_factor : zoom_factor;
+  if (chosen_)
+    x->scaleRange(factor, point_at(*chosen_).x);
+  else
+    x->scaleRange(factor);
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+  return true;
+}
+
+/// A drag chooses nothing.
+bool Chart::release(const QPoint& at) {
+  if ((at - pressed_).manhattanLength() > least_drag_px) {
+    zoomed_ = zoomed_ || may_zoom_;
+  } else if (click(at)) {
+    Q_EMIT opened(chosen_->first, chosen_->second);
+  }
+  return false;
+}
+
 bool Chart::press(int key) {
+  if (zoom_by(key)) return true;
   const std::vector<Place> all = places();
   if (all.empty()) return false;
   const bool enter = key == Qt::Key_Return || key == Qt::Key_Enter;
@@ -172,8 +241,13 @@ bool Chart::eventFilter(QObject* watched, QEvent* event) {
   if (watched != plot_) return QWidget::eventFilter(watched, event);
   if (event->type() == QEvent::Resize && !histograms_.empty()) redraw();
   if (event->type() == QEvent::KeyPress) return press(static_cast<QKeyEvent*>(event)->key());
-  if (event->type() != QEvent::MouseButtonPress || static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton) return false;
-  if (click(static_cast<QMouseEvent*>(event)->position().toPoint())) Q_EMIT opened(chosen_->first, chosen_->second);
+  if (event->type() == QEvent::Wheel) zoomed_ = may_zoom_;
+  if (event->type() == QEvent::MouseButtonDblClick && may_zoom_) show_all();
+  if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease) return false;
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  if (mouse->button() != Qt::LeftButton) return false;
+  if (event->type() == QEvent::MouseButtonRelease) return release(mouse->position().toPoint());
+  pressed_ = mouse->position().toPoint();
   return false;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,7 +15,8 @@ class QLabel;
 
 namespace jointid::gui {
 
-/// Points or histograms as pages have them. A click on a point opens it; ← and → choose one, and Enter opens it.
+/// Points, curves or histograms as pages have them. A click on a point opens it; ← and → choose one, and Enter opens it. Where it may
+/// be zoomed: wheel, + and − along the x-axis, drag moves it, double click or Home show all.
 class Chart : public QWidget {
   Q_OBJECT
 
@@ -23,9 +26,15 @@ class Chart : public QWidget {
 
   void draw(report::ScatterPlot plot);
   void draw(std::vector<report::HistogramPlot> plots);
+  /// Below each other; those over the same axis zoom together.
+  void draw(std::vector<report::CurvePlot> plots);
   void clear();
+  /// The part of the x-axis that is shown then stays when something else is drawn.
+  void let_zoom();
+  std::array<double, 2> shown() const;  ///< of the x-axis
   const report::ScatterPlot& scatter() const { return scatter_; }
   const std::vector<report::HistogramPlot>& histograms() const { return histograms_; }
+  const std::vector<report::CurvePlot>& curve_plots() const { return curves_; }
 
   /// Rings a point, which has to be there, without a signal.
   void choose(std::size_t group, std::size_t point);
@@ -48,9 +57,13 @@ class Chart : public QWidget {
   using Place = std::pair<std::size_t, std::size_t>;
 
   void add_controls();
+  void forget();
   void redraw();
   void ring();
   bool press(int key);
+  bool zoom_by(int key);
+  bool release(const QPoint& at);
+  void show_all();
   bool click(const QPoint& at);
   std::vector<Place> places() const;
   const report::Point& point_at(const Place& place) const;
@@ -60,6 +73,9 @@ class Chart : public QWidget {
   QLabel* readout_;
   report::ScatterPlot scatter_;
   std::vector<report::HistogramPlot> histograms_;
+  std::vector<report::CurvePlot> curves_;
+  bool may_zoom_ = false, zoomed_ = false;
+  QPoint pressed_;
   std::optional<Place> chosen_;
   std::vector<std::filesystem::path> inputs_;
 };

@@ -6,21 +6,16 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "gui/plot/curve_drawing.hpp"
 #include "gui/plot/panel_drawing.hpp"
+#include "gui/plot/quoted.hpp"
 
 namespace jointid::gui {
 namespace {
 
 constexpr int in_a_row = 4, narrowest = 180;  // pixels
+constexpr std::size_t few_points = 60;  ///< of a group, which are drawn large
 constexpr const char* ring_name = "ring";
-
-void set_axis(QCPAxis& axis, const report::Axis& wanted) {
-  axis.setLabel(QString::fromStdString(wanted.label));
-  if (!wanted.log) return;
-  axis.setScaleType(QCPAxis::stLogarithmic);
-  axis.setTicker(QSharedPointer<QCPAxisTickerLog>::create());
-  axis.setNumberFormat(QStringLiteral("gb"));
-}
 
 QCPGraph* add_points(QCustomPlot& plot, QCPAxisRect& rect, const std::vector<report::Point>& points) {
   QCPGraph* const graph = plot.addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
@@ -89,12 +84,6 @@ void draw_histogram(QCustomPlot& plot, QCPAxisRect& rect, const report::Histogra
   if (histogram.mark) draw_mark(plot, rect, *histogram.mark, QString::fromStdString(histogram.mark_name), theme);
 }
 
-std::string cell(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::string number(double value) { return digits(value, "%.17g"); }
 
 }  // namespace
@@ -114,8 +103,10 @@ void draw_scatter(QCustomPlot& plot, const report::ScatterPlot& scatter, Theme t
     const QColor colour = curve_colour(theme, static_cast<int>(g));
     graph->setName(QString::fromStdString(scatter.groups[g].name));
     graph->setLineStyle(QCPGraph::lsNone);
-    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, 9));
+    const int size = scatter.groups[g].points.size() > few_points ? 5 : 9;
+    graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, size));
     graph->addToLegend(plot.legend);
+    if (scatter.groups[g].points.empty()) continue;
     graph->rescaleAxes(found);
     found = true;
   }
@@ -127,6 +118,7 @@ void draw_scatter(QCustomPlot& plot, const report::ScatterPlot& scatter, Theme t
   }
   widen(*x);
   widen(*y);
+  if (scatter.backdrop) draw_backdrop(plot, *rect, *scatter.backdrop, theme);
 }
 
 void draw_histograms(QCustomPlot& plot, const std::vector<report::HistogramPlot>& histograms, Theme theme) {
@@ -157,10 +149,10 @@ std::string chart_table(const report::ScatterPlot& scatter, const std::vector<re
   const std::string by(1, separator);
   std::string text;
   if (!scatter.groups.empty()) {
-    text = "group" + by + "name" + by + cell(scatter.x.label) + by + cell(scatter.y.label) + "\n";
+    text = "group" + by + "name" + by + quoted(scatter.x.label) + by + quoted(scatter.y.label) + "\n";
     for (const report::PointGroup& group : scatter.groups) {
       for (const report::Point& point : group.points) {
-        text += cell(group.name) + by + cell(point.label) + by + number(point.x) + by + number(point.y) + "\n";
+        text += quoted(group.name) + by + quoted(point.label) + by + number(point.x) + by + number(point.y) + "\n";
       }
     }
   }
@@ -169,7 +161,7 @@ std::string chart_table(const report::ScatterPlot& scatter, const std::vector<re
     const double width = (plot.high - plot.low) / static_cast<double>(std::max<std::size_t>(1, plot.counts.size()));
     for (std::size_t i = 0; i < plot.counts.size(); ++i) {
       const double from = plot.low + static_cast<double>(i) * width;
-      text += cell(plot.title) + by + number(from) + by + number(from + width) + by + digits(plot.counts[i], "%.0f") + "\n";
+      text += quoted(plot.title) + by + number(from) + by + number(from + width) + by + digits(plot.counts[i], "%.0f") + "\n";
     }
   }
   return text;

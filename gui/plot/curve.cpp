@@ -11,6 +11,7 @@
 #include "gui/look/said.hpp"
 #include "report/frf_curves.hpp"
 #include "report/phase_branch.hpp"
+#include "gui/plot/quoted.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -64,12 +65,6 @@ std::string unit(const Curve& curve, frf::Quantity quantity) {
 }
 
 /// As a cell of CSV, quotes doubled.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
-
 std::string number_or_nothing(double number) { return std::isfinite(number) ? digits(number, "%.17g") : ""; }
 
 }  // namespace

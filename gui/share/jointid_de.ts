@@ -2545,8 +2545,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Die Fügestelle bestimmen (F5)</translation>
     </message>
     <message>
-        <source>The smallest errors that the data allow, and what other data would change (F7)</source>
-        <translation>Die kleinsten Fehler, die die Daten zulassen, und was andere Daten änderten (F7)</translation>
+        <source>The smallest errors that the data allow, and what other data would change</source>
+        <translation>Die kleinsten Fehler, die die Daten zulassen, und was andere Daten änderten</translation>
     </message>
     <message>
         <source>Cancel</source>

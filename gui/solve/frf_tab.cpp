@@ -5,23 +5,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "base/text.hpp"
 #include "gui/look/named.hpp"
+#include "gui/page/dof_box.hpp"
 #include "gui/plot/frf_plot.hpp"
 
 namespace jointid::gui {
-namespace {
-
-void fill(QComboBox& box, const std::vector<frf::Dof>& dofs) {
-  const QString before = box.currentText();
-  box.clear();
-  for (const frf::Dof& dof : dofs) box.addItem(QString::fromStdString(dof.name()));
-  box.setCurrentIndex(std::max(0, box.findText(before)));
-}
-
-}  // namespace
 
 FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worker) {
   response_ = named(new QComboBox, "asm_response", tr("Response"));
@@ -44,8 +34,8 @@ FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worke
 void FrfTab::show_runs(const std::vector<Solved>& runs, std::size_t front) {
   runs_ = runs;
   front_ = front;
-  fill(*response_, ident::regenerable_responses(*runs_[front_].plan));
-  fill(*reference_, ident::regenerable_references(*runs_[front_].plan));
+  fill_dofs(*response_, ident::regenerable_responses(*runs_[front_].plan));
+  fill_dofs(*reference_, ident::regenerable_references(*runs_[front_].plan));
   plot_->set_marked(outlying_hz(runs_[front_]));
   show_frf();
 }

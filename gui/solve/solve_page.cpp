@@ -3,20 +3,17 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
-#include <QEvent>
 #include <QGridLayout>
-#include <QLabel>
 #include <QTabWidget>
 #include <QTime>
 
 #include "base/text.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/dialogs.hpp"
-#include "gui/look/job_progress.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
-#include "gui/look/theme.hpp"
+#include "gui/page/job_line.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/solve/frf_tab.hpp"
 #include "gui/solve/joint_tab.hpp"
@@ -26,18 +23,17 @@
 #include "ident/identify.hpp"
 
 namespace jointid::gui {
+
 SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Solve"));
-  worker_ = new Worker(this);
+  line_ = new JobLine("solve", tr("Status of the solution"), tr("Stop and keep the best values so far (Shift+F5)"));
   plan_ = new CellTable("plan_table", tr("Plan"));
   bounds_ = new CellTable("bounds", tr("Bounds before measuring"));
   unknowns_ = new CellTable("unknowns", tr("Unknowns"));
   findings_ = new CellTable("findings", tr("Findings"));
   run_table_ = new CellTable("run_table", tr("Runs beside each other"));
   joint_tab_ = new JointTab;
-  frf_tab_ = new FrfTab(*worker_);
-  status_ = named(new QLabel, "solve_status", tr("Status of the solution"));
-  progress_ = new JobProgress("progress");
+  frf_tab_ = new FrfTab(line_->worker());
   results_ = named(new QTabWidget, "results", tr("Plan and results"));
   results_->addTab(plan_, tr("Plan"));
   results_->addTab(bounds_, tr("Bounds"));
@@ -49,19 +45,12 @@ SolvePage::SolvePage(QWidget* parent) : QWidget(parent) {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
-  all->addLayout(status_row(status_, progress_));
+  all->addWidget(line_);
   all->addWidget(results_, 1);
-  connect(worker_, &Worker::failed, this, [this](const InputError& error) {
-    say(QString::fromUtf8(error.what()), true);
-    Q_EMIT failed(error);
-  });
-  connect(worker_, &Worker::cancelled, this, [this] { say(tr("Cancelled."), false); });
-  connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
-    progress_->set_busy(busy);
-    cancel_->setEnabled(busy);
+  connect(line_, &JobLine::failed, this, &SolvePage::failed);
+  connect(line_, &JobLine::busy_changed, this, [this](bool busy) {
     if (!busy && stale_) plan_if_quick();
   });
-  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_stage);
   set_scene({});
 }
 
@@ -69,9 +58,7 @@ QWidget* SolvePage::make_top() {
   auto* top = named(new QWidget, "solve_top", tr("Solving"));
   solve_ = push_button("solve", tr("Solve"), tr("Identify the joint (F5)"));
   auto* bound_button =
-      push_button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change (F7)"));
-  cancel_ = push_button("cancel", tr("Cancel"), tr("Stop and keep the best values so far (Shift+F5)"));
-  cancel_->setEnabled(false);
+      push_button("bound", tr("Bounds"), tr("The smallest errors that the data allow, and what other data would change"));
   run_choice_ = named(new QComboBox, "runs", tr("Runs"), tr("Solutions of this session"));
   run_choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   auto* command =
@@ -81,11 +68,10 @@ QWidget* SolvePage::make_top() {
   auto* json = push_button("save_json", tr("JSON…"), tr("Save the solution as `jointid solve --json` writes it"));
   auto* rows = new QGridLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addLayout(row_of({solve_, bound_button, cancel_}, {command}), 0, 0);
+  rows->addLayout(row_of({solve_, bound_button, line_->cancel_button()}, {command}), 0, 0);
   rows->addLayout(row_of({run_choice_}, {table, page, json}), 1, 0);
   connect(solve_, &QPushButton::clicked, this, &SolvePage::solve);
   connect(bound_button, &QPushButton::clicked, this, &SolvePage::bound);
-  connect(cancel_, &QPushButton::clicked, this, &SolvePage::cancel);
   connect(run_choice_, &QComboBox::activated, this, &SolvePage::show_run);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(table, &QPushButton::clicked, this, &SolvePage::save_table);
@@ -98,32 +84,16 @@ FrfPlot* SolvePage::plot() const { return frf_tab_->plot(); }
 
 CellTable* SolvePage::matrix() const { return joint_tab_->matrix(); }
 
-bool SolvePage::is_busy() const { return worker_->is_busy(); }
+bool SolvePage::is_busy() const { return line_->is_busy(); }
 
-QString SolvePage::status() const { return status_->text(); }
-
-void SolvePage::say(const QString& text, bool bad) {
-  bad_ = bad;
-  colour_status();
-  status_->setText(text);
-}
-
-void SolvePage::colour_status() {
-  const Colours use = colours(theme_of(palette()));
-  status_->setStyleSheet(QStringLiteral("color: %1").arg((bad_ ? use.error : use.text).name()));
-}
-
-void SolvePage::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && status_ != nullptr) colour_status();
-}
+QString SolvePage::status() const { return line_->status(); }
 
 void SolvePage::set_scene(std::optional<ident::Scene> scene) {
   scene_ = std::move(scene);
   solve_->setEnabled(scene_.has_value());
   plot()->protect(inputs_of(scene_));
   if (scene_) plot()->set_bands(scene_->frequency.exclude_hz, scene_->frequency.range_hz);
-  stale_ = worker_->is_busy();
+  stale_ = line_->is_busy();
   if (!stale_) plan_if_quick();
 }
 
@@ -139,14 +109,14 @@ void SolvePage::plan() {
 
 void SolvePage::add_plan() {
   if (!scene_) return;
-  worker_->add([this, scene = *scene_](const Worker::Watch&) -> Worker::Deliver {
+  line_->worker().add([this, scene = *scene_](const Worker::Watch&) -> Worker::Deliver {
     try {
       const auto plan = ident::make_plan(scene);
       return [this, rows = plan_rows(*plan)] { show_plan(rows); };
     } catch (const InputError& error) {
       return [this, error] {
         renew_status_ = true;
-        say(QString::fromUtf8(error.what()), true);
+        line_->say(QString::fromUtf8(error.what()), true);
         Q_EMIT failed(error);
       };
     }
@@ -156,10 +126,10 @@ void SolvePage::add_plan() {
 /// A plan that nobody asked for leaves what stands in the status, but for what a plan before it said was wrong.
 void SolvePage::show_plan(const CellRows& rows) {
   plan_->show_rows(rows);
-  if (worker_->is_busy() || !renew_status_) return;
+  if (line_->is_busy() || !renew_status_) return;
   renew_status_ = false;
   if (runs_.empty())
-    say(tr("Planned; F5 solves."), false);
+    line_->say(tr("Planned; F5 solves."));
   else
     show_status();
 }
@@ -168,12 +138,12 @@ void SolvePage::bound() {
   if (!scene_) return;
   results_->setCurrentWidget(bounds_);
   renew_status_ = false;
-  say(tr("Predicting bounds …"), false);
-  worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
+  line_->say(tr("Predicting bounds …"));
+  line_->worker().add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
     const ident::BoundReport report = predict_bound(scene, {}, watch);
     return [this, rows = bound_rows(report), cut = report.interrupted] {
       bounds_->show_rows(rows);
-      say(cut ? tr("Cancelled: not all changes of the data were looked at.") : tr("Bounds are predicted."), cut);
+      line_->say(cut ? tr("Cancelled: not all changes of the data were looked at.") : tr("Bounds are predicted."), cut);
     };
   });
 }
@@ -181,8 +151,8 @@ void SolvePage::bound() {
 void SolvePage::solve() {
   if (!scene_) return;
   renew_status_ = false;
-  say(tr("Solving …"), false);
-  worker_->add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
+  line_->say(tr("Solving …"));
+  line_->worker().add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
     Solved solved = solve_scene(scene, watch);
     return [this, solved, rows = plan_rows(*solved.plan)] {
       plan_->show_rows(rows);
@@ -191,7 +161,7 @@ void SolvePage::solve() {
   });
 }
 
-void SolvePage::cancel() { worker_->cancel(); }
+void SolvePage::cancel() { line_->cancel(); }
 
 const Solved* SolvePage::current() const {
   const int run = run_choice_->currentIndex();
@@ -221,7 +191,7 @@ void SolvePage::show_status() {
     text += tr("\nassembly FRF error %1 dB").arg(QString::fromStdString(digits(*solution.fit.asm_frf_error, "%.3g")));
   }
   text += tr("; %1 s").arg(QString::fromStdString(digits(solution.runtime_s.total)));
-  say(text, !ident::is_usable(solution.status));
+  line_->say(text, !ident::is_usable(solution.status));
 }
 
 void SolvePage::show_run(int run) {
@@ -242,19 +212,19 @@ void SolvePage::save(const QString& file, const std::string& text) {
   try {
     write_output(file, text, inputs_of(scene_));
   } catch (const InputError& error) {
-    say(QString::fromUtf8(error.what()), true);
+    line_->say(QString::fromUtf8(error.what()), true);
   }
 }
 
 void SolvePage::save_json() {
   const Solved* const run = current();
-  if (run == nullptr) return say(tr("Nothing is solved yet."), true);
+  if (run == nullptr) return line_->say(tr("Nothing is solved yet."), true);
   const QString file = choose_file_to_save(this, tr("Save the solution"), {}, tr("JSON (*.json)"), QStringLiteral("json"));
   if (!file.isEmpty()) save(file, json_of(*run));
 }
 
 void SolvePage::save_report() {
-  if (current() == nullptr) return say(tr("Nothing is solved yet."), true);
+  if (current() == nullptr) return line_->say(tr("Nothing is solved yet."), true);
   const QString file = choose_file_to_save(this, tr("Save the report"), {}, tr("Pages (*.html)"), QStringLiteral("html"));
   if (!file.isEmpty()) write_report(file);
 }
@@ -262,16 +232,16 @@ void SolvePage::save_report() {
 void SolvePage::write_report(const QString& file) {
   const Solved* const run = current();
   if (run == nullptr) return;
-  worker_->add([this, file, solved = *run, inputs = inputs_of(scene_)](const Worker::Watch& watch) -> Worker::Deliver {
+  line_->worker().add([this, file, solved = *run, inputs = inputs_of(scene_)](const Worker::Watch& watch) -> Worker::Deliver {
     write_output(file, report_of(solved, watch), inputs);
-    return [this, file] { say(tr("The report is written to %1.").arg(file), false); };
+    return [this, file] { line_->say(tr("The report is written to %1.").arg(file)); };
   });
 }
 
 void SolvePage::save_table() {
   const auto* const table = results_->currentWidget()->findChild<CellTable*>();
   const auto* const shown = table != nullptr ? table : qobject_cast<CellTable*>(results_->currentWidget());
-  if (shown == nullptr) return say(tr("There is no table in front; the plot has its own button."), true);
+  if (shown == nullptr) return line_->say(tr("There is no table in front; the plot has its own button."), true);
   const QString file = choose_file_to_save(this, tr("Save the table"), {}, tr("Tables (*.csv)"), QStringLiteral("csv"));
   if (!file.isEmpty()) save(file, shown->text(',').toStdString());
 }

@@ -6,7 +6,6 @@
 #include "gui/solve/solve_job.hpp"
 
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QTabWidget;
 
@@ -16,9 +15,8 @@ class CellTable;
 struct CellRows;
 class FrfPlot;
 class FrfTab;
-class JobProgress;
+class JobLine;
 class JointTab;
-class Worker;
 
 /// What solving a scene will do, how far it is, and what came of it; earlier runs stay to be looked at.
 class SolvePage : public QWidget {
@@ -60,9 +58,6 @@ class SolvePage : public QWidget {
   void failed(const jointid::InputError& error);
   void solved();
 
- protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   QWidget* make_top();
   void add_run(Solved solved);
@@ -75,24 +70,19 @@ class SolvePage : public QWidget {
   void save_report();
   void save_table();
   void save(const QString& file, const std::string& text);
-  void say(const QString& text, bool bad);
-  void colour_status();
   const Solved* current() const;
 
-  QPushButton *solve_, *cancel_;
+  QPushButton* solve_;
   QComboBox* run_choice_;
-  JobProgress* progress_;
-  QLabel* status_;
+  JobLine* line_;
   QTabWidget* results_;
   CellTable *plan_, *bounds_, *unknowns_, *findings_, *run_table_;
-  Worker* worker_;
   JointTab* joint_tab_;
   FrfTab* frf_tab_;
   std::optional<ident::Scene> scene_;
   std::vector<Solved> runs_;
   QString file_;
   bool renew_status_ = true;  ///< by the next plan
-  bool bad_ = false;          ///< what the status says
   bool stale_ = false;        ///< the scene changed while something ran
 };
 

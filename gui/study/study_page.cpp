@@ -5,16 +5,14 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QFileInfo>
-#include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "gui/look/buttons.hpp"
-#include "gui/look/job_progress.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
-#include "gui/look/theme.hpp"
+#include "gui/page/job_line.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/table/cell_table.hpp"
 
@@ -22,9 +20,8 @@ namespace jointid::gui {
 
 StudyPage::StudyPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Study"));
-  worker_ = new Worker(this);
-  status_ = named(new QLabel, "study_status", tr("Status of the study"));
-  progress_ = new JobProgress("study_progress");
+  line_ = new JobLine("study", tr("Status of the study"), tr("Stop; what is done stays, and the next run goes on from there"));
+  line_->set_cancelled_text(tr("Cancelled before any trial was done."));
   chart_ = new Chart("study_histograms", tr("Histograms of the unknowns"),
                      tr("Run, and the estimates of all trials grow here as histograms.\n"
                         "The noise is that of [noise], or that of the coherences of the files."));
@@ -38,27 +35,16 @@ StudyPage::StudyPage(QWidget* parent) : QWidget(parent) {
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(make_top());
-  all->addLayout(status_row(status_, progress_));
+  all->addWidget(line_);
   all->addWidget(both, 1);
-  connect(worker_, &Worker::failed, this, [this](const InputError& error) {
-    say(QString::fromUtf8(error.what()), true);
-    Q_EMIT failed(error);
-  });
-  connect(worker_, &Worker::cancelled, this, [this] { say(tr("Cancelled before any trial was done."), false); });
-  connect(worker_, &Worker::busy_changed, this, [this](bool busy) {
-    progress_->set_busy(busy);
-    cancel_->setEnabled(busy);
-    run_->setEnabled(!busy && scene_.has_value());
-  });
-  connect(worker_, &Worker::progressed, progress_, &JobProgress::show_stage);
+  connect(line_, &JobLine::failed, this, &StudyPage::failed);
+  connect(line_, &JobLine::busy_changed, this, [this](bool busy) { run_->setEnabled(!busy && scene_.has_value()); });
   set_scene({}, {}, {});
 }
 
 QWidget* StudyPage::make_top() {
   auto* top = named(new QWidget, "study_top", tr("Studying"));
   run_ = push_button("study", tr("Run"), tr("Identify over and over with simulated noise"));
-  cancel_ = push_button("study_cancel", tr("Cancel"), tr("Stop; what is done stays, and the next run goes on from there"));
-  cancel_->setEnabled(false);
   trials_ = number_box("study_trials", tr("trials"), 1, 1000);
   seed_ = number_box("study_seed", tr("seed"), 0, 1);
   anew_ = named(new QCheckBox(tr("from the beginning")), "study_anew", tr("Do not take up what was cancelled"),
@@ -68,26 +54,19 @@ QWidget* StudyPage::make_top() {
   auto* command = push_button("study_command", tr("Copy as command"), tr("Copy the command line that writes the same file"));
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addLayout(row_of({run_, cancel_, trials_, seed_}, {command}));
+  rows->addLayout(row_of({run_, line_->cancel_button(), trials_, seed_}, {command}));
   rows->addLayout(row_of({set_choice_, anew_}, {}));
   connect(run_, &QPushButton::clicked, this, &StudyPage::run);
-  connect(cancel_, &QPushButton::clicked, this, &StudyPage::cancel);
   connect(command, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   connect(set_choice_, &QComboBox::activated, this, &StudyPage::show_set);
   return top;
 }
 
-bool StudyPage::is_busy() const { return worker_->is_busy(); }
+bool StudyPage::is_busy() const { return line_->is_busy(); }
 
 void StudyPage::set_trials(int trials) { trials_->setValue(trials); }
 
-QString StudyPage::status() const { return status_->text(); }
-
-void StudyPage::say(const QString& text, bool bad) {
-  const Colours use = colours(theme_of(palette()));
-  status_->setStyleSheet(bad ? QStringLiteral("color: %1").arg(use.error.name()) : QString());
-  status_->setText(text);
-}
+QString StudyPage::status() const { return line_->status(); }
 
 void StudyPage::set_scene(std::optional<ident::Scene> scene, const std::string& text, const QString& file) {
   scene_ = std::move(scene);
@@ -107,27 +86,27 @@ bool StudyPage::can_go_on() const {
 
 void StudyPage::run() {
   if (!scene_ || is_busy()) return;
-  if (file_.isEmpty()) return say(tr("Save the scene first: the results of the study lie beside it."), true);
+  if (file_.isEmpty()) return line_->say(tr("Save the scene first: the results of the study lie beside it."), true);
   const StudyWish wish{*scene_,
                        text_,
                        as_path(result_file()),
                        static_cast<std::size_t>(trials_->value()),
                        static_cast<std::uint64_t>(seed_->value()),
                        anew_->isChecked()};
-  say(can_go_on() ? tr("Going on …") : tr("Running …"), false);
-  worker_->add([this, wish](const Worker::Watch& watch) -> Worker::Deliver {
+  line_->say(can_go_on() ? tr("Going on …") : tr("Running …"));
+  line_->worker().add([this, wish](const Worker::Watch& watch) -> Worker::Deliver {
     const auto so_far = [&](const StudyShown& shown) { watch.show([this, shown] { show_study(shown); }); };
     return [this, shown = run_study_job(wish, watch, so_far)] {
       show_study(shown);
       if (shown.complete)
-        say(QString::fromStdString(shown.text) + tr("\nall results: %1").arg(result_file()), false);
+        line_->say(QString::fromStdString(shown.text) + tr("\nall results: %1").arg(result_file()));
       else
-        say(tr("Cancelled: %1 of %2 trials are kept; Run goes on from there.").arg(shown.done).arg(shown.trials), true);
+        line_->say(tr("Cancelled: %1 of %2 trials are kept; Run goes on from there.").arg(shown.done).arg(shown.trials), true);
     };
   });
 }
 
-void StudyPage::cancel() { worker_->cancel(); }
+void StudyPage::cancel() { line_->cancel(); }
 
 void StudyPage::show_study(const StudyShown& shown) {
   histograms_ = shown.histograms;

@@ -7,7 +7,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QLabel;
 class QPushButton;
 class QSpinBox;
 
@@ -15,7 +14,7 @@ namespace jointid::gui {
 
 class CellTable;
 class Chart;
-class JobProgress;
+class JobLine;
 
 /// Identifying over and over with simulated noise: histograms of the unknowns that grow, and their statistics at the end. The
 /// trials lie in a file beside the scene; what is done stays there when it is cancelled, and is taken up by the next run.
@@ -48,18 +47,15 @@ class StudyPage : public QWidget {
   QWidget* make_top();
   void show_study(const StudyShown& shown);
   void show_set();
-  void say(const QString& text, bool bad);
   bool can_go_on() const;
 
-  QPushButton *run_, *cancel_;
+  QPushButton* run_;
   QSpinBox *trials_, *seed_;
   QCheckBox* anew_;
   QComboBox* set_choice_;
-  JobProgress* progress_;
-  QLabel* status_;
+  JobLine* line_;
   Chart* chart_;
   CellTable* table_;
-  Worker* worker_;
   std::optional<ident::Scene> scene_;
   std::string text_;
   QString file_;

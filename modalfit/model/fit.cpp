@@ -67,6 +67,11 @@ class Fitter {
 
   ModalFit run() {
     ModalFit out;
+    if (options_.poles) {
+      RefinedPoles given = refined_as_given(*options_.poles, out);
+      finish(std::move(given), out);
+      return out;
+    }
     std::vector<Pole> poles = candidates(out);
     tell("refining poles");
     RefinedPoles refined = settled(std::move(poles), false, out);
@@ -96,6 +101,23 @@ class Fitter {
       if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, poles);
     }
     return poles;
+  }
+
+  /// Refines poles that were chosen elsewhere, none of which goes.
+  RefinedPoles refined_as_given(std::vector<Pole> poles, ModalFit& out) {
+    tell("refining poles");
+    RefinedPoles refined;
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < most_rounds; ++round) {
+      if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, poles);
+      refined = refine(band_, entries_, options_.kind, poles, {}, options_.interrupted);
+      out.iterations += refined.iterations;
+      poles = refined.poles;
+      if (noise_agrees(refined, before) || stopped()) break;
+      before = refined.cost;
+    }
+    out.remarks.push_back(fmt::format("The {} poles were given: none was sought beside them, none left out.", poles.size()));
+    return refined;
   }
 
   /// Selects and refines until both agree.

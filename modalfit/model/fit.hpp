@@ -20,6 +20,8 @@ struct FitOptions {
   ModelKind kind{};
   std::optional<std::array<double, 2>> range_hz = std::nullopt;  ///< both ends included; default: all lines
   std::optional<std::size_t> modes = std::nullopt;  ///< keep the most significant so many; default: all that are significant
+  /// Given: no modes are sought, but these, which are refined; there is then no stabilisation diagram.
+  std::optional<std::vector<Pole>> poles = std::nullopt;
   double most_damping = 0.3;                      ///< 0 < ζ ≤ this
   PolyreferenceOptions polyreference{};
   /// FRFs by which poles are selected and refined; with more, those of the chosen inputs, evenly thinned.

@@ -5,7 +5,7 @@
 namespace jointid::report {
 namespace {
 
-constexpr double full_circle = 360.0;
+constexpr double period_deg = 360.0;
 /// A curve that crosses the end of the period more often is drawn as points.
 constexpr std::size_t most_crossings = 12;
 
@@ -21,8 +21,8 @@ void choose_branch(CurvePlot& phases) {
     if (jointid::report::crossings(series.y, end) > most_crossings) series.style = pointed(series.style);
     for (double& phase : series.y) phase = jointid::report::within_branch(phase, end);
   }
-  phases.period = full_circle;
-  phases.y_range = {end - full_circle, end};
+  phases.period = period_deg;
+  phases.y_range = {end - period_deg, end};
 }
 
 }  // namespace jointid::report

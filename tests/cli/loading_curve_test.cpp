@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "cli/loading_curve/loading_curve_command.hpp"
-#include "cli/loading_curve/loading_curve_data.hpp"
+#include "report/loading_curve/loading_curve_data.hpp"
 #include "friction/law/laws.hpp"
 #include "tests/test_folder.hpp"
 
@@ -88,7 +88,7 @@ TEST_F(LoadingCurveCommand, VelocitiesAreIntegratedAndForcesTurned) {
   const auto file = table("a.csv", "Time [ms],Velocity [mm/s],Normal force,Force", {{0, 2, 9, -1}, {1000, 2, 9, -2}, {3000, 4, 9, -3}});
   auto given = arguments({file});
   given.velocity = true;
-  const LoadingCurveData data = read_curves(given);
+  const auto data = read_curves(given);
   EXPECT_THAT(data.curves.at(0).u, ElementsAre(0.0, testing::DoubleNear(2e-3, 1e-15), testing::DoubleNear(8e-3, 1e-15)));
   EXPECT_THAT(data.curves.at(0).value, ElementsAre(1.0, 2.0, 3.0));
   EXPECT_THAT(data.notes, ElementsAre(HasSubstr("forces times -1")));

@@ -88,6 +88,35 @@ TEST_F(Modalfit, JsonHasModesAndErrors) {
   EXPECT_FALSE(json["stabilisation"].empty());
 }
 
+/// Given poles are refined to those that a search finds, none added or left out; one alone stays alone.
+TEST_F(Modalfit, GivenPolesAreRefinedAndNoneIsSought) {
+  const ModalRun sought = run({});
+  ModalfitArguments arguments;
+  arguments.files = {file_};
+  arguments.fit.range_hz = {95.0, 106.0};
+  arguments.fit.poles = parse_poles({"99.99:0.0012", "101.01:0.0009"});
+  const ModalRun given = run_modalfit(arguments);
+  ASSERT_EQ(given.fit.modes.size(), 2u);
+  EXPECT_TRUE(given.fit.stabilisation.empty());
+  for (std::size_t r = 0; r < 2; ++r) {
+    const modalfit::Mode &a = sought.fit.modes[r], &b = given.fit.modes[r];
+    EXPECT_NEAR(b.pole.frequency_hz, a.pole.frequency_hz, 0.2 * a.frequency_deviation_hz);
+    EXPECT_NEAR(b.pole.damping, a.pole.damping, 0.2 * a.damping_deviation);
+  }
+  arguments.fit.poles->resize(1);
+  EXPECT_EQ(run_modalfit(arguments).fit.modes.size(), 1u);
+}
+
+TEST(ModalfitArguments, PolesAreFrequenciesAndDampings) {
+  const auto poles = parse_poles({"51.5:0.001", "1e3:2e-3"});
+  ASSERT_EQ(poles.size(), 2u);
+  EXPECT_EQ(poles[1].frequency_hz, 1000.0);
+  EXPECT_EQ(poles[1].damping, 0.002);
+  for (const char* wrong : {"51", "51:", ":0.1", "a:0.1", "51:0.1:2", "-5:0.1", "51:0", "nan:1"}) {
+    EXPECT_THROW(parse_poles({wrong}), InputError) << wrong;
+  }
+}
+
 TEST(ModalfitArguments, RangesAreTwoFrequencies) {
   EXPECT_EQ(parse_range("400:1000"), (std::array{400.0, 1000.0}));
   EXPECT_EQ(parse_range(":1000")[0], 0.0);

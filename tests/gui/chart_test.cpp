@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "widgets.hpp"
@@ -93,6 +94,47 @@ TEST(Chart, IsCopiedAndSavedAsNumbersAndPicture) {
     EXPECT_GT(QFileInfo(folder.filePath(name)).size(), 50) << name;
   }
   EXPECT_THROW(save_plot(folder.filePath("a.doc"), drawn.chart.saveable(), {}), InputError);
+}
+
+TEST(Chart, IsZoomedByKeysAndTheViewStaysWithOtherPoints) {
+  DrawnChart drawn;
+  drawn.draw_points();
+  const auto all = drawn.chart.shown();
+  QTest::keyClick(drawn.chart.canvas(), Qt::Key_Plus);
+  EXPECT_EQ(drawn.chart.shown(), all);
+  drawn.chart.let_zoom();
+  QTest::keyClick(drawn.chart.canvas(), Qt::Key_Plus);
+  const auto zoomed = drawn.chart.shown();
+  EXPECT_GT(zoomed[0], all[0]);
+  EXPECT_LT(zoomed[1], all[1]);
+  drawn.draw_points();
+  EXPECT_EQ(drawn.chart.shown(), zoomed);
+  QTest::keyClick(drawn.chart.canvas(), Qt::Key_Home);
+  EXPECT_EQ(drawn.chart.shown(), all);
+}
+
+TEST(Chart, CurvesAreDrawnBelowEachOtherAndSavedAsNumbers) {
+  DrawnChart drawn;
+  report::CurvePlot curve, residual;
+  curve.x = residual.x = {"u (m)", false};
+  curve.y = {"force (N)", false};
+  residual.y = {"residual", false};
+  residual.level = 0.0;
+  curve.x_values = residual.x_values = {0.0, 1.0, 2.0};
+  curve.series = {{"measured", {0.0, 1.5, 2.0}, report::Style::reference}, {"ren", {0.0, 1.4, std::nan("")}, report::Style::line}};
+  residual.series = {{"ren", {0.0, -0.1, 0.2}, report::Style::points}};
+  drawn.chart.draw({curve, residual});
+  drawn.chart.let_zoom();
+  QCoreApplication::processEvents();
+  const QImage one = drawn.chart.grab().toImage();
+  QTest::keyClick(drawn.chart.canvas(), Qt::Key_Minus);
+  QCoreApplication::processEvents();
+  EXPECT_NE(drawn.chart.grab().toImage(), one);
+  const std::string table = drawn.chart.saveable().table(',');
+  EXPECT_THAT(table, HasSubstr("\"u (m)\",\"measured, force (N)\",\"ren, force (N)\"\n0,0,0\n"));
+  EXPECT_THAT(table, HasSubstr("\n2,2,\n"));
+  drawn.chart.clear();
+  EXPECT_TRUE(drawn.chart.curve_plots().empty());
 }
 
 TEST(Chart, OtherPointsForgetWhichWasChosen) {

@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "gui/geometry/motion_bar.hpp"
 #include "gui/geometry/structure_view.hpp"
 #include "gui/look/paths.hpp"
 #include "ident/scene/read_scene.hpp"
@@ -122,6 +123,60 @@ TEST(GeometryPage, StoppedTheStructureIsAtRest) {
   EXPECT_FALSE(seen.page.deflection().shape.empty());
   seen.move();
   EXPECT_TRUE(seen.page.deflection().shape.empty());
+}
+
+TEST(GeometryPage, ModesOfAFitAndOfAFileMoveTheStructure) {
+  Seen seen;
+  frf::Uff55Mode mode;
+  mode.number = 3;
+  mode.frequency_hz = 77.5;
+  mode.id.fill("NONE");
+  const frf::Dof moved = seen.page.view()->structure().dofs.front();
+  mode.dofs = {moved};
+  mode.shape = {2.0};
+  seen.page.set_modes(named_shapes({mode}, "fit"));
+  seen.page.motion()->choose_mode(0);
+  EXPECT_TRUE(seen.page.deflection().shape.empty());
+  find<QToolButton>(seen.page, "play")->click();
+  ASSERT_EQ(seen.page.deflection().shape.size(), 1U);
+  EXPECT_EQ(seen.page.deflection().shape.at(moved.node)[static_cast<std::size_t>(moved.direction) - 1], 2.0 * moved.sign);
+  EXPECT_THAT(seen.page.status().toStdString(), HasSubstr("3: 77.5 Hz, fit"));
+  EXPECT_FALSE(find<QDoubleSpinBox>(seen.page, "force_frequency")->isEnabled());
+  const QString file = seen.measured.file("shapes.uff");
+  mode.frequency_hz = 88.5;
+  frf::write_uff55({mode}, {}, as_path(file));
+  seen.page.open_shapes(file);
+  ASSERT_TRUE(seen.rests());
+  EXPECT_EQ(seen.page.motion()->mode(), 1U);
+  EXPECT_THAT(seen.page.status().toStdString(), HasSubstr("88.5 Hz, shapes.uff"));
+  seen.page.open_shapes("/nowhere.uff");
+  ASSERT_TRUE(seen.rests());
+  EXPECT_THAT(seen.page.status().toStdString(), HasSubstr("/nowhere.uff"));
+}
+
+TEST(GeometryPage, ThePhaseIsHeldWhereItIsSet) {
+  Seen seen;
+  seen.move();
+  find<QToolButton>(seen.page, "hold")->click();
+  const QSignalSpy phases(seen.page.motion(), &MotionBar::phase_changed);
+  QTest::qWait(100);
+  EXPECT_EQ(phases.count(), 0);
+  auto* const slider = find<QSlider>(seen.page, "phase");
+  slider->setValue(slider->value() == 90 ? 180 : 90);
+  ASSERT_EQ(phases.count(), 1);
+  EXPECT_NEAR(phases.front().at(0).toDouble(), slider->value() / 57.29577951308232, 1e-12);
+}
+
+/// Of two nodes that move by 3 and 1: ±1 about their mean; others are left out.
+TEST(ModeShapes, TheJointDeflectsAboutItsMean) {
+  const Shape shape = {{1, {0.0, 3.0, 0.0}}, {2, {0.0, Complex(1.0, 0.0), 0.0}}, {7, {0.0, 9.0, 0.0}}};
+  const std::vector<frf::Dof> joint = {frf::Dof::parse("1:+Y"), frf::Dof::parse("2:-Y"), frf::Dof::parse("2:+RZ")};
+  const Shape found = joint_deflection(shape, joint);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found.at(1)[1], Complex(1.0));
+  EXPECT_EQ(found.at(2)[1], Complex(-1.0));
+  EXPECT_EQ(joint_motion_text(shape, joint).toStdString(), "1:+Y 3 ∠ 0°, 2:-Y 1 ∠ 180°");
+  EXPECT_EQ(joint_deflection(shape, {joint[0]}).size(), 3U);
 }
 
 TEST(GeometryPage, FilesAreOpenedWhenThePageIsSeen) {

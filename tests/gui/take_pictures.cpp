@@ -2,11 +2,14 @@
 // both themes.
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSettings>
+#include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QTableView>
@@ -16,12 +19,17 @@
 #include <cstdio>
 
 #include "gui/compare/compare_page.hpp"
+#include "gui/couple/couple_page.hpp"
 #include "gui/data/data_page.hpp"
 #include "gui/geometry/geometry_page.hpp"
+#include "gui/geometry/motion_bar.hpp"
+#include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/choice_button.hpp"
 #include "gui/look/language.hpp"
 #include "gui/look/theme.hpp"
 #include "gui/main_window.hpp"
+#include "gui/modal/modal_page.hpp"
+#include "gui/page/plot_menu.hpp"
 #include "gui/plan/plan_page.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
@@ -95,6 +103,8 @@ class Photographer {
     wait_for([&] { return !data.is_busy(); });
     keep("workbench-cmif");
     data.plot()->set_view(View::magnitude_phase);
+    take_modes(project);
+    take_curves(project);
     SolvePage& solve = *project.solve_page();
     project.pages()->setCurrentWidget(&solve);
     solve.solve();
@@ -127,6 +137,58 @@ class Photographer {
     plan.predict();
     wait_for([&] { return !plan.is_busy(); });
     keep("workbench-plan");
+  }
+
+  /// Of the assembly, of which one mode is then shown to move.
+  void take_modes(Project& project) {
+    ModalPage& modal = *project.modal_page();
+    project.pages()->setCurrentWidget(&modal);
+    QComboBox& structure = *modal.findChild<QComboBox*>("modal_structure");
+    structure.setCurrentIndex(structure.count() - 1);
+    modal.findChild<QDoubleSpinBox*>("modal_high")->setValue(1000.0);
+    modal.run();
+    wait_for([&] { return !modal.is_busy() && modal.shown() != nullptr; });
+    modal.plot()->set_cursor(420.0);
+    keep("workbench-modes");
+    modal.results()->setCurrentWidget(modal.mac());
+    keep("workbench-mac");
+    GeometryPage& geometry = *project.geometry_page();
+    project.pages()->setCurrentWidget(&geometry);
+    geometry.motion()->choose_mode(2);
+    geometry.findChild<QToolButton*>("play")->click();
+    geometry.findChild<QToolButton*>("hold")->click();
+    geometry.findChild<QSlider*>("phase")->setValue(0);
+    wait_for([&] { return !geometry.is_busy(); });
+    keep("workbench-mode");
+    geometry.findChild<QToolButton*>("play")->click();
+  }
+
+  /// A loading curve and a scene of coupling, in folders beside the scene.
+  void take_curves(Project& project) {
+    const QDir beside = QFileInfo(scene_).absoluteDir();
+    LoadingCurvePage& curves = *project.loading_curve_page();
+    project.pages()->setCurrentWidget(&curves);
+    curves.open({beside.filePath("curve/table2.1-1.csv")});
+    wait_for([&] { return !curves.is_busy(); });
+    curves.run();
+    wait_for([&] { return !curves.is_busy(); });
+    keep("workbench-loading-curve");
+    curves.plots()->menu()->setCurrentIndex(1);
+    curves.tables()->setCurrentIndex(1);
+    keep("workbench-equivalents");
+    window_.open({beside.filePath("couple/coupling-C.toml")});
+    CouplePage& couple = *window_.current()->couple_page();
+    window_.current()->pages()->setCurrentWidget(&couple);
+    couple.set_bounds(true);
+    couple.run();
+    wait_for([&] { return !couple.is_busy(); });
+    const QString measured = beside.filePath("couple/coupling-C_assembly.h5");
+    if (QFileInfo::exists(measured)) {
+      couple.set_measured({measured});
+      wait_for([&] { return !couple.is_busy(); });
+    }
+    keep("workbench-couple");
+    QTest::keyClick(&window_, Qt::Key_W, Qt::ControlModifier);
   }
 
   /// Needs simulated noise and a truth, which rig one has.

@@ -6,6 +6,7 @@
 #include <QFile>
 
 #include "gui/look/paths.hpp"
+#include "problems/case/coupling_problem.hpp"
 #include "problems/problem.hpp"
 
 namespace jointid::gui {
@@ -32,7 +33,9 @@ std::string read_file(const QString& file) {
 }
 
 Measured::Measured(const char* problem, const char* format)
-    : scene_(as_name(problems::write(problems::make(problem), as_path(folder_.path()), {.format = format}))) {}
+    : scene_(as_name(problems::is_coupling(problem)
+                         ? problems::write(problems::make_coupling(problem), as_path(folder_.path()), {.format = format})
+                         : problems::write(problems::make(problem), as_path(folder_.path()), {.format = format}))) {}
 
 QStringList Measured::files() const {
   QStringList all;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "../comparison_sample.hpp"
+#include "cli/report/contents.hpp"
 #include "report/result/comparison_plots.hpp"
 #include "cli/problem/reproduction_page.hpp"
 

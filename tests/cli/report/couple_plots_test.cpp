@@ -1,4 +1,4 @@
-#include "cli/couple/couple_plots.hpp"
+#include "cli/couple/couple_parts.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cli/couple/couple_page.hpp"
+#include "cli/report/contents.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "tests/test_folder.hpp"

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "cli/report/contents.hpp"
 #include "cli/study/study_page.hpp"
 #include "frf/hdf5/table_file.hpp"
 #include "tests/test_folder.hpp"

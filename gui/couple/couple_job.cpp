@@ -1,0 +1,65 @@
+#include "gui/couple/couple_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "frf/file/file_format.hpp"
+#include "gui/look/said.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr std::size_t most_frfs_shown = 60;
+constexpr double deepest_db = 3.0;
+
+Cell number_cell(const std::vector<double>& values, std::size_t i) {
+  return {i < values.size() ? q(digits(values[i], "%.6g")) : QString()};
+}
+
+}  // namespace
+
+std::shared_ptr<const Coupled> run_coupling(const CoupleWish& wish, const Worker::Watch& watch) {
+  ident::Control control;
+  control.interrupted = watch.interrupted;
+  control.progress = watch.progress;
+  auto out = std::make_shared<Coupled>();
+  out->scene = wish.scene;
+  out->result = ident::couple(wish.scene, wish.out, wish.bounds, control);
+  if (out->result.status != ident::Status::ok) return out;
+  out->frfs = report::read_predicted(out->result, most_frfs_shown);
+  for (const auto& file : wish.measured) report::compare_with(*frf::open(file), out->result.frequency_hz, out->frfs);
+  return out;
+}
+
+CellRows coupling_errors(const Coupled& coupled) {
+  CellRows out;
+  out.columns << Said::tr("FRF") << Said::tr("error in dB (rms)");
+  std::vector<std::pair<double, std::string>> all;
+  for (const report::PredictedFrf& frf : coupled.frfs) {
+    const double error = report::error_db(frf);
+    if (std::isfinite(error)) all.emplace_back(error, frf.response.name() + " / " + frf.reference.name());
+  }
+  std::ranges::stable_sort(all, std::ranges::greater(), &std::pair<double, std::string>::first);
+  for (const auto& [error, name] : all) {
+    Cell cell{q(digits(error, "%.2f"))};
+    cell.shade = std::min(1.0, error / deepest_db);
+    out.cells.push_back({{q(name)}, std::move(cell)});
+  }
+  return out;
+}
+
+CellRows resonance_rows(const ident::CoupleResult& result) {
+  const std::vector<double> all = result.with_all ? result.with_all->resonances_hz : std::vector<double>();
+  CellRows out;
+  out.columns << Said::tr("resonance (Hz)");
+  if (result.with_all) out.columns << Said::tr("with all conditions (Hz)");
+  for (std::size_t i = 0; i < std::max(result.result.resonances_hz.size(), all.size()); ++i) {
+    std::vector<Cell> row = {number_cell(result.result.resonances_hz, i)};
+    if (result.with_all) row.push_back(number_cell(all, i));
+    out.cells.push_back(std::move(row));
+  }
+  return out;
+}
+
+}  // namespace jointid::gui

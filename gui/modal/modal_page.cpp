@@ -1,0 +1,331 @@
+#include "gui/modal/modal_page.hpp"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QKeyEvent>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <limits>
+
+#include "gui/look/buttons.hpp"
+#include "gui/look/dialogs.hpp"
+#include "gui/look/named.hpp"
+#include "gui/look/output.hpp"
+#include "gui/look/paths.hpp"
+#include "gui/look/said.hpp"
+#include "gui/modal/modal_tables.hpp"
+#include "gui/page/dof_box.hpp"
+#include "gui/page/job_line.hpp"
+#include "gui/plot/chart.hpp"
+#include "gui/plot/frf_plot.hpp"
+#include "gui/table/cell_table.hpp"
+#include "report/modalfit/modal_text.hpp"
+#include "report/modalfit/stabilisation.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr std::size_t most_lines_behind = 2000;
+
+}  // namespace
+
+ModalPage::ModalPage(QWidget* parent) : QWidget(parent) {
+  setAccessibleName(tr("Modes"));
+  line_ = new JobLine("modal", tr("Status of the modal fit"), tr("Stop and keep the modes that are found"));
+  chart_ = new Chart("stabilisation", tr("Stabilisation diagram"),
+                     tr("Find modes, and the poles of all orders stand here.\n"
+                        "A click on a pole takes it as a mode, a click on one of a mode leaves it; Ctrl+Z undoes.\n"
+                        "← and → go from pole to pole, Enter is a click; wheel, + and − zoom."));
+  chart_->let_zoom();
+  auto* both = named(new QSplitter(Qt::Vertical), "diagram_and_modes", tr("Diagram and modes"));
+  both->addWidget(chart_);
+  both->addWidget(make_results());
+  both->setSizes({250, 420});
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(4, 4, 4, 4);
+  all->addWidget(make_top());
+  all->addWidget(line_);
+  all->addWidget(both, 1);
+  connect_all();
+  set_scene({});
+}
+
+QWidget* ModalPage::make_top() {
+  auto* top = named(new QWidget, "modal_top", tr("Fitting modes"));
+  find_ = push_button("modal_find", tr("Find modes"), tr("Seek all modes that stand out of the noise"));
+  structure_ = named(new QComboBox, "modal_structure", tr("Part, or assembly"));
+  structure_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  low_ = frequency_box("modal_low", tr("Lowest frequency"), tr("from"));
+  high_ = frequency_box("modal_high", tr("Highest frequency"), tr("to"));
+  damping_ = named(new QComboBox, "modal_damping", tr("Damping"), tr("How modes are damped"));
+  for (const auto damping : {modalfit::Damping::viscous, modalfit::Damping::hysteretic})
+    damping_->addItem(q(modalfit::name(damping)));
+  real_ =
+      named(new QCheckBox(tr("real modes")), "modal_real", tr("Real modes"), tr("All coordinates move in phase or in antiphase"));
+  undo_ = push_button("modal_undo", tr("Undo"), tr("Undo the last pick (Ctrl+Z in the diagram)"));
+  redo_ = push_button("modal_redo", tr("Redo"), tr("Pick again (Ctrl+Shift+Z in the diagram)"));
+  none_ = push_button("modal_none", tr("None"), tr("Leave all modes, to pick poles one by one"));
+  command_ = push_button("modal_command", tr("Copy as command"), tr("Copy the command line that gives the same modes"));
+  shapes_ = push_button("modal_shapes", tr("Shapes…"), tr("Write the mode shapes as `jointid modalfit --shapes` does (UFF 55)"));
+  regenerated_ =
+      push_button("modal_regenerated", tr("FRFs…"), tr("Write the FRFs of the modes as `jointid modalfit --regenerate` does"));
+  auto* rows = new QVBoxLayout(top);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addLayout(row_of({find_, line_->cancel_button(), structure_, low_, high_}, {command_}));
+  rows->addLayout(row_of({damping_, real_, undo_, redo_, none_}, {shapes_, regenerated_}));
+  return top;
+}
+
+QWidget* ModalPage::make_results() {
+  modes_ = new CellTable("modes", tr("Modes with standard deviations; Delete leaves one"));
+  modes_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  mac_ = new CellTable("mac", tr("MAC of all modes"));
+  errors_ = new CellTable("synthesis_errors", tr("Error of all FRFs in dB, away from antiresonances"));
+  results_ = named(new QTabWidget, "modal_results", tr("Modes and FRFs"));
+  results_->addTab(make_frf_tab(), tr("FRFs"));
+  results_->addTab(modes_, tr("Modes"));
+  results_->addTab(mac_, tr("MAC"));
+  results_->addTab(errors_, tr("Errors"));
+  return results_;
+}
+
+QWidget* ModalPage::make_frf_tab() {
+  auto* tab = named(new QWidget, "modal_frfs", tr("Measured FRFs, and those of the modes"));
+  response_ = named(new QComboBox, "modal_response", tr("Response"));
+  reference_ = named(new QComboBox, "modal_reference", tr("Reference"));
+  for (QComboBox* box : {response_, reference_}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  plot_ = new FrfPlot(tr("Find modes, and what they give stands here over the measured FRFs, anew after every pick."));
+  plot_->offer(View::difference);
+  auto* column = new QVBoxLayout(tab);
+  column->setContentsMargins(0, 4, 0, 0);
+  column->addLayout(row_of({response_, reference_}, {}));
+  column->addWidget(plot_, 1);
+  return tab;
+}
+
+void ModalPage::connect_all() {
+  connect(line_, &JobLine::failed, this, &ModalPage::failed);
+  connect(line_, &JobLine::busy_changed, this, &ModalPage::show_buttons);
+  for (QComboBox* box : {response_, reference_}) connect(box, &QComboBox::activated, this, &ModalPage::show_frf);
+  connect(find_, &QPushButton::clicked, this, &ModalPage::run);
+  connect(undo_, &QPushButton::clicked, this, &ModalPage::undo);
+  connect(redo_, &QPushButton::clicked, this, &ModalPage::redo);
+  connect(none_, &QPushButton::clicked, this, [this] { pick({}); });
+  connect(command_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
+  connect(chart_, &Chart::opened, this, &ModalPage::toggle);
+  connect(shapes_, &QPushButton::clicked, this, [this] {
+    const QString file =
+        choose_file_to_save(this, tr("Write the mode shapes"), {}, tr("Universal files (*.uff)"), QStringLiteral("uff"));
+    if (!file.isEmpty()) write_shapes(file);
+  });
+  connect(regenerated_, &QPushButton::clicked, this, [this] {
+    const QString file = choose_file_to_save(this, tr("Write the FRFs of the modes"), {}, tr("FRFs (*.h5 *.uff *.mat *.csv)"),
+                                             QStringLiteral("h5"));
+    if (!file.isEmpty()) write_regenerated(file);
+  });
+}
+
+bool ModalPage::is_busy() const { return line_->is_busy(); }
+
+QString ModalPage::status() const { return line_->status(); }
+
+void ModalPage::cancel() { line_->cancel(); }
+
+/// The structure that was chosen stays, if it is still there.
+void ModalPage::set_scene(const std::optional<ident::Scene>& scene) {
+  if (scene) {
+    const QString before = structure_->currentText();
+    structures_ = structures_of(scene->data);
+    structure_->clear();
+    for (const ModalStructure& each : structures_) structure_->addItem(q(each.name));
+    structure_->setCurrentIndex(std::max(0, structure_->findText(before)));
+    if (const auto range = scene->frequency.range_hz; range && low_->value() == 0.0 && high_->value() == 0.0) {
+      low_->setValue((*range)[0]);
+      high_->setValue((*range)[1]);
+    }
+  }
+  show_buttons();
+}
+
+const ModalStructure* ModalPage::structure() const {
+  const int chosen = structure_->currentIndex();
+  return chosen < 0 ? nullptr : &structures_[static_cast<std::size_t>(chosen)];
+}
+
+modalfit::FitOptions ModalPage::options() const {
+  modalfit::FitOptions out;
+  out.kind = {damping_->currentIndex() == 1 ? modalfit::Damping::hysteretic : modalfit::Damping::viscous, real_->isChecked()};
+  const double high = high_->value() > 0.0 ? high_->value() : std::numeric_limits<double>::max();
+  if (low_->value() > 0.0 || high_->value() > 0.0) out.range_hz = {low_->value(), high};
+  return out;
+}
+
+void ModalPage::run() {
+  if (structure() == nullptr) return;
+  of_run_ = *structure();
+  used_ = options();
+  loaded_.reset();
+  run_.reset();
+  sought_.reset();
+  picked_.begin();
+  chart_->clear();
+  line_->say(tr("Finding modes …"));
+  add_job(used_);
+}
+
+/// Only the last that was asked for is shown.
+void ModalPage::add_job(const modalfit::FitOptions& options) {
+  line_->cancel();
+  const std::size_t number = ++wanted_;
+  const ModalWish wish{of_run_, options, loaded_};
+  line_->worker().add([this, number, wish](const Worker::Watch& watch) -> Worker::Deliver {
+    return [this, number, wish, found = run_modal_job(wish, watch)] {
+      if (number != wanted_) return;
+      loaded_ = found.loaded;
+      run_ = found.run;
+      if (!wish.options.poles) sought_ = found.run;
+      show_run();
+      show_buttons();
+    };
+  });
+  show_buttons();
+}
+
+void ModalPage::pick(std::vector<modalfit::Pole> poles) {
+  if (!sought_) return;
+  picked_.pick(std::move(poles));
+  go();
+}
+
+void ModalPage::undo() {
+  if (!picked_.can_undo()) return;
+  picked_.undo();
+  go();
+}
+
+void ModalPage::redo() {
+  if (!picked_.can_redo()) return;
+  picked_.redo();
+  go();
+}
+
+/// To what is picked now; what the search found is still there.
+void ModalPage::go() {
+  modalfit::FitOptions options = used_;
+  options.poles = picked_.now();
+  if (options.poles) return add_job(options);
+  line_->cancel();
+  const std::size_t number = ++wanted_;
+  line_->worker().add([this, number](const Worker::Watch&) -> Worker::Deliver {
+    return [this, number] {
+      if (number != wanted_) return;
+      run_ = sought_;
+      show_run();
+      show_buttons();
+    };
+  });
+  show_buttons();
+}
+
+/// The poles that a pick changes are those refined, or those asked for while something runs.
+void ModalPage::toggle(std::size_t group, std::size_t point) {
+  if (!run_ || !sought_) return;
+  const std::vector<modalfit::Pole> now = is_busy() && picked_.now() ? *picked_.now() : run_->fit.poles();
+  const report::Point at = chart_->scatter().groups[group].points[point];
+  if (group != report::elsewhere) return pick(without_pole(now, at.x));
+  for (const auto& order : sought_->fit.stabilisation) {
+    if (static_cast<double>(order.order) != at.y) continue;
+    for (const auto& pole : order.poles) {
+      if (pole.frequency_hz == at.x) return pick(with_pole(now, used_.kind, pole));
+    }
+  }
+}
+
+void ModalPage::leave_chosen_mode() {
+  const QModelIndex row = modes_->currentIndex();
+  if (!row.isValid() || !run_) return;
+  const int mode = modes_->cells()->data(row.siblingAtColumn(0), Qt::DisplayRole).toInt();
+  if (mode < 1 || static_cast<std::size_t>(mode) > run_->fit.modes.size()) return;
+  pick(without_pole(run_->fit.poles(), run_->fit.modes[static_cast<std::size_t>(mode) - 1].pole.frequency_hz));
+}
+
+void ModalPage::show_run() {
+  chart_->draw(report::stabilisation_diagram(*run_, sought_->fit.stabilisation, most_lines_behind));
+  modes_->show_rows(rows_of(report::modes_table(*run_)));
+  mac_->show_rows(mac_rows(*run_));
+  errors_->show_rows(synthesis_rows(*run_));
+  fill_dofs(*response_, run_->fit.response);
+  fill_dofs(*reference_, run_->fit.reference);
+  show_frf();
+  QString text = tr("%n mode(s); %1", nullptr, static_cast<int>(run_->fit.modes_inside()))
+                     .arg(q(report::synthesis_text(run_->symmetric ? run_->of_model : run_->of_fit)));
+  for (const std::string& note : report::notes(*run_)) text += "\n" + q(note);
+  line_->say(text, !modalfit::is_usable(run_->fit.status));
+  Q_EMIT modes_changed();
+}
+
+void ModalPage::show_frf() {
+  if (!run_ || response_->currentIndex() < 0 || reference_->currentIndex() < 0) return;
+  plot_->set_curves(synthesised(*run_, static_cast<std::size_t>(response_->currentIndex()),
+                                static_cast<std::size_t>(reference_->currentIndex())));
+}
+
+void ModalPage::show_buttons() {
+  find_->setEnabled(structure() != nullptr && !is_busy());
+  undo_->setEnabled(picked_.can_undo());
+  redo_->setEnabled(picked_.can_redo());
+  none_->setEnabled(sought_ != nullptr);
+  for (QPushButton* button : {shapes_, regenerated_}) button->setEnabled(run_ != nullptr && !is_busy());
+  command_->setEnabled(structure() != nullptr && (!picked_.now() || !picked_.now()->empty()));
+}
+
+QString ModalPage::command_line() const {
+  if (structure() == nullptr) return {};
+  modalfit::FitOptions wanted = sought_ ? used_ : options();
+  wanted.poles = picked_.now();
+  return modal_command(sought_ ? of_run_ : *structure(), wanted);
+}
+
+void ModalPage::write(const QString& file, const std::function<void(const std::filesystem::path&)>& to) {
+  if (!run_) return line_->say(tr("No modes are found yet."), true);
+  try {
+    check_output(file, inputs_of(structures_));
+    to(as_path(file));
+    line_->say(tr("Written to %1.").arg(file));
+  } catch (const InputError& error) {
+    line_->say(QString::fromUtf8(error.what()), true);
+  }
+}
+
+void ModalPage::write_shapes(const QString& file) {
+  write(file, [this](const std::filesystem::path& path) { report::write_shapes(*run_, path); });
+}
+
+void ModalPage::write_regenerated(const QString& file) {
+  write(file, [this](const std::filesystem::path& path) { report::write_regenerated(*run_, path); });
+}
+
+/// Undo and redo are of the picks where the page has the focus, not of the scene's text.
+bool ModalPage::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+      event->accept();
+      return true;
+    }
+  }
+  return QWidget::event(event);
+}
+
+void ModalPage::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Undo)) return undo();
+  if (event->matches(QKeySequence::Redo)) return redo();
+  if (event->key() == Qt::Key_Delete && results_->currentWidget() == modes_) return leave_chosen_mode();
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace jointid::gui

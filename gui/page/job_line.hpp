@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+#include <string>
+
+#include "gui/work/worker.hpp"
+
+class QLabel;
+class QPushButton;
+
+namespace jointid::gui {
+
+class JobProgress;
+
+/// The worker of a page, what came of its jobs in a line of text, how far it is, and the button that cancels.
+class JobLine : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Widgets are named NAME_status, NAME_progress and NAME_cancel.
+  JobLine(const std::string& name, const QString& accessible_name, const QString& cancel_hint, QWidget* parent = nullptr);
+
+  Worker& worker() { return *worker_; }
+  /// To be put among the page's buttons; it can be used while something runs.
+  QPushButton* cancel_button() const { return cancel_; }
+  /// What the line says after a job was cancelled that delivered nothing.
+  void set_cancelled_text(const QString& text) { cancelled_text_ = text; }
+
+  void say(const QString& text, bool bad = false);
+  QString status() const;
+  bool is_busy() const { return worker_->is_busy(); }
+  void cancel() { worker_->cancel(); }
+
+ Q_SIGNALS:
+  /// After the line has said it.
+  void failed(const jointid::InputError& error);
+  void busy_changed(bool busy);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void colour();
+
+  Worker* worker_;
+  QLabel* status_;
+  JobProgress* progress_;
+  QPushButton* cancel_;
+  QString cancelled_text_;
+  bool bad_ = false;
+};
+
+}  // namespace jointid::gui

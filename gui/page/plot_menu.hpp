@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "report/page/contents.hpp"
+
+class QComboBox;
+
+namespace jointid::gui {
+
+class Chart;
+
+/// Diagrams of a page of which one choice is shown, by a menu.
+class PlotMenu : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// The menu is named NAME_menu, the drawing NAME; `hint` stands where there is nothing.
+  PlotMenu(const char* name, const QString& accessible_name, const QString& hint, QWidget* parent = nullptr);
+
+  /// A group and how it is called in the menu; the choice that is shown stays, if it is still there.
+  using Named = std::pair<QString, report::PlotGroup>;
+  void show_groups(std::vector<Named> groups);
+  QComboBox* menu() const { return menu_; }
+  Chart* chart() const { return chart_; }
+
+ private:
+  void show_choice();
+
+  QComboBox* menu_;
+  Chart* chart_;
+  std::vector<report::Choice> choices_;
+};
+
+}  // namespace jointid::gui
