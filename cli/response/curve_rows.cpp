@@ -1,5 +1,7 @@
 #include "cli/response/curve_rows.hpp"
 
+#include "base/complex.hpp"
+
 #include <fmt/format.h>
 
 #include "cli/text/table.hpp"
@@ -14,7 +16,7 @@ void add_solution(const HarmonicSolution& at_point, const CurveRow& first, std::
   for (Eigen::Index n = 0; n < at_point.response.rows(); ++n) {
     for (Eigen::Index dof = 0; dof < at_point.response.cols(); ++dof) {
       CurveRow& row = rows.emplace_back(first);
-      row.frequency_hz = hertz(at_point);
+      row.frequency_hz = hertz(at_point.omega);
       row.harmonic = at_point.harmonics[static_cast<std::size_t>(n)];
       row.dof = static_cast<std::size_t>(dof);
       row.x = at_point.response(n, dof);

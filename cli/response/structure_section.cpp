@@ -31,7 +31,7 @@ class StructureReader {
     if (modal) require_modal(*modal, n);
     if (const auto modes = table_.find("modes")) {
       require_modal(*modes, n);
-      scene_.modes = static_cast<Eigen::Index>(read_whole(*modes, 1.0, static_cast<double>(std::min(n, most_full))));
+      scene_.modes = modes->whole(1, static_cast<int>(std::min(n, most_full)));
     }
     if (n > most_full && !modal) {
       scene_.sparse = std::move(structure);
