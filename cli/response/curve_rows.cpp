@@ -1,9 +1,8 @@
 #include "cli/response/curve_rows.hpp"
 
-#include "base/complex.hpp"
-
 #include <fmt/format.h>
 
+#include "base/complex.hpp"
 #include "cli/text/table.hpp"
 
 namespace jointid::cli {
