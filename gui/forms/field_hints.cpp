@@ -36,6 +36,8 @@ const Hints& hints() {
       {" nodes", QT_TRANSLATE_NOOP("Said", "positions in m: { \"4\" = [0.9, 0, 0], … }")},
       {"data substructures", QT_TRANSLATE_NOOP("Said", "files of the parts without the joint")},
       {"data assembly", QT_TRANSLATE_NOOP("Said", "files of the parts with the joint")},
+      {"data gains", QT_TRANSLATE_NOOP("Said", "gains and delays of sensors with what is known of them: { gain = 0.01 }")},
+      {"data masses", QT_TRANSLATE_NOOP("Said", "masses of sensors, in kg, and how sure they are")},
       {"data reciprocity", QT_TRANSLATE_NOOP("Said", "whether an FRF that is not there is taken from its transpose")},
       {"data regenerate", QT_TRANSLATE_NOOP("Said", "whose FRFs their modal models replace: substructures, assembly")},
       {"data files", QT_TRANSLATE_NOOP("Said", "what files do not say themselves, and what is wrong in them")},
@@ -82,6 +84,8 @@ const Hints& hints() {
       {"noise.gross factor", QT_TRANSLATE_NOOP("Said", "how many times larger: 10")},
       {"noise sign_errors", QT_TRANSLATE_NOOP("Said", "probability that a direction is noted the wrong way round")},
       {"noise position_errors", QT_TRANSLATE_NOOP("Said", "standard deviation of a DOF's place, in m")},
+      {"noise gain_errors", QT_TRANSLATE_NOOP("Said", "of studies: standard deviation of the gain of every sensor: 0.01")},
+      {"noise mass_errors", QT_TRANSLATE_NOOP("Said", "of studies: standard deviation of the mass of every sensor, in kg")},
       {"noise reciprocal", QT_TRANSLATE_NOOP("Said", "whether an FRF and its transpose share their errors")},
   };
   return all;

@@ -126,10 +126,6 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
         <translation>Alle Wege an denselben Versuchen mit simuliertem Rauschen erproben</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
         <source>Stop and keep the ways that are done</source>
         <translation>Anhalten und die fertigen Wege behalten</translation>
     </message>
@@ -199,7 +195,7 @@ Die Szene braucht [truth] und [noise]. Ein Klick auf einen Punkt öffnet diese L
         <translation>Vorhergesagte FRFs, und was gemessen wurde</translation>
     </message>
     <message>
-        <source>With a scene of coupling, [data] parts and [couple], the assembly's FRFs stand here as its parts and joints give them,
+        <source>With a scene of coupling, [data] parts and [couple], the assembly&apos;s FRFs stand here as its parts and joints give them,
 with what was measured of it, if it is chosen.</source>
         <translation>Bei einer Szene der Kopplung, [data] parts und [couple], stehen hier die FRFs des Zusammenbaus, wie Teile und Fügestellen sie ergeben,
 mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
@@ -213,7 +209,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Koppeln</translation>
     </message>
     <message>
-        <source>Predict the assembly's FRFs; they are written beside the scene</source>
+        <source>Predict the assembly&apos;s FRFs; they are written beside the scene</source>
         <translation>Die FRFs des Zusammenbaus vorhersagen; sie werden neben die Szene geschrieben</translation>
     </message>
     <message>
@@ -303,38 +299,6 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
 </context>
 <context>
     <name>DataPage</name>
-    <message>
-        <source>missing lines</source>
-        <translation>fehlende Linien</translation>
-    </message>
-    <message>
-        <source>mean coherence</source>
-        <translation>mittlere Kohärenz</translation>
-    </message>
-    <message>
-        <source>deviation over |H|</source>
-        <translation>Abweichung über |H|</translation>
-    </message>
-    <message>
-        <source>reciprocity error</source>
-        <translation>Reziprozitätsfehler</translation>
-    </message>
-    <message>
-        <source>coherence of %1 averages</source>
-        <translation>Kohärenz aus %1 Mittelungen</translation>
-    </message>
-    <message>
-        <source>variances</source>
-        <translation>Varianzen</translation>
-    </message>
-    <message>
-        <source>nothing of its noise</source>
-        <translation>nichts über das Rauschen</translation>
-    </message>
-    <message>
-        <source>%1, %2 lines, %3 to %4 Hz; %5 × %6 FRFs; %7</source>
-        <translation>%1, %2 Linien, %3 bis %4 Hz; %5 × %6 FRFs; %7</translation>
-    </message>
     <message>
         <source>Data</source>
         <translation>Daten</translation>
@@ -556,7 +520,7 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
         <translation>Fehler der nachgerechneten FRF</translation>
     </message>
     <message>
-        <source>Solve, and the assembly's FRFs stand here as measured and as the joint gives them.</source>
+        <source>Solve, and the assembly&apos;s FRFs stand here as measured and as the joint gives them.</source>
         <translation>Nach dem Lösen stehen hier die FRFs des Zusammenbaus, gemessen und wie die Fügestelle sie ergibt.</translation>
     </message>
     <message>
@@ -596,70 +560,6 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     <message>
         <source>DOFs and structure</source>
         <translation>DOFs und Struktur</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Bewegung</translation>
-    </message>
-    <message>
-        <source>Force at</source>
-        <translation>Kraft an</translation>
-    </message>
-    <message>
-        <source>Where a harmonic force moves the assembly</source>
-        <translation>Wo eine harmonische Kraft den Zusammenbau bewegt</translation>
-    </message>
-    <message>
-        <source>Frequency of the force</source>
-        <translation>Frequenz der Kraft</translation>
-    </message>
-    <message>
-        <source>Follows the cursor of the plots</source>
-        <translation>Folgt dem Zeiger der Diagramme</translation>
-    </message>
-    <message>
-        <source> Hz</source>
-        <translation> Hz</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>Bewegen</translation>
-    </message>
-    <message>
-        <source>Show the motion</source>
-        <translation>Die Bewegung zeigen</translation>
-    </message>
-    <message>
-        <source>Amplitude</source>
-        <translation>Amplitude</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>undeformed</source>
-        <translation>unverformt</translation>
-    </message>
-    <message>
-        <source>Show the structure at rest, too</source>
-        <translation>Auch die ruhende Struktur zeigen</translation>
-    </message>
-    <message>
-        <source>numbers</source>
-        <translation>Nummern</translation>
-    </message>
-    <message>
-        <source>Show the numbers of nodes</source>
-        <translation>Die Nummern der Knoten zeigen</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>Amplitude</translation>
-    </message>
-    <message>
-        <source>speed</source>
-        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>%1 nodes, %2 lines, %3 DOFs. Click an arrow, or tick a DOF, to take it into the joint or out of it.</source>
@@ -1868,8 +1768,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Name der Szene</translation>
     </message>
     <message>
-        <source>positions in m: { "4" = [0.9, 0, 0], … }</source>
-        <translation>Orte in m: { "4" = [0.9, 0, 0], … }</translation>
+        <source>positions in m: { &quot;4&quot; = [0.9, 0, 0], … }</source>
+        <translation>Orte in m: { &quot;4&quot; = [0.9, 0, 0], … }</translation>
     </message>
     <message>
         <source>files of the parts without the joint</source>
@@ -1900,8 +1800,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>ausgelassene Bänder in Hz: [[560, 566], [700, 702]]</translation>
     </message>
     <message>
-        <source>lines near resonances left out: { of = ["assembly"], half_width = 0.01 }</source>
-        <translation>ausgelassene Linien nahe Resonanzen: { of = ["assembly"], half_width = 0.01 }</translation>
+        <source>lines near resonances left out: { of = [&quot;assembly&quot;], half_width = 0.01 }</source>
+        <translation>ausgelassene Linien nahe Resonanzen: { of = [&quot;assembly&quot;], half_width = 0.01 }</translation>
     </message>
     <message>
         <source>whose resonances: substructures, assembly</source>
@@ -1920,20 +1820,20 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>einzeln identifizierte Bänder in Hz: [[100, 200], [200, 400]]</translation>
     </message>
     <message>
-        <source>pairs that are joined rigidly before: [["4:+X", "5:+X"]]</source>
-        <translation>Paare, die vorher starr verbunden werden: [["4:+X", "5:+X"]]</translation>
+        <source>pairs that are joined rigidly before: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</source>
+        <translation>Paare, die vorher starr verbunden werden: [[&quot;4:+X&quot;, &quot;5:+X&quot;]]</translation>
     </message>
     <message>
         <source>which elements are unknown</source>
         <translation>welche Elemente unbekannt sind</translation>
     </message>
     <message>
-        <source>element by element: [["a", "-a"], ["-a", "a"]]; numbers are known</source>
-        <translation>Element für Element: [["a", "-a"], ["-a", "a"]]; Zahlen sind bekannt</translation>
+        <source>element by element: [[&quot;a&quot;, &quot;-a&quot;], [&quot;-a&quot;, &quot;a&quot;]]; numbers are known</source>
+        <translation>Element für Element: [[&quot;a&quot;, &quot;-a&quot;], [&quot;-a&quot;, &quot;a&quot;]]; Zahlen sind bekannt</translation>
     </message>
     <message>
-        <source>between two DOFs, or one and ground: [["4:+Y", "5:+Y"]]</source>
-        <translation>zwischen zwei DOFs, oder einem und dem Boden: [["4:+Y", "5:+Y"]]</translation>
+        <source>between two DOFs, or one and ground: [[&quot;4:+Y&quot;, &quot;5:+Y&quot;]]</source>
+        <translation>zwischen zwei DOFs, oder einem und dem Boden: [[&quot;4:+Y&quot;, &quot;5:+Y&quot;]]</translation>
     </message>
     <message>
         <source>whether it is required to be positive semidefinite</source>
@@ -1992,16 +1892,16 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>ob ein Gesetz die Varianzen der Dateien ersetzt</translation>
     </message>
     <message>
-        <source>known beside the data, value and deviation: { "K(1,1)" = [6.6e5, 1e4] }</source>
-        <translation>neben den Daten bekannt, Wert und Abweichung: { "K(1,1)" = [6.6e5, 1e4] }</translation>
+        <source>known beside the data, value and deviation: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</source>
+        <translation>neben den Daten bekannt, Wert und Abweichung: { &quot;K(1,1)&quot; = [6.6e5, 1e4] }</translation>
     </message>
     <message>
-        <source>of unknowns: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</source>
-        <translation>von Unbekannten: { "K(1,1)" = [0, 1e6], "D.a" = "positive" }</translation>
+        <source>of unknowns: { &quot;K(1,1)&quot; = [0, 1e6], &quot;D.a&quot; = &quot;positive&quot; }</source>
+        <translation>von Unbekannten: { &quot;K(1,1)&quot; = [0, 1e6], &quot;D.a&quot; = &quot;positive&quot; }</translation>
     </message>
     <message>
-        <source>equations between unknowns: ["K(1,1) = K(3,3)"]</source>
-        <translation>Gleichungen zwischen Unbekannten: ["K(1,1) = K(3,3)"]</translation>
+        <source>equations between unknowns: [&quot;K(1,1) = K(3,3)&quot;]</source>
+        <translation>Gleichungen zwischen Unbekannten: [&quot;K(1,1) = K(3,3)&quot;]</translation>
     </message>
     <message>
         <source>how many replicates: 0, or 100 and more</source>
@@ -2052,7 +1952,7 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Wahrscheinlichkeit, dass eine Richtung verkehrt notiert ist</translation>
     </message>
     <message>
-        <source>standard deviation of a DOF's place, in m</source>
+        <source>standard deviation of a DOF&apos;s place, in m</source>
         <translation>Standardabweichung des Orts eines DOFs, in m</translation>
     </message>
     <message>
@@ -2439,6 +2339,22 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <source>by the modes</source>
         <translation>aus den Moden</translation>
     </message>
+    <message>
+        <source>gains and delays of sensors with what is known of them: { gain = 0.01 }</source>
+        <translation>Verstärkungen und Laufzeiten von Sensoren mit dem, was von ihnen bekannt ist: { gain = 0.01 }</translation>
+    </message>
+    <message>
+        <source>masses of sensors, in kg, and how sure they are</source>
+        <translation>Massen von Sensoren, in kg, und wie sicher sie sind</translation>
+    </message>
+    <message>
+        <source>of studies: standard deviation of the gain of every sensor: 0.01</source>
+        <translation>für Studien: Standardabweichung der Verstärkung jedes Sensors: 0.01</translation>
+    </message>
+    <message>
+        <source>of studies: standard deviation of the mass of every sensor, in kg</source>
+        <translation>für Studien: Standardabweichung der Masse jedes Sensors, in kg</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>
@@ -2533,10 +2449,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Läufe</translation>
     </message>
     <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
         <source>Solving</source>
         <translation>Lösen</translation>
     </message>
@@ -2547,10 +2459,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     <message>
         <source>The smallest errors that the data allow, and what other data would change</source>
         <translation>Die kleinsten Fehler, die die Daten zulassen, und was andere Daten änderten</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stop and keep the best values so far (Shift+F5)</source>
@@ -2723,10 +2631,6 @@ Das Rauschen ist das von [noise], oder das der Kohärenzen der Dateien.</transla
     <message>
         <source>Identify over and over with simulated noise</source>
         <translation>Immer wieder mit simuliertem Rauschen identifizieren</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>Stop; what is done stays, and the next run goes on from there</source>
