@@ -5,14 +5,13 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "frf/noise/polluter.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/plan/true_values.hpp"
 #include "ident/result/quality.hpp"
 #include "models/model_source.hpp"
+#include "study/excerpt_pollution.hpp"
 #include "study/recorded_noise.hpp"
-#include "study/systematic_noise.hpp"
 #include "study/trial_noise.hpp"
 #include "study/trial_regeneration.hpp"
 
@@ -90,10 +89,6 @@ Recorded record(const char* name, Sources sources, frf::Composition composition,
   out.system = std::make_unique<frf::FrfSystem>(name, std::move(sources), composition, reciprocity);
   return out;
 }
-
-struct Excerpts {
-  std::vector<frf::Excerpt> substructures, assembly;
-};
 
 std::vector<std::size_t> all_lines(const frf::FrfHeader& header) {
   std::vector<std::size_t> lines(header.lines());
@@ -211,30 +206,6 @@ frf::NoiseModel noise_of(const ident::Scene& scene, const Sources& substructures
   return {.kind = frf::NoiseKind::hammer};
 }
 
-/// Draws the errors of a set: a model's by its own noise, others' by a noise model.
-class SetPollution {
- public:
-  SetPollution(const frf::Excerpt& excerpt, frf::NoiseModel model) {
-    const frf::FrfHeader& header = excerpt.set.header;
-    if (models::is_model(header)) {
-      recorded_.emplace(excerpt);
-      return;
-    }
-    // The averages behind the coherences of a set are known better there than in the model.
-    if (header.noise == frf::NoiseRecord::coherence && header.averages >= 2.0) model.averages = static_cast<int>(header.averages);
-    law_.emplace(excerpt, model);
-  }
-
-  void pollute(frf::FrfSet& set, const RandomStream& stream) {
-    if (law_) law_->pollute(set, stream);
-    if (recorded_) recorded_->pollute(set, stream);
-  }
-
- private:
-  std::optional<frf::Polluter> law_;
-  std::optional<RecordedNoise> recorded_;
-};
-
 SystematicNoise systematic_of(const ident::Scene& scene) {
   return scene.noise ? SystematicNoise{scene.noise->gain_errors, scene.noise->mass_errors} : SystematicNoise{};
 }
@@ -251,35 +222,9 @@ void require_driving_points(const ident::Scene& scene, const Excerpts& excerpts)
   }
 }
 
-Pollution pollution_of(const Excerpts& excerpts, const frf::NoiseModel& model, const SystematicNoise& systematic) {
-  std::vector<SetPollution> substructures, assembly;
-  for (const frf::Excerpt& excerpt : excerpts.substructures) substructures.emplace_back(excerpt, model);
-  for (const frf::Excerpt& excerpt : excerpts.assembly) assembly.emplace_back(excerpt, model);
-  return [substructures, assembly, systematic](std::uint64_t seed, std::uint64_t trial, Measurements& data) mutable {
-    if (systematic.any()) {
-      for (auto* sets : {&data.substructures, &data.assembly}) {
-        for (frf::FrfSet& each : *sets) {
-          if (!models::is_model(each.header)) systematic.apply(each, {seed, trial, 0});
-        }
-      }
-    }
-    std::uint64_t set = 0;
-    for (std::size_t i = 0; i < substructures.size(); ++i) {
-      substructures[i].pollute(data.substructures[i], {seed, trial, set++});
-    }
-    for (std::size_t i = 0; i < assembly.size(); ++i) assembly[i].pollute(data.assembly[i], {seed, trial, set++});
-  };
-}
-
-/// Virtual points carry the law of [noise] from the measured FRFs.
-bool has_virtual_points(const ident::Scene& scene) {
-  const auto has = [](const ident::DataFile& file) { return !file.virtual_points.empty(); };
-  return std::ranges::any_of(scene.data.substructures, has) || std::ranges::any_of(scene.data.assembly, has);
-}
-
 /// With covariances in a file, and variances in all, trials draw their errors from these.
 bool draws_from_files(const ident::Scene& scene, const Sources& substructures, const Sources& assembly) {
-  if (scene.noise && !has_virtual_points(scene)) return false;
+  if (scene.noise && !ident::has_virtual_points(scene)) return false;
   bool any = false;
   for (const Sources* sources : {&substructures, &assembly}) {
     for (const auto& source : *sources) {
@@ -288,17 +233,6 @@ bool draws_from_files(const ident::Scene& scene, const Sources& substructures, c
     }
   }
   return any;
-}
-
-Pollution recorded_pollution(const Excerpts& excerpts) {
-  std::vector<RecordedNoise> substructures, assembly;
-  for (const frf::Excerpt& excerpt : excerpts.substructures) substructures.emplace_back(excerpt);
-  for (const frf::Excerpt& excerpt : excerpts.assembly) assembly.emplace_back(excerpt);
-  return [substructures, assembly](std::uint64_t seed, std::uint64_t trial, Measurements& data) {
-    std::uint64_t set = 0;
-    for (std::size_t i = 0; i < substructures.size(); ++i) substructures[i].pollute(data.substructures[i], {seed, trial, set++});
-    for (std::size_t i = 0; i < assembly.size(); ++i) assembly[i].pollute(data.assembly[i], {seed, trial, set++});
-  };
 }
 
 /// Sources that refer to sets which outlive them.
@@ -347,7 +281,7 @@ std::shared_ptr<TrialData> prepare(const ident::Scene& scene, Sources substructu
 }  // namespace
 
 std::shared_ptr<const TrialData> load_trial_data(const ident::Scene& scene) {
-  if (systematic_of(scene).any() && has_virtual_points(scene)) {
+  if (systematic_of(scene).any() && ident::has_virtual_points(scene)) {
     fail(scene, "gain_errors and mass_errors are not drawn for sensors of virtual points",
          "remove them, or [[virtual_points]]");
   }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "ident/plan/data_source.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -34,11 +35,6 @@ Scene without_virtual_points(Scene scene) {
     }
   }
   return scene;
-}
-
-bool has_virtual_points(const Scene& scene) {
-  const auto has = [](const DataFile& file) { return !file.virtual_points.empty(); };
-  return std::ranges::any_of(scene.data.substructures, has) || std::ranges::any_of(scene.data.assembly, has);
 }
 
 /// Numbers of which those next to 0 and ±1 are these; of a direction near an axis.

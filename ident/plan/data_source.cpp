@@ -1,5 +1,6 @@
 #include "ident/plan/data_source.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -113,6 +114,11 @@ std::vector<Sources> open_systems(const std::vector<std::vector<DataFile>>& syst
 OpenedScene open_scene(const Scene& scene) {
   auto systems = open_systems({scene.data.substructures, scene.data.assembly}, scene.frequency, scene.file);
   return {std::move(systems[0]), std::move(systems[1])};
+}
+
+bool has_virtual_points(const Scene& scene) {
+  const auto has = [](const DataFile& file) { return !file.virtual_points.empty(); };
+  return std::ranges::any_of(scene.data.substructures, has) || std::ranges::any_of(scene.data.assembly, has);
 }
 
 }  // namespace jointid::ident

@@ -25,4 +25,7 @@ struct OpenedScene {
 };
 OpenedScene open_scene(const Scene& scene);
 
+/// Of some file, [[virtual_points]] take the place of its sensors and impacts.
+bool has_virtual_points(const Scene& scene);
+
 }  // namespace jointid::ident

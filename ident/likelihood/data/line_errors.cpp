@@ -55,25 +55,14 @@ std::shared_ptr<const Correlation> correlation_of(const LineLayout& layout, cons
   if (!substructures && !assembly) return nullptr;
   ElementParts parts;
   std::size_t element = 0;
-  const auto add = [&](const LineErrors* errors, Element origin, Element e, double factor) {
-    if (errors && variance[element] > 0.0) parts.add(element, *errors, origin.row + e.row, origin.column + e.column, factor);
-  };
-  const auto add_all = [&](const std::vector<Element>& elements, const LineErrors* errors, Element origin) {
-    for (const Element& e : elements) {
-      add(errors, origin, e, 1.0);
-      ++element;
-    }
-  };
-  const std::size_t n = layout.others;
-  add_all(layout.x, substructures, {n, 0});
-  add_all(layout.y, substructures, {n, n});
-  add_all(layout.a, assembly, {n, 0});
-  add_all(layout.b, assembly, {n, n});
-  for (const Element& e : layout.d) {
-    add(substructures, {0, 0}, e, 1.0);
-    add(assembly, {0, 0}, e, -1.0);
+  for_each_element(layout, [&](ElementOf of, Element at) {
+    const auto add = [&](const LineErrors* errors, double factor) {
+      if (errors && variance[element] > 0.0) parts.add(element, *errors, at.row, at.column, factor);
+    };
+    if (of != ElementOf::assembly) add(substructures, 1.0);
+    if (of != ElementOf::substructures) add(assembly, of == ElementOf::difference ? -1.0 : 1.0);
     ++element;
-  }
+  });
   Eigen::VectorXd variances(at(parts.elements().size()));
   for (Eigen::Index i = 0; i < variances.size(); ++i) variances[i] = variance[parts.elements()[static_cast<std::size_t>(i)]];
   Correlation out = Correlation::of(element, parts.elements(), parts.covariance(), variances);

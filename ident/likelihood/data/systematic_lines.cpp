@@ -96,27 +96,20 @@ std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const L
     std::vector<SystematicWay> by = ways(i, of_assembly, m, at);
     if (has_factors(by)) out->push_back({element, sign, m.value, share, std::move(by)});
   };
-  const auto add_all = [&](const std::vector<Element>& elements, bool of_assembly, Element first) {
-    for (const Element& e : elements) {
-      add(of_assembly, {first.row + e.row, first.column + e.column}, 1.0, 1.0);
-      ++element;
-    }
-  };
-  const std::size_t n = layout.others;
-  add_all(layout.x, false, {n, 0});
-  add_all(layout.y, false, {n, n});
-  add_all(layout.a, true, {n, 0});
-  add_all(layout.b, true, {n, n});
-  for (const Element& e : layout.d) {
-    const Measured &sub = measured.substructures.at(e.row, e.column), &whole = measured.assembly.at(e.row, e.column);
-    if (sub.known() && whole.known()) {
-      const double own = sub.is_zero() ? 0.0 : total(sub.variance), both = own + total(whole.variance);
-      const double share = both > 0.0 ? own / both : 0.5;
-      add(false, e, 1.0, share);
-      add(true, e, -1.0, 1.0 - share);
+  for_each_element(layout, [&](ElementOf of, Element at) {
+    if (of != ElementOf::difference) {
+      add(of == ElementOf::assembly, at, 1.0, 1.0);
+    } else {
+      const Measured &sub = measured.substructures.at(at.row, at.column), &whole = measured.assembly.at(at.row, at.column);
+      if (sub.known() && whole.known()) {
+        const double own = sub.is_zero() ? 0.0 : total(sub.variance), both = own + total(whole.variance);
+        const double share = both > 0.0 ? own / both : 0.5;
+        add(false, at, 1.0, share);
+        add(true, at, -1.0, 1.0 - share);
+      }
     }
     ++element;
-  }
+  });
   return out;
 }
 

@@ -32,4 +32,19 @@ struct LineLayout {
   bool is_large() const { return variables() >= 64; }
 };
 
+/// What an element is an FRF of.
+enum class ElementOf { substructures, assembly, difference };
+
+/// Calls use(system, at) for every element in the order of the line's data, x, y, a, b, d: of which system it is, and its place there.
+/// One of `d` is the difference of both systems there.
+template <class Use>
+void for_each_element(const LineLayout& layout, const Use& use) {
+  const std::size_t n = layout.others;
+  for (const Element& e : layout.x) use(ElementOf::substructures, Element{n + e.row, e.column});
+  for (const Element& e : layout.y) use(ElementOf::substructures, Element{n + e.row, n + e.column});
+  for (const Element& e : layout.a) use(ElementOf::assembly, Element{n + e.row, e.column});
+  for (const Element& e : layout.b) use(ElementOf::assembly, Element{n + e.row, n + e.column});
+  for (const Element& e : layout.d) use(ElementOf::difference, e);
+}
+
 }  // namespace jointid::ident
