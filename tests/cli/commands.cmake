@@ -210,14 +210,14 @@ command_test(compare_regenerated_wrong CODE 2 ERR "--regenerate.*did you mean su
   ARGS compare a1/A1.toml --regenerate substructure --trials 2)
 
 # Digits of every solver.
-command_test(stability CODE 0 OUT "stiffness: .*condition +normal +qr +svd +spqr +two +direct +newton +likelihood.*random scenes +6 .* 0 +[0-9]+\n" MAKES stability_reported
+command_test(stability SLOW CODE 0 OUT "stiffness: .*condition +normal +qr +svd +spqr +two +direct +newton +likelihood.*random scenes +6 .* 0 +[0-9]+\n" MAKES stability_reported
   ARGS stability --sweeps stiffness,laeuchli --scenes 6 --report stability.html)
 command_test(stability_json CODE 0 OUT "\"digits_kept\": " ARGS stability --sweeps laeuchli --scenes 0 --json -)
 command_test(stability_csv CODE 0 OUT "^sweep,value,method,solver,.*\nlaeuchli,1,rows,spqr," ARGS stability --sweeps laeuchli --scenes 0 --csv -)
 command_test(stability_unknown CODE 2 ERR "--sweeps: 'stifness' is no sweep.*did you mean 'stiffness'" ARGS stability --sweeps stifness)
 command_test(stability_unwritable CODE 3 ERR "absent/a.html: cannot be written" ARGS stability --report absent/a.html)
 command_test(laws_written CODE 0 OUT "next: jointid solve" MAKES law_files ARGS problem write sdof-iwan law_files)
-command_test(laws_solved CODE 0 OUT "law: iwan.*initial stiffness.*friction limit.*status: ok" AFTER law_files ARGS solve law_files/sdof-iwan.toml)
+command_test(laws_solved SLOW CODE 0 OUT "law: iwan.*initial stiffness.*friction limit.*status: ok" AFTER law_files ARGS solve law_files/sdof-iwan.toml)
 command_test(laws_plot CODE 2 ERR "there is no FRF of an assembly" AFTER law_files ARGS solve law_files/sdof-iwan.toml --plot 1:+Y/1:+Y)
 
 command_test(flange_written CODE 0 OUT "next: jointid solve" MAKES flange_files ARGS problem write flange-turned flange)
