@@ -1,10 +1,11 @@
 #include "random_assembly.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <numeric>
 
 #include "coupling/groups.hpp"
+#include "dense/lu.hpp"
+#include "dense/svd.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -23,14 +24,14 @@ ComplexMatrix dynamic_stiffness(Index n, bool symmetric) {
   return z;
 }
 
-/// T of the conditions from the null space of B by elimination on B itself.
+/// T of the conditions, which are independent, from the null space of B itself.
 Eigen::MatrixXd null_space(Index n, const Conditions& conditions) {
   Eigen::MatrixXd b = Eigen::MatrixXd::Zero(static_cast<Index>(conditions.size()), n);
   for (std::size_t p = 0; p < conditions.size(); ++p) {
     b(static_cast<Index>(p), conditions[p].first) = 1.0;
     if (conditions[p].second) b(static_cast<Index>(p), *conditions[p].second) = -conditions[p].sign;
   }
-  return b.fullPivLu().kernel();
+  return dense::svd(b, dense::Vectors::none, dense::Vectors::full).v.rightCols(n - b.rows());
 }
 
 }  // namespace
@@ -73,10 +74,10 @@ RandomAssembly random_assembly(const Shape& shape) {
   out.h = ComplexMatrix::Zero(n, n);
   at = 0;
   for (const ComplexMatrix& part : z) {
-    out.h.block(at, at, part.rows(), part.cols()) = part.fullPivLu().inverse();
+    out.h.block(at, at, part.rows(), part.cols()) = dense::inverse(part);
     at += part.rows();
   }
-  out.assembled = t * (t.transpose() * all * t).fullPivLu().solve(ComplexMatrix(t.transpose()));
+  out.assembled = t * dense::solve(t.transpose() * all * t, t.transpose());
   return out;
 }
 

@@ -1,10 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include "coupling/dependency.hpp"
 #include "coupling/truncation.hpp"
+#include "dense/svd.hpp"
 #include "in_memory_parts.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "weighting/line_selection.hpp"
@@ -18,8 +19,8 @@ using ::testing::ElementsAre;
 ComplexMatrix with_singular_values(const Eigen::VectorXd& sigma) {
   const Index n = sigma.size();
   std::srand(1);
-  const ComplexMatrix u = ComplexMatrix::Random(n, n).householderQr().householderQ(),
-                      v = ComplexMatrix::Random(n, n).householderQr().householderQ();
+  const auto unitary = [n] { return dense::svd(ComplexMatrix::Random(n, n), dense::Vectors::full, dense::Vectors::none).u; };
+  const ComplexMatrix u = unitary(), v = unitary();
   return u * sigma.cast<Complex>().asDiagonal() * v.adjoint();
 }
 

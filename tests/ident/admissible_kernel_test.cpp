@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <random>
 
 #include "base/error.hpp"
 #include "dense/eigen.hpp"
+#include "dense/real_lu.hpp"
 #include "ident/admissible/definite_block.hpp"
 #include "ident/admissible/semidefinite_least_squares.hpp"
 #include "ident/admissible/tie.hpp"
@@ -39,6 +38,8 @@ VectorXd upper(const MatrixXd& matrix) {
   return out;
 }
 
+MatrixXd inverse(const MatrixXd& a) { return dense::RealLu(a).solve(MatrixXd::Identity(a.rows(), a.cols())); }
+
 /// Elements of the upper triangle count as often as they stand in the matrix: ‖D u‖ is the Frobenius norm.
 MatrixXd frobenius(Index size) {
   const MatrixXd twice = MatrixXd::Constant(size, size, std::sqrt(2.0)) - (std::sqrt(2.0) - 1.0) * MatrixXd::Identity(size, size);
@@ -70,7 +71,7 @@ TEST(SemidefiniteLeastSquares, MeetsTheConditionsOfKarushKuhnAndTucker) {
   for (unsigned seed = 1; seed <= 120; ++seed) {
     const Sample sample(seed, 1 + seed % 6);
     const SymmetricBlock block = whole_matrix(sample.size);
-    const MatrixXd basis = sample.root.inverse();
+    const MatrixXd basis = inverse(sample.root);
     const SemidefiniteFit fit = solve_semidefinite({block}, sample.theta, basis);
     ASSERT_TRUE(fit.converged) << seed;
     VectorXd force = VectorXd::Zero(sample.theta.size());
@@ -86,7 +87,7 @@ TEST(SemidefiniteLeastSquares, MeetsTheConditionsOfKarushKuhnAndTucker) {
 TEST(SemidefiniteLeastSquares, InTheFrobeniusNormNegativeEigenvaluesAreCutOff) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const Sample sample(seed, 5);
-    const SemidefiniteFit fit = solve_semidefinite({whole_matrix(5)}, sample.theta, frobenius(5).inverse());
+    const SemidefiniteFit fit = solve_semidefinite({whole_matrix(5)}, sample.theta, inverse(frobenius(5)));
     const dense::SymmetricEigen eigen = dense::symmetric_eigen(sample.matrix);
     const MatrixXd cut = eigen.vectors * eigen.values.cwiseMax(0.0).asDiagonal() * eigen.vectors.transpose();
     EXPECT_LT((fit.value[0] - cut).norm(), 1e-5);
@@ -99,7 +100,7 @@ VectorXd by_alternating_directions(const Sample& sample) {
   const MatrixXd metric = frobenius(sample.size);
   const double penalty = 3.0;
   const MatrixXd normal = sample.root.transpose() * sample.root, weight = penalty * metric * metric;
-  const Eigen::LLT<MatrixXd> system(normal + weight);
+  const dense::RealLu system(normal + weight);
   VectorXd theta = sample.theta, z = theta, dual = VectorXd::Zero(theta.size());
   const SymmetricBlock block = whole_matrix(sample.size);
   for (int iteration = 0; iteration < 20000; ++iteration) {
@@ -114,7 +115,7 @@ VectorXd by_alternating_directions(const Sample& sample) {
 TEST(SemidefiniteLeastSquares, AgreesWithAlternatingDirections) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Sample sample(seed, 4);
-    const MatrixXd basis = sample.root.inverse();
+    const MatrixXd basis = inverse(sample.root);
     const SemidefiniteFit fit = solve_semidefinite({whole_matrix(4)}, sample.theta, basis);
     EXPECT_LT((sample.theta + basis * fit.x - by_alternating_directions(sample)).norm(), 1e-5 * sample.theta.norm());
   }
@@ -132,7 +133,7 @@ TEST(TiedLeastSquares, AgreesWithLagrangeMultipliers) {
   bordered.bottomLeftCorner(2, 6) = ties;
   VectorXd right(8);
   right << bordered.topLeftCorner(6, 6) * sample.theta, values;
-  EXPECT_LT((tied.theta - bordered.fullPivLu().solve(right).head(6)).norm(), 1e-10 * sample.theta.norm());
+  EXPECT_LT((tied.theta - dense::RealLu(bordered).solve(right).topRows(6)).norm(), 1e-10 * sample.theta.norm());
   EXPECT_LT((ties * tied.theta - values).norm(), 1e-10);
   // ‖R(θ + basis·x − θ̂)‖² is the least plus ‖x‖².
   const VectorXd x = sample.draw(4, 1);

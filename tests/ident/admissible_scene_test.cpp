@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <limits>
 
 #include "base/error.hpp"

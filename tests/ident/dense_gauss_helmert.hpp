@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include "base/eigen.hpp"
 #include "likelihood_line_sample.hpp"
@@ -33,6 +33,33 @@ class DenseStep {
 
  private:
   using Wide = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+  /// S⁻¹ B by elimination with complete pivoting.
+  static Wide solution(Wide s, Wide b) {
+    const Eigen::Index n = s.rows();
+    std::vector<Eigen::Index> place(std::size_t(n), 0);
+    for (Eigen::Index i = 0; i < n; ++i) place[std::size_t(i)] = i;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      Eigen::Index row = 0, column = 0;
+      s.bottomRightCorner(n - k, n - k).cwiseAbs().maxCoeff(&row, &column);
+      s.row(k).swap(s.row(k + row));
+      b.row(k).swap(b.row(k + row));
+      s.col(k).swap(s.col(k + column));
+      std::swap(place[std::size_t(k)], place[std::size_t(k + column)]);
+      for (Eigen::Index i = k + 1; i < n; ++i) {
+        const long double factor = s(i, k) / s(k, k);
+        s.row(i).tail(n - k) -= factor * s.row(k).tail(n - k);
+        b.row(i) -= factor * b.row(k);
+      }
+    }
+    Wide x(n, b.cols());
+    for (Eigen::Index k = n; k-- > 0;) {
+      b.row(k) /= s(k, k);
+      for (Eigen::Index i = 0; i < k; ++i) b.row(i) -= s(i, k) * b.row(k);
+      x.row(place[std::size_t(k)]) = b.row(k);
+    }
+    return x;
+  }
 
   void list_conditions() {
     for (std::size_t i = 0; i < s_.layout.d.size(); ++i) {
@@ -114,7 +141,7 @@ class DenseStep {
     const Wide spread = q.cast<long double>().asDiagonal() * wide_b.transpose();
     const auto size = conditions + at(free.size());
     Wide s = Wide::Zero(size, size), a = Wide::Zero(size, unknowns), w = Wide::Zero(size, 1);
-    s.topLeftCorner(conditions, conditions) = wide_b * spread;
+    s.topLeftCorner(conditions, conditions) = wide_b.lazyProduct(spread);
     for (std::size_t f = 0; f < free.size(); ++f) {
       const auto place = conditions + at(f);
       s.col(place).head(conditions) = wide_b.col(free[f]);
@@ -128,14 +155,16 @@ class DenseStep {
       dz.bottomRightCorner(j_, j_) += s_.joint.at(more);
       a.col(t).head(conditions) = of_rows(-hs_ * dz * ha_).cast<long double>();
     }
-    w.topRows(conditions) = of_rows(hs_ - ha_ - hs_ * z_ * ha_).cast<long double>() + wide_b * off.cast<long double>();
-    const Eigen::FullPivLU<Wide> factors(s);
-    const Wide normal = a.transpose() * factors.solve(a), right = -a.transpose() * factors.solve(w);
-    const Wide theta = normal.fullPivLu().solve(right), k = factors.solve(w + a * theta);
+    w.topRows(conditions) = of_rows(hs_ - ha_ - hs_ * z_ * ha_).cast<long double>() + wide_b.lazyProduct(off.cast<long double>());
+    Wide both(size, unknowns + 1);
+    both << a, w;
+    const Wide solved = solution(s, both), products = a.transpose().lazyProduct(solved);
+    const Wide normal = products.leftCols(unknowns), right = -products.rightCols(1);
+    const Wide theta = solution(normal, right), k = solved.rightCols(1) + solved.leftCols(unknowns).lazyProduct(theta);
     information = normal.cast<double>();
     gradient = right.cast<double>();
     step = theta.cast<double>();
-    Wide v = off.cast<long double>() - spread * k.topRows(conditions);
+    Wide v = off.cast<long double>() - spread.lazyProduct(k.topRows(conditions));
     for (std::size_t f = 0; f < free.size(); ++f) v(free[f]) = -k(conditions + at(f));
     frf_step = v.cast<double>().topRows(at(2 * s_.layout.variables()));
   }

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 #include <random>
+
+#include "dense/cholesky.hpp"
+#include "dense/eigen.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -32,7 +35,7 @@ struct RandomInformation {
 
   /// With curvatures between `low` and `high` of the information's.
   MatrixXd curvature(double low, double high) {
-    const MatrixXd basis = Eigen::SelfAdjointEigenSolver<MatrixXd>(any() + any().transpose()).eigenvectors();
+    const MatrixXd basis = dense::symmetric_eigen(any() + any().transpose()).vectors;
     VectorXd values(size);
     for (double& value : values) value = std::uniform_real_distribution<double>(low, high)(random);
     return root.transpose() * basis * values.asDiagonal() * basis.transpose() * root;
@@ -43,7 +46,7 @@ RC_GTEST_PROP(GodambeInformation, IsThatOfAQuadraticFunction, (unsigned seed)) {
   RandomInformation sample(seed);
   const MatrixXd curvature = sample.curvature(0.3, 0.9);
   const MatrixXd found = godambe_information([&](const VectorXd& offset) { return VectorXd(-curvature * offset); }, sample.information);
-  const MatrixXd expected = curvature * sample.information.ldlt().solve(curvature);
+  const MatrixXd expected = curvature * dense::solve_positive(sample.information, curvature);
   RC_ASSERT((found - expected).norm() <= 1e-6 * expected.norm());
 }
 

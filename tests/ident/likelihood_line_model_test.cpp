@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 
 #include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "dense/lu.hpp"
+#include "dense/qr.hpp"
+#include "dense/real_lu.hpp"
 #include "dense/svd.hpp"
 #include "ident/likelihood/line/line_model.hpp"
 #include "likelihood_line_sample.hpp"
@@ -130,17 +132,15 @@ RC_GTEST_PROP(LikelihoodLine, ReducesToTheSchurComplementOfDifferences, (unsigne
          1e-7 * j.norm());  // differences tell the derivative: no pole of I + ZY close by
   const auto v = at(2 * s.layout.variables()), p = j.cols() - v;
   const Eigen::MatrixXd rows = equations(s, state, j);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(rows.leftCols(v));
-  const Eigen::MatrixXd rotated = qr.householderQ().transpose() * rows.rightCols(p + 1);
-  const Eigen::MatrixXd solved = qr.matrixQR().topRows(v).triangularView<Eigen::Upper>().solve(rotated.topRows(v));
-  const Eigen::MatrixXd rest = rotated.bottomRows(rows.rows() - v);
+  const Eigen::MatrixXd q = dense::orthonormal_columns(rows.leftCols(v)), told = q.transpose() * rows.leftCols(v);
+  const Eigen::MatrixXd rotated = q.transpose() * rows.rightCols(p + 1), solved = dense::RealLu(told).solve(rotated);
+  const Eigen::MatrixXd rest = rows.rightCols(p + 1) - q * rotated;
   const Eigen::MatrixXd schur = rest.transpose() * rest;
   const double cancelled = 1e-3 + 1e-2 * rows.rightCols(p + 1).squaredNorm();  // what the FRFs' steps take off again
   expect_close(reduced->information, schur.topLeftCorner(p, p), 1e-5, cancelled);
   expect_close(reduced->gradient, schur.topRightCorner(p, 1), 1e-5, cancelled);
   expect_close(Eigen::MatrixXd::Constant(1, 1, reduced->cost), schur.bottomRightCorner(1, 1), 1e-5, cancelled);
   // The FRFs' steps as far as the equations tell them: differences are too coarse for what only the weak rows fix.
-  const Eigen::MatrixXd told = qr.matrixQR().topRows(v).triangularView<Eigen::Upper>();
   expect_close(told * reduced->back, told * solved.leftCols(p), 1e-4);
   expect_close(told * reduced->own, told * solved.rightCols(1), 1e-4);
 }

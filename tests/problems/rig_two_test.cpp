@@ -3,11 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <filesystem>
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
+#include "dense/lu.hpp"
 #include "friction/curve/equivalent.hpp"
 #include "friction/law/laws.hpp"
 #include "ident/tasks/equivalent.hpp"
@@ -31,7 +32,7 @@ TEST(EquivalentJoint, InvertsTheCoupledFrfs) {
       h(1, 0) = h(0, 1);
       const auto joined = [&h](Complex joint) {  // (6.15), docs/formulas.md §2
         const Eigen::Matrix2cd stiffness = joint * (Eigen::Matrix2cd() << 1.0, -1.0, -1.0, 1.0).finished();
-        return Eigen::Matrix2cd(h * (Eigen::Matrix2cd::Identity() + stiffness * h).inverse());
+        return Eigen::Matrix2cd(h * dense::inverse(Eigen::Matrix2cd::Identity() + stiffness * h));
       };
       lines.a.push_back(h(0, 0));
       lines.b.push_back(h(1, 1));
