@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -83,10 +84,14 @@ class FrfSource {
 /// What the user knows of a file and the file does not say; each is an error to leave out only where it is needed. A quantity is
 /// taken even where the file says another.
 struct OpenOptions {
+  /// Of a universal file without FRFs, the spectra (function type 12) instead: those of motions, or of forces.
+  enum class Spectra : std::uint8_t { none, motions, forces };
+
   std::optional<Quantity> quantity;  ///< for files that do not name it (UFF types 0/1, MAT, CSV), or name a wrong one
   std::vector<Dof> response;         ///< for matrices without DOFs (MAT, CSV)
   std::vector<Dof> reference;        ///< default: as the responses, when the matrix is square
   std::string variable;              ///< MAT: name of the FRF variable
+  Spectra spectra = Spectra::none;   ///< other formats do not tell them from FRFs
 };
 
 /// Opens by content, not by name: jointid-frf HDF5, UFF, MATLAB v5/v7/v7.3 or CSV. Throws InputError naming what was

@@ -14,6 +14,7 @@ namespace jointid::frf::uff {
 /// Function types of record 6 that this program tells apart.
 inline constexpr int function_frf = 4;
 inline constexpr int function_coherence = 6;
+inline constexpr int function_spectrum = 12;
 
 /// Specific data types of records 8–11 that this program tells apart.
 inline constexpr int type_displacement = 8;

@@ -23,19 +23,45 @@ std::string contents(const std::vector<Dataset>& datasets) {
   return text.empty() ? "no datasets" : text;
 }
 
-std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets, const std::string& file) {
+using Spectra = OpenOptions::Spectra;
+
+std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets) {
   std::vector<std::size_t> records;
   for (std::size_t i = 0; i < datasets.size(); ++i) {
     if (datasets[i].function && datasets[i].function->function_type == function_frf) records.push_back(i);
   }
-  if (records.empty()) {
-    throw InputError({.kind = ErrorKind::data,
-                      .file = file,
-                      .place = {},
-                      .problem = "no frequency response functions; the file holds " + contents(datasets),
-                      .remedy = "export the FRFs as dataset 58 with function type 4; of time records `jointid frf` makes them"});
+  return records;
+}
+
+/// Those of the wanted kind; where a record does not say its kind, it is taken for it.
+std::vector<std::size_t> spectra_of(const std::vector<Dataset>& datasets, Spectra wanted) {
+  std::vector<std::size_t> records;
+  for (std::size_t i = 0; i < datasets.size(); ++i) {
+    const auto& header = datasets[i].function;
+    if (!header || header->function_type != function_spectrum) continue;
+    const bool forces = wanted == Spectra::forces;
+    if (spectrum_of_forces(*header).value_or(forces) == forces) records.push_back(i);
   }
   return records;
+}
+
+[[noreturn]] void nothing_in(const std::vector<Dataset>& datasets, const std::string& file, Spectra wanted) {
+  const bool spectra = wanted != Spectra::none;
+  const std::string kind = wanted == Spectra::forces ? "forces" : "motions";
+  throw InputError(
+      {.kind = ErrorKind::data,
+       .file = file,
+       .place = {},
+       .problem = "no frequency response functions" + (spectra ? " nor spectra of " + kind : "") + "; the file holds " + contents(datasets),
+       .remedy = spectra ? "export the spectra of " + kind + " as dataset 58 with function type 12"
+                         : "export the FRFs as dataset 58 with function type 4; of time records `jointid frf` makes them"});
+}
+
+void require_phases(const Dataset& dataset) {
+  if (dataset.function->is_complex()) return;
+  dataset.place.fail("record 7",
+                     "the spectrum is real (ordinate type " + std::to_string(dataset.function->ordinate_type) + "): it has no phases",
+                     "export complex spectra, of the same trigger for all channels and the force");
 }
 
 void require_direction(const Dataset& dataset, const DofRecord& dof, const char* role) {
@@ -56,7 +82,10 @@ class CatalogueBuilder {
   }
 
   Catalogue build() {
-    const auto records = frf_records(datasets_, file_.name());
+    auto records = frf_records(datasets_);
+    spectra_ = records.empty() && options_.spectra != Spectra::none;
+    if (spectra_) records = spectra_of(datasets_, options_.spectra);
+    if (records.empty()) nothing_in(datasets_, file_.name(), options_.spectra);
     catalogue_.first_record = records.front();
     set_axis(datasets_[records.front()]);
     for (const std::size_t record : records) check(record);
@@ -66,7 +95,7 @@ class CatalogueBuilder {
     header_.quantity = first.quantity;
     if (first.stated && *first.stated != first.quantity) header_.changes.push_back(taken_for(first.quantity, *first.stated));
     header_.nodes = read_nodes(file_, datasets_, units);
-    attach_coherences(file_, catalogue_);
+    if (!spectra_) attach_coherences(file_, catalogue_);
     validate(header_);
     return std::move(catalogue_);
   }
@@ -87,7 +116,11 @@ class CatalogueBuilder {
     const Header58& header = *dataset.function;
     require_readable(dataset);
     require_direction(dataset, header.response, "response");
-    require_direction(dataset, header.reference, "reference");
+    if (spectra_) {
+      require_phases(dataset);
+    } else {
+      require_direction(dataset, header.reference, "reference");
+    }
     if (header.points != header_.lines()) {
       dataset.place.fail("record 7",
                          std::to_string(header.points) + " points but " +
@@ -99,7 +132,7 @@ class CatalogueBuilder {
     header_.precision = std::max(header_.precision, precision(dataset));
     require_plausible_size(file_, dataset);
     add(header_.response, header.response.dof());
-    add(header_.reference, header.reference.dof());
+    add(header_.reference, reference_of(header));
   }
 
   /// Text has the formats E13.5 and E20.12.
@@ -108,26 +141,32 @@ class CatalogueBuilder {
     return dataset.function->is_double() ? 5e-13 : 5e-6;
   }
 
+  Dof reference_of(const Header58& header) const { return spectra_ ? Dof{} : header.reference.dof(); }
+
   static void add(std::vector<Dof>& dofs, const Dof& dof) {
     if (!has(dofs, dof)) dofs.push_back(dof);
   }
 
   Ordinate interpret(std::size_t index, const UnitFactors& factors) const {
-    return interpret_ordinate(*datasets_[index].function, factors, options_.quantity, datasets_[index].place);
+    const Dataset& dataset = datasets_[index];
+    const auto interpret = spectra_ ? interpret_spectrum : interpret_ordinate;
+    return interpret(*dataset.function, factors, options_.quantity, dataset.place);
   }
 
   void place(std::size_t index, const UnitFactors& factors) {
     const Dataset& dataset = datasets_[index];
     const Dof response = dataset.function->response.dof();
-    const Dof reference = dataset.function->reference.dof();
+    const Dof reference = reference_of(*dataset.function);
     const std::size_t r = find_coordinate(header_.response, response);
     const std::size_t c = find_coordinate(header_.reference, reference);
     const auto [at, is_first] = catalogue_.grid.try_emplace(r * header_.reference.size() + c);
     if (!is_first) {
       dataset.place.fail("record 6",
-                         "the FRF of response " + response.name() + " and reference " + reference.name() +
+                         (spectra_ ? "the spectrum of " + response.name()
+                                   : "the FRF of response " + response.name() + " and reference " + reference.name()) +
                              " is already in " + datasets_[at->second.dataset].place.dataset,
-                         "keep one of the two records");
+                         spectra_ ? "keep one of the two records; write each force level to a file of its own"
+                                  : "keep one of the two records");
     }
     const Ordinate ordinate = interpret(index, factors);
     const int sign = response.sign * header_.response[r].sign * reference.sign * header_.reference[c].sign;
@@ -137,6 +176,7 @@ class CatalogueBuilder {
 
   ByteFile& file_;
   const OpenOptions& options_;
+  bool spectra_ = false;
   Catalogue catalogue_;
   FrfHeader& header_ = catalogue_.header;
   std::vector<Dataset>& datasets_ = catalogue_.datasets;

@@ -105,6 +105,26 @@ Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, 
   return ordinate;
 }
 
+std::optional<bool> spectrum_of_forces(const Header58& header) {
+  if (header.numerator.data_type > 1) return header.numerator.data_type == type_force;
+  const auto unit = parse_label(header.numerator.unit);
+  return unit ? std::optional(unit->force == 1) : std::nullopt;
+}
+
+Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given, const Place& place) {
+  const int turns = header.response.is_rotation() ? 1 : 0;
+  const auto unit = parse_label(header.numerator.unit);
+  if (spectrum_of_forces(header).value_or(false)) {
+    const bool fits = unit && unit->same_dimension({1.0, turns, 0, 1});
+    return {.to_si = fits ? unit->si : (turns == 1 ? 1.0 / factors.length : 1.0) / factors.force};
+  }
+  // That of the same motion over 1 N.
+  Header58 motion = header;
+  motion.denominator = {.data_type = type_force, .label = {}, .unit = "N"};
+  motion.reference.direction = static_cast<int>(Direction::x);
+  return interpret_ordinate(motion, factors, given, place);
+}
+
 double abscissa_to_hz(const Header58& header, const Place& place) {
   if (header.abscissa.data_type > 1 && header.abscissa.data_type != type_frequency) {
     place.fail(

@@ -37,6 +37,13 @@ struct Ordinate {
 Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given,
                             const Place& place);
 
+/// Whether a spectrum is one of forces: by data type 13 of record 9; of an unknown type (0 or 1) by its unit; empty when neither says it.
+std::optional<bool> spectrum_of_forces(const Header58& header);
+
+/// Interprets record 9 of a spectrum, whose denominator says nothing: motions as numerators of FRFs; a force (moment) becomes N (N·m) by
+/// its unit label, else by dataset 164, and is called a receptance.
+Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given, const Place& place);
+
 /// Factor to Hz of the abscissa: label Hz or none 1, kHz 1000, rad/s 1/2π. Throws InputError when record 8
 /// says that the abscissa is no frequency (a type other than 18, 0 and 1).
 double abscissa_to_hz(const Header58& header, const Place& place);

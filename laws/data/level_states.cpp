@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "base/error.hpp"
@@ -23,13 +24,19 @@ using frf::Dof;
                     .remedy = std::move(remedy)});
 }
 
+/// Files of responses may hold spectra instead of FRFs.
+ident::DataFile of_motions(ident::DataFile file) {
+  file.options.spectra = frf::OpenOptions::Spectra::motions;
+  return file;
+}
+
 /// Those of the scene, or all that the parts and every file of responses have.
 std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts, PhasorFiles& files) {
   if (!scene.responses.empty()) return scene.responses;
   std::vector<Dof> common = parts.responses();
   for (const ForceLevel& level : scene.levels) {
     for (const HarmonicFiles& each : level.harmonics) {
-      const std::vector<Dof>& own = files.dofs(each.responses);
+      const std::vector<Dof>& own = files.dofs(of_motions(each.responses));
       std::erase_if(common, [&](const Dof& dof) { return !frf::has(own, dof); });
     }
   }
@@ -60,6 +67,7 @@ struct HarmonicData {
 /// Force files hold N, whatever their header calls them.
 ident::DataFile in_newton(ident::DataFile file) {
   if (!file.options.quantity) file.options.quantity = frf::Quantity::receptance;
+  file.options.spectra = frf::OpenOptions::Spectra::forces;
   return file;
 }
 
@@ -69,7 +77,7 @@ class LevelReader {
   LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, PhasorFiles& files, LevelStates& to)
       : scene_(scene), level_(level), forces_(forces), to_(to) {
     for (const HarmonicFiles& each : level.harmonics) {
-      harmonics_.push_back({each.harmonic, files.read(each.responses, to.responses), {}, {}, {}});
+      harmonics_.push_back({each.harmonic, files.read(of_motions(each.responses), to.responses), {}, {}, {}});
       if (each.forces) harmonics_.back().forces = files.read(in_newton(*each.forces), level.force_dofs);
     }
     find_lines();
@@ -136,7 +144,8 @@ class LevelReader {
       return;
     }
     const Eigen::Index row = at(state.harmonics.size());
-    const Complex factor = level_.per_force ? state.force.amplitudes(0, column_of(level_.force_dofs.front())) : Complex(1.0);
+    const Complex factor = level_.per_force ? state.force.amplitudes(0, column_of(level_.force_dofs.front()))
+                                            : Complex(level_.rms ? std::numbers::sqrt2 : 1.0);
     state.response.row(row) = factor * data.responses->values.row(at(own));
     for (Eigen::Index r = 0; r < state.response.cols(); ++r) {
       state.deviation(row, r) = deviation(*data.responses, at(own), r, std::abs(factor), std::abs(state.response(row, r)));
@@ -149,6 +158,7 @@ class LevelReader {
   /// Whether the harmonic's force is known: measured, or none above the first with an amplitude.
   bool add_force(const HarmonicData& data, std::size_t line, response::MeasuredState& state) const {
     Eigen::RowVectorXcd row = Eigen::RowVectorXcd::Zero(at(forces_.size()));
+    const double peak = level_.rms ? std::numbers::sqrt2 : 1.0;
     if (level_.amplitude) {
       if (!state.force.harmonics.empty()) return true;
       row(column_of(level_.force_dofs.front())) = *level_.amplitude;
@@ -157,7 +167,7 @@ class LevelReader {
       for (std::size_t i = 0; i < level_.force_dofs.size(); ++i) {
         const Dof& dof = level_.force_dofs[i];
         const double sign = forces_[static_cast<std::size_t>(column_of(dof))] == dof ? 1.0 : -1.0;
-        row(column_of(dof)) = sign * data.forces->values(at(data.force_line[line]), at(i));
+        row(column_of(dof)) = sign * peak * data.forces->values(at(data.force_line[line]), at(i));
       }
     }
     if (!row.allFinite()) return false;

@@ -56,7 +56,7 @@ Phasors phasors_of(frf::FrfSystem& system, const std::vector<frf::Dof>& dofs) {
 PhasorFiles::PhasorFiles() : opener_(ident::open_all) {}
 
 PhasorFiles::Opened& PhasorFiles::opened(const ident::DataFile& file) {
-  Opened& found = files_[{file.path, file.options.quantity}];
+  Opened& found = files_[{file.path, file.options.quantity, file.options.spectra}];
   if (!found.system) found.system.emplace(file.path.string(), opener_({file}), frf::Composition::merged, false);
   return found;
 }

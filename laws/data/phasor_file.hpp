@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,7 @@ class PhasorFiles {
   Opened& opened(const ident::DataFile& file);
 
   Opener opener_;
-  std::map<std::pair<ident::Path, std::optional<frf::Quantity>>, Opened> files_;
+  std::map<std::tuple<ident::Path, std::optional<frf::Quantity>, frf::OpenOptions::Spectra>, Opened> files_;
 };
 
 }  // namespace jointid::laws

@@ -33,6 +33,7 @@ struct ForceLevel {
   std::vector<HarmonicFiles> harmonics;  ///< ascending
   std::vector<frf::Dof> force_dofs;
   std::optional<double> amplitude;  ///< N, of harmonic 1 at the one force DOF; without files of forces
+  bool rms = false;                 ///< the files hold root mean squares: peaks are √2 times their phasors (not of `per_force`)
   bool per_force = false;           ///< the responses are over the phasor of harmonic 1 of the force: FRFs at that level
 };
 

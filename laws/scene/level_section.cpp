@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "laws/scene/sections.hpp"
 
@@ -63,8 +64,10 @@ void read_force(const scene::Table& table, const ident::Path& folder, ForceLevel
   if (level.per_force) per_force->fail("responses over which of several forces?", "give phasors of the responses themselves");
 }
 
+const std::array<std::string, 2> amplitude_words = {"peak", "rms"};
+
 ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::size_t number, std::vector<std::string>& names) {
-  const scene::Table table = item.table({"name", "harmonics", "responses", "forces", "amplitude", "force_dofs", "per_force"});
+  const scene::Table table = item.table({"name", "harmonics", "responses", "forces", "amplitude", "force_dofs", "per_force", "amplitudes"});
   ForceLevel level;
   level.name = "level " + std::to_string(number);
   if (const auto name = table.find("name")) level.name = name->text_not_empty();
@@ -72,6 +75,7 @@ ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::s
   const auto files = read_files(table.require("responses"), folder, level.harmonics.size(), names);
   for (std::size_t i = 0; i < files.size(); ++i) level.harmonics[i].responses = files[i];
   read_force(table, folder, level, names);
+  if (const auto amplitudes = table.find("amplitudes")) level.rms = amplitudes->word(amplitude_words) == "rms";
   if (level.amplitude) level.name += level.name.starts_with("level ") ? " (" + scene::number_text(*level.amplitude) + " N)" : "";
   if (level.per_force && level.harmonics.front().harmonic != 1) {
     table.require("per_force")

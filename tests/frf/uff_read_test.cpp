@@ -558,6 +558,75 @@ TEST(UffRead, FilesWithoutFrfs) {
               HasSubstr("record 2 of dataset 58 does not exist, there are 1"));
 }
 
+OpenOptions spectra(OpenOptions::Spectra wanted) {
+  OpenOptions options;
+  options.spectra = wanted;
+  return options;
+}
+
+Record spectrum(int numerator_type, const std::string& unit) {
+  Record record = simple_record();
+  record.function_type = 12;
+  record.reference_node = record.reference_direction = record.denominator_type = 0;
+  record.numerator_type = numerator_type;
+  record.numerator_unit = unit;
+  return record;
+}
+
+/// The accelerometer and the force cell of a driving point have the same DOF.
+TEST(UffRead, SpectraOfMotionsOrOfForces) {
+  using enum OpenOptions::Spectra;
+  Record acceleration = spectrum(12, "mm/s^2");
+  acceleration.response_direction = -3;
+  const std::string both = acceleration.str() + spectrum(13, "kN").str();
+  const FrfSet motion = load_text(both, spectra(motions)), force = load_text(both, spectra(forces));
+  EXPECT_EQ(motion.header.quantity, Quantity::accelerance);
+  EXPECT_EQ(motion.header.response, std::vector<Dof>{Dof::parse("1:-Z")});
+  EXPECT_EQ(motion.header.reference.size(), 1u);
+  EXPECT_EQ(force.header.response, std::vector<Dof>{Dof::parse("1:+Z")});
+  EXPECT_EQ(force.header.quantity, Quantity::receptance);
+  for (std::size_t i = 0; i < simple_values.size(); ++i) {
+    const double omega = 2.0 * std::numbers::pi * force.header.frequency_hz[i];
+    EXPECT_NEAR(std::abs(force.values[i] - 1e3 * simple_values[i]), 0.0, 1e-12);
+    EXPECT_NEAR(std::abs(motion.values[i] + 1e-3 * simple_values[i] / (omega * omega)), 0.0, 1e-18);
+  }
+}
+
+TEST(UffRead, UnitsOfSpectra) {
+  using enum OpenOptions::Spectra;
+  // Without labels dataset 164 holds, with its factors for lengths and forces.
+  EXPECT_NEAR(std::abs(load_text(units_164(1000.0, 1.0) + spectrum(8, "NONE").str(), spectra(motions)).values[0]),
+              1e-3 * std::abs(simple_values[0]), 1e-15);
+  EXPECT_NEAR(std::abs(load_text(units_164(1000.0, 0.001) + spectrum(13, "NONE").str(), spectra(forces)).values[0]),
+              1e3 * std::abs(simple_values[0]), 1e-9);
+  Record moment = spectrum(13, "N*mm");
+  moment.response_direction = 5;
+  EXPECT_NEAR(std::abs(load_text(moment.str(), spectra(forces)).values[0]), 1e-3 * std::abs(simple_values[0]), 1e-15);
+  // A type that says nothing: the unit tells forces from motions, and the quantity of motions is for the user to say.
+  EXPECT_THAT(load_error(spectrum(0, "N").str(), spectra(motions)), HasSubstr("nor spectra of motions"));
+  EXPECT_EQ(load_text(spectrum(0, "m/s").str(), [&] {
+              OpenOptions options = spectra(motions);
+              options.quantity = Quantity::mobility;
+              return options;
+            }()).header.quantity,
+            Quantity::mobility);
+  EXPECT_THAT(load_error(spectrum(0, "NONE").str(), spectra(motions)), HasSubstr("do not say which quantity"));
+}
+
+TEST(UffRead, SpectraThatAreNotPhasorsOfOneState) {
+  using enum OpenOptions::Spectra;
+  const std::string one = spectrum(8, "m").str();
+  EXPECT_THAT(load_error(one), AllOf(HasSubstr("no frequency response functions"), HasSubstr("1 x ")));
+  EXPECT_THAT(load_error(one, spectra(forces)), AllOf(HasSubstr("nor spectra of forces"), HasSubstr("function type 12")));
+  EXPECT_THAT(load_error(one + one, spectra(motions)), AllOf(HasSubstr("the spectrum of 1:+Z is already in"), HasSubstr("force level")));
+  Record real = spectrum(8, "m");
+  real.data_type = 4;
+  real.data = "  1.000000000000E+00  2.000000000000E+00  3.000000000000E+00\n";
+  EXPECT_THAT(load_error(real.str(), spectra(motions)), HasSubstr("it has no phases"));
+  // FRFs are what they always were, wherever spectra may be.
+  EXPECT_EQ(load_text(one + simple_record().str(), spectra(motions)).header.reference, std::vector<Dof>{Dof::parse("1:+Z")});
+}
+
 TEST(UffRead, HeaderErrorsNameTheRecord) {
   std::string text = simple_record().str();
   text.replace(text.find("         6         3"), 10, "         x");

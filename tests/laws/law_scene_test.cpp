@@ -98,6 +98,7 @@ TEST(LawScene, SaysInOneLineWhatIsWrong) {
       {"unknown = [\"stiffness\", \"damping\"]", "unknown = [\"mass\"]", "mass"},
       {"unknown = [\"stiffness\", \"damping\"]", "unknown = [\"cubic\"]", "where does the cubic spring begin?"},
       {"harmonics = [1, 3]", "harmonics = [3, 1]", "do not ascend"},
+      {"harmonics = [1, 3]", "harmonics = [1, 3]\namplitudes = \"RMS\"", "rms"},
       {"harmonics = [1, 3]", "harmonics = [1, 3, 5]", "2 files for 3 harmonics"},
       {"harmonics = [1, 3]", "harmonics = [1.5, 3]", "1.5 is not a whole number"},
       {"amplitude = 12.5\n", "", "the force is not told"},
