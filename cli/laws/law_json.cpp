@@ -3,6 +3,7 @@
 #include "cli/laws/law_text.hpp"
 #include "base/complex.hpp"
 #include "cli/text/json_value.hpp"
+#include "laws/task/contradiction.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -86,6 +87,26 @@ Json state(const laws::LawScene& scene, const LawIdentification& found, std::siz
   return out;
 }
 
+Json consistency(const LawIdentification& found, const std::vector<std::string>& levels) {
+  using Kind = response::DataFault::Kind;
+  const response::Consistency& test = found.consistency;
+  Json out = {{"chi_square", value(test.chi_square)},
+              {"freedom", test.freedom},
+              {"limit", value(test.limit)},
+              {"contradicts", test.contradicts()},
+              {"faults", Json::array()}};
+  for (const response::DataFault& fault : test.faults) {
+    const auto name = [&](Eigen::Index response) { return found.data.responses[static_cast<std::size_t>(response)].name(); };
+    Json one = {{"text", laws::fault_text(fault, found.data.responses, levels)}, {"chi_square", value(fault.chi_square)}};
+    if (fault.kind != Kind::force) one["dofs"] = {name(fault.first)};
+    if (fault.kind == Kind::exchanged) one["dofs"].push_back(name(fault.second));
+    if (fault.kind != Kind::exchanged) one["gain"] = phasor(fault.gain);
+    if (fault.level) one["level"] = levels[*fault.level];
+    out["faults"].push_back(one);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string law_json(const laws::LawScene& scene, const LawIdentification& found) {
@@ -101,6 +122,9 @@ std::string law_json(const laws::LawScene& scene, const LawIdentification& found
               {"dofs", frf::names(found.data.responses)},
               {"states", Json::array()},
               {"notes", found.notes}};
+  std::vector<std::string> levels;
+  for (const laws::ForceLevel& level : scene.levels) levels.push_back(level.name);
+  out["consistency"] = consistency(found, levels);
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) out["joints"].push_back(joint(scene, found, j));
   for (const response::LawCandidate& each : found.compared) out["compared"].push_back(candidate(each));
   for (std::size_t i = 0; i < found.data.states.size(); ++i) out["states"].push_back(state(scene, found, i));

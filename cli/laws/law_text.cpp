@@ -64,6 +64,13 @@ std::string fit_text(const response::LawFit& fit) {
   return text + "\n";
 }
 
+std::string consistency_text(const LawIdentification& found) {
+  const response::Consistency& test = found.consistency;
+  if (test.freedom == 0) return {};
+  return fmt::format("without any law: χ² = {:.5g} of {} degrees of freedom, at most {:.5g} is to be expected\n", test.chi_square,
+                     static_cast<long>(test.freedom), test.limit);
+}
+
 }  // namespace
 
 Table law_table(const LawIdentification& found) {
@@ -142,7 +149,7 @@ std::string law_text(const laws::LawScene& scene, const LawIdentification& found
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
     text += scene.joints[j].beside.name + ": " + found.laws()[j] + "\n" + joint_table(found.fit().joints[j]).text() + "\n";
   }
-  text += fit_text(found.fit()) + "residuals in standard deviations\n" + level_table(scene, found).text() + "\n";
+  text += fit_text(found.fit()) + consistency_text(found) + "residuals in standard deviations\n" + level_table(scene, found).text() + "\n";
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     text += scene.joints[j].beside.name + ": stiffness and damping without a law\n" + direct_table(found, j).text() + "\n";
   }

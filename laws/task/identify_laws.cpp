@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/statistics.hpp"
+#include "laws/task/contradiction.hpp"
 
 namespace jointid::laws {
 namespace {
@@ -61,6 +62,22 @@ void judge_fit(LawIdentification& found) {
                               static_cast<long>(fit.freedom));
 }
 
+/// Data that agree with no law at all: the fit of one says nothing then.
+void judge_data(const LawScene& scene, LawIdentification& found) {
+  const response::Consistency& test = found.consistency;
+  if (test.freedom == 0) {
+    found.notes.push_back("no more responses than joints: nothing shows a wrong sign, gain or label of the data");
+  } else if (test.contradicts()) {
+    std::vector<std::string> levels;
+    for (const ForceLevel& level : scene.levels) levels.push_back(level.name);
+    found.status = LawStatus::poor_fit;
+    found.message = contradiction_text(test, found.data.responses, levels);
+  } else if (found.status == LawStatus::poor_fit) {
+    found.message += fmt::format("; the data do not contradict each other (χ² = {:.4g} of {} without any law): try other laws",
+                                 test.chi_square, static_cast<long>(test.freedom));
+  }
+}
+
 void find_rivals(LawIdentification& found) {
   constexpr double as_good = 2.0;
   const double best = found.compared.front().fit.aic;
@@ -113,12 +130,14 @@ LawIdentification identify_laws(const LawScene& scene) {
   found.data = read_level_states(scene);
   found.notes = found.data.notes;
   found.steps = direct_steps(found.data);
+  found.consistency = response::test_consistency(*found.data.structure, found.data.states, found.data.level);
   std::vector<response::Joint> beside;
   for (const FrictionJoint& joint : scene.joints) beside.push_back(joint.beside);
   found.compared = response::compare_laws(found.data.structure, found.data.states, combinations(scene), beside,
                                           {.harmonics = scene.harmonics}, scene.constraints);
   found.chosen = response::chosen_law(found.compared);
   judge_fit(found);
+  judge_data(scene, found);
   find_rivals(found);
   note_unseen(scene, found);
   return found;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "laws/data/level_states.hpp"
+#include "response/identify/consistency.hpp"
 #include "response/identify/direct_step.hpp"
 #include "response/identify/law_choice.hpp"
 
@@ -19,6 +20,7 @@ struct LawIdentification {
   LawStatus status = LawStatus::ok;
   std::string message;  ///< why, and what helps; empty when ok
   LevelStates data;
+  response::Consistency consistency;             ///< of the states with the parts, whatever the laws are
   std::vector<response::DirectStep> steps;       ///< of each state, no law in them
   std::vector<response::LawCandidate> compared;  ///< best first
   std::size_t chosen = 0;                        ///< of compared
