@@ -6,6 +6,7 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/open_options.hpp"
+#include "cli/laws/law_bound_text.hpp"
 #include "cli/options/output.hpp"
 #include "cli/solve/bound_text.hpp"
 #include "cli/solve/plan_text.hpp"
@@ -23,6 +24,19 @@ namespace {
 void note_suspect(ident::Plan& plan, const ident::Control& control) {
   const ident::CheckResult found = ident::quick_check(plan, control);
   if (found.verdict != ident::Verdict::clean) plan.notes.push_back(ident::phrase(found.suspects.front()));
+}
+
+ExitCode plan_laws(const laws::LawScene& scene, const PlanArguments& arguments, std::ostream& out) {
+  const auto refuse = [&](const char* problem, const char* remedy) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", problem, remedy});
+  };
+  if (!arguments.bound) refuse("scenes of friction laws have no plan but the bound", "add --bound: what the levels will tell");
+  if (!arguments.candidates.empty()) refuse("candidates of a friction scene are levels", "add [[data.levels]] without responses");
+  check_targets(laws::files_of(scene), {{"--json", arguments.json}});
+  const laws::LawBound bound = with_progress("predicting", [&] { return laws::predict_law_bound(scene); });
+  if (arguments.json) write_target(*arguments.json, law_bound_json(scene, bound), out);
+  if (arguments.json != "-") out << law_bound_text(scene, bound);
+  return ExitCode::done;
 }
 
 }  // namespace
@@ -51,10 +65,7 @@ void add_plan(CLI::App& app, Chosen& chosen) {
 
 ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   const std::string text = scene::read_text(arguments.scene);
-  if (laws::is_law_scene(text, arguments.scene)) {
-    throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", "scenes of friction laws have no plan",
-                      "`jointid solve` finds the laws, and says what the levels do not show"});
-  }
+  if (laws::is_law_scene(text, arguments.scene)) return plan_laws(laws::parse_law_scene(text, arguments.scene), arguments, out);
   const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });

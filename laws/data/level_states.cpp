@@ -35,6 +35,7 @@ std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts
   if (!scene.responses.empty()) return scene.responses;
   std::vector<Dof> common = parts.responses();
   for (const ForceLevel& level : scene.levels) {
+    if (level.planned) continue;
     for (const HarmonicFiles& each : level.harmonics) {
       const std::vector<Dof>& own = files.dofs(of_motions(each.responses));
       std::erase_if(common, [&](const Dof& dof) { return !frf::has(own, dof); });
@@ -71,6 +72,10 @@ ident::DataFile in_newton(ident::DataFile file) {
   return file;
 }
 
+weighting::LineSelection selection_of(const LawScene& scene) {
+  return {.range_hz = scene.frequency.range_hz, .step_hz = scene.frequency.step_hz, .exclude_hz = scene.frequency.exclude_hz};
+}
+
 /// The states of one level.
 class LevelReader {
  public:
@@ -84,9 +89,7 @@ class LevelReader {
   }
 
   void read() {
-    const weighting::LineSelection selection = {
-        .range_hz = scene_.frequency.range_hz, .step_hz = scene_.frequency.step_hz, .exclude_hz = scene_.frequency.exclude_hz};
-    for (const std::size_t line : weighting::select_lines(lines_hz_, selection)) add_line(line);
+    for (const std::size_t line : weighting::select_lines(lines_hz_, selection_of(scene_))) add_line(line);
   }
 
   /// How often each thing was left out.
@@ -194,6 +197,29 @@ class LevelReader {
   std::map<std::string, std::size_t> left_out_;
 };
 
+void add_planned(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, LevelStates& to) {
+  const std::vector<double>& lines = to.structure->frequency_hz();
+  for (const std::size_t line : weighting::select_lines(lines, selection_of(scene))) {
+    response::MeasuredState state;
+    state.omega = angular(lines[line]);
+    if (!(state.omega > 0.0)) continue;
+    state.harmonics.clear();
+    for (const HarmonicFiles& each : level.harmonics) {
+      if (to.structure->covers(each.harmonic * state.omega)) state.harmonics.push_back(each.harmonic);
+    }
+    if (state.harmonics.size() < level.harmonics.size()) continue;
+    state.force.harmonics = {1};
+    state.force.amplitudes = Eigen::MatrixXcd::Zero(1, at(forces.size()));
+    const Dof& dof = level.force_dofs.front();
+    const std::size_t column = frf::find_coordinate(forces, dof);
+    state.force.amplitudes(0, at(column)) = (forces[column] == dof ? 1.0 : -1.0) * *level.amplitude;
+    state.response = Eigen::MatrixXcd::Zero(at(state.harmonics.size()), at(to.responses.size()));
+    state.deviation = Eigen::MatrixXd::Ones(state.response.rows(), state.response.cols());
+    to.states.push_back(std::move(state));
+    to.level.push_back(static_cast<std::size_t>(&level - scene.levels.data()));
+  }
+}
+
 }  // namespace
 
 LevelStates read_level_states(const LawScene& scene, PhasorFiles files) {
@@ -205,6 +231,10 @@ LevelStates read_level_states(const LawScene& scene, PhasorFiles files) {
   for (const FrictionJoint& joint : scene.joints) joints.push_back({joint.positive, joint.negative});
   out.structure = std::make_shared<response::FrfReceptance>(parts, joints, out.responses, forces);
   for (const ForceLevel& level : scene.levels) {
+    if (level.planned) {
+      add_planned(scene, level, forces, out);
+      continue;
+    }
     LevelReader reader(scene, level, forces, files, out);
     reader.read();
     for (const auto& [what, count] : reader.left_out()) {

@@ -31,13 +31,14 @@ class JointReader {
  public:
   JointReader(const scene::Item& item, LawScene& scene)
       : item_(item),
-        table_(item.table({"name", "dofs", "law", "same_as", "stiffness", "damping", "cubic", "unknown", "bounds", "priors"})),
+        table_(item.table({"name", "dofs", "law", "same_as", "stiffness", "damping", "cubic", "unknown", "bounds", "priors", "assumed"})),
         scene_(scene) {}
 
   void read() {
     read_ends();
     read_law();
     read_beside();
+    read_assumed();
     const std::size_t place = scene_.joints.size();
     scene_.joints.push_back(joint_);
     scene_.constraints.tied_to.push_back(leader_);
@@ -96,6 +97,18 @@ class JointReader {
         start->fail("an unknown " + unknown_.back() + " begins above 0", "remove it, or give a guess");
       if (!start && unknown_.back() == "cubic") word.fail("where does the cubic spring begin?", "give cubic, a guess in N/m³");
     }
+  }
+
+  void read_assumed() {
+    const auto assumed = table_.find("assumed");
+    if (!assumed) return;
+    if (leader_) assumed->fail("the joint has the law of " + scene_.joints[*leader_].beside.name, "say it there");
+    if (joint_.laws.size() != 1) assumed->fail("parameters of which of several laws?", "name one law");
+    std::vector<std::string> names;
+    for (const friction::LawParameter& parameter : friction::law(joint_.laws.front()).parameters) names.emplace_back(parameter.name);
+    const scene::Table values = assumed->table(names);
+    for (const std::string& name : names) joint_.assumed.push_back(values.require(name).number());
+    assumed->here([&] { return friction::make_element(joint_.laws.front(), joint_.assumed); });
   }
 
   /// Names that some law of the joint, or what is unknown beside it, has.

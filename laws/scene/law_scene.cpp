@@ -11,6 +11,7 @@ std::vector<ident::NamedFile> files_of(const LawScene& scene) {
   };
   for (const ident::DataFile& part : scene.parts) add(part, "[data] parts");
   for (const ForceLevel& level : scene.levels) {
+    if (level.planned) continue;
     for (const HarmonicFiles& each : level.harmonics) {
       add(each.responses, "[[data.levels]] responses");
       if (each.forces) add(*each.forces, "[[data.levels]] forces");

@@ -17,6 +17,7 @@ struct FrictionJoint {
   frf::Dof positive;
   std::optional<frf::Dof> negative;
   std::vector<std::string> laws;  ///< to choose from, at least one; those of the joint that it is tied to
+  std::vector<double> assumed{};  ///< values of the parameters of its one law, for plans; empty when the scene tells none
   response::Joint beside;         ///< name and the spring, dashpot and cubic spring beside the law
 };
 
@@ -30,6 +31,7 @@ struct HarmonicFiles {
 /// One of [[data.levels]]: what was measured of the assembly at one force level.
 struct ForceLevel {
   std::string name;
+  bool planned = false;  ///< nothing was measured yet: no files, an amplitude
   std::vector<HarmonicFiles> harmonics;  ///< ascending
   std::vector<frf::Dof> force_dofs;
   std::optional<double> amplitude;  ///< N, of harmonic 1 at the one force DOF; without files of forces

@@ -72,8 +72,14 @@ ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::s
   level.name = "level " + std::to_string(number);
   if (const auto name = table.find("name")) level.name = name->text_not_empty();
   for (const int harmonic : read_harmonics(table)) level.harmonics.push_back({harmonic, {}, {}});
-  const auto files = read_files(table.require("responses"), folder, level.harmonics.size(), names);
-  for (std::size_t i = 0; i < files.size(); ++i) level.harmonics[i].responses = files[i];
+  const auto responses = table.find("responses");
+  level.planned = !responses;
+  if (responses) {
+    const auto files = read_files(*responses, folder, level.harmonics.size(), names);
+    for (std::size_t i = 0; i < files.size(); ++i) level.harmonics[i].responses = files[i];
+  } else if (const auto forces = table.find("forces")) {
+    forces->fail("there are no responses", "give responses, or for a level that is only planned an amplitude instead of forces");
+  }
   read_force(table, folder, level, names);
   if (const auto amplitudes = table.find("amplitudes")) level.rms = amplitudes->word(amplitude_words) == "rms";
   if (level.amplitude) level.name += level.name.starts_with("level ") ? " (" + scene::number_text(*level.amplitude) + " N)" : "";
@@ -96,6 +102,7 @@ std::vector<ident::FurtherFile> level_files(LawScene& scene, const std::vector<s
   std::vector<ident::FurtherFile> files;
   const auto add = [&](ident::DataFile& file) { files.push_back({names[files.size()], &file}); };
   for (ForceLevel& level : scene.levels) {
+    if (level.planned) continue;
     for (HarmonicFiles& each : level.harmonics) add(each.responses);
     for (HarmonicFiles& each : level.harmonics) {
       if (each.forces) add(*each.forces);

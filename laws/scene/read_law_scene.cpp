@@ -39,7 +39,7 @@ void read_model(const scene::Item& item, LawScene& scene) {
 /// Which lines of a file that holds several harmonics are those of the first, only the range tells.
 void require_range(const scene::Table& table, const LawScene& scene) {
   for (const ForceLevel& level : scene.levels) {
-    if (level.harmonics.size() == 1 || level.harmonics[0].responses.path != level.harmonics[1].responses.path) continue;
+    if (level.planned || level.harmonics.size() == 1 || level.harmonics[0].responses.path != level.harmonics[1].responses.path) continue;
     if (scene.frequency.range_hz) return;
     table.itself().fail(level.name + ": one file holds several harmonics, and nothing tells the lines of the first",
                         "give [frequency] range, the frequencies of the force");

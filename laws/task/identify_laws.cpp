@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "laws/task/contradiction.hpp"
 
@@ -89,22 +90,37 @@ void find_rivals(LawIdentification& found) {
   }
 }
 
-/// What the states do not show of each joint.
 void note_unseen(const LawScene& scene, LawIdentification& found) {
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
-    const response::FittedJoint& joint = found.fit().joints[j];
-    const std::string& name = scene.joints[j].beside.name;
-    const auto unseen = [](const friction::FittedValue& value) { return value.knowledge == friction::Knowledge::undetermined; };
-    if (joint.joint.friction && unseen(joint.limit))
-      found.notes.push_back(name + ": the friction limit is not seen: the joint hardly slips; measure a higher level");
-    if (joint.joint.friction && joint.limit.knowledge == friction::Knowledge::extrapolated)
-      found.notes.push_back(name + ": the friction limit is extrapolated: no state comes near macroslip");
-    if (joint.joint.friction && unseen(joint.stiffness))
-      found.notes.push_back(name + ": the initial stiffness is not seen: the joint always slips; measure a lower level");
+    for (const std::string& what : unseen(found.fit().joints[j])) found.notes.push_back(scene.joints[j].beside.name + ": " + what);
+  }
+}
+
+void require_measured(const LawScene& scene) {
+  for (const ForceLevel& level : scene.levels) {
+    if (!level.planned) continue;
+    throw InputError({.kind = ErrorKind::data,
+                      .file = scene.file.string(),
+                      .place = "[[data.levels]] " + level.name,
+                      .problem = "nothing was measured: there are no responses",
+                      .remedy = "give responses; what the level would tell says `jointid plan --bound`"});
   }
 }
 
 }  // namespace
+
+std::vector<std::string> unseen(const response::FittedJoint& joint) {
+  using friction::Knowledge;
+  std::vector<std::string> what;
+  if (!joint.joint.friction) return what;
+  if (joint.limit.knowledge == Knowledge::undetermined)
+    what.emplace_back("the friction limit is not seen: the joint hardly slips; measure a higher level");
+  if (joint.limit.knowledge == Knowledge::extrapolated)
+    what.emplace_back("the friction limit is extrapolated: no state comes near macroslip");
+  if (joint.stiffness.knowledge == Knowledge::undetermined)
+    what.emplace_back("the initial stiffness is not seen: the joint always slips; measure a lower level");
+  return what;
+}
 
 std::string_view word(LawStatus status) {
   constexpr std::string_view words[] = {"ok", "doubtful", "poor_fit", "not_converged", "no_response", "too_few_data"};
@@ -126,6 +142,7 @@ std::vector<response::DirectStep> direct_steps(const LevelStates& data) {
 }
 
 LawIdentification identify_laws(const LawScene& scene) {
+  require_measured(scene);
   LawIdentification found;
   found.data = read_level_states(scene);
   found.notes = found.data.notes;

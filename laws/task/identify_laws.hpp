@@ -34,11 +34,14 @@ struct LawIdentification {
 /// "ren", or "ren + iwan" of two joints.
 std::string laws_text(const std::vector<std::string>& laws);
 
+/// What the states do not show of a joint, one phrase each.
+std::vector<std::string> unseen(const response::FittedJoint& joint);
+
 /// F and Q of every state without a law.
 std::vector<response::DirectStep> direct_steps(const LevelStates& data);
 
 /// Reads the files of the scene, fits every combination of its laws and chooses one. Throws InputError where read_level_states or
-/// the fits do; what the numbers are worth is the status.
+/// the fits do, and (data) for a level that is only planned; what the numbers are worth is the status.
 LawIdentification identify_laws(const LawScene& scene);
 
 }  // namespace jointid::laws

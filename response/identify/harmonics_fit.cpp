@@ -27,6 +27,16 @@ FitOfHarmonics fit_residuals(R& residuals, const Eigen::VectorXd& start, std::ve
   return fit;
 }
 
+template <class R>
+FitOfHarmonics value_at(R& residuals, const Eigen::VectorXd& numbers) {
+  FitOfHarmonics fit;
+  auto value = residuals.evaluate(numbers);
+  if (!value) return fit;
+  fit.result = {.defined = true, .converged = true, .steps = 0, .unknowns = numbers, .at = std::move(value->linearised)};
+  fit.states = std::move(value->states);
+  return fit;
+}
+
 /// The one that converged, or else that with the smaller sum.
 FitOfHarmonics better(FitOfHarmonics a, FitOfHarmonics b) {
   if (!a.result.defined || !b.result.defined) return a.result.defined ? a : b;
@@ -47,6 +57,15 @@ bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>&
 HarmonicsFits::HarmonicsFits(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                              const LawUnknowns& unknowns, bool nuisance, const GaussNewtonOptions& options)
     : structure_(std::move(structure)), states_(states), unknowns_(unknowns), nuisance_(nuisance), options_(options) {}
+
+FitOfHarmonics HarmonicsFits::at(const std::vector<int>& harmonics, const Eigen::VectorXd& numbers) const {
+  if (nuisance_) {
+    NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics);
+    return value_at(residuals, numbers);
+  }
+  ResponseResiduals residuals(structure_, states_, unknowns_, harmonics);
+  return value_at(residuals, numbers);
+}
 
 FitOfHarmonics HarmonicsFits::plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start,
                                     std::vector<StatePrediction> from) const {

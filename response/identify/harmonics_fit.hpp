@@ -30,6 +30,8 @@ class HarmonicsFits {
   /// From the values of the unknowns: by fit_lifted, then by harmonic balance. Where that does not end in a minimum, or no direct
   /// step starts it, by harmonic balance alone, first with the receptances as measured.
   FitOfHarmonics first(const std::vector<int>& harmonics) const;
+  /// No fit: residuals and states at some values of the unknowns.
+  FitOfHarmonics at(const std::vector<int>& harmonics, const Eigen::VectorXd& numbers) const;
   /// From another fit; where the receptances are unknown, by fit_lifted first.
   FitOfHarmonics next(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
 

@@ -116,16 +116,9 @@ void describe_fit(const LawUnknowns& unknowns, FitOfHarmonics fit, LawFit& out) 
   for (std::size_t j = 0; j < joints.size(); ++j) out.joints.push_back(fitted.of(j, joints[j], out.states));
 }
 
-}  // namespace
-
-std::string_view word(LawFitStatus status) {
-  constexpr std::string_view words[] = {"converged", "not_converged", "no_response", "too_few_data", "harmonics_not_enough"};
-  return words[static_cast<std::size_t>(status)];
-}
-
-LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
-                const LawUnknowns& unknowns, const LawFitOptions& options) {
-  require_valid(states, *structure);
+/// A fit yet to be made of valid states: its numbers and its freedom.
+LawFit numbers_of(const Receptance& structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns) {
+  require_valid(states, structure);
   if (unknowns.size() == 0) {
     throw InputError({.kind = ErrorKind::usage,
                       .file = "",
@@ -136,10 +129,21 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
   LawFit out;
   out.numbers = measured_numbers(states) + unknowns.priors();
   out.freedom = out.numbers - unknowns.size();
-  if (out.freedom <= 0) {
-    out.status = LawFitStatus::too_few_data;
-    return out;
-  }
+  if (out.freedom <= 0) out.status = LawFitStatus::too_few_data;
+  return out;
+}
+
+}  // namespace
+
+std::string_view word(LawFitStatus status) {
+  constexpr std::string_view words[] = {"converged", "not_converged", "no_response", "too_few_data", "harmonics_not_enough"};
+  return words[static_cast<std::size_t>(status)];
+}
+
+LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
+                const LawUnknowns& unknowns, const LawFitOptions& options) {
+  LawFit out = numbers_of(*structure, states, unknowns);
+  if (out.status == LawFitStatus::too_few_data) return out;
   const HarmonicsToAdd add(*structure, states, options.largest);
   const bool adds = options.harmonics.empty();
   const bool nuisance = options.receptance_errors && knows_errors(*structure, states);
@@ -159,6 +163,20 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
     if (add.after(largest) == 0) out.status = LawFitStatus::harmonics_not_enough;
   }
   describe_fit(unknowns, std::move(fit), out);
+  return out;
+}
+
+LawFit bound_of_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns,
+                     const std::vector<int>& harmonics) {
+  constexpr double exact = 1e-4;  // χ² of states that are those of the model
+  LawFit out = numbers_of(*structure, states, unknowns);
+  if (out.status == LawFitStatus::too_few_data) return out;
+  const bool nuisance = knows_errors(*structure, states);
+  const HarmonicsFits fits(structure, states, unknowns, nuisance, {});
+  FitOfHarmonics fit = fits.at(harmonics, unknowns.start());
+  out.status = status_of(fit.result);
+  describe_fit(unknowns, std::move(fit), out);
+  if (out.chi_square > exact) out.status = LawFitStatus::not_converged;
   return out;
 }
 

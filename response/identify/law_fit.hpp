@@ -63,4 +63,9 @@ struct LawFit {
 LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                 const LawUnknowns& unknowns, const LawFitOptions& options = {});
 
+/// No fit: what fit_laws would give of states that are exactly those of the values of `unknowns` (status not_converged where they
+/// are not). Its deviations are the bound that the states' and the structure's errors allow (response.md §10.2).
+LawFit bound_of_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns,
+                     const std::vector<int>& harmonics);
+
 }  // namespace jointid::response
