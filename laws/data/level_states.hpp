@@ -20,10 +20,11 @@ struct LevelStates {
   std::vector<std::string> notes;               ///< what was left out, one phrase each
 };
 
-/// Reads the files of a scene. Levels that are only planned get states at the lines of [frequency] that the parts have at all of
-/// their harmonics, with forces and without responses: phasors of 0 with deviations of 1. States are the lines of [frequency] that a level and the parts have; a harmonic whose line nω one
-/// of them lacks, or with a phasor that was not measured, is left out of a state, and told. Throws InputError (data) for files
-/// that do not hold what the scene says, phasors of which nobody says how exact they are, and when nothing is left.
+/// Reads the files of a scene. Levels that are only planned get states at the lines of [frequency] that the parts have at all of their
+/// harmonics, with forces and without responses: phasors of 0 with deviations of 1. States are the lines of [frequency] that a level
+/// and the parts have; a harmonic whose line nω one of them lacks, or with a phasor that was not measured, is left out of a state, and
+/// told. Throws InputError (data) for files that do not hold what the scene says, phasors of which nobody says how exact they are, and
+/// when nothing is left.
 LevelStates read_level_states(const LawScene& scene, PhasorFiles files = {});
 
 }  // namespace jointid::laws

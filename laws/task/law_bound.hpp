@@ -13,7 +13,8 @@ struct LevelsBound {
   response::LawFitStatus status = response::LawFitStatus::converged;
   std::vector<response::FittedJoint> joints;  ///< none where harmonic balance has no solution
   std::vector<std::string> unseen;            ///< one phrase each, with the joint's name
-  double size = 0.0;                          ///< geometric mean of the relative deviations of all stiffnesses and limits, each at most 1000; NaN without
+  /// Geometric mean of the relative deviations of all stiffnesses and limits, each at most 1000; NaN without joints.
+  double size = 0.0;
 };
 
 /// One planned level, and the bound of the measured levels and it, or, where none was measured, of all levels but it.
@@ -35,8 +36,9 @@ struct LawBound {
   std::vector<std::string> notes;
 };
 
-/// Reads the parts (and the measured levels), solves harmonic balance at each level and line for the assumed laws, and takes
-/// the information of these states (response::bound_of_laws) with the errors that [errors], the files and the parts' variances tell. Throws InputError (data) without laws to assume, and without [errors] for a planned level.
+/// Reads the parts (and the measured levels), solves harmonic balance at each level and line for the assumed laws, and takes the
+/// information of these states (response::bound_of_laws) with the errors that [errors], the files and the parts' variances tell. Throws
+/// InputError (data) without laws to assume, and without [errors] for a planned level.
 LawBound predict_law_bound(const LawScene& scene);
 
 }  // namespace jointid::laws
