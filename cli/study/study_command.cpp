@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
+#include "cli/laws/law_study_text.hpp"
 #include "cli/options/output.hpp"
 #include "cli/study/study_page.hpp"
 #include "cli/study/study_text.hpp"
@@ -17,6 +18,7 @@
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "laws/scene/read_law_scene.hpp"
 #include "scene/text.hpp"
 #include "study/study_options.hpp"
 #include "report/result/study_tables.hpp"
@@ -42,14 +44,16 @@ void check_outputs(const StudyArguments& arguments, const ident::Scene& scene) {
                                          {"--out (while it runs)", study::journal_path(result).string()}});
 }
 
+std::size_t threads_of(const StudyArguments& arguments) {
+  if (arguments.threads > 0) return arguments.threads;
+  return std::max<std::size_t>(1, std::thread::hardware_concurrency() / ident::processes_started());
+}
+
 study::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
   study::StudyOptions options;
   options.trials = arguments.trials;
   options.seed = arguments.seed;
-  options.threads = arguments.threads;
-  if (options.threads == 0) {
-    options.threads = std::max<std::size_t>(1, std::thread::hardware_concurrency() / ident::processes_started());
-  }
+  options.threads = threads_of(arguments);
   options.resume = arguments.resume;
   options.out = result_file(arguments);
   options.texts = jointid::report::study_texts(scene_text);
@@ -115,6 +119,28 @@ study::StudyRun run_watched(const Start& start, ident::Team& team) {
   return study::run_study(start.data, start.options, team, control);
 }
 
+ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& scene, std::ostream& out) {
+  check(arguments);
+  const auto refuse = [&](const char* option) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), option, "studies of friction laws keep no file of trials and no page",
+                      "leave it out; --json and --csv have the statistics"});
+  };
+  if (arguments.resume) refuse("--resume");
+  if (!arguments.out.empty()) refuse("--out");
+  if (arguments.report) refuse("--report");
+  check_targets(laws::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}});
+  StudyProgress progress;
+  const laws::LawStudy study = laws::study_laws(scene, {.trials = arguments.trials,
+                                                        .seed = arguments.seed,
+                                                        .threads = threads_of(arguments),
+                                                        .interrupted = interrupted,
+                                                        .progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); }});
+  if (arguments.json) write_target(*arguments.json, law_study_json(study), out);
+  if (arguments.csv) write_target(*arguments.csv, law_study_csv(study), out);
+  if (!takes_output({arguments.json, arguments.csv})) out << law_study_text(scene, study);
+  return study.usable > 0 ? ExitCode::done : ExitCode::unusable;
+}
+
 }  // namespace
 
 void add_study(CLI::App& app, Chosen& chosen) {
@@ -132,6 +158,10 @@ void add_study(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
+  if (ident::processes_started() == 1) {  // several tell what is wrong with the scene once, as a team
+    const std::string text = scene::read_text(arguments.scene);
+    if (laws::is_law_scene(text, arguments.scene)) return study_law_scene(arguments, laws::parse_law_scene(text, arguments.scene), out);
+  }
   const auto team = ident::join_team();
   const Start start = start_in(*team, arguments);
   const study::StudyOptions& options = start.options;

@@ -143,8 +143,12 @@ std::vector<response::DirectStep> direct_steps(const LevelStates& data) {
 
 LawIdentification identify_laws(const LawScene& scene) {
   require_measured(scene);
+  return identify_states(scene, read_level_states(scene));
+}
+
+LawIdentification identify_states(const LawScene& scene, LevelStates data) {
   LawIdentification found;
-  found.data = read_level_states(scene);
+  found.data = std::move(data);
   found.notes = found.data.notes;
   found.steps = direct_steps(found.data);
   found.consistency = response::test_consistency(*found.data.structure, found.data.states, found.data.level);

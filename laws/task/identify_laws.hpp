@@ -44,4 +44,7 @@ std::vector<response::DirectStep> direct_steps(const LevelStates& data);
 /// the fits do, and (data) for a level that is only planned; what the numbers are worth is the status.
 LawIdentification identify_laws(const LawScene& scene);
 
+/// The same of states that are there.
+LawIdentification identify_states(const LawScene& scene, LevelStates data);
+
 }  // namespace jointid::laws

@@ -1,0 +1,187 @@
+#include "laws/task/law_study.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+
+#include "base/control.hpp"
+#include "base/random.hpp"
+#include "laws/task/assumed_states.hpp"
+#include "laws/task/identify_laws.hpp"
+#include "response/structure/corrected_receptance.hpp"
+
+namespace jointid::laws {
+namespace {
+
+/// Every number of the joints that a fit tells, in one order.
+std::vector<std::pair<std::size_t, friction::FittedValue>> values_of(const std::vector<response::FittedJoint>& joints) {
+  std::vector<std::pair<std::size_t, friction::FittedValue>> all;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    all.emplace_back(j, joints[j].stiffness);
+    all.emplace_back(j, joints[j].limit);
+    for (const friction::FittedValue& value : joints[j].parameters) all.emplace_back(j, value);
+  }
+  return all;
+}
+
+/// Standard normal numbers of one stream, one after the other.
+class Numbers {
+ public:
+  explicit Numbers(RandomStream stream) : stream_(stream) {}
+  double next() {
+    if (second_) return *std::exchange(second_, std::nullopt);
+    const auto [first, second] = normal_numbers(stream_, entry_++);
+    second_ = second;
+    return first;
+  }
+
+ private:
+  RandomStream stream_;
+  std::uint64_t entry_ = 0;
+  std::optional<double> second_;
+};
+
+class Trials {
+ public:
+  Trials(const LawScene& scene, const AssumedStates& assumed, const LawStudyOptions& options)
+      : scene_(scene), assumed_(assumed), options_(options), results_(options.trials) {
+    scene_.harmonics = assumed.harmonics;
+  }
+
+  /// Of every trial; empty where the drawn parts have no response.
+  std::vector<std::optional<LawIdentification>> run() {
+    {
+      std::vector<std::jthread> threads;
+      for (std::size_t t = 0; t < std::max<std::size_t>(1, options_.threads); ++t) threads.emplace_back([this] { work(); });
+    }
+    if (error_) std::rethrow_exception(error_);
+    stop_if(options_.interrupted);
+    return std::move(results_);
+  }
+
+ private:
+  void work() {
+    try {
+      for (std::size_t trial; !stopped_ && (trial = next_++) < results_.size();) {
+        if (options_.interrupted && options_.interrupted()) return;
+        results_[trial] = identified(trial);
+        const std::scoped_lock lock(mutex_);
+        ++done_;
+        if (options_.progress) options_.progress(done_, results_.size());
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      stopped_ = true;
+      if (!error_) error_ = std::current_exception();
+    }
+  }
+
+  std::optional<LawIdentification> identified(std::size_t trial) const {
+    LevelStates data = assumed_.data;
+    const auto truth = drawn_parts(trial);
+    Numbers noise({.seed = options_.seed, .trial = trial, .set = 1});
+    for (response::MeasuredState& state : data.states) {
+      const auto exact = responses_of(assumed_, truth, state);
+      if (!exact) return std::nullopt;
+      for (Eigen::Index k = 0; k < exact->size(); ++k) {
+        const double real = noise.next(), imaginary = noise.next();
+        state.response(k) = (*exact)(k) + state.deviation(k) * Complex(real, imaginary);
+      }
+    }
+    LawIdentification found = identify_states(scene_, std::move(data));
+    found.data = {};  // a thousand trials need not keep them
+    found.steps.clear();
+    for (response::LawCandidate& each : found.compared) each.fit.states.clear();
+    return found;
+  }
+
+  std::shared_ptr<const response::Receptance> drawn_parts(std::size_t trial) const {
+    std::set<double> lines;
+    for (const response::MeasuredState& state : assumed_.data.states) {
+      for (const int n : assumed_.harmonics) lines.insert(assumed_.data.structure->nearest(n * state.omega));
+    }
+    Numbers noise({.seed = options_.seed, .trial = trial, .set = 0});
+    auto drawn = std::make_shared<response::CorrectedReceptance>(assumed_.data.structure);
+    for (const double omega : lines) {
+      const std::size_t errors = assumed_.data.structure->errors(omega).size();
+      if (errors == 0) continue;
+      Eigen::VectorXd deviations(2 * at(errors));
+      for (double& each : deviations) each = noise.next();
+      drawn->correct(omega, deviations);
+    }
+    return drawn;
+  }
+
+  LawScene scene_;
+  const AssumedStates& assumed_;
+  const LawStudyOptions& options_;
+  std::vector<std::optional<LawIdentification>> results_;
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> stopped_ = false;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  std::exception_ptr error_;
+};
+
+/// Adds what a usable trial with the assumed laws tells.
+void add(const LawIdentification& found, std::vector<StudiedValue>& values) {
+  const auto told = values_of(found.fit().joints);
+  for (std::size_t i = 0; i < std::min(told.size(), values.size()); ++i) {
+    const friction::FittedValue& value = told[i].second;
+    if (!std::isfinite(value.value)) continue;
+    const double error = value.value - values[i].truth;
+    ++values[i].trials;
+    values[i].bias += error;
+    values[i].rms_error += error * error;
+    if (value.ci95 && (*value.ci95)[0] <= values[i].truth && values[i].truth <= (*value.ci95)[1]) ++values[i].covered;
+  }
+}
+
+}  // namespace
+
+LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
+  const AssumedStates assumed = assumed_states(scene);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  LawStudy out;
+  out.laws = assumed.laws;
+  out.assumed = assumed.told;
+  out.notes = assumed.data.notes;
+  out.trials = options.trials;
+  const response::LawFit bound = response::bound_of_laws(assumed.data.structure, assumed.data.states,
+                                                         response::unknowns_of(assumed.joints, scene.constraints), assumed.harmonics);
+  for (const auto& [j, value] : values_of(bound.joints)) {
+    out.values.push_back({.joint = scene.joints[j].beside.name,
+                          .name = value.name,
+                          .unit = value.unit,
+                          .truth = value.value,
+                          .bound = value.std_error.value_or(none)});
+  }
+  for (const auto& found : Trials(scene, assumed, options).run()) {
+    if (!found) {
+      ++out.statuses["no_response"];
+      continue;
+    }
+    ++out.statuses[std::string(word(found->status))];
+    if (found->consistency.contradicts()) ++out.contradicting;
+    if (!is_usable(found->status)) continue;
+    ++out.usable;
+    ++out.chosen[laws_text(found->laws())];
+    out.chi_square += found->fit().chi_square / static_cast<double>(found->fit().freedom);
+    if (found->laws() == assumed.laws) add(*found, out.values);
+  }
+  out.chi_square = out.usable > 0 ? out.chi_square / static_cast<double>(out.usable) : none;
+  for (StudiedValue& value : out.values) {
+    const auto count = static_cast<double>(value.trials);
+    value.bias = value.trials > 0 ? value.bias / count : none;
+    value.rms_error = value.trials > 0 ? std::sqrt(value.rms_error / count) : none;
+  }
+  return out;
+}
+
+}  // namespace jointid::laws

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "laws/scene/law_scene.hpp"
+#include "response/identify/law_fit.hpp"
+
+namespace jointid::laws {
+
+struct LawStudyOptions {
+  std::size_t trials = 1000;
+  std::uint64_t seed = 1;
+  std::size_t threads = 1;
+  std::function<bool()> interrupted{};                                   ///< asked between trials, by any thread
+  std::function<void(std::size_t done, std::size_t total)> progress{};  ///< by one thread at a time
+};
+
+/// One number of a joint over the trials whose laws are those assumed and whose fit is usable.
+struct StudiedValue {
+  std::string joint, name, unit;
+  double truth = 0.0, bound = 0.0;     ///< bound: its deviation there; NaN where the data do not see it
+  std::size_t trials = 0, covered = 0; ///< that tell it; whose 95 % interval holds the truth
+  double bias = 0.0, rms_error = 0.0;  ///< over those trials; NaN without one
+};
+
+/// How well levels tell the laws of joints, over trials with simulated noise.
+struct LawStudy {
+  std::vector<std::string> laws;  ///< assumed
+  bool assumed = true;            ///< told by the scene, else found from the measured levels
+  std::size_t trials = 0, usable = 0, contradicting = 0;
+  std::map<std::string, std::size_t> chosen;    ///< how often each combination of laws was
+  std::map<std::string, std::size_t> statuses;  ///< … and each status
+  double chi_square = 0.0;                      ///< mean of χ² over its freedom, of the usable ones
+  std::vector<StudiedValue> values;             ///< of each joint stiffness, limit and parameters
+  std::vector<std::string> notes;
+};
+
+/// Each trial draws the true FRFs of the parts about those of the files, by the files' variances, solves harmonic balance of the
+/// assumed laws over them, draws the phasors about these states, and identifies as identify_laws does, with the
+/// harmonics of the assumed states. Trial t depends on the seed and
+/// t alone, whatever the threads. Throws InputError as predict_law_bound, Interrupted when it is interrupted.
+LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options);
+
+}  // namespace jointid::laws
