@@ -130,11 +130,10 @@ ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& 
   if (arguments.report) refuse("--report");
   check_targets(laws::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}});
   StudyProgress progress;
-  const laws::LawStudy study = laws::study_laws(scene, {.trials = arguments.trials,
-                                                        .seed = arguments.seed,
-                                                        .threads = threads_of(arguments),
-                                                        .interrupted = interrupted,
-                                                        .progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); }});
+  laws::LawStudyOptions options = {.trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments)};
+  options.interrupted = interrupted;
+  options.progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
+  const laws::LawStudy study = laws::study_laws(scene, options);
   if (arguments.json) write_target(*arguments.json, law_study_json(study), out);
   if (arguments.csv) write_target(*arguments.csv, law_study_csv(study), out);
   if (!takes_output({arguments.json, arguments.csv})) out << law_study_text(scene, study);
