@@ -87,8 +87,9 @@ Json state(const laws::LawScene& scene, const LawIdentification& found, std::siz
   return out;
 }
 
-Json consistency(const LawIdentification& found, const std::vector<std::string>& levels) {
+Json consistency(const laws::LawScene& scene, const LawIdentification& found) {
   using Kind = response::DataFault::Kind;
+  const std::vector<std::string> levels = laws::level_names(scene);
   const response::Consistency& test = found.consistency;
   Json out = {{"chi_square", value(test.chi_square)},
               {"freedom", test.freedom},
@@ -122,9 +123,7 @@ std::string law_json(const laws::LawScene& scene, const LawIdentification& found
               {"dofs", frf::names(found.data.responses)},
               {"states", Json::array()},
               {"notes", found.notes}};
-  std::vector<std::string> levels;
-  for (const laws::ForceLevel& level : scene.levels) levels.push_back(level.name);
-  out["consistency"] = consistency(found, levels);
+  out["consistency"] = consistency(scene, found);
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) out["joints"].push_back(joint(scene, found, j));
   for (const response::LawCandidate& each : found.compared) out["compared"].push_back(candidate(each));
   for (std::size_t i = 0; i < found.data.states.size(); ++i) out["states"].push_back(state(scene, found, i));

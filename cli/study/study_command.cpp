@@ -81,6 +81,7 @@ class StudyProgress {
 
 /// What a study needs to run.
 struct Start {
+  std::optional<laws::LawScene> laws;  ///< one of friction joints; then nothing else is there
   study::StudyOptions options;
   std::shared_ptr<const study::TrialData> data;
 };
@@ -90,8 +91,13 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
   Start start;
   ident::start_together(team, [&] {
     check(arguments);
-    start.options = options_of(arguments, scene::read_text(arguments.scene));
-    const ident::Scene scene = ident::read_scene(arguments.scene);
+    const std::string text = scene::read_text(arguments.scene);
+    if (ident::processes_started() == 1 && laws::is_law_scene(text, arguments.scene)) {
+      start.laws = laws::parse_law_scene(text, arguments.scene);
+      return;
+    }
+    start.options = options_of(arguments, text);
+    const ident::Scene scene = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, scene);
     start.data = with_progress("reading", [&] { return study::load_trial_data(scene); });
   });
@@ -120,7 +126,6 @@ study::StudyRun run_watched(const Start& start, ident::Team& team) {
 }
 
 ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& scene, std::ostream& out) {
-  check(arguments);
   const auto refuse = [&](const char* option) {
     throw InputError({ErrorKind::usage, arguments.scene.string(), option, "studies of friction laws keep no file of trials and no page",
                       "leave it out; --json and --csv have the statistics"});
@@ -157,12 +162,9 @@ void add_study(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
-  if (ident::processes_started() == 1) {  // several tell what is wrong with the scene once, as a team
-    const std::string text = scene::read_text(arguments.scene);
-    if (laws::is_law_scene(text, arguments.scene)) return study_law_scene(arguments, laws::parse_law_scene(text, arguments.scene), out);
-  }
   const auto team = ident::join_team();
   const Start start = start_in(*team, arguments);
+  if (start.laws) return study_law_scene(arguments, *start.laws, out);
   const study::StudyOptions& options = start.options;
   const study::StudyRun run = run_watched(start, *team);
   if (team->rank() != 0) return ExitCode::done;

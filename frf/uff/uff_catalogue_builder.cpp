@@ -25,24 +25,25 @@ std::string contents(const std::vector<Dataset>& datasets) {
 
 using Spectra = OpenOptions::Spectra;
 
-std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets) {
+template <class Wanted>
+std::vector<std::size_t> records_of(const std::vector<Dataset>& datasets, int function_type, const Wanted& is_wanted) {
   std::vector<std::size_t> records;
   for (std::size_t i = 0; i < datasets.size(); ++i) {
-    if (datasets[i].function && datasets[i].function->function_type == function_frf) records.push_back(i);
+    const auto& header = datasets[i].function;
+    if (header && header->function_type == function_type && is_wanted(*header)) records.push_back(i);
   }
   return records;
 }
 
+std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets) {
+  return records_of(datasets, function_frf, [](const Header58&) { return true; });
+}
+
 /// Those of the wanted kind; where a record does not say its kind, it is taken for it.
 std::vector<std::size_t> spectra_of(const std::vector<Dataset>& datasets, Spectra wanted) {
-  std::vector<std::size_t> records;
-  for (std::size_t i = 0; i < datasets.size(); ++i) {
-    const auto& header = datasets[i].function;
-    if (!header || header->function_type != function_spectrum) continue;
-    const bool forces = wanted == Spectra::forces;
-    if (spectrum_of_forces(*header).value_or(forces) == forces) records.push_back(i);
-  }
-  return records;
+  const bool forces = wanted == Spectra::forces;
+  return records_of(datasets, function_spectrum,
+                    [forces](const Header58& header) { return spectrum_of_forces(header).value_or(forces) == forces; });
 }
 
 [[noreturn]] void nothing_in(const std::vector<Dataset>& datasets, const std::string& file, Spectra wanted) {

@@ -2,6 +2,12 @@
 
 namespace jointid::laws {
 
+std::vector<std::string> level_names(const LawScene& scene) {
+  std::vector<std::string> names;
+  for (const ForceLevel& level : scene.levels) names.push_back(level.name);
+  return names;
+}
+
 std::vector<ident::NamedFile> files_of(const LawScene& scene) {
   std::vector<ident::NamedFile> files;
   if (!scene.file.empty()) files.push_back({scene.file, "the scene"});

@@ -60,6 +60,9 @@ struct LawScene {
   std::vector<int> harmonics;  ///< of the model; empty: added until they do not matter
 };
 
+/// Names of the levels, in their order.
+std::vector<std::string> level_names(const LawScene& scene);
+
 /// The scene and every file that it names.
 std::vector<ident::NamedFile> files_of(const LawScene& scene);
 

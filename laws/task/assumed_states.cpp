@@ -18,7 +18,6 @@ constexpr int largest_harmonic = 9;  ///< of the model where the scene says noth
 struct Laws {
   std::vector<response::Joint> joints;
   std::vector<std::string> laws;
-  bool told = true;
 };
 
 [[noreturn]] void fail(const LawScene& scene, std::string place, std::string problem, std::string remedy) {
@@ -27,6 +26,16 @@ struct Laws {
                     .place = std::move(place),
                     .problem = std::move(problem),
                     .remedy = std::move(remedy)});
+}
+
+bool is_planned(const ForceLevel& level) { return level.planned; }
+
+/// Whether the scene tells the law of every joint.
+bool tells_laws(const LawScene& scene) {
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    if (scene.joints[scene.constraints.leader(j).value_or(j)].assumed.empty()) return false;
+  }
+  return true;
 }
 
 Laws from_scene(const LawScene& scene) {
@@ -40,15 +49,20 @@ Laws from_scene(const LawScene& scene) {
   return out;
 }
 
-Laws from_data(LawScene scene) {
-  std::erase_if(scene.levels, [](const ForceLevel& level) { return level.planned; });
-  if (scene.levels.empty()) {
-    fail(scene, "[[joint.friction]]", "nothing says what laws the plan is for",
-         "give each joint one law and assumed = { … } with its parameters, or levels that were measured");
+/// From the measured levels among `data`.
+Laws from_data(const LawScene& scene, LevelStates data) {
+  std::vector<response::MeasuredState> states;
+  std::vector<std::size_t> level;
+  for (std::size_t i = 0; i < data.states.size(); ++i) {
+    if (is_planned(scene.levels[data.level[i]])) continue;
+    states.push_back(std::move(data.states[i]));
+    level.push_back(data.level[i]);
   }
-  const LawIdentification found = identify_laws(scene);
+  data.states = std::move(states);
+  data.level = std::move(level);
+  const LawIdentification found = identify_states(scene, std::move(data));
   if (!is_usable(found.status)) fail(scene, "[[data.levels]]", found.message, "give assumed laws, or mend the data first");
-  Laws out{.joints = {}, .laws = found.laws(), .told = false};
+  Laws out{.joints = {}, .laws = found.laws()};
   for (const response::FittedJoint& joint : found.fit().joints) out.joints.push_back(joint.joint);
   return out;
 }
@@ -104,13 +118,6 @@ void simulate(const LawScene& scene, AssumedStates& of) {
   data = std::move(kept);
 }
 
-Laws assumed_laws(const LawScene& scene) {
-  bool all = true;
-  for (std::size_t j = 0; j < scene.joints.size(); ++j)
-    all = all && !scene.joints[scene.constraints.leader(j).value_or(j)].assumed.empty();
-  return all ? from_scene(scene) : from_data(scene);
-}
-
 }  // namespace
 
 std::optional<Eigen::MatrixXcd> responses_of(const AssumedStates& assumed, const std::shared_ptr<const response::Receptance>& structure,
@@ -126,15 +133,19 @@ std::optional<Eigen::MatrixXcd> responses_of(const AssumedStates& assumed, const
 }
 
 AssumedStates assumed_states(const LawScene& scene) {
-  const auto planned = [](const ForceLevel& level) { return level.planned; };
-  if (!scene.errors && std::ranges::any_of(scene.levels, planned))
+  if (!scene.errors && std::ranges::any_of(scene.levels, is_planned))
     fail(scene, "[errors]", "nobody says how exact a planned level will be", "give relative = 0.01, or floor in m");
-  Laws laws = assumed_laws(scene);
+  const bool told = tells_laws(scene);
+  if (!told && std::ranges::all_of(scene.levels, is_planned)) {
+    fail(scene, "[[joint.friction]]", "nothing says what laws the plan is for",
+         "give each joint one law and assumed = { … } with its parameters, or levels that were measured");
+  }
   AssumedStates out;
+  out.data = read_level_states(scene);
+  Laws laws = told ? from_scene(scene) : from_data(scene, out.data);
   out.joints = std::move(laws.joints);
   out.laws = std::move(laws.laws);
-  out.told = laws.told;
-  out.data = read_level_states(scene);
+  out.told = told;
   out.harmonics = model_harmonics(scene, out.data);
   simulate(scene, out);
   return out;

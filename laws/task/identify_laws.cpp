@@ -69,10 +69,8 @@ void judge_data(const LawScene& scene, LawIdentification& found) {
   if (test.freedom == 0) {
     found.notes.push_back("no more responses than joints: nothing shows a wrong sign, gain or label of the data");
   } else if (test.contradicts()) {
-    std::vector<std::string> levels;
-    for (const ForceLevel& level : scene.levels) levels.push_back(level.name);
     found.status = LawStatus::poor_fit;
-    found.message = contradiction_text(test, found.data.responses, levels);
+    found.message = contradiction_text(test, found.data.responses, level_names(scene));
   } else if (found.status == LawStatus::poor_fit) {
     found.message += fmt::format("; the data do not contradict each other (χ² = {:.4g} of {} without any law): try other laws",
                                  test.chi_square, static_cast<long>(test.freedom));
@@ -90,12 +88,6 @@ void find_rivals(LawIdentification& found) {
   }
 }
 
-void note_unseen(const LawScene& scene, LawIdentification& found) {
-  for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
-    for (const std::string& what : unseen(found.fit().joints[j])) found.notes.push_back(scene.joints[j].beside.name + ": " + what);
-  }
-}
-
 void require_measured(const LawScene& scene) {
   for (const ForceLevel& level : scene.levels) {
     if (!level.planned) continue;
@@ -109,16 +101,20 @@ void require_measured(const LawScene& scene) {
 
 }  // namespace
 
-std::vector<std::string> unseen(const response::FittedJoint& joint) {
+std::vector<std::string> unseen(const LawScene& scene, const std::vector<response::FittedJoint>& joints) {
   using friction::Knowledge;
   std::vector<std::string> what;
-  if (!joint.joint.friction) return what;
-  if (joint.limit.knowledge == Knowledge::undetermined)
-    what.emplace_back("the friction limit is not seen: the joint hardly slips; measure a higher level");
-  if (joint.limit.knowledge == Knowledge::extrapolated)
-    what.emplace_back("the friction limit is extrapolated: no state comes near macroslip");
-  if (joint.stiffness.knowledge == Knowledge::undetermined)
-    what.emplace_back("the initial stiffness is not seen: the joint always slips; measure a lower level");
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const response::FittedJoint& joint = joints[j];
+    if (!joint.joint.friction) continue;
+    const std::string& name = scene.joints[j].beside.name;
+    if (joint.limit.knowledge == Knowledge::undetermined)
+      what.push_back(name + ": the friction limit is not seen: the joint hardly slips; measure a higher level");
+    if (joint.limit.knowledge == Knowledge::extrapolated)
+      what.push_back(name + ": the friction limit is extrapolated: no state comes near macroslip");
+    if (joint.stiffness.knowledge == Knowledge::undetermined)
+      what.push_back(name + ": the initial stiffness is not seen: the joint always slips; measure a lower level");
+  }
   return what;
 }
 
@@ -160,7 +156,7 @@ LawIdentification identify_states(const LawScene& scene, LevelStates data) {
   judge_fit(found);
   judge_data(scene, found);
   find_rivals(found);
-  note_unseen(scene, found);
+  for (std::string& what : unseen(scene, found.fit().joints)) found.notes.push_back(std::move(what));
   return found;
 }
 

@@ -34,8 +34,8 @@ struct LawIdentification {
 /// "ren", or "ren + iwan" of two joints.
 std::string laws_text(const std::vector<std::string>& laws);
 
-/// What the states do not show of a joint, one phrase each.
-std::vector<std::string> unseen(const response::FittedJoint& joint);
+/// What the states do not show of the joints, one phrase each, with the joint's name.
+std::vector<std::string> unseen(const LawScene& scene, const std::vector<response::FittedJoint>& joints);
 
 /// F and Q of every state without a law.
 std::vector<response::DirectStep> direct_steps(const LevelStates& data);

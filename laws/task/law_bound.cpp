@@ -32,13 +32,12 @@ class Predictor {
     bound.size = std::numeric_limits<double>::quiet_NaN();
     bound.status = response::LawFitStatus::too_few_data;
     if (states.empty()) return bound;
-    const response::LawFit found = response::bound_of_laws(data_.structure, states, unknowns_, harmonics_);
+    response::LawFit found = response::bound_of_laws(data_.structure, states, unknowns_, harmonics_);
     bound.status = found.status;
-    bound.joints = found.joints;
+    bound.joints = std::move(found.joints);
+    bound.unseen = unseen(scene_, bound.joints);
     double sum = 0.0;
-    for (std::size_t j = 0; j < bound.joints.size(); ++j) {
-      const response::FittedJoint& joint = bound.joints[j];
-      for (const std::string& what : unseen(joint)) bound.unseen.push_back(scene_.joints[j].beside.name + ": " + what);
+    for (const response::FittedJoint& joint : bound.joints) {
       for (const friction::FittedValue* value : {&joint.stiffness, &joint.limit})
         sum += std::log(value->std_error ? std::min(*value->std_error / value->value, nothing_known) : nothing_known);
     }

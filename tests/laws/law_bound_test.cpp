@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
+#include <functional>
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
