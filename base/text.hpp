@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -10,6 +11,19 @@ std::string digits(double value, const char* format = "%.2g");
 
 /// "3.2 %" of 0.032, "41 %" of 0.412.
 std::string percent(double share);
+
+/// "a, b, c" of what `word` makes of each item.
+template <typename Items, typename Word = std::identity>
+std::string comma_list(const Items& items, const Word& word = {}) {
+  std::string text;
+  bool first = true;
+  for (const auto& item : items) {
+    if (!first) text += ", ";
+    text += std::invoke(word, item);
+    first = false;
+  }
+  return text;
+}
 
 /// "a, b or c".
 std::string one_of(std::span<const std::string> words);

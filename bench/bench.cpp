@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "base/text.hpp"
+
 namespace jointid::bench {
 namespace {
 
@@ -76,9 +78,7 @@ std::vector<std::string> CommandLine::choice(std::size_t first, const std::vecto
   const std::vector<std::string> chosen(words_.begin() + static_cast<std::ptrdiff_t>(first), words_.end());
   for (const std::string& word : chosen) {
     if (std::ranges::find(known, word) != known.end()) continue;
-    std::string all;
-    for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
-    throw UsageError(fmt::format("there is no {}, but {}", word, all));
+    throw UsageError(fmt::format("there is no {}, but {}", word, comma_list(known)));
   }
   return chosen;
 }

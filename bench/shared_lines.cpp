@@ -9,6 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "bench/bench.hpp"
 #include "bench/random_structures.hpp"
 #include "frf/file/write.hpp"
@@ -27,8 +28,7 @@ void write_scene(const std::filesystem::path& folder, std::size_t lines) {
     bench::pollute(*set, level, generator);
     frf::write(*set, folder / name);
   }
-  std::string dofs;
-  for (const frf::Dof& dof : bench::random_joint()) dofs += (dofs.empty() ? "" : ", ") + fmt::format("\"{}\"", dof.name());
+  const std::string dofs = comma_list(bench::random_joint(), [](const frf::Dof& dof) { return fmt::format("\"{}\"", dof.name()); });
   std::ofstream(folder / "scene.toml") << fmt::format(
       "[data]\nsubstructures = [\"a.h5\", \"b.h5\"]\nassembly = [\"both.h5\"]\n[joint]\ndofs = [{}]\n"
       "[joint.stiffness]\npattern = \"symmetric\"\n[joint.hysteretic_damping]\npattern = \"symmetric\"\n"

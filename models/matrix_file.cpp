@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/eigen.hpp"
+#include "base/text.hpp"
 #include "frf/file/columns.hpp"
 #include "models/failure.hpp"
 
@@ -124,8 +125,7 @@ Eigen::MatrixXd from_columns(const std::filesystem::path& path, const std::strin
     const bool plain = std::ranges::all_of(column.name, [](unsigned char c) { return std::isdigit(c) != 0; });
     matrices[plain ? "" : column.name.substr(0, bracket)].push_back(&column.values);
   }
-  std::string names;
-  for (const auto& [name, columns] : matrices) names += (names.empty() ? "" : ", ") + (name.empty() ? "rows of numbers" : name);
+  const std::string names = comma_list(matrices, [](const auto& named) { return named.first.empty() ? "rows of numbers" : named.first; });
   const auto found = variable.empty() && matrices.size() == 1 ? matrices.begin() : matrices.find(variable);
   if (found == matrices.end()) {
     refuse_file(path, variable,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/eigen.hpp"
+#include "base/text.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/mat/mat_variable.hpp"
 #include "frf/uff/uff55.hpp"
@@ -72,10 +73,8 @@ Array read_array(const FileVariable& named) {
       *binary == frf::FileFormat::matlab_v5 ? frf::open_mat_variables_v5(named.file) : frf::open_mat_variables_v73(named.file);
   const auto found = std::ranges::find(file->variables(), named.variable, &frf::MatInfo::name);
   if (found == file->variables().end() || found->kind != frf::MatKind::real || found->dims.size() > 2 || found->dims.empty()) {
-    std::string all;
-    for (const frf::MatInfo& info : file->variables()) all += (all.empty() ? "" : ", ") + info.name;
     refuse_file(named.file, "variable " + named.variable, "there is no such real matrix",
-                "name one: \"FILE:VARIABLE\"; there are " + all);
+                "name one: \"FILE:VARIABLE\"; there are " + comma_list(file->variables(), &frf::MatInfo::name));
   }
   const frf::MatVariable variable = file->read(*found);
   const Eigen::Index rows = at(found->dims[0]);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "cli/laws/law_plots.hpp"
 #include "cli/laws/law_text.hpp"
 #include "cli/report/page.hpp"
@@ -12,10 +13,8 @@ namespace {
 
 void add_summary(const laws::LawScene& scene, const laws::LawIdentification& found, ReportPage& page) {
   page.section("Summary");
-  std::string rivals;
-  for (const std::string& each : found.not_told_apart) rivals += (rivals.empty() ? "" : ", ") + each;
   page.add(Facts{{{"laws", laws::laws_text(found.laws())},
-                  {"not told apart from", rivals.empty() ? "–" : rivals},
+                  {"not told apart from", found.not_told_apart.empty() ? "–" : comma_list(found.not_told_apart)},
                   {"force levels", fmt::format("{}", scene.levels.size())},
                   {"measured states", fmt::format("{}", found.data.states.size())},
                   {"χ² of degrees of freedom", fmt::format("{:.5g} of {}", found.fit().chi_square, found.fit().freedom)}}});

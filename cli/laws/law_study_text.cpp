@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/text.hpp"
 #include "cli/laws/law_text.hpp"
 #include "cli/text/json_value.hpp"
 #include "laws/task/identify_laws.hpp"
@@ -34,9 +35,7 @@ Table values_table(const laws::LawStudy& study) {
 }
 
 std::string counts(const std::map<std::string, std::size_t>& of) {
-  std::string text;
-  for (const auto& [word, count] : of) text += (text.empty() ? "" : ", ") + word + " " + std::to_string(count);
-  return text;
+  return comma_list(of, [](const auto& counted) { return counted.first + " " + std::to_string(counted.second); });
 }
 
 }  // namespace

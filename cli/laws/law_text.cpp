@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/complex.hpp"
+#include "base/text.hpp"
 #include "cli/laws/direct_bins.hpp"
 #include "friction/curve/equivalent.hpp"
 
@@ -51,8 +52,7 @@ std::string data_text(const laws::LawScene& scene, const LawIdentification& foun
 std::string choice_text(const LawIdentification& found) {
   std::string text = "law: " + laws::laws_text(found.laws());
   if (!found.not_told_apart.empty()) {
-    text += "; the data cannot tell it from ";
-    for (std::size_t i = 0; i < found.not_told_apart.size(); ++i) text += (i > 0 ? ", " : "") + found.not_told_apart[i];
+    text += "; the data cannot tell it from " + comma_list(found.not_told_apart);
   }
   return text + "\n";
 }

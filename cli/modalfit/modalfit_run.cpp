@@ -1,6 +1,7 @@
 #include "cli/modalfit/modalfit_run.hpp"
 
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
 #include "cli/options/open_options.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
@@ -9,9 +10,7 @@ namespace jointid::cli {
 namespace {
 
 std::string names(const std::vector<std::filesystem::path>& files) {
-  std::string text;
-  for (const auto& file : files) text += (text.empty() ? "" : ", ") + file.filename().string();
-  return text;
+  return comma_list(files, [](const auto& file) { return file.filename().string(); });
 }
 
 }  // namespace

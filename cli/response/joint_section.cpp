@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "cli/options/scene_values.hpp"
 #include "cli/response/response_sections.hpp"
 #include "friction/law/laws.hpp"
@@ -19,11 +20,9 @@ std::vector<double> read_parameters(const scene::Item& item, const friction::Law
   }
   const std::vector<scene::Item> list = item.list();
   if (list.size() != names.size()) {
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
     item.fail("law " + std::string(law.name) + " has " + std::to_string(names.size()) + " parameters, here are " +
                   std::to_string(list.size()),
-              "give " + all);
+              "give " + comma_list(names));
   }
   for (const scene::Item& value : list) values.push_back(value.number());
   return values;

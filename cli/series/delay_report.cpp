@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "cli/text/interrupt.hpp"
 #include "records/file/read_series.hpp"
 
@@ -20,8 +21,7 @@ records::SeriesRecord read_channel(const SeriesDelayArguments& arguments) {
   if (!arguments.channel.empty()) options.channels = {arguments.channel};
   records::SeriesRecord record = records::read_series(arguments.file, options);
   if (record.channels.size() > 1) {
-    std::string names;
-    for (const auto& channel : record.channels) names += (names.empty() ? "" : ", ") + channel.name;
+    const std::string names = comma_list(record.channels, [](const auto& channel) { return channel.name; });
     throw InputError({ErrorKind::usage, record.file, "--channel", "the file has the channels " + names, "name one of them"});
   }
   return record;

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/csv/csv_table.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/mat/mat_variable.hpp"
@@ -101,9 +102,7 @@ Columns read_variables(MatFile& file) {
 }
 
 std::string listed(const Columns& columns) {
-  std::string text;
-  for (const NumberColumn& column : columns.columns) text += (text.empty() ? "" : ", ") + column.name;
-  return text;
+  return comma_list(columns.columns, &NumberColumn::name);
 }
 
 }  // namespace

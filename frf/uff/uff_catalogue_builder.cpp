@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/uff/uff_coherence.hpp"
 #include "frf/uff/uff_geometry.hpp"
 
@@ -17,10 +18,8 @@ std::string contents(const std::vector<Dataset>& datasets) {
   for (const Dataset& dataset : datasets) {
     ++counts[dataset.function ? function_name(dataset.function->function_type) : "dataset " + dataset.name()];
   }
-  std::string text;
-  for (const auto& [what, count] : counts)
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " x " + what;
-  return text.empty() ? "no datasets" : text;
+  if (counts.empty()) return "no datasets";
+  return comma_list(counts, [](const auto& counted) { return std::to_string(counted.second) + " x " + counted.first; });
 }
 
 using Spectra = OpenOptions::Spectra;

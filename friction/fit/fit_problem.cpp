@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/eigen.hpp"
+#include "base/text.hpp"
 #include "friction/fit/tied_limit.hpp"
 
 namespace jointid::friction {
@@ -99,8 +100,7 @@ void FitProblem::choose_tied() {
 void FitProblem::number_unknowns() {
   for (const std::string& name : options_.shared) {
     if (std::ranges::find(parameters_, name, &Parameter::name) != parameters_.end()) continue;
-    std::string valid;
-    for (const Parameter& parameter : parameters_) valid += (valid.empty() ? "" : ", ") + parameter.name;
+    const std::string valid = comma_list(parameters_, &Parameter::name);
     throw std::invalid_argument("there is no parameter '" + name + "' to share; valid: " + valid);
   }
   if (options_.friction_coefficient) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/text.hpp"
 #include "friction/law/laws.hpp"
 #include "friction/path/ring.hpp"
 
@@ -54,9 +55,7 @@ std::vector<Features> around(const Features& seen) {
 const Law& law_to_fit(const std::string& name) {
   const auto found = std::ranges::find(laws(), name, &Law::name);
   if (found != laws().end()) return *found;
-  std::string valid;
-  for (const std::string& each : fitted_laws()) valid += (valid.empty() ? "" : ", ") + each;
-  throw std::invalid_argument("no friction law '" + name + "' can be fitted by name; valid: " + valid);
+  throw std::invalid_argument("no friction law '" + name + "' can be fitted by name; valid: " + comma_list(fitted_laws()));
 }
 
 }  // namespace

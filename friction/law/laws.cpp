@@ -1,9 +1,11 @@
 #include "friction/law/laws.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>
 
+#include "base/text.hpp"
 #include "friction/law/bilinear.hpp"
 #include "friction/law/burdekin.hpp"
 #include "friction/law/iwan.hpp"
@@ -38,12 +40,9 @@ std::unique_ptr<Element> make(List<E...>, std::string_view name, std::span<const
 std::span<const Law> laws() { return laws_of(Elements()); }
 
 const Law& law(std::string_view name) {
-  std::string valid;
-  for (const Law& each : laws()) {
-    if (each.name == name) return each;
-    valid += (valid.empty() ? "" : ", ") + std::string(each.name);
-  }
-  throw std::invalid_argument("no friction law '" + std::string(name) + "'; valid: " + valid);
+  const auto found = std::ranges::find(laws(), name, &Law::name);
+  if (found != laws().end()) return *found;
+  throw std::invalid_argument("no friction law '" + std::string(name) + "'; valid: " + comma_list(laws(), &Law::name));
 }
 
 std::unique_ptr<Element> make_element(std::string_view name, std::span<const double> values) {

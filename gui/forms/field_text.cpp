@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/text.hpp"
+
 namespace jointid::gui {
 namespace {
 
@@ -26,12 +28,6 @@ Texts split(const std::string& text, char separator) {
     at = end + 1;
   }
   return parts;
-}
-
-std::string joined(const Texts& parts) {
-  std::string all;
-  for (const std::string& part : parts) all += (all.empty() ? "" : ", ") + part;
-  return all;
 }
 
 std::string quoted(const std::string& text) {
@@ -105,7 +101,7 @@ ShownValue shown_value(ValueKind kind, const std::string& value) {
   if (has_comment(value)) return {in_one_line(value), true};
   if (is_list(kind)) {
     const auto texts = read_list(value);
-    return {texts ? joined(*texts) : in_one_line(value), false};
+    return {texts ? comma_list(*texts) : in_one_line(value), false};
   }
   if (kind == ValueKind::text || kind == ValueKind::word) {
     std::size_t end = 0;
@@ -124,7 +120,7 @@ std::string written_value(ValueKind kind, const std::string& shown) {
     for (const std::string& part : split(text, ',')) {
       if (!part.empty()) texts.push_back(quoted(part));
     }
-    return "[" + joined(texts) + "]";
+    return "[" + comma_list(texts) + "]";
   }
   if (kind == ValueKind::text || kind == ValueKind::word)
     return text.starts_with('"') || text.starts_with('\'') ? text : quoted(text);
@@ -141,9 +137,9 @@ std::string pasted_cells(ValueKind kind, const std::string& cells) {
       flat.push_back(cell);
       row.push_back(is_number(cell) ? cell : quoted(cell));
     }
-    rows.push_back("[" + joined(row) + "]");
+    rows.push_back("[" + comma_list(row) + "]");
   }
-  return is_list(kind) || kind == ValueKind::interval ? joined(flat) : "[" + joined(rows) + "]";
+  return is_list(kind) || kind == ValueKind::interval ? comma_list(flat) : "[" + comma_list(rows) + "]";
 }
 
 }  // namespace jointid::gui

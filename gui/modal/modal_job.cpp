@@ -50,9 +50,7 @@ std::vector<ModalStructure> structures_of(const ident::DataSection& data) {
   std::vector<ModalStructure> out;
   for (const ident::DataFile& file : data.substructures) out.push_back({file.path.filename().string(), {file}});
   if (data.assembly.empty()) return out;
-  std::string name;
-  for (const ident::DataFile& file : data.assembly) name += (name.empty() ? "" : ", ") + file.path.filename().string();
-  out.push_back({name, data.assembly});
+  out.push_back({comma_list(data.assembly, [](const ident::DataFile& file) { return file.path.filename().string(); }), data.assembly});
   return out;
 }
 

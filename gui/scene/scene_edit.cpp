@@ -24,8 +24,7 @@ std::string written(const std::vector<frf::Dof>& dofs) {
 std::string with_way(std::string text, const study::Way& way) {
   const auto word = [](const std::string& value) { return '"' + value + '"'; };
   const auto set = [&text](const char* key, const std::string& value) { text = with_value(text, "identify", key, value); };
-  std::string equations;
-  for (const ident::Equation equation : way.equations) equations += (equations.empty() ? "" : ", ") + word(ident::name(equation));
+  const std::string equations = comma_list(way.equations, [&](ident::Equation equation) { return word(ident::name(equation)); });
   set("method", word(ident::name(way.method)));
   if (!equations.empty()) set("equations", "[" + equations + "]");
   set("solver", word(way.solver));

@@ -15,12 +15,6 @@ std::size_t count(Index n) { return static_cast<std::size_t>(n); }
 
 std::size_t free_unknowns(const AdmissibleSet& set) { return count(set.directions.cols()); }
 
-std::string joined(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
-  return all;
-}
-
 void cut_intervals(const std::vector<Bound>& bounds, Solution& out) {
   for (const auto& [unknown, lower, upper] : bounds) {
     const auto found = std::ranges::find(out.unknowns, unknown, &Estimate::name);
@@ -45,7 +39,7 @@ Admissibility outcome_of(const AdmissibleSet& set, const AdmissibleFit& fit, dou
   out.chi_square = fit.cost * scale;
   if (!set.ties.empty()) {
     const std::size_t ties = count(set.offset.size()) - free_unknowns(set);
-    out.constraints.push_back({joined(set.ties), ties, ties, fit.tie_cost * scale});
+    out.constraints.push_back({comma_list(set.ties), ties, ties, fit.tie_cost * scale});
     out.equations += ties;
   }
   for (std::size_t k = 0; k < set.inequalities.size(); ++k) {

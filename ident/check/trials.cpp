@@ -329,8 +329,7 @@ MistakeTrial conjugate_trial(const Files& files, std::size_t f) {
 }
 
 MistakeTrial file_sign_trial(const Files& files, std::size_t f) {
-  std::string names;
-  for (const frf::Dof& dof : files[f].references) names += (names.empty() ? "" : ", ") + quoted_dof(dof);
+  const std::string names = comma_list(files[f].references, quoted_dof);
   return {.kind = SuspectKind::sign,
           .files = {f},
           .dofs = {},

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "frf/set/virtual_node.hpp"
 #include "ident/scene/scene_sections.hpp"
 #include "scene/reader.hpp"
@@ -22,8 +23,7 @@ virtualpoint::Vector read_direction(const scene::Item& item) {
   virtualpoint::Vector direction = read_vector(item);
   const double length = std::hypot(direction[0], direction[1], direction[2]);
   if (!(std::abs(length - 1.0) <= rounding)) {
-    std::string unit;
-    for (const double number : direction) unit += (unit.empty() ? "" : ", ") + scene::number_text(number / length);
+    const std::string unit = comma_list(direction, [&](double number) { return scene::number_text(number / length); });
     item.fail("the direction has the length " + scene::number_text(length) + ", not 1",
               length > 0.0 ? "write [" + unit + "], and gains under [data.files.\"NAME\"]"
                            : "write a unit vector, e.g. [0.6, 0.8, 0.0]");

@@ -92,9 +92,7 @@ Dofs at_nodes(const Headers& parts, const std::set<std::int64_t>& nodes) {
 }
 
 std::string listed(const std::set<std::int64_t>& nodes) {
-  std::string text;
-  for (const std::int64_t node : nodes) text += (text.empty() ? "" : ", ") + std::to_string(node);
-  return text;
+  return comma_list(nodes, [](std::int64_t node) { return std::to_string(node); });
 }
 
 }  // namespace

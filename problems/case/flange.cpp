@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
@@ -207,16 +208,13 @@ std::string list_text(const std::vector<frf::Dof>& dofs) {
 }
 
 std::string springs_text(const std::vector<frf::Dof>& dofs) {
-  std::string text;
-  for (std::size_t i = 0; i < 6; ++i) text += (i == 0 ? "" : ", ") + list_text({dofs[i], dofs[i + 6]});
-  return "springs = [" + text + "]\n";
+  return "springs = [" + comma_list(std::views::iota(0U, 6U), [&](unsigned i) { return list_text({dofs[i], dofs[i + 6]}); }) + "]\n";
 }
 
 std::string matrix_text(const Matrix& matrix) {
   std::string text;
   for (const auto& row : matrix) {
-    std::string numbers;
-    for (const double value : row) numbers += (numbers.empty() ? "" : ", ") + digits(value, "%.17g");
+    const std::string numbers = comma_list(row, [](double value) { return digits(value, "%.17g"); });
     text += (text.empty() ? "[" : ", [") + numbers + "]";
   }
   return "[" + text + "]";

@@ -2,6 +2,7 @@
 #include <array>
 #include <charconv>
 
+#include "base/text.hpp"
 #include "problems/case/case.hpp"
 
 namespace jointid::problems {
@@ -20,9 +21,7 @@ std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 template <class Range, class Text>
 std::string array(const Range& range, Text text) {
-  std::string result;
-  for (const auto& item : range) result += (result.empty() ? "" : ", ") + text(item);
-  return "[" + result + "]";
+  return "[" + comma_list(range, text) + "]";
 }
 
 std::string array(const Matrix& matrix) {

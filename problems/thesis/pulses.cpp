@@ -4,14 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_file.hpp"
+#include "base/text.hpp"
 #include "problems/thesis/shortest_text.hpp"
 
 namespace jointid::problems {
 namespace {
 
 std::string scene_text(const PulseProblem& problem) {
-  std::string values;
-  for (const double value : problem.parameters) values += (values.empty() ? "" : ", ") + shortest_text(value);
+  const std::string values = comma_list(problem.parameters, shortest_text);
   return "title = \"" + problem.name + ": " + problem.description() +
          "\"\n\n[structure]\nmass = [[1.0, 0.0, 0.0], [0.0, 1.2, 0.0], [0.0, 0.0, 0.9]]\n"
          "stiffness = [[500.0, -200.0, 0.0], [-200.0, 250.0, -50.0], [0.0, -50.0, 150.0]]\n"

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_file.hpp"
+#include "base/text.hpp"
 #include "problems/structure/beam.hpp"
 #include "problems/thesis/shortest_text.hpp"
 
@@ -45,8 +46,7 @@ std::string market(const Matrix& matrix) {
 }
 
 std::string joint_text(const TwoBeams& problem, const std::string& dofs) {
-  std::string values;
-  for (const double value : problem.parameters) values += (values.empty() ? "" : ", ") + shortest_text(value);
+  const std::string values = comma_list(problem.parameters, shortest_text);
   return "[[joints]]\ndofs = [" + dofs + "]\nlaw = \"" + problem.law + "\"\nparameters = [" + values + "]\n\n";
 }
 

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/temporary_file.hpp"
+#include "base/text.hpp"
 #include "friction/law/laws.hpp"
 #include "problems/case/set_format.hpp"
 #include "problems/vibration/law_problem.hpp"
@@ -24,8 +25,7 @@ std::string joint_text(const LawProblemJoint& joint) {
 }
 
 std::string level_text(const LawProblem& problem, std::size_t level, const std::string& responses, const std::string& forces) {
-  std::string harmonics;
-  for (const int n : problem.measured) harmonics += (harmonics.empty() ? "" : ", ") + std::to_string(n);
+  const std::string harmonics = comma_list(problem.measured, [](int n) { return std::to_string(n); });
   return "[[data.levels]]\nname = \"" + number(problem.levels[level]) + " N\"\nresponses = \"" + responses + "\"\nforces = \"" +
          forces + "\"\nforce_dofs = [\"" + problem.force.name() + "\"]\nharmonics = [" + harmonics + "]\n\n";
 }

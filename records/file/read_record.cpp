@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/uff/uff_file.hpp"
@@ -39,8 +40,7 @@ Channel channel_of(const frf::Columns& table, const GivenChannel& given) {
 
 Record record_of(const frf::Columns& table, const RecordOptions& options) {
   if (options.channels.empty()) {
-    std::string names;
-    for (const auto& column : table.columns) names += (names.empty() ? "" : ", ") + column.name;
+    const std::string names = comma_list(table.columns, [](const auto& column) { return column.name; });
     fail(table.file, "has columns " + names + " and does not say what they measured",
          "name each, e.g. --channel '2=1:+Z N' --channel '3=4:+Z m/s^2'");
   }

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <ranges>
 
+#include "base/text.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::report {
@@ -14,10 +16,7 @@ namespace {
 
 std::string frequencies_text(const std::vector<double>& frequencies_hz) {
   constexpr std::size_t most = 8;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, frequencies_hz.size()); ++i) {
-    text += (i == 0 ? "" : ", ") + number(frequencies_hz[i]);
-  }
+  std::string text = comma_list(frequencies_hz | std::views::take(most), [](double hz) { return number(hz); });
   if (frequencies_hz.size() > most) text += fmt::format(", … {} in all", frequencies_hz.size());
   return text.empty() ? "none found" : text + " Hz";
 }

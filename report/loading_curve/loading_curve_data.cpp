@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/uff/uff_units.hpp"
 #include "friction/path/loops.hpp"
@@ -28,8 +29,7 @@ struct Wanted {
 const frf::NumberColumn& chosen(const frf::Columns& columns, const Wanted& wanted) {
   if (!wanted.given.empty()) return columns.column(wanted.given);
   if (const frf::NumberColumn* found = columns.find(wanted.words, wanted.without)) return *found;
-  std::string all;
-  for (const frf::NumberColumn& column : columns.columns) all += (all.empty() ? "" : ", ") + column.name;
+  const std::string all = comma_list(columns.columns, &frf::NumberColumn::name);
   throw InputError({ErrorKind::data, columns.file, "", fmt::format("no column is named as {}", wanted.what),
                     fmt::format("name it with {}; the columns are {}", wanted.option, all)});
 }

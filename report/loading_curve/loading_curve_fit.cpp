@@ -6,6 +6,7 @@
 
 #include "base/control.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "friction/fit/fit_start.hpp"
 #include "friction/law/laws.hpp"
 
@@ -55,7 +56,7 @@ class Fitting {
 
   LoadingCurveReport run() {
     LoadingCurveReport report;
-    for (const auto& file : task_.files) report.title += (report.title.empty() ? "" : ", ") + file.filename().string();
+    report.title = comma_list(task_.files, [](const auto& file) { return file.filename().string(); });
     report.data = read_curves(task_);
     const bool several_loops = report.data.loops && report.data.curves.size() > 1;
     if (several_loops && options_.friction_coefficient) {

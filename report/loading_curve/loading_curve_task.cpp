@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "friction/fit/fit_start.hpp"
 
 namespace jointid::report {
@@ -17,10 +18,8 @@ void check_laws(const LoadingCurveTask& task) {
   const std::vector<std::string> valid = friction::fitted_laws();
   for (const std::string& law : task.laws) {
     if (law == "all" || std::ranges::find(valid, law) != valid.end()) continue;
-    std::string all;
-    for (const std::string& each : valid) all += (all.empty() ? "" : ", ") + each;
     const std::string near = nearest_word(law, valid);
-    fail("--law", "'" + law + "' is no law", (near.empty() ? "" : "did you mean " + near + "? ") + "all: " + all);
+    fail("--law", "'" + law + "' is no law", (near.empty() ? "" : "did you mean " + near + "? ") + "all: " + comma_list(valid));
   }
 }
 

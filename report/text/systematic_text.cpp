@@ -23,8 +23,7 @@ Table systematic_table(const std::vector<ident::SystematicEstimate>& systematic)
 Table calibration_table(const std::vector<ident::CalibrationShare>& shares) {
   Table table({{"unknown", Align::left}, {"calibration"}, {"most of it", Align::left}});
   for (const ident::CalibrationShare& share : shares) {
-    std::string most;
-    for (const auto& [name, part] : share.largest) most += (most.empty() ? "" : ", ") + name + " " + percent(part);
+    const std::string most = comma_list(share.largest, [](const auto& named) { return named.first + " " + percent(named.second); });
     table.add({share.unknown, percent(share.all), most});
   }
   return table;

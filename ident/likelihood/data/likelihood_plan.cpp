@@ -1,8 +1,10 @@
 #include "ident/likelihood/data/likelihood_plan.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "ident/scene/scene_failure.hpp"
 
 namespace jointid::ident {
@@ -27,8 +29,7 @@ Dofs find_others(const Plan& plan) {
 /// "gain of 1:+Y, gain of 2:+Y and 7 more"
 std::string listed_names(const std::vector<NamedSystematic>& all) {
   constexpr std::size_t most = 4;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, all.size()); ++i) text += (i == 0 ? "" : ", ") + all[i].name;
+  const std::string text = comma_list(all | std::views::take(most), &NamedSystematic::name);
   return all.size() > most ? text + " and " + std::to_string(all.size() - most) + " more" : text;
 }
 
