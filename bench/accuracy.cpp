@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "study/trial_loop.hpp"
-#include "ident/tasks/bound.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
+#include "study/trial_loop.hpp"
+#include "tasks/bound.hpp"
 
 namespace {
 
@@ -71,7 +71,7 @@ double run(const Case& which, double level, double gross, std::size_t trials, be
   std::vector<double> truth;
   for (const problems::ExactUnknown& unknown : problem.unknowns) truth.push_back(unknown.value);
   const auto exact = problems::plan(scene, {problem.substructures, problem.assembly});
-  const std::vector<double> bound = ident::cramer_rao_bound(*exact, truth, ident::Control());
+  const std::vector<double> bound = tasks::cramer_rao_bound(*exact, truth, ident::Control());
   noise.gross.share = gross;
   const auto data = problems::trial_data(scene, problem);
   const std::vector<study::Trial> done = study::run_trials(data, {.trials = trials});

@@ -13,11 +13,11 @@
 
 #include "base/statistics.hpp"
 #include "bench/bench.hpp"
-#include "ident/algebra/covariance.hpp"
 #include "ident/identify.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/plan/joint_guess.hpp"
+#include "minimise/linear/covariance.hpp"
 #include "problems/case/catalogue.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
@@ -62,7 +62,7 @@ void one_seed(const ident::Scene& scene, const problems::Problem& problem, std::
   for (const ident::Estimate& estimate : solution.unknowns) values.push_back(estimate.value);
   ident::LikelihoodEstimator estimator = ident::make_estimator(*plan, control);
   const ident::LikelihoodFit fit = estimator.refine(ident::scaled(*plan, values), [](std::size_t) {});
-  const Eigen::MatrixXd covariance = ident::covariance_of(fit.information);
+  const Eigen::MatrixXd covariance = minimise::covariance_of(fit.information);
   plan->scene.identify.bootstrap_seed = seed;
   std::vector<ident::Replicate> replicates;
   out.seconds += bench::seconds([&] { replicates = ident::bootstrap(*plan, estimator, fit, control); });

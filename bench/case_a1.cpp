@@ -17,7 +17,7 @@ using namespace jointid;
 std::vector<double> solve_fast(ident::Plan& plan) {
   ident::RunTime runtime;
   ident::Assembled system = ident::assemble(plan, runtime);
-  return ident::solve(plan, system.accumulator, ident::Condition::skip).y;
+  return ident::solve(plan, system.accumulator, minimise::Condition::skip).y;
 }
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {

@@ -16,7 +16,7 @@
 #include "coupling/methods.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
-#include "ident/tasks/couple.hpp"
+#include "tasks/couple.hpp"
 #include "tests/coupling/counted_coupling.hpp"
 #include "tests/test_folder.hpp"
 
@@ -111,7 +111,7 @@ void write_parts(const std::filesystem::path& folder, std::size_t lines) {
 }
 
 void couple_files(const std::filesystem::path& folder, const char* method, bench::Times& times) {
-  times.add([&] { ident::couple(ident::read_couple_scene(folder / fmt::format("{}.toml", method)), folder / "out.h5", false); });
+  times.add([&] { tasks::couple(ident::read_couple_scene(folder / fmt::format("{}.toml", method)), folder / "out.h5", false); });
 }
 
 /// Both parts as the peer reads them: complex128 [line, part, 84, 84].

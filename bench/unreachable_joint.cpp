@@ -14,9 +14,9 @@
 #include "bench/bench.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/prediction.hpp"
-#include "ident/tasks/bound.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
+#include "tasks/bound.hpp"
 
 namespace {
 
@@ -131,7 +131,7 @@ class Bench {
     bounded.identify.method = ident::Method::likelihood;
     bounded.identify.solver = "auto";
     const std::vector<double> bound =
-        ident::cramer_rao_bound(*problems::plan(bounded, {problem_.substructures, problem_.assembly}), truth_, ident::Control());
+        tasks::cramer_rao_bound(*problems::plan(bounded, {problem_.substructures, problem_.assembly}), truth_, ident::Control());
     std::vector<double> errors, decibels, ratios, times;
     std::size_t settled = 0;
     for (std::size_t seed = 1; seed <= seeds; ++seed) {

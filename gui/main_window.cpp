@@ -22,7 +22,7 @@
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/work/worker.hpp"
-#include "ident/tasks/propose_scene.hpp"
+#include "tasks/propose_scene.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -129,7 +129,7 @@ void MainWindow::propose_scene(const QStringList& files) {
   const QString folder = QFileInfo(files.front()).absolutePath();
   messages_->say(tr("Looking at %n file(s) …", nullptr, static_cast<int>(files.size())));
   worker_->add([this, paths, folder](const Worker::Watch& watch) -> Worker::Deliver {
-    const std::string text = ident::scene_text(ident::propose_scene(paths, watch.interrupted), as_path(folder));
+    const std::string text = tasks::scene_text(tasks::propose_scene(paths, watch.interrupted), as_path(folder));
     return [this, text, folder] {
       messages_->hide();
       Project* const project = add_project();

@@ -7,35 +7,13 @@
 #include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
 #include "ident/judgement/judge.hpp"
-#include "ident/likelihood/likelihood.hpp"
-#include "ident/linear/linear_method.hpp"
 #include "ident/modal_regeneration.hpp"
-#include "ident/newton/newton.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/prepare_plan.hpp"
 #include "ident/scene/scene_failure.hpp"
 
 namespace jointid::ident {
 namespace {
-
-std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices);
-
-/// All methods: what makes the part of a prepared plan that is the method's own.
-std::unique_ptr<MethodPlan> plan_method(Plan& plan) {
-  switch (plan.scene.identify.method) {
-    case Method::one:
-      return plan_method_one(plan);
-    case Method::two:
-      return plan_method_two(plan);
-    case Method::direct:
-      return plan_direct(plan);
-    case Method::newton:
-      return plan_newton(plan, plan_start);
-    case Method::likelihood:
-      return plan_likelihood(plan, plan_start);
-  }
-  throw std::logic_error("a method without a plan");
-}
 
 std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) {
   Scene scene = plan.scene;
@@ -105,7 +83,7 @@ std::unique_ptr<Plan> make_plan(const Scene& scene, std::shared_ptr<frf::FrfSyst
                               [&](const Scene& chosen) { return make_plan(chosen, substructures, assembly); });
   }
   auto plan = prepare_plan(scene, std::move(substructures), std::move(assembly));
-  plan->method = plan_method(*plan);
+  plan->method = traits(plan->scene.identify.method).plan(*plan, plan_start);
   complete_plan(*plan);
   warn_of_systematic_errors(*plan);
   return plan;

@@ -5,12 +5,12 @@
 #include "base/complex.hpp"
 #include "base/text.hpp"
 #include "ident/admissible/admissible_set.hpp"
-#include "ident/algebra/sparse_qr.hpp"
 #include "ident/plan/couple_first.hpp"
 #include "ident/plan/data_warnings.hpp"
 #include "ident/plan/line_choice.hpp"
 #include "ident/scene/scene_failure.hpp"
 #include "minimise/least_squares.hpp"
+#include "minimise/linear/sparse_qr.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -44,7 +44,7 @@ void require_solver(const Scene& scene, const std::vector<std::string>& own) {
   require(minimise::has_ceres, identify.solver == "ceres", "Ceres", "libceres-dev");
   require(minimise::has_nlopt, identify.solver.starts_with("nlopt"), "NLopt", "libnlopt-cxx-dev");
   require(minimise::has_ipopt, identify.solver == "ipopt", "Ipopt", "coinor-libipopt-dev");
-  require(has_spqr, identify.solver == "spqr", "SPQR", "libsuitesparse-dev");
+  require(minimise::has_spqr, identify.solver == "spqr", "SPQR", "libsuitesparse-dev");
 }
 
 void require_method(const Scene& scene) {

@@ -7,8 +7,8 @@
 
 #include "base/eigen.hpp"
 #include "dense/svd.hpp"
-#include "ident/algebra/linear_solution.hpp"
-#include "ident/algebra/solve_linear.hpp"
+#include "minimise/linear/linear_solution.hpp"
+#include "minimise/linear/solve_linear.hpp"
 #include "stability/exact_number.hpp"
 #include "stability/svd_solution.hpp"
 
@@ -55,24 +55,25 @@ ExactSolution solve_exactly(const Rows& rows) {
   return out;
 }
 
-ident::LinearSolution solved(const Rows& rows, const std::string& solver, Measured& out) {
-  ident::LinearSolution linear;
+minimise::LinearSolution solved(const Rows& rows, const std::string& solver, Measured& out) {
+  minimise::LinearSolution linear;
   if (solver == "qr refined") {
     const Refined refined = solve_refined(rows);
     linear.y = refined.y;
     linear.rank = refined.converged ? rows.unknowns : 0;
     return linear;
   }
-  ident::Accumulator accumulator(rows.unknowns, solver == "normal" ? ident::Reduction::normal : ident::Reduction::orthogonal);
-  ident::Accumulator::Columns columns;
+  minimise::Accumulator accumulator(rows.unknowns,
+                                    solver == "normal" ? minimise::Reduction::normal : minimise::Reduction::orthogonal);
+  minimise::Accumulator::Columns columns;
   for (std::size_t j = 0; j < rows.unknowns; ++j) columns.push_back(j);
   for (std::size_t i = 0; i < rows.count(); ++i) {
     std::copy_n(rows.high.data() + i * (rows.unknowns + 1), rows.unknowns + 1, accumulator.triangle(columns).append(1));
   }
-  linear = solver == "normal" ? ident::solve_normal(accumulator)
-           : solver == "spqr" ? ident::solve_sparse(accumulator)
+  linear = solver == "normal" ? minimise::solve_normal(accumulator)
+           : solver == "spqr" ? minimise::solve_sparse(accumulator)
            : solver == "svd"  ? solve_svd(accumulator)
-                              : ident::solve_dense(accumulator);
+                              : minimise::solve_dense(accumulator);
   out.bytes = accumulator.bytes();
   return linear;
 }
@@ -125,7 +126,7 @@ Measured measure(const Rows& rows, const std::string& solver) {
   out.condition = exact.condition;
   out.digits_true = std::numeric_limits<double>::quiet_NaN();
   const auto start = Clock::now();
-  const ident::LinearSolution linear = solved(rows, solver, out);
+  const minimise::LinearSolution linear = solved(rows, solver, out);
   out.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   out.rank = linear.rank;
   if (linear.rank < rows.unknowns) out.status = ident::Status::rank_deficient;

@@ -28,7 +28,7 @@ ident::Solution solved(const ExtremeProblem& problem, const std::string& solver)
   ident::Solution out;
   ident::Assembled system = ident::assemble(*plan, out.runtime_s, one_thread());
   const auto start = Clock::now();
-  const ident::LinearSolution linear = solve_svd(system.accumulator);
+  const minimise::LinearSolution linear = solve_svd(system.accumulator);
   out.runtime_s.solve = std::chrono::duration<double>(Clock::now() - start).count();
   out.fit.lines = system.lines;
   out.used.accumulator_bytes = system.accumulator.bytes();

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "base/eigen.hpp"
-#include "ident/algebra/column_scaling.hpp"
-#include "ident/algebra/linear_solution.hpp"
-#include "ident/algebra/triangle.hpp"
+#include "minimise/linear/column_scaling.hpp"
+#include "minimise/linear/linear_solution.hpp"
+#include "minimise/linear/triangle.hpp"
 #include "stability/exact_number.hpp"
 
 namespace jointid::stability {
@@ -31,7 +31,7 @@ struct Problem {
         (j < n ? e(i, j) : p(i, 0)) = value;
       }
     }
-    scale = ident::power_of_two_scales(e.cast<double>());
+    scale = minimise::power_of_two_scales(e.cast<double>());
     e = e * scale.cast<Exact>().asDiagonal();
   }
 };
@@ -43,7 +43,7 @@ struct Factored {
 
   Factored(const Eigen::MatrixXd& e, const Eigen::VectorXd& f) {
     const auto n = static_cast<std::size_t>(e.cols());
-    ident::Triangle triangle(n);
+    minimise::Triangle triangle(n);
     for (Eigen::Index i = 0; i < e.rows(); ++i) {
       double* row = triangle.append(1);
       for (Eigen::Index j = 0; j < e.cols(); ++j) row[j] = e(i, j);

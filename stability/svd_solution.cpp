@@ -4,11 +4,11 @@
 
 #include "base/eigen.hpp"
 #include "dense/svd.hpp"
-#include "ident/algebra/column_scaling.hpp"
+#include "minimise/linear/column_scaling.hpp"
 
 namespace jointid::stability {
 
-ident::LinearSolution solve_svd(ident::Accumulator& accumulator) {
+minimise::LinearSolution solve_svd(minimise::Accumulator& accumulator) {
   accumulator.flush();
   const std::size_t n = accumulator.columns();
   std::size_t rows = 0;
@@ -22,13 +22,13 @@ ident::LinearSolution solve_svd(ident::Accumulator& accumulator) {
       right[row] = triangle(i, columns.size());
     }
   }
-  const Eigen::VectorXd scale = ident::power_of_two_scales(system);
+  const Eigen::VectorXd scale = minimise::power_of_two_scales(system);
   const dense::RealSvd svd = dense::jacobi_svd(system * scale.asDiagonal(), dense::Vectors::thin, dense::Vectors::thin);
   const double threshold = 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon();
   const Eigen::Index rank = (svd.sigma.array() > threshold * svd.sigma[0]).count();
   const Eigen::VectorXd parts = (svd.u.leftCols(rank).transpose() * right).cwiseQuotient(svd.sigma.head(rank));
   const Eigen::VectorXd y = scale.asDiagonal() * (svd.v.leftCols(rank) * parts);
-  ident::LinearSolution out;
+  minimise::LinearSolution out;
   out.y.assign(y.begin(), y.end());
   out.rank = static_cast<std::size_t>(rank);
   const double least = svd.sigma[svd.sigma.size() - 1];

@@ -8,7 +8,7 @@ namespace jointid::study {
 namespace {
 
 /// Of one line and reference, from the pairs of a set.
-ident::Correlation correlation_at(const frf::FrfSet& set, std::size_t line, std::size_t c) {
+minimise::Correlation correlation_at(const frf::FrfSet& set, std::size_t line, std::size_t c) {
   const std::size_t rows = set.header.response.size(), columns = set.header.reference.size(), pairs = frf::pair_count(rows);
   const auto pair = [&](std::size_t r, std::size_t s) { return set.covariance[(line * pairs + frf::pair_index(r, s)) * columns + c]; };
   std::vector<std::size_t> known;
@@ -23,7 +23,7 @@ ident::Correlation correlation_at(const frf::FrfSet& set, std::size_t line, std:
       covariance(at(k), at(i)) = std::conj(covariance(at(i), at(k)));
     }
   }
-  return ident::Correlation::of(rows, known, covariance, covariance.diagonal().real());
+  return minimise::Correlation::of(rows, known, covariance, covariance.diagonal().real());
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "base/random.hpp"
 #include "frf/set/excerpt.hpp"
 #include "frf/set/frf_source.hpp"
-#include "ident/algebra/correlation.hpp"
+#include "minimise/linear/correlation.hpp"
 
 namespace jointid::study {
 
@@ -24,7 +24,7 @@ class RecordedNoise {
  private:
   std::vector<std::uint64_t> line_start_, entry_;  ///< of Excerpt
   std::vector<Complex> deviation_;                 ///< of real and imaginary part, [F,R,C]
-  std::vector<ident::Correlation> correlations_;   ///< over the responses, [F,C]; empty without covariances
+  std::vector<minimise::Correlation> correlations_;  ///< over the responses, [F,C]; empty without covariances
   std::size_t responses_, references_;
 };
 

@@ -24,7 +24,7 @@ std::filesystem::path result_path(const CoupleArguments& arguments) {
 void check_outputs(const CoupleArguments& arguments, const ident::CoupleScene& scene, const std::filesystem::path& out) {
   std::vector<OptionTarget> targets = {
       {"--out", out.string()}, {"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}};
-  if (arguments.bounds) targets.push_back({"--bounds", ident::with_all_path(out).string()});
+  if (arguments.bounds) targets.push_back({"--bounds", tasks::with_all_path(out).string()});
   check_targets(ident::files_of(scene), targets);
 }
 
@@ -53,7 +53,7 @@ ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   Progress progress;
   ident::Control control = progress.control();
   control.threads = arguments.threads;
-  const ident::CoupleResult result = ident::couple(scene, path, arguments.bounds, control);
+  const tasks::CoupleResult result = tasks::couple(scene, path, arguments.bounds, control);
   if (arguments.json) write_target(*arguments.json, couple_json(scene, result), out);
   if (arguments.csv) write_target(*arguments.csv, couple_csv(result), out);
   if (arguments.report) write_target(*arguments.report, report::couple_report(scene, result), out);

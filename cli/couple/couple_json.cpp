@@ -8,7 +8,7 @@
 namespace jointid::cli {
 namespace {
 
-Json file_json(const ident::CoupledFile& file) {
+Json file_json(const tasks::CoupledFile& file) {
   return {{"file", file.path.string()}, {"conditions", file.conditions}, {"resonances_hz", file.resonances_hz}};
 }
 
@@ -25,7 +25,7 @@ Json dependencies_json(const coupling::Dependencies& dependencies) {
 
 }  // namespace
 
-std::string couple_json(const ident::CoupleScene& scene, const ident::CoupleResult& result) {
+std::string couple_json(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
   Json out = {{"status", result.status == ident::Status::ok ? "ok" : "not_usable"},
               {"message", result.message},
               {"method", coupling::name(scene.options.method)},

@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "ident/tasks/couple.hpp"
+#include "tasks/couple.hpp"
 
 namespace jointid::cli {
 
 /// What coupling did, as JSON; the keys stay. Numbers that are not there are null.
-std::string couple_json(const ident::CoupleScene& scene, const ident::CoupleResult& result);
+std::string couple_json(const ident::CoupleScene& scene, const tasks::CoupleResult& result);
 
 }  // namespace jointid::cli

@@ -20,13 +20,13 @@ std::string uncertainty_text(const ident::CoupleScene& scene) {
   return scene.options.noise ? "to first order, from the files' variances, else from [noise]" : "to first order, from the files' variances";
 }
 
-std::string condition_text(const ident::CoupleResult& result) {
+std::string condition_text(const tasks::CoupleResult& result) {
   const std::size_t worst = worst_line(result);
   if (worst == frf::npos) return "–";
   return fmt::format("at most {} at {} Hz", number(result.records[worst].condition), number(result.frequency_hz[worst]));
 }
 
-void add_summary(const ident::CoupleScene& scene, const ident::CoupleResult& result, ReportPage& page) {
+void add_summary(const ident::CoupleScene& scene, const tasks::CoupleResult& result, ReportPage& page) {
   page.section("Summary");
   Facts facts{{{"method", coupling_method_text(scene)},
                {"conditions", result.dependencies
@@ -42,7 +42,7 @@ void add_summary(const ident::CoupleScene& scene, const ident::CoupleResult& res
   page.add(facts);
 }
 
-StatusBanner couple_banner(const ident::CoupleResult& result) {
+StatusBanner couple_banner(const tasks::CoupleResult& result) {
   StatusBanner banner = status_banner(ident::name(result.status), result.message);
   if (banner.trust == Trust::good && result.unusable_lines > 0) {
     banner.trust = Trust::doubtful;
@@ -58,7 +58,7 @@ std::vector<std::string> names(const coupling::Dependencies& dependencies) {
 }
 
 /// Which conditions are met, and why the others are not.
-void add_conditions(const ident::CoupleScene& scene, const ident::CoupleResult& result, ReportPage& page) {
+void add_conditions(const ident::CoupleScene& scene, const tasks::CoupleResult& result, ReportPage& page) {
   page.section("Conditions");
   if (result.dependencies) {
     page.add(conditions_table(*result.dependencies), "Alpha of each condition, median over the lines and quantiles");
@@ -80,7 +80,7 @@ void add_conditions(const ident::CoupleScene& scene, const ident::CoupleResult& 
   }
 }
 
-void add_lines(const ident::CoupleScene& scene, const ident::CoupleResult& result, ReportPage& page) {
+void add_lines(const ident::CoupleScene& scene, const tasks::CoupleResult& result, ReportPage& page) {
   page.section("Line by line");
   if (const std::string rule = kept_rule(scene); !rule.empty()) {
     page.add(Text{"Kept on each line: " + rule + "."});
@@ -92,7 +92,7 @@ void add_lines(const ident::CoupleScene& scene, const ident::CoupleResult& resul
   page.add(condition_plots(result, most_points));
 }
 
-void add_frfs(const ident::CoupleResult& result, ReportPage& page) {
+void add_frfs(const tasks::CoupleResult& result, ReportPage& page) {
   page.section("Predicted FRFs");
   page.add(predicted_plots(result.frequency_hz, read_predicted(result, most_frfs), most_points));
   const std::size_t frfs = result.responses * result.references;
@@ -114,7 +114,7 @@ void add_frfs(const ident::CoupleResult& result, ReportPage& page) {
 
 }  // namespace
 
-std::string couple_report(const ident::CoupleScene& scene, const ident::CoupleResult& result) {
+std::string couple_report(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
   const std::string file = scene.file.filename().string();
   ReportPage page(scene.title.empty() ? file : scene.title, "jointid couple " + file);
   page.status(couple_banner(result));

@@ -23,7 +23,8 @@ void add_equivalent(CLI::App& app, Chosen& chosen) {
 ExitCode execute(const EquivalentArguments& arguments, std::ostream& out) {
   const ident::EquivalentScene scene = ident::read_equivalent_scene(arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}});
-  const std::vector<ident::LevelJoint> levels = with_progress("reading and fitting", [&] { return ident::find_equivalent(scene); });
+  const std::vector<tasks::LevelJoint> levels =
+      with_progress("reading and fitting", [&] { return tasks::find_equivalent(scene); });
   if (arguments.json) write_target(*arguments.json, equivalent_json(scene, levels), out);
   if (arguments.csv) write_target(*arguments.csv, equivalent_csv(levels), out);
   if (!takes_output({arguments.json, arguments.csv})) out << equivalent_text(scene, levels);

@@ -15,17 +15,17 @@ const char* equation(const ident::EquivalentScene& scene) { return scene.rigid ?
 
 }  // namespace
 
-bool all_settled(const std::vector<ident::LevelJoint>& levels) {
-  return std::ranges::all_of(levels, [](const ident::LevelJoint& level) { return level.joint.settled; });
+bool all_settled(const std::vector<tasks::LevelJoint>& levels) {
+  return std::ranges::all_of(levels, [](const tasks::LevelJoint& level) { return level.joint.settled; });
 }
 
-std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels) {
+std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   text += fmt::format("equivalent stiffness and damping by ({}), FRFs of the parts {}\n\n", equation(scene),
                       scene.real ? "made real (7.19)" : "as measured");
   Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"misfit %"}, {"lines"}, {"", Align::left}});
-  for (const ident::LevelJoint& level : levels) {
-    const ident::EquivalentJoint& joint = level.joint;
+  for (const tasks::LevelJoint& level : levels) {
+    const tasks::EquivalentJoint& joint = level.joint;
     const char* remark = !joint.settled ? "not found"
                          : joint.stiffness < 0.0 || joint.damping < 0.0
                              ? "not physical: the errors of the FRFs outweigh the joint"
@@ -36,12 +36,12 @@ std::string equivalent_text(const ident::EquivalentScene& scene, const std::vect
   return text + table.text();
 }
 
-std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels) {
+std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
   Json out = {{"status", all_settled(levels) ? "ok" : "not_usable"},
               {"equation", equation(scene)},
               {"real", scene.real},
               {"levels", Json::array()}};
-  for (const ident::LevelJoint& level : levels) {
+  for (const tasks::LevelJoint& level : levels) {
     out["levels"].push_back({{"file", level.file},
                              {"displacement", level.displacement},
                              {"stiffness", value(level.joint.stiffness)},
@@ -53,9 +53,9 @@ std::string equivalent_json(const ident::EquivalentScene& scene, const std::vect
   return json_text(out);
 }
 
-std::string equivalent_csv(const std::vector<ident::LevelJoint>& levels) {
+std::string equivalent_csv(const std::vector<tasks::LevelJoint>& levels) {
   std::string text = csv_line({"displacement [m]", "stiffness [N/m]", "damping [N/m]", "misfit"});
-  for (const ident::LevelJoint& level : levels) {
+  for (const tasks::LevelJoint& level : levels) {
     if (!level.joint.settled) continue;
     text += csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness),
                       fmt::format("{}", level.joint.damping), fmt::format("{}", level.joint.misfit)});

@@ -2,20 +2,20 @@
 
 #include <string>
 
-#include "ident/tasks/equivalent.hpp"
+#include "tasks/equivalent.hpp"
 
 namespace jointid::cli {
 
 /// Stiffness and damping by displacement, for people.
-std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels);
+std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels);
 
 /// The same as JSON; the keys stay. Numbers that are not there are null.
-std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<ident::LevelJoint>& levels);
+std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels);
 
 /// "displacement [m],stiffness [N/m],damping [N/m],misfit", what was not found left out.
-std::string equivalent_csv(const std::vector<ident::LevelJoint>& levels);
+std::string equivalent_csv(const std::vector<tasks::LevelJoint>& levels);
 
 /// Whether every level has an answer.
-bool all_settled(const std::vector<ident::LevelJoint>& levels);
+bool all_settled(const std::vector<tasks::LevelJoint>& levels);
 
 }  // namespace jointid::cli

@@ -39,13 +39,13 @@ std::vector<std::size_t> drawn_entries(const ModalRun& run, const std::vector<do
   return out;
 }
 
-ident::Regenerated overlay_data(const ModalRun& run, const std::vector<std::size_t>& chosen) {
-  ident::Regenerated out;
+tasks::Regenerated overlay_data(const ModalRun& run, const std::vector<std::size_t>& chosen) {
+  tasks::Regenerated out;
   out.frequency_hz = run.band.frequency_hz;
   const std::size_t columns = run.fit.reference.size(), entries = run.band.entries();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::size_t e : chosen) {
-    ident::RegeneratedFrf frf{{run.fit.response[e / columns], run.fit.reference[e % columns]}, {}, {}};
+    tasks::RegeneratedFrf frf{{run.fit.response[e / columns], run.fit.reference[e % columns]}, {}, {}};
     for (std::size_t i = 0; i < run.band.lines(); ++i) {
       const auto measured = run.band.value(e)[i];
       frf.measured.push_back(measured == 0.0 ? Complex(nan, nan) : measured);

@@ -8,9 +8,9 @@
 namespace jointid::cli {
 namespace {
 
-Json changes(const std::vector<ident::BoundChange>& list) {
+Json changes(const std::vector<tasks::BoundChange>& list) {
   Json all = Json::array();
-  for (const ident::BoundChange& change : list) {
+  for (const tasks::BoundChange& change : list) {
     all.push_back({{"what", change.what},
                    {"worst", value(change.worst)},
                    {"mean", value(change.mean)},
@@ -21,9 +21,9 @@ Json changes(const std::vector<ident::BoundChange>& list) {
 
 }  // namespace
 
-Json bound_json(const ident::BoundReport& report) {
+Json bound_json(const tasks::BoundReport& report) {
   Json unknowns = Json::array();
-  for (const ident::UnknownBound& unknown : report.unknowns) {
+  for (const tasks::UnknownBound& unknown : report.unknowns) {
     unknowns.push_back({{"name", unknown.name},
                         {"unit", unknown.unit},
                         {"value", unknown.value},

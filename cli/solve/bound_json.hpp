@@ -2,11 +2,11 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "ident/tasks/bound_report.hpp"
+#include "tasks/bound_report.hpp"
 
 namespace jointid::cli {
 
 /// {"variances", "unknowns", "weakest", "without_coordinate", "without_lines", "with_more"}; null for what is infinite.
-nlohmann::ordered_json bound_json(const ident::BoundReport& report);
+nlohmann::ordered_json bound_json(const tasks::BoundReport& report);
 
 }  // namespace jointid::cli

@@ -18,16 +18,16 @@ using jointid::report::weakest_table;
 std::string factor(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "no longer fixed"; }
 
 /// The unknown whose bound changes most, and by how much.
-std::string most_changed(const ident::BoundChange& change, const std::vector<ident::UnknownBound>& unknowns) {
+std::string most_changed(const tasks::BoundChange& change, const std::vector<tasks::UnknownBound>& unknowns) {
   const auto distance = [](double f) { return std::abs(std::log(f)); };
   const auto most = std::ranges::max_element(change.factors, {}, distance);
   return fmt::format("{} {}", unknowns[static_cast<std::size_t>(most - change.factors.begin())].name, factor(*most));
 }
 
-std::string changes_text(const char* title, std::vector<ident::BoundChange> changes, const ident::BoundReport& report) {
+std::string changes_text(const char* title, std::vector<tasks::BoundChange> changes, const tasks::BoundReport& report) {
   if (changes.empty()) return "";
   Table table({{"", Align::left}, {"worst bound"}, {"mean"}, {"most changed", Align::left}});
-  for (const ident::BoundChange& change : changes) {
+  for (const tasks::BoundChange& change : changes) {
     table.add({change.what, factor(change.worst), factor(change.mean), most_changed(change, report.unknowns)});
   }
   return fmt::format("\n{}: bounds times\n", title) + table.text();
@@ -35,9 +35,9 @@ std::string changes_text(const char* title, std::vector<ident::BoundChange> chan
 
 }  // namespace
 
-std::string bound_text(const ident::BoundReport& report) {
+std::string bound_text(const tasks::BoundReport& report) {
   Table unknowns({{"name", Align::left}, {"assumed"}, {"std error"}, {"unit", Align::left}, {"relative"}});
-  for (const ident::UnknownBound& unknown : report.unknowns) {
+  for (const tasks::UnknownBound& unknown : report.unknowns) {
     const bool fixed = std::isfinite(unknown.bound);
     unknowns.add({unknown.name, number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed", unknown.unit,
                   fixed ? percent(unknown.relative) : ""});

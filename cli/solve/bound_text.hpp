@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "ident/tasks/bound_report.hpp"
+#include "tasks/bound_report.hpp"
 
 namespace jointid::cli {
 
 /// The tables of `jointid plan --bound`.
-std::string bound_text(const ident::BoundReport& report);
+std::string bound_text(const tasks::BoundReport& report);
 
 }  // namespace jointid::cli

@@ -69,10 +69,10 @@ ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });
-  std::optional<ident::BoundReport> bound;
+  std::optional<tasks::BoundReport> bound;
   if (arguments.bound) {
     Progress progress;
-    bound = ident::predict_bound(*plan, arguments.candidates, progress.control());
+    bound = tasks::predict_bound(*plan, arguments.candidates, progress.control());
     if (!bound->interrupted) note_suspect(*plan, progress.control());
   }
   const bool cut = bound && bound->interrupted;

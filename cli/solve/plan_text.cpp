@@ -107,7 +107,7 @@ std::string plan_text(const ident::Plan& plan) {
          phrases("notes", plan.notes);
 }
 
-std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundReport>& bound) {
+std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound) {
   const auto& identify = plan.scene.identify;
   const bool weighs = ident::weighs_equations(identify.method);
   Json json = {{"title", plan.scene.title},

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ident/plan/plan.hpp"
-#include "ident/tasks/bound_report.hpp"
+#include "tasks/bound_report.hpp"
 
 namespace jointid::cli {
 
@@ -12,6 +12,6 @@ namespace jointid::cli {
 std::string plan_text(const ident::Plan& plan);
 
 /// The same as JSON, with the predicted bounds where they were asked for.
-std::string plan_json(const ident::Plan& plan, const std::optional<ident::BoundReport>& bound = std::nullopt);
+std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound = std::nullopt);
 
 }  // namespace jointid::cli

@@ -68,19 +68,19 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
 }
 
 void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
-                  const std::optional<ident::FrfEntry>& entry, std::ostream& out) {
+                  const std::optional<tasks::FrfEntry>& entry, std::ostream& out) {
   Progress progress;
   write_target(target, jointid::report::solve_report(plan, solution, entry, progress.control()), out);
 }
 
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
-ident::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) {
+tasks::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) {
     throw InputError({ErrorKind::usage, "", "--plot", "'" + text + "' is not RESPONSE/REFERENCE", "write e.g. 1:+Y/5:+Y"});
   }
   const auto dof = [](const std::string& word) { return of_option("--plot", [&] { return frf::Dof::parse(word); }); };
-  const ident::FrfEntry entry{dof(text.substr(0, slash)), dof(text.substr(slash + 1))};
+  const tasks::FrfEntry entry{dof(text.substr(0, slash)), dof(text.substr(slash + 1))};
   if (!frf::has(plan.assembly->responses(), entry.response) ||
       !frf::has(plan.assembly->references(), entry.reference)) {
     throw InputError({ErrorKind::usage, "", "--plot", "the assembly has no FRF " + text,
@@ -89,9 +89,9 @@ ident::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) 
   return entry;
 }
 
-void plot(const ident::FrfEntry& entry, ident::Plan& plan, const ident::Solution& solution, std::ostream& out) {
+void plot(const tasks::FrfEntry& entry, ident::Plan& plan, const ident::Solution& solution, std::ostream& out) {
   Progress progress;
-  const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, {entry}, progress.control());
+  const tasks::Regenerated regenerated = tasks::regenerate(plan, solution.bands, {entry}, progress.control());
   out << frf_plot(regenerated, regenerated.frfs.front());
 }
 
@@ -132,7 +132,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   if (!read) return team->rank() > 0 ? ExitCode::done : solve_law_scene(arguments, text, out);
   const ident::Scene& scene = *read;
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene, *team); });
-  std::optional<ident::FrfEntry> entry;
+  std::optional<tasks::FrfEntry> entry;
   ident::start_together(*team, [&] {
     if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
   });

@@ -16,7 +16,7 @@ constexpr char measured_mark = 'o', predicted_mark = '.', both_mark = '@';
 double decibel(const Complex& value) { return 20.0 * std::log10(std::abs(value)); }
 
 /// Smallest and largest finite level of both curves, widened to whole 10 dB.
-std::pair<double, double> limits(const ident::RegeneratedFrf& frf) {
+std::pair<double, double> limits(const tasks::RegeneratedFrf& frf) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const auto* curve : {&frf.measured, &frf.predicted}) {
     for (const Complex& value : *curve) {
@@ -59,7 +59,7 @@ class Canvas {
 
 }  // namespace
 
-std::string frf_plot(const ident::Regenerated& regenerated, const ident::RegeneratedFrf& frf) {
+std::string frf_plot(const tasks::Regenerated& regenerated, const tasks::RegeneratedFrf& frf) {
   const auto [low, high] = limits(frf);
   const std::string title = fmt::format("assembly FRF {} / {}", frf.entry.response.name(), frf.entry.reference.name());
   if (!std::isfinite(low)) return "\n" + title + ": nothing to show, not measured or not regenerated\n";
@@ -76,7 +76,7 @@ std::string frf_plot(const ident::Regenerated& regenerated, const ident::Regener
                                 predicted_mark, both_mark);
   out += canvas.text();
   out += fmt::format("{:8}+{:-<{}}\n{:9}{:<{}g}{:>10g} Hz\n", "", "", width, "", axis.front(), width - 13, axis.back());
-  if (const auto error = ident::decibel_error(frf)) out += fmt::format("  rms difference {:.3g} dB\n", *error);
+  if (const auto error = tasks::decibel_error(frf)) out += fmt::format("  rms difference {:.3g} dB\n", *error);
   return out;
 }
 

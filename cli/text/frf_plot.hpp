@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "ident/tasks/regenerate.hpp"
+#include "tasks/regenerate.hpp"
 
 namespace jointid::cli {
 
 /// Magnitudes over frequency of an assembly FRF as measured and as regenerated from the substructures and the identified
 /// joint, for a terminal: dB of the receptance against the frequency axis, 72 × 18 characters, with the rms difference.
-std::string frf_plot(const ident::Regenerated& regenerated, const ident::RegeneratedFrf& frf);
+std::string frf_plot(const tasks::Regenerated& regenerated, const tasks::RegeneratedFrf& frf);
 
 }  // namespace jointid::cli

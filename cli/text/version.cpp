@@ -3,9 +3,9 @@
 #include "dense/blas.hpp"
 #include "frf/hdf5/hdf5_module.hpp"
 #include "frf/mat/mat_module.hpp"
-#include "ident/algebra/sparse_qr.hpp"
 #include "ident/team/team.hpp"
 #include "minimise/least_squares.hpp"
+#include "minimise/linear/sparse_qr.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -23,7 +23,7 @@ std::string version_text() {
          line("HDF5 and MATLAB v7.3 files, studies", frf::has_hdf5(), "HDF5") +
          line("MATLAB v5 to v7 files", frf::has_matio(), "matio") +
          line("Fast products for many joint coordinates", dense::has_blas(), "OpenBLAS") +
-         line("Solver spqr of methods one, two and direct", ident::has_spqr(), "SPQR") +
+         line("Solver spqr of methods one, two and direct", minimise::has_spqr(), "SPQR") +
          line("Solver ceres of methods likelihood and newton", minimise::has_ceres(), "Ceres") +
          line("Solvers nlopt, nlopt-crs2 and nlopt-sbplx of method newton, global start of loading-curve", minimise::has_nlopt(),
               "NLopt") +

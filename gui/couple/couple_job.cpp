@@ -25,7 +25,7 @@ std::shared_ptr<const Coupled> run_coupling(const CoupleWish& wish, const Worker
   control.progress = watch.progress;
   auto out = std::make_shared<Coupled>();
   out->scene = wish.scene;
-  out->result = ident::couple(wish.scene, wish.out, wish.bounds, control);
+  out->result = tasks::couple(wish.scene, wish.out, wish.bounds, control);
   if (out->result.status != ident::Status::ok) return out;
   out->frfs = report::read_predicted(out->result, most_frfs_shown);
   for (const auto& file : wish.measured) report::compare_with(*frf::open(file), out->result.frequency_hz, out->frfs);
@@ -49,7 +49,7 @@ CellRows coupling_errors(const Coupled& coupled) {
   return out;
 }
 
-CellRows resonance_rows(const ident::CoupleResult& result) {
+CellRows resonance_rows(const tasks::CoupleResult& result) {
   const std::vector<double> all = result.with_all ? result.with_all->resonances_hz : std::vector<double>();
   CellRows out;
   out.columns << Said::tr("resonance (Hz)");

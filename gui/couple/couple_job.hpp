@@ -6,8 +6,8 @@
 #include "gui/table/cell_table.hpp"
 #include "gui/work/worker.hpp"
 #include "ident/scene/couple_scene.hpp"
-#include "ident/tasks/couple.hpp"
 #include "report/couple/couple_frfs.hpp"
+#include "tasks/couple.hpp"
 
 namespace jointid::gui {
 
@@ -21,7 +21,7 @@ struct CoupleWish {
 /// What was predicted, and the FRFs that are shown of it.
 struct Coupled {
   ident::CoupleScene scene;
-  ident::CoupleResult result;
+  tasks::CoupleResult result;
   std::vector<report::PredictedFrf> frfs;
 };
 
@@ -33,6 +33,6 @@ std::shared_ptr<const Coupled> run_coupling(const CoupleWish& wish, const Worker
 CellRows coupling_errors(const Coupled& coupled);
 
 /// Resonances of the prediction, and with all conditions where bounds were asked for.
-CellRows resonance_rows(const ident::CoupleResult& result);
+CellRows resonance_rows(const tasks::CoupleResult& result);
 
 }  // namespace jointid::gui

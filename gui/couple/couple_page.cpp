@@ -152,7 +152,7 @@ void CouplePage::run() {
 }
 
 void CouplePage::show_coupled() {
-  const ident::CoupleResult& result = coupled_->result;
+  const tasks::CoupleResult& result = coupled_->result;
   line_->say(q(report::couple_text(coupled_->scene, result)).section('\n', 0, 0) + "\n" +
                  (result.status == ident::Status::ok ? tr("written to %1").arg(as_name(result.result.path)) : q(result.message)),
              result.status != ident::Status::ok);

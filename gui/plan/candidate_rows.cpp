@@ -12,18 +12,18 @@ namespace {
 QString factor(double value) { return std::isfinite(value) ? q(digits(value, "%.3g")) : Said::tr("no longer fixed"); }
 
 /// How much of the bound goes: 0 to 1.
-double gain(const ident::BoundChange& change) { return std::clamp(1.0 - change.mean, 0.0, 1.0); }
+double gain(const tasks::BoundChange& change) { return std::clamp(1.0 - change.mean, 0.0, 1.0); }
 
 }  // namespace
 
-CellRows candidate_rows(const ident::BoundReport& report) {
+CellRows candidate_rows(const tasks::BoundReport& report) {
   CellRows out{
       {Said::tr("candidate"), Said::tr("bounds times (mean)"), Said::tr("bounds times (worst)"), Said::tr("what it brings")},
       {},
       {}};
-  std::vector<ident::BoundChange> ranked = report.with_more;
-  std::ranges::stable_sort(ranked, {}, [](const ident::BoundChange& change) { return std::pair(change.mean, change.worst); });
-  for (const ident::BoundChange& change : ranked) {
+  std::vector<tasks::BoundChange> ranked = report.with_more;
+  std::ranges::stable_sort(ranked, {}, [](const tasks::BoundChange& change) { return std::pair(change.mean, change.worst); });
+  for (const tasks::BoundChange& change : ranked) {
     Cell bar;
     bar.bar = {{0.0, gain(change), gain(change)}};
     out.cells.push_back({Cell{q(change.what)}, Cell{factor(change.mean)}, Cell{factor(change.worst)}, bar});

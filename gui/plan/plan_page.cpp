@@ -113,8 +113,8 @@ void PlanPage::predict() {
   });
 }
 
-void PlanPage::show_report(const ident::BoundReport& report) {
-  ident::BoundReport without = report;
+void PlanPage::show_report(const tasks::BoundReport& report) {
+  tasks::BoundReport without = report;
   without.with_more.clear();
   bounds_->show_rows(bound_rows(without));
   ranking_->show_rows(candidate_rows(report));

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "gui/work/worker.hpp"
-#include "ident/tasks/bound_report.hpp"
+#include "tasks/bound_report.hpp"
 
 class QLabel;
 class QLineEdit;
@@ -45,7 +45,7 @@ class PlanPage : public QWidget {
 
  private:
   QWidget* make_top();
-  void show_report(const ident::BoundReport& report);
+  void show_report(const tasks::BoundReport& report);
   void say(const QString& text, bool bad);
   void save_tables();
 

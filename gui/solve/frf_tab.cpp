@@ -34,8 +34,8 @@ FrfTab::FrfTab(Worker& worker, QWidget* parent) : QWidget(parent), worker_(worke
 void FrfTab::show_runs(const std::vector<Solved>& runs, std::size_t front) {
   runs_ = runs;
   front_ = front;
-  fill_dofs(*response_, ident::regenerable_responses(*runs_[front_].plan));
-  fill_dofs(*reference_, ident::regenerable_references(*runs_[front_].plan));
+  fill_dofs(*response_, tasks::regenerable_responses(*runs_[front_].plan));
+  fill_dofs(*reference_, tasks::regenerable_references(*runs_[front_].plan));
   plot_->set_marked(outlying_hz(runs_[front_]));
   show_frf();
 }
@@ -43,7 +43,7 @@ void FrfTab::show_runs(const std::vector<Solved>& runs, std::size_t front) {
 void FrfTab::show_frf() {
   if (runs_.empty() || runs_[front_].solution.bands.empty()) return;
   if (response_->count() == 0 || reference_->count() == 0) return;
-  const ident::FrfEntry entry{frf::Dof::parse(response_->currentText().toStdString()),
+  const tasks::FrfEntry entry{frf::Dof::parse(response_->currentText().toStdString()),
                               frf::Dof::parse(reference_->currentText().toStdString())};
   std::vector<Solved> others;
   for (std::size_t i = 0; i < runs_.size() && all_runs_->isChecked(); ++i) {

@@ -133,7 +133,7 @@ CellRows plan_rows(const ident::Plan& plan) {
   return out.rows;
 }
 
-CellRows bound_rows(const ident::BoundReport& report) {
+CellRows bound_rows(const tasks::BoundReport& report) {
   CellRows out{{Said::tr("what"), Said::tr("of"), Said::tr("standard error"), Said::tr("relative, or bounds times (worst)"),
                 Said::tr("bounds times (mean)")},
                {},
@@ -145,7 +145,7 @@ CellRows bound_rows(const ident::BoundReport& report) {
                          Cell{fixed ? q(digits(each.bound, "%.3g") + " " + each.unit) : Said::tr("not fixed by the data")},
                          Cell{fixed ? q(percent(each.relative)) : QString()}, Cell{}});
   }
-  const auto add = [&](const char* what, const std::vector<ident::BoundChange>& changes) {
+  const auto add = [&](const char* what, const std::vector<tasks::BoundChange>& changes) {
     for (const auto& change : changes) {
       out.cells.push_back(
           {Cell{said(what)}, Cell{q(change.what)}, Cell{}, Cell{factor(change.worst)}, Cell{factor(change.mean)}});

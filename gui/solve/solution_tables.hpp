@@ -5,7 +5,7 @@
 #include "gui/table/cell_table.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
-#include "ident/tasks/bound_report.hpp"
+#include "tasks/bound_report.hpp"
 
 namespace jointid::gui {
 
@@ -13,7 +13,7 @@ namespace jointid::gui {
 CellRows plan_rows(const ident::Plan& plan);
 
 /// The smallest standard errors that the data allow, and what other data would make of them.
-CellRows bound_rows(const ident::BoundReport& report);
+CellRows bound_rows(const tasks::BoundReport& report);
 
 /// Unknowns with value, unit, 95 % interval or error estimate, and a bar on a scale of its unit.
 CellRows unknown_rows(const ident::Solution& solution);

@@ -28,7 +28,7 @@ void mark_interrupted(ident::Solution& best) {
   best.message = "Interrupted" + when + ": these are the best values so far." + (best.message.empty() ? "" : " ") + best.message;
 }
 
-Curve curve_of(const ident::Regenerated& all, const ident::RegeneratedFrf& frf, bool is_measured, const std::string& name) {
+Curve curve_of(const tasks::Regenerated& all, const tasks::RegeneratedFrf& frf, bool is_measured, const std::string& name) {
   Curve curve;
   curve.name = name + "  " + frf.entry.response.name() + " / " + frf.entry.reference.name();
   curve.response = frf.entry.response;
@@ -78,27 +78,27 @@ Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch) {
   return solved;
 }
 
-ident::BoundReport predict_bound(const ident::Scene& scene, const std::vector<frf::Dof>& candidates, const Worker::Watch& watch) {
+tasks::BoundReport predict_bound(const ident::Scene& scene, const std::vector<frf::Dof>& candidates, const Worker::Watch& watch) {
   const auto plan = ident::make_plan(scene);
-  return ident::predict_bound(*plan, candidates, control_of(watch));
+  return tasks::predict_bound(*plan, candidates, control_of(watch));
 }
 
 std::string json_of(const Solved& solved) { return report::solution_json(solved.solution); }
 
-Overlay regenerate_frf(const Solved& solved, const ident::FrfEntry& entry, const Worker::Watch& watch) {
-  const ident::Regenerated all = ident::regenerate(*solved.plan, solved.solution.bands, {entry}, control_of(watch));
-  const ident::RegeneratedFrf& frf = all.frfs.front();
+Overlay regenerate_frf(const Solved& solved, const tasks::FrfEntry& entry, const Worker::Watch& watch) {
+  const tasks::Regenerated all = tasks::regenerate(*solved.plan, solved.solution.bands, {entry}, control_of(watch));
+  const tasks::RegeneratedFrf& frf = all.frfs.front();
   return {{curve_of(all, frf, true, Said::tr("measured").toStdString()),
            curve_of(all, frf, false, Said::tr("regenerated").toStdString())},
-          ident::decibel_error(frf)};
+          tasks::decibel_error(frf)};
 }
 
-void add_regenerated(Overlay& overlay, const Solved& other, const ident::FrfEntry& entry, const Worker::Watch& watch) {
-  if (other.solution.bands.empty() || !frf::has(ident::regenerable_responses(*other.plan), entry.response) ||
-      !frf::has(ident::regenerable_references(*other.plan), entry.reference)) {
+void add_regenerated(Overlay& overlay, const Solved& other, const tasks::FrfEntry& entry, const Worker::Watch& watch) {
+  if (other.solution.bands.empty() || !frf::has(tasks::regenerable_responses(*other.plan), entry.response) ||
+      !frf::has(tasks::regenerable_references(*other.plan), entry.reference)) {
     return;
   }
-  const ident::Regenerated all = ident::regenerate(*other.plan, other.solution.bands, {entry}, control_of(watch));
+  const tasks::Regenerated all = tasks::regenerate(*other.plan, other.solution.bands, {entry}, control_of(watch));
   overlay.curves.push_back(curve_of(all, all.frfs.front(), false, Said::tr("run ").toStdString() + other.name));
 }
 

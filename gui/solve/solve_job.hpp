@@ -9,8 +9,8 @@
 #include "gui/work/worker.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
-#include "ident/tasks/bound_report.hpp"
-#include "ident/tasks/regenerate.hpp"
+#include "tasks/bound_report.hpp"
+#include "tasks/regenerate.hpp"
 
 namespace jointid::gui {
 
@@ -33,7 +33,7 @@ Solved solve_scene(const ident::Scene& scene, const Worker::Watch& watch);
 
 /// As `jointid plan --bound --candidates …`. Interrupted, it says so in what it gives. Throws InputError for scenes without a
 /// joint to assume.
-ident::BoundReport predict_bound(const ident::Scene& scene, const std::vector<frf::Dof>& candidates, const Worker::Watch& watch);
+tasks::BoundReport predict_bound(const ident::Scene& scene, const std::vector<frf::Dof>& candidates, const Worker::Watch& watch);
 
 /// What `jointid solve --json` writes of it, but for run times.
 std::string json_of(const Solved& solved);
@@ -51,8 +51,8 @@ std::vector<double> outlying_hz(const Solved& solved);
 std::string report_of(const Solved& solved, const Worker::Watch& watch);
 
 /// What the joint of another run gives, under its name, where its assembly has the FRF.
-void add_regenerated(Overlay& overlay, const Solved& other, const ident::FrfEntry& entry, const Worker::Watch& watch);
+void add_regenerated(Overlay& overlay, const Solved& other, const tasks::FrfEntry& entry, const Worker::Watch& watch);
 
-Overlay regenerate_frf(const Solved& solved, const ident::FrfEntry& entry, const Worker::Watch& watch);
+Overlay regenerate_frf(const Solved& solved, const tasks::FrfEntry& entry, const Worker::Watch& watch);
 
 }  // namespace jointid::gui

@@ -140,7 +140,7 @@ void SolvePage::bound() {
   renew_status_ = false;
   line_->say(tr("Predicting bounds …"));
   line_->worker().add([this, scene = *scene_](const Worker::Watch& watch) -> Worker::Deliver {
-    const ident::BoundReport report = predict_bound(scene, {}, watch);
+    const tasks::BoundReport report = predict_bound(scene, {}, watch);
     return [this, rows = bound_rows(report), cut = report.interrupted] {
       bounds_->show_rows(rows);
       line_->say(cut ? tr("Cancelled: not all changes of the data were looked at.") : tr("Bounds are predicted."), cut);

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "ident/admissible/outcome.hpp"
-#include "ident/algebra/null_space.hpp"
-#include "ident/algebra/reduced_system.hpp"
+#include "minimise/linear/null_space.hpp"
+#include "minimise/linear/reduced_system.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -14,18 +14,19 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-void tell_rank(const AdmissibleFit& fit, LinearSolution& linear) {
+void tell_rank(const AdmissibleFit& fit, minimise::LinearSolution& linear) {
   linear.rank = linear.y.size() - static_cast<std::size_t>(fit.null_space.cols());
   linear.condition = fit.condition;
   linear.free_directions.clear();
   linear.undetermined.clear();
-  if (fit.null_space.cols() > 0) tell_null_space(fit.null_space, linear);
+  if (fit.null_space.cols() > 0) minimise::tell_null_space(fit.null_space, linear);
 }
 
 }  // namespace
 
-Admissibility constrain(const Plan& plan, const Accumulator& accumulator, std::size_t rows, LinearSolution& linear, bool& converged) {
-  const Eigen::MatrixXd system = reduced_system(accumulator);
+Admissibility constrain(const Plan& plan, const minimise::Accumulator& accumulator, std::size_t rows,
+                        minimise::LinearSolution& linear, bool& converged) {
+  const Eigen::MatrixXd system = minimise::reduced_system(accumulator);
   const Index n = system.cols() - 1;
   const Eigen::MatrixXd root = system.leftCols(n);
   const VectorXd theta = Eigen::Map<const VectorXd>(linear.y.data(), n);

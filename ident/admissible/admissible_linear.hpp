@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ident/algebra/accumulator.hpp"
-#include "ident/algebra/linear_solution.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
+#include "minimise/linear/accumulator.hpp"
+#include "minimise/linear/linear_solution.hpp"
 
 namespace jointid::ident {
 
@@ -11,6 +11,7 @@ namespace jointid::ident {
 /// equations: the constrained least-squares solution, exactly. The deviation that costs are counted in is at least 1e-11 of the
 /// right side, which exact data do not reach. `rows` is the number of compressed real rows. With ties,
 /// rank and free directions become those of the unknowns that the ties leave.
-Admissibility constrain(const Plan& plan, const Accumulator& accumulator, std::size_t rows, LinearSolution& linear, bool& converged);
+Admissibility constrain(const Plan& plan, const minimise::Accumulator& accumulator, std::size_t rows,
+                        minimise::LinearSolution& linear, bool& converged);
 
 }  // namespace jointid::ident

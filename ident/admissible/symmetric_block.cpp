@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "dense/eigen.hpp"
-#include "ident/algebra/column_scaling.hpp"
+#include "minimise/linear/column_scaling.hpp"
 
 namespace jointid::ident {
 
@@ -43,7 +43,7 @@ Eigen::VectorXd balance(const SymmetricBlock& block, const Eigen::VectorXd& thet
   }
   for (Eigen::Index i = 0; i < largest.size(); ++i) {
     largest[i] = std::max(largest[i], cancelled * terms[i]);
-    largest[i] = power_of_two_scale(std::sqrt(largest[i] > 0.0 ? largest[i] : coefficient[i]));
+    largest[i] = minimise::power_of_two_scale(std::sqrt(largest[i] > 0.0 ? largest[i] : coefficient[i]));
   }
   return largest;
 }

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "dense/pivoted_qr.hpp"
-#include "ident/algebra/column_scaling.hpp"
+#include "minimise/linear/column_scaling.hpp"
 
 namespace jointid::ident {
 
@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 TiedLeastSquares tied_least_squares(const MatrixXd& root, const VectorXd& theta, const VectorXd& offset, const MatrixXd& directions) {
   const bool tied = directions.size() > 0;
   MatrixXd system = tied ? MatrixXd(root * directions) : root;
-  const VectorXd scale = power_of_two_scales(system);
+  const VectorXd scale = minimise::power_of_two_scales(system);
   system *= scale.asDiagonal();
   const Index n = system.cols();
   const dense::RealPivotedQr qr(system, 16.0 * static_cast<double>(n) * std::numeric_limits<double>::epsilon());

@@ -3,9 +3,9 @@
 #include <chrono>
 
 #include "base/stopwatch.hpp"
-#include "ident/algebra/solve_linear.hpp"
 #include "ident/equations/linear_plan.hpp"
 #include "ident/result/chunk_pipeline.hpp"
+#include "minimise/linear/solve_linear.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -41,7 +41,7 @@ class Assembler final : public ChunkWorker {
     assembler_.reset_counts();
     unusable_ = 0;
     const bool only_chunk = first == 0 && last == plan_.lines.size();
-    Accumulator& to = only_chunk ? total_.accumulator : chunk_;
+    minimise::Accumulator& to = only_chunk ? total_.accumulator : chunk_;
     for (std::size_t i = first; i < last; ++i) {
       product_.frequency_hz = plan_.lines[i].frequency_hz;
       if (builder_.line(i - first, product_)) {
@@ -68,8 +68,8 @@ class Assembler final : public ChunkWorker {
   std::unique_ptr<EquationBuilder> own_builder_;
   EquationBuilder& builder_;
   LineAssembler assembler_;
-  LineProduct product_;
-  Accumulator chunk_;
+  minimise::LineProduct product_;
+  minimise::Accumulator chunk_;
   std::size_t unusable_ = 0;
   std::vector<std::size_t> substructure_lines_, assembly_lines_;
   Assembled& total_;
@@ -93,7 +93,7 @@ void put_together(const LineShares& shares, Assembled& system) {
   RoundingScale rounding;
   for (const std::vector<double>& packed : shares.gathered(system.rounding.packed())) rounding.merge_packed(packed);
   system.rounding = rounding;
-  Accumulator whole(system.accumulator.columns(), system.accumulator.reduction());
+  minimise::Accumulator whole(system.accumulator.columns(), system.accumulator.reduction());
   for (const std::vector<double>& packed : shares.gathered(system.accumulator.packed())) whole.merge_packed(packed);
   system.accumulator = std::move(whole);
 }
@@ -102,8 +102,8 @@ void put_together(const LineShares& shares, Assembled& system) {
 
 Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
   const Clock::time_point start = Clock::now();
-  const Reduction reduction = plan.solver == "normal" ? Reduction::normal : Reduction::orthogonal;
-  Assembled out{Accumulator(plan.columns->size(), reduction), {}, 0, {}};
+  const minimise::Reduction reduction = plan.solver == "normal" ? minimise::Reduction::normal : minimise::Reduction::orthogonal;
+  Assembled out{minimise::Accumulator(plan.columns->size(), reduction), {}, 0, {}};
   const bool measures_rounding = control.detail == Detail::full;
   const std::size_t chunk = chunk_lines(linear_plan(plan)->builder->entries_per_line());
   const LineShares::Range lines = control.shares.own(plan.lines.size());
@@ -120,9 +120,9 @@ Assembled assemble(Plan& plan, RunTime& runtime, const Control& control) {
   return out;
 }
 
-LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition) {
-  if (plan.solver == "normal") return solve_normal(accumulator, condition);
-  return plan.solver == "spqr" ? solve_sparse(accumulator, condition) : solve_dense(accumulator, condition);
+minimise::LinearSolution solve(const Plan& plan, minimise::Accumulator& accumulator, minimise::Condition condition) {
+  if (plan.solver == "normal") return minimise::solve_normal(accumulator, condition);
+  return plan.solver == "spqr" ? minimise::solve_sparse(accumulator, condition) : minimise::solve_dense(accumulator, condition);
 }
 
 }  // namespace jointid::ident

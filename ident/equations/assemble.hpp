@@ -1,17 +1,17 @@
 #pragma once
 
-#include "ident/algebra/solve_linear.hpp"
 #include "ident/equations/line_assembler.hpp"
 #include "ident/equations/rounding_scale.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 #include "ident/result/solution.hpp"
+#include "minimise/linear/solve_linear.hpp"
 
 namespace jointid::ident {
 
 /// The accumulated system of all lines of a plan with linear equations.
 struct Assembled {
-  Accumulator accumulator;
+  minimise::Accumulator accumulator;
   EquationCount equations;
   std::size_t lines = 0;
   RoundingScale rounding;  ///< only with Detail::full
@@ -19,6 +19,7 @@ struct Assembled {
 Assembled assemble(Plan& plan, RunTime& runtime, const Control& control = {});
 
 /// Its solution by the plan's solver.
-LinearSolution solve(const Plan& plan, Accumulator& accumulator, Condition condition = Condition::compute);
+minimise::LinearSolution solve(const Plan& plan, minimise::Accumulator& accumulator,
+                               minimise::Condition condition = minimise::Condition::compute);
 
 }  // namespace jointid::ident

@@ -1,8 +1,8 @@
 
 #include "base/eigen.hpp"
 #include "dense/minimum_norm.hpp"
-#include "ident/algebra/eigen_view.hpp"
 #include "ident/equations/equation_builder.hpp"
+#include "minimise/linear/eigen_view.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -22,12 +22,12 @@ class Direct final : public EquationBuilder {
     product_.column_class.assign(columns_.size(), 0);
   }
 
-  bool line(std::size_t i, LineProduct& out) override {
+  bool line(std::size_t i, minimise::LineProduct& out) override {
     const std::size_t columns = columns_.size();
-    const View sub = substructures_->line(i);
-    const View h_aa = sub.block(0, 0, rows_, columns), h_ab = sub.block(0, columns, rows_, joint_);
-    const View h_ba = sub.block(rows_, 0, joint_, columns), h_bb = sub.block(rows_, columns, joint_, joint_);
-    const View h_nn = assembly_->line(i);
+    const minimise::View sub = substructures_->line(i);
+    const minimise::View h_aa = sub.block(0, 0, rows_, columns), h_ab = sub.block(0, columns, rows_, joint_);
+    const minimise::View h_ba = sub.block(rows_, 0, joint_, columns), h_bb = sub.block(rows_, columns, joint_, joint_);
+    const minimise::View h_nn = assembly_->line(i);
     if (!map(sub).allFinite() || !map(h_nn).allFinite()) return false;
     const dense::ComplexMinimumNorm decomposition(map(h_ba));
     if (decomposition.rank() < at(joint_)) return false;
@@ -66,7 +66,7 @@ class Direct final : public EquationBuilder {
   std::size_t rows_, joint_;
   RowMatrixXc h_nj_;
   std::vector<double> a_error_;
-  LineProduct product_;
+  minimise::LineProduct product_;
 };
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "frf/set/frf_system.hpp"
-#include "ident/algebra/line_product.hpp"
 #include "ident/plan/coordinates.hpp"
 #include "ident/plan/rectangle.hpp"
+#include "minimise/linear/line_product.hpp"
 
 namespace jointid::ident {
 
@@ -22,7 +22,7 @@ class EquationBuilder {
 
   /// The equations of the i-th line read; the views stay valid until the next call of line() or read(). False when the line
   /// cannot be used (a matrix to invert is singular or not fully measured).
-  virtual bool line(std::size_t i, LineProduct& out) = 0;
+  virtual bool line(std::size_t i, minimise::LineProduct& out) = 0;
 
   /// The coordinate behind each column of B.
   virtual Dofs columns() const = 0;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ident/algebra/kernel.hpp"
-#include "ident/algebra/split_column.hpp"
-#include "ident/algebra/thin_qr.hpp"
+#include "minimise/linear/kernel.hpp"
+#include "minimise/linear/split_column.hpp"
+#include "minimise/linear/thin_qr.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -68,9 +68,9 @@ JOINTID_KERNEL void project_left(const double* d_re, const double* d_im, std::si
                                  const double* q_re, const double* q_im, std::size_t l_count, std::size_t q_count,
                                  double* c_re, double* c_im) {
   for (std::size_t p = 0; p < p_count; ++p) {
-    const Column d{const_cast<double*>(d_re) + p * stride, const_cast<double*>(d_im) + p * stride};
+    const minimise::Column d{const_cast<double*>(d_re) + p * stride, const_cast<double*>(d_im) + p * stride};
     for (std::size_t q = 0; q < q_count; ++q) {
-      const Column b{const_cast<double*>(q_re) + q * l_count, const_cast<double*>(q_im) + q * l_count};
+      const minimise::Column b{const_cast<double*>(q_re) + q * l_count, const_cast<double*>(q_im) + q * l_count};
       dot(b, d, l_count, c_re[p * q_count + q], c_im[p * q_count + q]);
     }
   }
@@ -87,7 +87,7 @@ JOINTID_KERNEL bool finite(const double* block, std::size_t rows, std::size_t co
   return sum == 0.0;
 }
 
-bool finite(const View& view) {
+bool finite(const minimise::View& view) {
   return finite(reinterpret_cast<const double*>(view.data), view.rows, 2 * view.columns, 2 * view.stride);
 }
 
@@ -116,12 +116,12 @@ void load(std::vector<double>& re, std::vector<double>& im, std::size_t rows, st
   }
 }
 
-Complex weighted_a(const LineProduct& line, const SubProduct& part, std::size_t i, std::size_t k) {
+Complex weighted_a(const minimise::LineProduct& line, const SubProduct& part, std::size_t i, std::size_t k) {
   if (line.a_is_unit) return part.rows[i] == part.a_dofs[k] ? part.row_weight[i] : 0.0;
   return line.a(part.rows[i], part.a_dofs[k]) * part.row_weight[i];
 }
 
-Complex weighted_b(const LineProduct& line, const SubProduct& part, std::size_t i, std::size_t k) {
+Complex weighted_b(const minimise::LineProduct& line, const SubProduct& part, std::size_t i, std::size_t k) {
   return line.b(part.b_dofs[k], part.columns[i]) * part.column_weight[i];
 }
 
@@ -139,7 +139,7 @@ void copy_triangle(const std::vector<double>& re, const std::vector<double>& im,
 
 }  // namespace
 
-bool right_side_is_finite(const LineProduct& line) { return finite(line.c1) && finite(line.c2); }
+bool right_side_is_finite(const minimise::LineProduct& line) { return finite(line.c1) && finite(line.c2); }
 
 void SplitMatrix::resize(std::size_t r, std::size_t c) {
   rows = r;
@@ -157,13 +157,13 @@ void KroneckerCompressor::factor(const Element& element, std::span<const double>
   factor.q_re.resize(m * steps);
   factor.q_im.resize(m * steps);
   tau_.resize(steps);
-  thin_qr(factor.re.data(), factor.im.data(), m, n, factor.q_re.data(), factor.q_im.data(), tau_.data());
+  minimise::thin_qr(factor.re.data(), factor.im.data(), m, n, factor.q_re.data(), factor.q_im.data(), tau_.data());
   copy_triangle(factor.re, factor.im, m, n, r);
   // The weights of C go into Q_A and Q_B, so that C itself is read once and never copied.
   scale_columns(factor.q_re, factor.q_im, m, steps, weight);
 }
 
-void KroneckerCompressor::compress(const LineProduct& line, const SubProduct& part, bool same_a, Compressed& out) {
+void KroneckerCompressor::compress(const minimise::LineProduct& line, const SubProduct& part, bool same_a, Compressed& out) {
   const auto a = [&](std::size_t i, std::size_t k) { return weighted_a(line, part, i, k); };
   const auto b = [&](std::size_t i, std::size_t k) { return weighted_b(line, part, i, k); };
   if (!same_a) factor(a, part.row_weight, part.a_dofs.size(), a_, out.ra);
@@ -183,7 +183,7 @@ void KroneckerCompressor::compress(const LineProduct& line, const SubProduct& pa
                out.c.re.data(), out.c.im.data());
 }
 
-void KroneckerCompressor::copy(const LineProduct& line, const SubProduct& part, Compressed& out) {
+void KroneckerCompressor::copy(const minimise::LineProduct& line, const SubProduct& part, Compressed& out) {
   const auto fill = [](SplitMatrix& to, std::size_t rows, std::size_t columns, const auto& element) {
     to.resize(rows, columns);
     for (std::size_t i = 0; i < rows; ++i) {

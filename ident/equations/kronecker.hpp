@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "ident/algebra/line_product.hpp"
+#include "minimise/linear/line_product.hpp"
 
 namespace jointid::ident {
 
@@ -25,7 +25,7 @@ struct Compressed {
 };
 
 /// Whether every element of C₁ and C₂ of a line is finite.
-bool right_side_is_finite(const LineProduct& line);
+bool right_side_is_finite(const minimise::LineProduct& line);
 
 /// Some rows and columns of a LineProduct, all of whose equations are in use, with their weights. Only the elements of Z_j
 /// in `a_dofs` × `b_dofs` have coefficients in them.
@@ -44,10 +44,10 @@ struct SubProduct {
 class KroneckerCompressor {
  public:
   /// With `same_a`, rows, row weights and a_dofs are those of the previous call on the same line, and A's factor is kept.
-  void compress(const LineProduct& line, const SubProduct& part, bool same_a, Compressed& out);
+  void compress(const minimise::LineProduct& line, const SubProduct& part, bool same_a, Compressed& out);
 
   /// The same equations without compression (P = M, Q = L): cheaper when there are few of them.
-  static void copy(const LineProduct& line, const SubProduct& part, Compressed& out);
+  static void copy(const minimise::LineProduct& line, const SubProduct& part, Compressed& out);
 
  private:
   /// A weighted matrix and the Q of its thin QR, columns contiguous.

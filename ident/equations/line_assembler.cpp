@@ -46,7 +46,7 @@ void make_expanders(AssemblySpec& spec) {
 LineAssembler::LineAssembler(const AssemblySpec& spec, bool measures_rounding)
     : spec_(spec), measures_rounding_(measures_rounding), expanders_(spec.expanders) {}
 
-void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
+void LineAssembler::add(const minimise::LineProduct& line, minimise::Accumulator& accumulator) {
   line_columns_ = spec_.columns->at(line.frequency_hz);
   if (line_columns_.empty()) return;
   measure(line);
@@ -66,7 +66,7 @@ void LineAssembler::add(const LineProduct& line, Accumulator& accumulator) {
   }
 }
 
-void LineAssembler::measure_rounding(const LineProduct& line, double factor) {
+void LineAssembler::measure_rounding(const minimise::LineProduct& line, double factor) {
   for (std::size_t g = 0; g < group_count_; ++g) {
     const Group& group = groups_[g];
     const Support& support = spec_.supports[group.support];
@@ -81,7 +81,7 @@ void LineAssembler::measure_rounding(const LineProduct& line, double factor) {
   }
 }
 
-void LineAssembler::measure(const LineProduct& line) {
+void LineAssembler::measure(const minimise::LineProduct& line) {
   const std::size_t rows = line.row_class.size(), columns = line.column_class.size();
   row_max_.resize(rows);
   for (std::size_t m = 0; m < rows; ++m) {
@@ -92,7 +92,7 @@ void LineAssembler::measure(const LineProduct& line) {
 }
 
 /// Decides which equations are in use; true when all are, so that no mask is needed.
-bool LineAssembler::mask(const LineProduct& line) {
+bool LineAssembler::mask(const minimise::LineProduct& line) {
   const std::size_t rows = row_max_.size(), columns = column_max_.size();
   const auto positive = [](double value) { return value > 0.0; };
   const bool all_wanted = line.wanted[0][0] && line.wanted[0][1] && line.wanted[1][0] && line.wanted[1][1];
@@ -127,7 +127,7 @@ bool LineAssembler::mask(const LineProduct& line) {
   return used == rows * columns;
 }
 
-void LineAssembler::weigh(const LineProduct& line, bool regular) {
+void LineAssembler::weigh(const minimise::LineProduct& line, bool regular) {
   const weighting::LineShape shape{.row_max = row_max_,
                                    .column_max = column_max_,
                                    .column_class = line.column_class,
@@ -136,7 +136,7 @@ void LineAssembler::weigh(const LineProduct& line, bool regular) {
 }
 
 /// Covers the equations in use by products: columns with the same mask (and support) share one.
-void LineAssembler::group(const LineProduct& line, bool regular) {
+void LineAssembler::group(const minimise::LineProduct& line, bool regular) {
   const std::size_t rows = row_max_.size(), columns = column_max_.size();
   group_count_ = 0;
   // With a mask, the factor of a WBG group depends on row and named equation together and is no product of the two.
@@ -175,7 +175,7 @@ void LineAssembler::group(const LineProduct& line, bool regular) {
   }
 }
 
-void LineAssembler::compress(const LineProduct& line, const Group& group) {
+void LineAssembler::compress(const minimise::LineProduct& line, const Group& group) {
   const Support& support = spec_.supports[group.support];
   const SubProduct part{.a_dofs = support.a_dofs,
                         .b_dofs = support.b_dofs,
@@ -196,7 +196,7 @@ void LineAssembler::compress(const LineProduct& line, const Group& group) {
 }
 
 /// Room for rows of a group, real or complex.
-LineAssembler::Rows LineAssembler::append(const Group& group, std::size_t equations, Accumulator& accumulator) {
+LineAssembler::Rows LineAssembler::append(const Group& group, std::size_t equations, minimise::Accumulator& accumulator) {
   group_columns_.clear();
   for (const std::size_t unknown : spec_.supports[group.support].unknowns) {
     group_columns_.push_back(line_columns_[unknown]);
@@ -204,16 +204,16 @@ LineAssembler::Rows LineAssembler::append(const Group& group, std::size_t equati
   const RowExpander& expander = expanders_[group.support];
   count_.rows += 2 * equations;
   if (is_complex(group, accumulator)) {
-    ComplexTriangle& triangle =
+    minimise::ComplexTriangle& triangle =
         accumulator.complex_triangle(group_columns_, expander.pair()->stiffness, expander.pair()->damping);
     return {triangle.append(equations), triangle.stride(), equations};
   }
-  Triangle& triangle = accumulator.triangle(group_columns_);
+  minimise::Triangle& triangle = accumulator.triangle(group_columns_);
   return {triangle.append(2 * equations), triangle.stride(), 2 * equations};
 }
 
-bool LineAssembler::is_complex(const Group& group, const Accumulator& accumulator) const {
-  return expanders_[group.support].pair() && accumulator.reduction() == Reduction::orthogonal;
+bool LineAssembler::is_complex(const Group& group, const minimise::Accumulator& accumulator) const {
+  return expanders_[group.support].pair() && accumulator.reduction() == minimise::Reduction::orthogonal;
 }
 
 void LineAssembler::expand(const Group& group, bool complex, std::size_t first, std::size_t count, const Rows& to) {
@@ -224,7 +224,7 @@ void LineAssembler::expand(const Group& group, bool complex, std::size_t first, 
   }
 }
 
-void LineAssembler::push(const LineProduct& line, const Group& group, Accumulator& accumulator) {
+void LineAssembler::push(const minimise::LineProduct& line, const Group& group, minimise::Accumulator& accumulator) {
   compress(line, group);
   const std::size_t equations = compressed_.ra.rows * compressed_.rb.rows;
   for (std::size_t first = 0; first < equations; first += RowExpander::most) {
@@ -255,14 +255,14 @@ void LineAssembler::add_column_norms(const Group& group, bool complex, const Row
 
 /// WA: the factor 1/√(largest element of E₀ᵀE₀) is known only when all rows of the line are written. That matrix is positive
 /// semidefinite, so its largest element is a squared column norm.
-void LineAssembler::push_weighted_after(const LineProduct& line, Accumulator& accumulator) {
+void LineAssembler::push_weighted_after(const minimise::LineProduct& line, minimise::Accumulator& accumulator) {
   norm2_.assign(spec_.restriction->unknowns.size(), 0.0);
   line_rows_.clear();
   for (std::size_t g = 0; g < group_count_; ++g) {
     compress(line, groups_[g]);
     const bool complex = is_complex(groups_[g], accumulator);
     const std::size_t unknowns = expanders_[groups_[g].support].unknowns();
-    const std::size_t stride = complex ? 2 * ComplexTriangle::half(unknowns / 2) : unknowns + 1;
+    const std::size_t stride = complex ? 2 * minimise::ComplexTriangle::half(unknowns / 2) : unknowns + 1;
     const std::size_t equations = compressed_.ra.rows * compressed_.rb.rows, per_equation = complex ? 1 : 2;
     const std::size_t written = line_rows_.size();
     line_rows_.resize(written + per_equation * equations * stride, 0.0);

@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
-#include "ident/algebra/accumulator.hpp"
 #include "ident/equations/kronecker.hpp"
 #include "ident/equations/rounding_scale.hpp"
 #include "ident/equations/row_expander.hpp"
 #include "ident/plan/unknown_columns.hpp"
+#include "minimise/linear/accumulator.hpp"
 #include "weighting/line_weights.hpp"
 
 namespace jointid::ident {
@@ -47,7 +47,7 @@ class LineAssembler {
   /// With `measures_rounding`, rounding() is kept up; it takes about as long as reading C once.
   explicit LineAssembler(const AssemblySpec& spec, bool measures_rounding = false);
 
-  void add(const LineProduct& line, Accumulator& accumulator);
+  void add(const minimise::LineProduct& line, minimise::Accumulator& accumulator);
 
   /// Since construction or the last reset.
   void reset_counts() {
@@ -73,17 +73,17 @@ class LineAssembler {
     std::size_t stride, count;
   };
 
-  void measure(const LineProduct& line);
-  bool mask(const LineProduct& line);
-  void weigh(const LineProduct& line, bool regular);
-  void group(const LineProduct& line, bool regular);
-  void compress(const LineProduct& line, const Group& group);
-  void push(const LineProduct& line, const Group& group, Accumulator& accumulator);
-  void push_weighted_after(const LineProduct& line, Accumulator& accumulator);
-  Rows append(const Group& group, std::size_t equations, Accumulator& accumulator);
-  bool is_complex(const Group& group, const Accumulator& accumulator) const;
+  void measure(const minimise::LineProduct& line);
+  bool mask(const minimise::LineProduct& line);
+  void weigh(const minimise::LineProduct& line, bool regular);
+  void group(const minimise::LineProduct& line, bool regular);
+  void compress(const minimise::LineProduct& line, const Group& group);
+  void push(const minimise::LineProduct& line, const Group& group, minimise::Accumulator& accumulator);
+  void push_weighted_after(const minimise::LineProduct& line, minimise::Accumulator& accumulator);
+  Rows append(const Group& group, std::size_t equations, minimise::Accumulator& accumulator);
+  bool is_complex(const Group& group, const minimise::Accumulator& accumulator) const;
   void expand(const Group& group, bool complex, std::size_t first, std::size_t count, const Rows& to);
-  void measure_rounding(const LineProduct& line, double factor);
+  void measure_rounding(const minimise::LineProduct& line, double factor);
   void add_column_norms(const Group& group, bool complex, const Rows& rows);
 
   const AssemblySpec& spec_;
@@ -100,7 +100,7 @@ class LineAssembler {
   const Group* factored_ = nullptr;  ///< whose A the compressor last factored at this line
   std::vector<double> line_rows_, norm2_, group_norm2_;
   std::vector<std::size_t> line_columns_;  ///< of all unknowns at this line
-  Accumulator::Columns group_columns_;
+  minimise::Accumulator::Columns group_columns_;
   EquationCount count_;
   std::size_t lines_used_ = 0;
 };

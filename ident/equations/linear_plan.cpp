@@ -4,8 +4,8 @@
 #include <array>
 
 #include "base/complex.hpp"
-#include "ident/algebra/sparse_qr.hpp"
 #include "ident/equations/supports.hpp"
+#include "minimise/linear/sparse_qr.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -57,7 +57,7 @@ void choose_solver(Plan& plan, const LinearPlan& own) {
   std::size_t touched = 0;
   for (const Support& support : own.spec.supports) touched = std::max(touched, support.unknowns.size());
   const std::size_t columns = plan.columns->size();
-  plan.solver = columns >= 200 && 4 * touched <= columns && has_spqr() ? "spqr" : "qr";
+  plan.solver = columns >= 200 && 4 * touched <= columns && minimise::has_spqr() ? "spqr" : "qr";
 }
 
 }  // namespace

@@ -32,9 +32,9 @@ class MethodOne final : public EquationBuilder {
     product_.column_class.resize(n_columns_.size() + j_columns_.size(), 1);
   }
 
-  bool line(std::size_t i, LineProduct& out) override {
-    const View sub = substructures_->line(i);
-    const View asm_ = assembly_->line(i);
+  bool line(std::size_t i, minimise::LineProduct& out) override {
+    const minimise::View sub = substructures_->line(i);
+    const minimise::View asm_ = assembly_->line(i);
     const std::size_t rows = product_.row_class.size(), columns = product_.column_class.size();
     product_.frequency_hz = out.frequency_hz;
     product_.a = asm_.block(0, n_columns_.size(), rows, joint_);
@@ -51,7 +51,7 @@ class MethodOne final : public EquationBuilder {
  private:
   Dofs n_rows_, j_rows_, n_columns_, j_columns_;
   std::size_t joint_;
-  LineProduct product_;
+  minimise::LineProduct product_;
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 
 #include "base/eigen.hpp"
 #include "dense/lu.hpp"
-#include "ident/algebra/eigen_view.hpp"
 #include "ident/equations/equation_builder.hpp"
+#include "minimise/linear/eigen_view.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -23,7 +23,7 @@ class MethodTwo final : public EquationBuilder {
     product_.column_class.resize(columns_.size(), 1);
   }
 
-  bool line(std::size_t i, LineProduct& out) override {
+  bool line(std::size_t i, minimise::LineProduct& out) override {
     const auto h = map(substructures_->line(i));
     if (!h.allFinite()) return false;
     // Rows b of H_sub⁻¹, from a system with unit diagonal so that translations and rotations weigh alike.
@@ -35,7 +35,7 @@ class MethodTwo final : public EquationBuilder {
     const RowMatrixXc z_b = scale.tail(at(joint_)).asDiagonal() * solution.transpose() * scale.asDiagonal();
     if (!z_b.allFinite()) return false;
 
-    const View asm_view = assembly_->line(i);
+    const minimise::View asm_view = assembly_->line(i);
     const auto h_asm = map(asm_view);
     const Eigen::Index n = h.rows() - at(joint_);
     c1_ = -z_b.leftCols(n) * h_asm.topRows(n);
@@ -75,7 +75,7 @@ class MethodTwo final : public EquationBuilder {
   std::size_t joint_;
   std::vector<double> c_error_;
   RowMatrixXc c1_, c2_;
-  LineProduct product_;
+  minimise::LineProduct product_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 double squared(double x) { return x * x; }
 
 /// Weighted ‖A_p‖², or of A's errors.
-double column_norm2(const LineProduct& line, const SubProduct& part, std::size_t p) {
+double column_norm2(const minimise::LineProduct& line, const SubProduct& part, std::size_t p) {
   double sum = 0.0;
   for (std::size_t i = 0; i < part.rows.size(); ++i) {
     const std::size_t m = part.rows[i];
@@ -20,7 +20,7 @@ double column_norm2(const LineProduct& line, const SubProduct& part, std::size_t
   return sum;
 }
 
-double row_norm2(const LineProduct& line, const SubProduct& part, std::size_t q) {
+double row_norm2(const minimise::LineProduct& line, const SubProduct& part, std::size_t q) {
   double sum = 0.0;
   for (std::size_t i = 0; i < part.columns.size(); ++i) {
     sum += squared(part.column_weight[i]) * std::norm(line.b(q, part.columns[i]));
@@ -28,7 +28,7 @@ double row_norm2(const LineProduct& line, const SubProduct& part, std::size_t q)
   return sum;
 }
 
-double right_norm2(const LineProduct& line, const SubProduct& part) {
+double right_norm2(const minimise::LineProduct& line, const SubProduct& part) {
   double sum = 0.0;
   for (std::size_t i = 0; i < part.rows.size(); ++i) {
     double row = 0.0;
@@ -45,7 +45,7 @@ double right_norm2(const LineProduct& line, const SubProduct& part) {
 
 }  // namespace
 
-void RoundingScale::add(const LineProduct& line, const SubProduct& part, double factor) {
+void RoundingScale::add(const minimise::LineProduct& line, const SubProduct& part, double factor) {
   joint_ = line.b.rows;
   coefficient2_.resize(joint_ * joint_, 0.0);
   a2_.clear();

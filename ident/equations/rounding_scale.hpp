@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "ident/algebra/line_product.hpp"
 #include "ident/equations/kronecker.hpp"
+#include "minimise/linear/line_product.hpp"
 
 namespace jointid::ident {
 
@@ -15,7 +15,7 @@ namespace jointid::ident {
 class RoundingScale {
  public:
   /// Adds the equations of one product, all weights times `factor`.
-  void add(const LineProduct& line, const SubProduct& part, double factor);
+  void add(const minimise::LineProduct& line, const SubProduct& part, double factor);
   void merge(const RoundingScale& other);
 
   /// As numbers, for another process.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "ident/algebra/kernel.hpp"
 #include "ident/plan/scaling.hpp"
+#include "minimise/linear/kernel.hpp"
 
 namespace jointid::ident {
 namespace {

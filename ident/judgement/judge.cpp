@@ -79,7 +79,7 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
 }
 
 /// Error estimates from the scatter and, where a fit without bias is there, the difference to that.
-void fill_errors(const Plan& plan, const LinearSolution& linear, const Eigen::MatrixXd& scatter,
+void fill_errors(const Plan& plan, const minimise::LinearSolution& linear, const Eigen::MatrixXd& scatter,
                  const std::optional<WhitenedFit>& fit, Solution& out) {
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     const auto c = at(column);
@@ -112,7 +112,7 @@ void fill_matrix_errors(const Plan& plan, Solution& out) {
 }
 
 /// Motions that give energy away by the estimate without bias, and by the estimate itself with its bias as a part of its error.
-std::vector<ActiveMotion> active_of(const Plan& plan, const LinearSolution& linear, const Eigen::MatrixXd& scatter,
+std::vector<ActiveMotion> active_of(const Plan& plan, const minimise::LinearSolution& linear, const Eigen::MatrixXd& scatter,
                                     const std::optional<WhitenedFit>& fit) {
   if (!fit || !fit->corrected) return {};
   const std::vector<ActiveMotion> without_bias = active_motions(plan, fit->theta, fit->covariance, 6.0);
@@ -152,7 +152,7 @@ void tell_check(const CheckResult& found, Solution& out) {
   if (out.status == Status::poor_fit) withhold_errors(out);
 }
 
-void judge_linear(Plan& plan, const LinearSolution& linear, const Control& control, Solution& out) {
+void judge_linear(Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out) {
   if (linear.rank != plan.columns->size()) return;
   const std::optional<NoisyLines> data = lines_to_judge(plan);
   const std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, linear.y) : std::nullopt;

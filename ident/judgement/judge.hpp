@@ -3,10 +3,10 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "ident/algebra/linear_solution.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 #include "ident/result/solution.hpp"
+#include "minimise/linear/linear_solution.hpp"
 
 namespace jointid::ident {
 
@@ -21,7 +21,7 @@ void tell(Solution& out, Status status, const std::string& sentence);
 ///   doubtful  misfit > 1.5 (3 where the noise is read off the scatter, or the bias could not be taken off), or that of a row or
 ///   column > 4; or no joint at all explains the FRFs (WhitenedFit::free_misfit < 1.3).
 /// Nothing is said of the misfit where nothing is known of the noise (read_noisy_lines()).
-void judge_linear(Plan& plan, const LinearSolution& linear, const Control& control, Solution& out);
+void judge_linear(Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out);
 
 /// "Most suspect: sign 125:+Y in assembly.uff. …" with its evidence.
 std::string phrase(const Suspect& suspect);

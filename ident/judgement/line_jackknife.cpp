@@ -38,12 +38,12 @@ std::vector<std::vector<Line>> groups_of(const std::vector<Line>& lines, std::si
 }
 
 /// The systems of the groups, each on its own.
-std::vector<Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control) {
+std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control) {
   Control quick = control;
   quick.detail = Detail::estimates;
   quick.progress = {};
   RunTime time;
-  std::vector<Accumulator> out;
+  std::vector<minimise::Accumulator> out;
   for (const std::vector<Line>& group : groups) {
     plan.lines = group;
     out.push_back(assemble(plan, time, quick).accumulator);
@@ -58,15 +58,15 @@ std::optional<Eigen::MatrixXd> line_jackknife(Plan& plan, std::size_t most_lines
   if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
   OtherLines lines(plan);
   const auto groups = groups_of(lines.all(), most_lines, !plan.columns->limits_hz().empty());
-  std::vector<Accumulator> systems = systems_of(plan, groups, control);
+  std::vector<minimise::Accumulator> systems = systems_of(plan, groups, control);
   const Eigen::Index unknowns = at(plan.columns->size()), count = at(groups.size());
   Eigen::MatrixXd found(unknowns, count);
   for (std::size_t left_out = 0; left_out < systems.size(); ++left_out) {
-    Accumulator rest(plan.columns->size(), systems.front().reduction());
+    minimise::Accumulator rest(plan.columns->size(), systems.front().reduction());
     for (std::size_t g = 0; g < systems.size(); ++g) {
       if (g != left_out) rest.merge(systems[g]);
     }
-    const LinearSolution linear = solve(plan, rest, Condition::skip);
+    const minimise::LinearSolution linear = solve(plan, rest, minimise::Condition::skip);
     if (linear.rank != plan.columns->size()) return std::nullopt;
     for (Eigen::Index u = 0; u < unknowns; ++u) found(u, at(left_out)) = linear.y[static_cast<std::size_t>(u)];
   }

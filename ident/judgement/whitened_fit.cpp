@@ -6,9 +6,9 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
-#include "ident/algebra/covariance.hpp"
 #include "ident/equations/row_expander.hpp"
 #include "ident/plan/scaling.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -256,7 +256,7 @@ class WhitenedEquations {
 
 std::vector<double> solution_of(const MatrixXd& sum) {
   const Index p = sum.rows() - 1;
-  const Eigen::VectorXd y = covariance_of(sum.topLeftCorner(p, p)) * -sum.col(p).head(p);
+  const Eigen::VectorXd y = minimise::covariance_of(sum.topLeftCorner(p, p)) * -sum.col(p).head(p);
   return {y.begin(), y.end()};
 }
 
@@ -272,7 +272,7 @@ MatrixXd sandwich(const NormalSum& sums, const std::vector<double>& theta) {
     scatter += gradient * gradient.transpose();
     whole += line;
   }
-  const MatrixXd inverse = covariance_of(whole.topLeftCorner(p, p));
+  const MatrixXd inverse = minimise::covariance_of(whole.topLeftCorner(p, p));
   const auto lines = static_cast<double>(sums.by_line.size());
   return inverse * scatter * inverse * (lines / std::max(1.0, lines - 1.0));
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <tuple>
 #include <utility>
 
@@ -15,9 +15,6 @@
 #include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
 #include "ident/admissible/outcome.hpp"
-#include "ident/algebra/covariance.hpp"
-#include "ident/algebra/null_space.hpp"
-#include "ident/algebra/start_points.hpp"
 #include "ident/equations/linear_plan.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/judgement/whitened_fit.hpp"
@@ -37,6 +34,9 @@
 #include "ident/plan/joint_guess.hpp"
 #include "ident/plan/prediction.hpp"
 #include "ident/result/minima.hpp"
+#include "minimise/linear/covariance.hpp"
+#include "minimise/linear/null_space.hpp"
+#include "minimise/linear/start_points.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -58,7 +58,7 @@ std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const
 /// measured: what the data say of the joint then is far from linear, and its steps come nearer from farther away.
 Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
   const std::vector<double> given = scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"));
-  const StartPoints points(given, [&](const std::vector<double>& theta) { return estimator.misfit_at(theta); });
+  const minimise::StartPoints points(given, [&](const std::vector<double>& theta) { return estimator.misfit_at(theta); });
   const Observations& observations = *likelihood_plan(plan)->observations;
   if (!observations.layout().a.empty()) {
     return [points, most](std::size_t k) { return k < most ? std::optional(points(k)) : std::nullopt; };
@@ -86,15 +86,15 @@ Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& 
     if (k >= most) return std::nullopt;
     if (k < found.size()) return found[k];
     if (auto start = linear_start(plan, k, control)) return start;
-    const StartPoints points(found.front(), [](const std::vector<double>&) { return 0.0; });
-    return points(StartPoints::sizes + k);
+    const minimise::StartPoints points(found.front(), [](const std::vector<double>&) { return 0.0; });
+    return points(minimise::StartPoints::sizes + k);
   };
 }
 
 Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
   const std::size_t wanted = plan.scene.identify.starts;
   if (likelihood_plan(plan)->start) return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
-  return given_starts(plan, estimator, wanted > 0 ? wanted : 2 * StartPoints::sizes);
+  return given_starts(plan, estimator, wanted > 0 ? wanted : 2 * minimise::StartPoints::sizes);
 }
 
 /// Of the unknowns of a fit, by the inverse of its information.
@@ -104,7 +104,7 @@ double largest_relative_error(const Plan& plan, const LikelihoodFit& whole) {
   for (std::size_t c = 0; c < values.size(); ++c) values[c] *= plan.unscale(c);
   std::vector<std::size_t> all(values.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return std::sqrt(relative_covariance(plan, covariance_of(fit.information), values, all).diagonal().maxCoeff());
+  return std::sqrt(relative_covariance(plan, minimise::covariance_of(fit.information), values, all).diagonal().maxCoeff());
 }
 
 /// Tells Control::so_far the best joint so far: that of the least Σ L, before there is one the last.
@@ -118,7 +118,7 @@ class BestJoint {
     least_ = loss;
     Solution best = begun_;
     best.status = Status::not_converged;
-    LinearSolution linear;
+    minimise::LinearSolution linear;
     linear.y = {fit.theta.begin(), fit.theta.begin() + std::ptrdiff_t(plan_.columns->size())};
     linear.rank = linear.y.size();
     interpret(plan_, linear, best);
@@ -206,19 +206,20 @@ Eigen::MatrixXd within_ties(const Plan& plan, const Eigen::MatrixXd& information
 
 /// Of all unknowns. Inequalities are left out of it: they make errors smaller, and the distribution is no longer normal then.
 Eigen::MatrixXd covariance_under_ties(const Plan& plan, const Eigen::MatrixXd& information) {
-  if (!tied(plan)) return covariance_of(information);
+  if (!tied(plan)) return minimise::covariance_of(information);
   const Eigen::MatrixXd& directions = plan.admissible->directions;
-  return directions * covariance_of(within_ties(plan, information)) * directions.transpose();
+  return directions * minimise::covariance_of(within_ties(plan, information)) * directions.transpose();
 }
 
 /// The estimates and what of them the information fixes.
-LinearSolution with_rank(const Plan& plan, const LikelihoodFit& fit) {
-  LinearSolution linear;
+minimise::LinearSolution with_rank(const Plan& plan, const LikelihoodFit& fit) {
+  minimise::LinearSolution linear;
   linear.y = fit.theta;
-  const Eigen::MatrixXd free =
-      tied(plan) ? plan.admissible->directions * null_space_of(within_ties(plan, fit.information)) : null_space_of(fit.information);
+  const Eigen::MatrixXd free = tied(plan)
+                                   ? plan.admissible->directions * minimise::null_space_of(within_ties(plan, fit.information))
+                                   : minimise::null_space_of(fit.information);
   linear.rank = fit.theta.size() - static_cast<std::size_t>(free.cols());
-  if (free.cols() > 0) tell_null_space(free, linear);
+  if (free.cols() > 0) minimise::tell_null_space(free, linear);
   return linear;
 }
 

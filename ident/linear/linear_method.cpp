@@ -21,13 +21,14 @@ std::string without_equations(const Plan& plan) {
 }
 
 void estimate(Plan& plan, Assembled& system, const Control& control, Solution& out) {
-  LinearSolution linear;
+  minimise::LinearSolution linear;
   bool settled = true;
   {
     const Stopwatch watch(out.runtime_s.solve);
     stop_if(control.interrupted);
     if (control.progress) control.progress("solving", 0, 0);
-    linear = solve(plan, system.accumulator, control.detail == Detail::full ? Condition::compute : Condition::skip);
+    linear = solve(plan, system.accumulator,
+                   control.detail == Detail::full ? minimise::Condition::compute : minimise::Condition::skip);
     if (plan.admissible && linear.rank > 0)
       out.admissibility = constrain(plan, system.accumulator, system.equations.rows, linear, settled);
   }

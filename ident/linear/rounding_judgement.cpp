@@ -46,7 +46,7 @@ double known_errors(const Plan& plan, const RoundingScale& scale) {
 }
 
 /// |δy_j| of every column, in scaled unknowns.
-std::vector<double> bounds(const Plan& plan, const LinearSolution& linear, const RoundingScale& scale) {
+std::vector<double> bounds(const Plan& plan, const minimise::LinearSolution& linear, const RoundingScale& scale) {
   const std::vector<double> of_unknown = column_errors(plan, scale);
   double moved = known_errors(plan, scale), amplified = 0.0;
   for (std::size_t j = 0; j < linear.y.size(); ++j) {
@@ -120,7 +120,7 @@ std::string sentence(const Plan& plan, const std::vector<double>& share, double 
 
 }  // namespace
 
-void judge_rounding(const Plan& plan, const LinearSolution& linear, const RoundingScale& scale, Solution& out) {
+void judge_rounding(const Plan& plan, const minimise::LinearSolution& linear, const RoundingScale& scale, Solution& out) {
   if (linear.rounding.empty()) return;
   const std::vector<double> bound = bounds(plan, linear, scale);
   for (std::size_t j = 0; j < bound.size(); ++j) out.unknowns[j].rounding = bound[j] * plan.unscale(j);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ident/algebra/linear_solution.hpp"
 #include "ident/equations/rounding_scale.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
+#include "minimise/linear/linear_solution.hpp"
 
 namespace jointid::ident {
 
@@ -13,6 +13,6 @@ namespace jointid::ident {
 /// over 1 − μ, μ = 2uΣ_k‖E⁺_k‖Σ|S∘T_k| ≥ ‖E⁺δE‖: with μ ≥ 1 the errors can hide that the rank is not full, and nothing is known.
 /// A warning names unknowns that this may move by more than 1 % of the largest of their joint and unit, and the status is
 /// `imprecise` when it is more than all of it. Nothing is done where the solution has no such bounds.
-void judge_rounding(const Plan& plan, const LinearSolution& linear, const RoundingScale& scale, Solution& out);
+void judge_rounding(const Plan& plan, const minimise::LinearSolution& linear, const RoundingScale& scale, Solution& out);
 
 }  // namespace jointid::ident

@@ -5,7 +5,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/pivoted_qr.hpp"
-#include "ident/algebra/triangle.hpp"
+#include "minimise/linear/triangle.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -20,7 +20,7 @@ std::vector<double> added(const std::vector<double>& q, const Eigen::VectorXd& s
 class Linearised {
  public:
   Linearised(const ResponseProblem& problem, std::span<const double> q) : unknowns_(at(problem.unknowns())) {
-    Triangle triangle(problem.unknowns());
+    minimise::Triangle triangle(problem.unknowns());
     defined = problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
       double* row = triangle.append(f.size());
       for (std::size_t i = 0; i < f.size(); ++i, row += triangle.stride()) {

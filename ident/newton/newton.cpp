@@ -7,14 +7,14 @@
 
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
-#include "ident/algebra/solve_linear.hpp"
-#include "ident/algebra/start_points.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton_plan.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/plan/joint_guess.hpp"
 #include "ident/plan/prediction.hpp"
 #include "ident/result/minima.hpp"
+#include "minimise/linear/solve_linear.hpp"
+#include "minimise/linear/start_points.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -139,7 +139,7 @@ class Search {
     told_ = misfit;
     Solution best = begun_;
     best.status = Status::not_converged;
-    LinearSolution linear;
+    minimise::LinearSolution linear;
     linear.y = problem_.theta(q);
     linear.rank = linear.y.size();
     interpret(plan_, linear, best);
@@ -185,8 +185,8 @@ void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, c
     found.from(given, 0);  // the thesis's scheme as it is
     return;
   }
-  const StartPoints starts(given, [&](const Point& q) { return problem.misfit(q); });
-  const std::size_t most = wanted > 0 ? wanted : StartPoints::sizes;
+  const minimise::StartPoints starts(given, [&](const Point& q) { return problem.misfit(q); });
+  const std::size_t most = wanted > 0 ? wanted : minimise::StartPoints::sizes;
   for (std::size_t k = 0; k < most; ++k) {
     found.from(starts(k), k);
     if (wanted == 0 && found.best().converged) break;
@@ -194,12 +194,12 @@ void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, c
 }
 
 /// What the linearised problem at the end says of rank and condition.
-LinearSolution linearised(ResponseProblem& problem, const Point& q) {
-  Accumulator accumulator(problem.unknowns());
-  Accumulator::Columns all(problem.unknowns());
+minimise::LinearSolution linearised(ResponseProblem& problem, const Point& q) {
+  minimise::Accumulator accumulator(problem.unknowns());
+  minimise::Accumulator::Columns all(problem.unknowns());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
   problem.weigh_at(q);
-  Triangle& triangle = accumulator.triangle(all);
+  minimise::Triangle& triangle = accumulator.triangle(all);
   problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
     double* row = triangle.append(f.size());
     for (std::size_t i = 0; i < f.size(); ++i, row += triangle.stride()) {
@@ -208,7 +208,7 @@ LinearSolution linearised(ResponseProblem& problem, const Point& q) {
     }
   });
   accumulator.flush();
-  LinearSolution linear = solve_dense(accumulator);
+  minimise::LinearSolution linear = minimise::solve_dense(accumulator);
   linear.y = problem.theta(q);
   return linear;
 }

@@ -4,7 +4,7 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "ident/algebra/eigen_view.hpp"
+#include "minimise/linear/eigen_view.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -61,7 +61,7 @@ std::vector<ResponseLine> NewtonPlan::read_responses(const Plan& plan, std::size
   const std::size_t joint = plan.coordinates.joint.size();
   std::vector<ResponseLine> lines;
   for (std::size_t i = 0; i < count; ++i) {
-    const View h = substructures->line(i);
+    const minimise::View h = substructures->line(i);
     ReachableFrfs frfs = {map(h.block(0, 0, rows, columns)), map(h.block(0, columns, rows, joint)), map(h.block(rows, 0, joint, columns)),
                           map(h.block(rows, columns, joint, joint)), map(assembly->line(i))};
     lines.emplace_back(std::move(frfs), JointImpedance(plan.restriction, *plan.columns, plan.omega0,

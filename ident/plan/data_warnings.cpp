@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <span>
 
 #include "base/text.hpp"
 #include "ident/scene/scene_failure.hpp"
@@ -19,7 +19,7 @@ bool has_any(const frf::FrfHeader& header, const Dofs& dofs) {
 /// "1:+Y, 2:+Y and 3 more"
 std::string listed(const Dofs& dofs) {
   constexpr std::size_t most = 8;
-  std::string text = comma_list(dofs | std::views::take(most), &frf::Dof::name);
+  std::string text = comma_list(std::span(dofs).first(std::min(most, dofs.size())), &frf::Dof::name);
   if (dofs.size() > most) text += fmt::format(" and {} more", dofs.size() - most);
   return text;
 }

@@ -15,7 +15,7 @@ std::string joined_names(const Plan& plan, const std::vector<std::size_t>& colum
   return text;
 }
 
-void judge_status(const Plan& plan, const LinearSolution& linear, Solution& out) {
+void judge_status(const Plan& plan, const minimise::LinearSolution& linear, Solution& out) {
   if (linear.rank == plan.columns->size()) return;
   out.status = Status::rank_deficient;
   if (plan.solver == "normal") {
@@ -25,7 +25,7 @@ void judge_status(const Plan& plan, const LinearSolution& linear, Solution& out)
   }
   out.message = "The data do not fix " + std::to_string(linear.free_directions.size()) + " of " +
                 std::to_string(plan.columns->size()) + " combinations of unknowns:";
-  for (const FreeDirection& direction : linear.free_directions) {
+  for (const minimise::FreeDirection& direction : linear.free_directions) {
     const bool alone = direction.columns.size() == 1;
     out.message += " " + joined_names(plan, direction.columns) + (alone ? " is free;" : " move together;");
   }
@@ -77,7 +77,7 @@ void fill_quality(const Plan& plan, Solution& out) {
   }
 }
 
-void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out) {
+void fill_unknowns(const Plan& plan, const minimise::LinearSolution& linear, Solution& out) {
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const restrictions::Unknown& unknown = plan.restriction.unknowns[plan.columns->unknown_of(column)];
     Estimate estimate;
@@ -90,7 +90,7 @@ void fill_unknowns(const Plan& plan, const LinearSolution& linear, Solution& out
 
 }  // namespace
 
-void interpret(const Plan& plan, const LinearSolution& linear, Solution& out) {
+void interpret(const Plan& plan, const minimise::LinearSolution& linear, Solution& out) {
   out.fit.rank = linear.rank;
   out.fit.condition = linear.condition;
   fill_unknowns(plan, linear, out);

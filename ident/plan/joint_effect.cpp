@@ -49,10 +49,10 @@ Complex JointEffect::assembly(Complex h, std::size_t row, std::size_t column) co
   return h;
 }
 
-JointEffect joint_effect(const View& h, std::size_t rows, std::size_t columns, const MatrixXcd& impedance) {
+JointEffect joint_effect(const minimise::View& h, std::size_t rows, std::size_t columns, const MatrixXcd& impedance) {
   const auto n = static_cast<std::size_t>(impedance.rows());
-  const View h_to = h.block(0, h.columns - n, rows, n);
-  const View h_bb = h.block(h.rows - n, h.columns - n, n, n);
+  const minimise::View h_to = h.block(0, h.columns - n, rows, n);
+  const minimise::View h_bb = h.block(h.rows - n, h.columns - n, n, n);
   const MatrixXcd p = MatrixXcd::Identity(impedance.rows(), impedance.cols()) + impedance * map(h_bb);
   return {map(h_to) * dense::solve(p, impedance), h.block(h.rows - n, 0, n, columns)};
 }

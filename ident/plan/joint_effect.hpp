@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ident/algebra/eigen_view.hpp"
 #include "ident/plan/coordinates.hpp"
 #include "ident/plan/rectangle.hpp"
 #include "ident/result/solution.hpp"
+#include "minimise/linear/eigen_view.hpp"
 
 namespace jointid::ident {
 
@@ -25,7 +25,7 @@ Rectangle whole_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& 
 /// What a joint changes: H_asm = H_sub − left·right, for the first R rows and C columns of H_sub.
 struct JointEffect {
   RowMatrixXc left;  ///< [R×N] H_:b (I + Z_j H_bb)⁻¹ Z_j
-  View right;        ///< [N×C] H_b:, a part of H_sub
+  minimise::View right;  ///< [N×C] H_b:, a part of H_sub
 
   /// An FRF of the assembly: that of the substructures, `h`, less the change at its row and column.
   Complex assembly(Complex h, std::size_t row, std::size_t column) const;
@@ -33,6 +33,6 @@ struct JointEffect {
 
 /// The effect of a joint on substructures with the FRFs `h`, whose last N rows and columns are the joint's
 /// (docs/formulas.md §2, 6.12–6.15).
-JointEffect joint_effect(const View& h, std::size_t rows, std::size_t columns, const Eigen::MatrixXcd& impedance);
+JointEffect joint_effect(const minimise::View& h, std::size_t rows, std::size_t columns, const Eigen::MatrixXcd& impedance);
 
 }  // namespace jointid::ident

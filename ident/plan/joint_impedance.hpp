@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "ident/algebra/line_product.hpp"
 #include "ident/plan/unknown_columns.hpp"
+#include "minimise/linear/line_product.hpp"
 #include "restrictions/restriction.hpp"
 
 namespace jointid::ident {

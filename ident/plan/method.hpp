@@ -1,9 +1,7 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "ident/scene/scene.hpp"
@@ -15,7 +13,7 @@ struct Plan;
 struct Solution;
 
 /// One method of identification with what it needs beside the rest of a Plan, whose part it is. To add one: a folder with a class
-/// of its own, a row in all_methods(), and a line in the table of identify.cpp.
+/// of its own and a row in all_methods() (ident/methods.cpp).
 class MethodPlan {
  public:
   virtual ~MethodPlan() = default;
@@ -33,11 +31,5 @@ class MethodPlan {
   /// Why several processes cannot share the lines of a solution (Control::shares); empty where they can.
   virtual std::string not_shared(const Plan&) const { return "the method works on all lines at once"; }
 };
-
-/// Linear estimates to start from: methods and equations, what needs most first.
-using StartChoices = std::vector<std::pair<Method, std::vector<Equation>>>;
-
-/// Plans the first of them that the data of a plan allow, on the same systems. Throws InputError where they allow none.
-using StartPlanner = std::function<std::unique_ptr<Plan>(const Plan& plan, const StartChoices& choices)>;
 
 }  // namespace jointid::ident

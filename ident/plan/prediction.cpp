@@ -48,7 +48,7 @@ class Predictor final : public ChunkWorker {
   }
 
  private:
-  void add(const Matrices& matrices, double frequency_hz, const View& h, const View& measured) {
+  void add(const Matrices& matrices, double frequency_hz, const minimise::View& h, const minimise::View& measured) {
     const std::size_t n = plan_.coordinates.joint.size();
     const std::size_t rows = measured.rows, columns = measured.columns;
     const JointEffect effect = joint_effect(h, rows, columns, joint_impedance(matrices, n, frequency_hz));

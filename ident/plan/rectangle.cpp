@@ -48,6 +48,6 @@ void Rectangle::read(std::span<const std::size_t> lines) {
   }
 }
 
-View Rectangle::line(std::size_t i) const { return {values_.data() + i * rows_ * columns_, rows_, columns_, columns_}; }
+minimise::View Rectangle::line(std::size_t i) const { return {values_.data() + i * rows_ * columns_, rows_, columns_, columns_}; }
 
 }  // namespace jointid::ident

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "frf/set/frf_system.hpp"
-#include "ident/algebra/line_product.hpp"
+#include "minimise/linear/line_product.hpp"
 
 namespace jointid::ident {
 
@@ -25,7 +25,7 @@ class Rectangle {
   void read(std::span<const std::size_t> lines);
 
   /// The rectangle of the i-th line of the last read().
-  View line(std::size_t i) const;
+  minimise::View line(std::size_t i) const;
 
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "ident/algebra/kernel.hpp"
+#include "minimise/linear/kernel.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -110,8 +110,8 @@ JOINTID_KERNEL void add_all_rows(const double* base, std::size_t base_stride, co
 
 std::size_t padded(std::size_t columns) { return (columns + width - 1) / width * width; }
 
-void add_decibel_error(const View& base, const double* left_re, const double* left_im, const double* right_re,
-                       const double* right_im, std::size_t n, const View& measured, DecibelError& error) {
+void add_decibel_error(const minimise::View& base, const double* left_re, const double* left_im, const double* right_re,
+                       const double* right_im, std::size_t n, const minimise::View& measured, DecibelError& error) {
   double total = 0.0, entries = 0.0;
   add_all_rows(reinterpret_cast<const double*>(base.data), base.stride, left_re, left_im, right_re, right_im, n,
                reinterpret_cast<const double*>(measured.data), measured.stride, base.rows, base.columns, total, entries);

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "ident/algebra/line_product.hpp"
+#include "minimise/linear/line_product.hpp"
 
 namespace jointid::ident {
 
@@ -21,7 +21,7 @@ std::size_t padded(std::size_t columns);
 
 /// Adds one line: predicted = base − left·right with left [R×N] and right [N×C], split into real and imaginary parts and
 /// row-major, the rows of `right` padded(C) apart; base and measured [R×C].
-void add_decibel_error(const View& base, const double* left_re, const double* left_im, const double* right_re,
-                       const double* right_im, std::size_t n, const View& measured, DecibelError& error);
+void add_decibel_error(const minimise::View& base, const double* left_re, const double* left_im, const double* right_re,
+                       const double* right_im, std::size_t n, const minimise::View& measured, DecibelError& error);
 
 }  // namespace jointid::ident

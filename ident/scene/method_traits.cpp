@@ -5,39 +5,6 @@
 #include "base/error.hpp"
 
 namespace jointid::ident {
-namespace {
-
-const std::vector<std::string> linear_solvers = {"qr", "normal", "spqr"};
-
-}  // namespace
-
-const std::vector<MethodTraits>& all_methods() {
-  static const std::vector<MethodTraits> all = {
-      {.method = Method::one, .name = "one", .solvers = linear_solvers, .phrase = "Method One"},
-      {.method = Method::two, .name = "two", .solvers = linear_solvers, .phrase = "Method Two", .inverts_substructures = true},
-      {.method = Method::direct,
-       .name = "direct",
-       .solvers = linear_solvers,
-       .phrase = "the direct solution",
-       .joint_on_assembly = false,
-       .inverts_references = true},
-      {.method = Method::newton,
-       .name = "newton",
-       .solvers = {"levenberg-marquardt", "newton", "ceres", "ipopt", "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern"},
-       .phrase = "method \"newton\"",
-       .iterates = true,
-       .has_constraints = false,
-       .joint_on_assembly = false},
-      {.method = Method::likelihood,
-       .name = "likelihood",
-       .solvers = {"gauss-helmert", "iqml", "ceres"},
-       .phrase = "method \"likelihood\"",
-       .iterates = true,
-       .uses_variances = true},
-  };
-  return all;
-}
-
 const MethodTraits& traits(Method method) { return all_methods()[static_cast<std::size_t>(method)]; }
 
 bool takes_frfs_as_measured(Method method) {

@@ -1,12 +1,25 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace jointid::ident {
 
+struct Plan;
+class MethodPlan;
+enum class Equation;
+
 /// A method of identification, by its place in all_methods(). Files of studies hold the number: new ones go to the end.
 enum class Method { one, two, direct, newton, likelihood };
+
+/// Linear estimates to start from: methods and equations, what needs most first.
+using StartChoices = std::vector<std::pair<Method, std::vector<Equation>>>;
+
+/// Plans the first of them that the data of a plan allow, on the same systems. Throws InputError where they allow none.
+using StartPlanner = std::function<std::unique_ptr<Plan>(const Plan& plan, const StartChoices& choices)>;
 
 /// What scenes may ask of a method and what it asks of the data. Whoever plans, checks or tells asks here, not for a method by
 /// name.
@@ -15,6 +28,8 @@ struct MethodTraits {
   std::string name;                    ///< in [identify] method
   std::vector<std::string> solvers;    ///< in [identify] solver, without auto
   std::string phrase;                  ///< as a subject: "the direct solution"
+  std::unique_ptr<MethodPlan> (*plan)(Plan& plan,
+                                      const StartPlanner& plan_start);  ///< what is the method's own of a prepared plan
   bool iterates = false;               ///< from a start; no weighting and Δ, which are those of linear equations
   bool uses_variances = false;         ///< of the FRFs, so that priors and a bootstrap have something to be weighed against
   bool has_constraints = true;         ///< definite, bounds, ties
@@ -23,7 +38,7 @@ struct MethodTraits {
   bool inverts_references = false;     ///< at least as many non-joint references as joint DOFs
 };
 
-/// In the order of Method.
+/// The list of the methods, in the order of Method (ident/methods.cpp).
 const std::vector<MethodTraits>& all_methods();
 
 const MethodTraits& traits(Method method);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/complex.hpp"
-#include "ident/algebra/noise_fit.hpp"
+#include "ident/variance/noise_fit.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "ident/algebra/local_model.hpp"
+#include "ident/variance/local_model.hpp"
 #include "ident/variance/mirror_difference.hpp"
 
 namespace jointid::ident {

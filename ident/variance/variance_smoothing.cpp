@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ident/algebra/noise_fit.hpp"
+#include "ident/variance/noise_fit.hpp"
 
 namespace jointid::ident {
 namespace {

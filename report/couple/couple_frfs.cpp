@@ -78,7 +78,7 @@ std::vector<ComplexValues> read_values(frf::FrfSource& source, const std::vector
 
 }  // namespace
 
-std::vector<PredictedFrf> read_predicted(const ident::CoupleResult& result, std::size_t most) {
+std::vector<PredictedFrf> read_predicted(const tasks::CoupleResult& result, std::size_t most) {
   const auto source = frf::open_hdf5(result.result.path);
   const frf::FrfHeader& header = source->header();
   const std::vector<Entry> entries = choose(header, most);

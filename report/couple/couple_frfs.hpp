@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "frf/set/frf_source.hpp"
-#include "ident/tasks/couple.hpp"
+#include "tasks/couple.hpp"
 
 namespace jointid::report {
 
@@ -18,7 +18,7 @@ struct PredictedFrf {
 };
 
 /// Reads back up to `most` FRFs of what coupling wrote, point FRFs first. Throws InputError for files that are gone.
-std::vector<PredictedFrf> read_predicted(const ident::CoupleResult& result, std::size_t most);
+std::vector<PredictedFrf> read_predicted(const tasks::CoupleResult& result, std::size_t most);
 
 /// Puts beside the predicted FRFs what was measured of the same coordinates, on lines that agree to a millionth of the frequency.
 void compare_with(frf::FrfSource& measured, const std::vector<double>& frequency_hz, std::vector<PredictedFrf>& frfs);

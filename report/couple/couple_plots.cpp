@@ -103,7 +103,7 @@ PlotGroup predicted_plots(const std::vector<double>& frequency_hz, const std::ve
   return group;
 }
 
-PlotGroup condition_plots(const ident::CoupleResult& result, std::size_t most) {
+PlotGroup condition_plots(const tasks::CoupleResult& result, std::size_t most) {
   const std::vector<LineRecord>& lines = result.records;
   Choice choice{"", {}};
   const auto add = [&](const std::string& title, Axis y, std::vector<Series> series) {

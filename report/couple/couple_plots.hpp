@@ -13,7 +13,7 @@ PlotGroup predicted_plots(const std::vector<double>& frequency_hz, const std::ve
 
 /// Condition of S over the lines; with a threshold how many conditions were kept, and its singular values and what the first that
 /// was dropped had to exceed.
-PlotGroup condition_plots(const ident::CoupleResult& result, std::size_t most);
+PlotGroup condition_plots(const tasks::CoupleResult& result, std::size_t most);
 
 /// The alphas of some conditions over the lines and what they are compared with, twelve conditions together. Empty when the lines
 /// have none.

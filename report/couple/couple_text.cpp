@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <ranges>
+#include <span>
 
 #include "base/text.hpp"
 #include "report/text/table.hpp"
@@ -16,12 +16,13 @@ namespace {
 
 std::string frequencies_text(const std::vector<double>& frequencies_hz) {
   constexpr std::size_t most = 8;
-  std::string text = comma_list(frequencies_hz | std::views::take(most), [](double hz) { return number(hz); });
+  std::string text =
+      comma_list(std::span(frequencies_hz).first(std::min(most, frequencies_hz.size())), [](double hz) { return number(hz); });
   if (frequencies_hz.size() > most) text += fmt::format(", … {} in all", frequencies_hz.size());
   return text.empty() ? "none found" : text + " Hz";
 }
 
-std::string kept_text(const ident::CoupleScene& scene, const ident::CoupleResult& result) {
+std::string kept_text(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
   const std::string rule = kept_rule(scene);
   if (rule.empty()) return {};
   std::string text;
@@ -66,7 +67,7 @@ std::string coupling_method_text(const ident::CoupleScene& scene) {
   return text + ", threshold " + coupling::name(scene.options.threshold);
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> kept_counts(const ident::CoupleResult& result) {
+std::vector<std::pair<std::size_t, std::size_t>> kept_counts(const tasks::CoupleResult& result) {
   std::map<std::size_t, std::size_t> counts;
   for (const coupling::LineRecord& line : result.records) {
     if (line.usable) ++counts[line.kept];
@@ -76,7 +77,7 @@ std::vector<std::pair<std::size_t, std::size_t>> kept_counts(const ident::Couple
   return out;
 }
 
-std::size_t worst_line(const ident::CoupleResult& result) {
+std::size_t worst_line(const tasks::CoupleResult& result) {
   std::size_t worst = frf::npos;
   for (std::size_t line = 0; line < result.records.size(); ++line) {
     if (std::isnan(result.records[line].condition)) continue;
@@ -85,7 +86,7 @@ std::size_t worst_line(const ident::CoupleResult& result) {
   return worst;
 }
 
-std::string couple_text(const ident::CoupleScene& scene, const ident::CoupleResult& result) {
+std::string couple_text(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   text += fmt::format("coupled by {}: {} conditions, {} lines, {} × {} FRFs\n", coupling_method_text(scene), result.result.conditions,
                       result.lines, result.responses, result.references);
@@ -107,7 +108,7 @@ std::string couple_text(const ident::CoupleScene& scene, const ident::CoupleResu
   return text;
 }
 
-std::string couple_csv(const ident::CoupleResult& result) {
+std::string couple_csv(const tasks::CoupleResult& result) {
   using coupling::LineRecord;
   constexpr std::array<std::pair<const char*, std::vector<double> LineRecord::*>, 3> lists = {
       {{"alpha", &LineRecord::alpha}, {"sigma", &LineRecord::sigma}, {"limit", &LineRecord::limit}}};

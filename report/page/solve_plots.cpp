@@ -23,14 +23,14 @@ bool has_any(const Values& values) {
   return std::ranges::any_of(values, [](double value) { return std::isfinite(value); });
 }
 
-double largest(const ident::RegeneratedFrf& frf) {
+double largest(const tasks::RegeneratedFrf& frf) {
   double out = 0.0;
   for (const Complex& value : frf.measured) out = std::fmax(out, std::abs(value));
   return out;
 }
 
-std::string entry_name(const ident::RegeneratedFrf& frf) {
-  const auto error = ident::decibel_error(frf);
+std::string entry_name(const tasks::RegeneratedFrf& frf) {
+  const auto error = tasks::decibel_error(frf);
   return fmt::format("{} / {}{}", frf.entry.response.name(), frf.entry.reference.name(),
                      error ? fmt::format(" ({:.3g} dB)", *error) : "");
 }
@@ -50,7 +50,7 @@ Values level_differences(const Values& measured, const Values& regenerated, cons
   return out;
 }
 
-Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std::optional<std::array<double, 2>> used_hz,
+Choice choice(const tasks::RegeneratedFrf& frf, const Values& frequency_hz, std::optional<std::array<double, 2>> used_hz,
               std::size_t most) {
   const std::vector<Values> curves = {magnitudes(frf.measured), magnitudes(frf.predicted)};
   const std::vector<std::size_t> kept = keep_peaks(curves, most);
@@ -80,23 +80,23 @@ Choice choice(const ident::RegeneratedFrf& frf, const Values& frequency_hz, std:
 
 }  // namespace
 
-PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most) {
+PlotGroup frf_overlay(const tasks::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most) {
   PlotGroup group{"FRF", {}};
   double least = 0.0;  // FRFs that vanish by symmetry are rounding errors
-  for (const ident::RegeneratedFrf& frf : regenerated.frfs) least = std::max(least, ident::zero_level * largest(frf));
-  for (const ident::RegeneratedFrf& frf : regenerated.frfs) {
+  for (const tasks::RegeneratedFrf& frf : regenerated.frfs) least = std::max(least, ident::zero_level * largest(frf));
+  for (const tasks::RegeneratedFrf& frf : regenerated.frfs) {
     if (largest(frf) <= least) continue;
     group.choices.push_back(choice(frf, regenerated.frequency_hz, used_hz, most));
   }
   return group;
 }
 
-PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines) {
+PlotGroup quality_plots(const std::vector<tasks::LineQuality>& lines) {
   PlotGroup group{"matrix", {}};
   if (lines.size() < 2) return group;
   for (const auto& last : lines.back().quality) {
     Values count, rjcf, arvf;
-    for (const ident::LineQuality& line : lines) {
+    for (const tasks::LineQuality& line : lines) {
       const auto found = line.quality.find(last.first);
       count.push_back(static_cast<double>(line.lines));
       rjcf.push_back(found == line.quality.end() ? missing : found->second.rjcf);

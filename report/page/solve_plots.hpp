@@ -1,17 +1,17 @@
 #pragma once
 
 #include "report/page/contents.hpp"
-#include "ident/tasks/convergence.hpp"
-#include "ident/tasks/regenerate.hpp"
+#include "tasks/convergence.hpp"
+#include "tasks/regenerate.hpp"
 
 /// The plots of a solve report.
 namespace jointid::report {
 
 /// Magnitude, difference in dB and phase of measured and regenerated FRFs, one choice per FRF that was measured; `used_hz`: a
 /// range to shade, that of the lines that the joint was identified from. At most `most` points per FRF, peaks kept.
-PlotGroup frf_overlay(const ident::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most);
+PlotGroup frf_overlay(const tasks::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most);
 
 /// RJCF and ARVF of each matrix against the number of lines (docs/formulas.md §6).
-PlotGroup quality_plots(const std::vector<ident::LineQuality>& lines);
+PlotGroup quality_plots(const std::vector<tasks::LineQuality>& lines);
 
 }  // namespace jointid::report

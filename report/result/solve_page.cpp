@@ -17,7 +17,7 @@
 #include "report/text/systematic_text.hpp"
 #include "report/text/table.hpp"
 #include "report/text/words.hpp"
-#include "ident/tasks/entry_errors.hpp"
+#include "tasks/entry_errors.hpp"
 
 namespace jointid::report {
 namespace {
@@ -150,17 +150,16 @@ void add_quality(ident::Plan& plan, const ident::Solution& solution, const ident
   }
   page.section("Against the truth");
   page.add(table);
-  page.add(quality_plots(
-      ident::quality_by_line(plan, line_counts(solution.unknowns.size()), control)));
+  page.add(quality_plots(tasks::quality_by_line(plan, line_counts(solution.unknowns.size()), control)));
 }
 
 /// The FRF of --plot, then some spread over the structure, then those that are met worst.
-std::vector<ident::FrfEntry> entries_of(const ident::Plan& plan, const ident::EntryErrors& errors,
-                                        const std::optional<ident::FrfEntry>& first) {
-  std::vector<ident::FrfEntry> entries = ident::choose_entries(plan, most_frfs - worst_frfs_drawn);
+std::vector<tasks::FrfEntry> entries_of(const ident::Plan& plan, const tasks::EntryErrors& errors,
+                                        const std::optional<tasks::FrfEntry>& first) {
+  std::vector<tasks::FrfEntry> entries = tasks::choose_entries(plan, most_frfs - worst_frfs_drawn);
   for (const std::size_t place : worst_first(errors.rms_db)) {
     const std::size_t columns = errors.references.size();
-    const ident::FrfEntry entry{errors.responses[place / columns], errors.references[place % columns]};
+    const tasks::FrfEntry entry{errors.responses[place / columns], errors.references[place % columns]};
     if (entries.size() < most_frfs && std::ranges::find(entries, entry) == entries.end()) entries.push_back(entry);
   }
   if (!first) return entries;
@@ -169,7 +168,7 @@ std::vector<ident::FrfEntry> entries_of(const ident::Plan& plan, const ident::En
   return entries;
 }
 
-void add_frf_errors(const ident::EntryErrors& errors, ReportPage& page) {
+void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
   const HeatMap map = error_map("rms error in dB, responses down, references across", errors.responses, errors.references, errors.rms_db);
   if (worst_first(map.values).empty()) return;
   page.section("Errors of all assembly FRFs");
@@ -183,11 +182,11 @@ void add_frf_errors(const ident::EntryErrors& errors, ReportPage& page) {
                             "excitation.", errors.lines), true});
 }
 
-void add_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+void add_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
               const ident::Control& control, ReportPage& page) {
   if (solution.bands.empty()) return;
-  const ident::EntryErrors errors = ident::entry_errors(plan, solution.bands, control);
-  const ident::Regenerated regenerated = ident::regenerate(plan, solution.bands, entries_of(plan, errors, first), control);
+  const tasks::EntryErrors errors = tasks::entry_errors(plan, solution.bands, control);
+  const tasks::Regenerated regenerated = tasks::regenerate(plan, solution.bands, entries_of(plan, errors, first), control);
   const bool all_used = regenerated.frequency_hz.size() == plan.lines.size();
   const std::array used_hz = {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz};
   const PlotGroup overlay = frf_overlay(regenerated, all_used ? std::nullopt : std::optional(used_hz), most_points);
@@ -217,7 +216,7 @@ void add_plan(const ident::Plan& plan, ReportPage& page) {
 
 }  // namespace
 
-std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
                          const ident::Control& control) {
   const std::string file = plan.scene.file.filename().string();
   ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);

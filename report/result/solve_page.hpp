@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "ident/tasks/regenerate.hpp"
+#include "tasks/regenerate.hpp"
 
 namespace jointid::report {
 
 /// The page of a solved plan. Computes what only a report shows: regenerated FRFs, and figures of merit line by line when
 /// the scene tells the truth. `first`: an FRF that has to be among those shown.
-std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<ident::FrfEntry>& first,
+std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
                          const ident::Control& control);
 
 }  // namespace jointid::report

@@ -11,14 +11,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-ident::Regenerated one_frf(std::vector<Complex> measured, std::vector<Complex> predicted) {
-  ident::Regenerated regenerated;
+tasks::Regenerated one_frf(std::vector<Complex> measured, std::vector<Complex> predicted) {
+  tasks::Regenerated regenerated;
   for (std::size_t i = 0; i < measured.size(); ++i) regenerated.frequency_hz.push_back(10.0 + static_cast<double>(i));
   regenerated.frfs.push_back({{frf::Dof::parse("1:+Y"), frf::Dof::parse("5:-Y")}, std::move(measured), std::move(predicted)});
   return regenerated;
 }
 
-std::string plot(const ident::Regenerated& regenerated) { return frf_plot(regenerated, regenerated.frfs.front()); }
+std::string plot(const tasks::Regenerated& regenerated) { return frf_plot(regenerated, regenerated.frfs.front()); }
 
 TEST(FrfPlot, EqualCurvesCoverEachOther) {
   const std::string text = plot(one_frf({1e-6, 1e-5, 1e-6}, {1e-6, 1e-5, 1e-6}));

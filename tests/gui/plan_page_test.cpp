@@ -17,7 +17,7 @@ namespace {
 std::string cell(const CellRows& rows, std::size_t row, std::size_t column) { return rows.cells[row][column].text.toStdString(); }
 
 TEST(CandidateRows, TheBestStandsFirst) {
-  ident::BoundReport report;
+  tasks::BoundReport report;
   report.with_more = {{"1:+Y", {0.9}, 0.9, 0.9}, {"2:+Y", {0.5}, 0.6, 0.5}, {"all candidates", {0.4}, 0.4, 0.4}};
   const CellRows rows = candidate_rows(report);
   ASSERT_EQ(rows.cells.size(), 3U);

@@ -22,7 +22,7 @@
 #include "gui/table/cell_table.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/tasks/bound_report.hpp"
+#include "tasks/bound_report.hpp"
 #include "widgets.hpp"
 
 namespace jointid::gui {
@@ -87,7 +87,7 @@ TEST(SolvePage, BoundsAreThoseOfTheLibrary) {
   solving.page.set_scene(scene);
   solving.page.bound();
   ASSERT_TRUE(solving.rests());
-  const auto report = ident::predict_bound(*ident::make_plan(scene), {}, {});
+  const auto report = tasks::predict_bound(*ident::make_plan(scene), {}, {});
   const CellModel& cells = *solving.page.bounds()->cells();
   ASSERT_GT(cells.rowCount(), static_cast<int>(report.unknowns.size())) << solving.page.status().toStdString();
   EXPECT_EQ(cells.index(0, 1).data().toString().toStdString(), report.unknowns.front().name);

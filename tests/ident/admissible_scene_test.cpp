@@ -5,12 +5,12 @@
 
 #include "base/error.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
-#include "ident/algebra/reduced_system.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "study/trial_loop.hpp"
 #include "joint_eigenvalues.hpp"
 #include "likelihood_case.hpp"
+#include "minimise/linear/reduced_system.hpp"
+#include "study/trial_loop.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -67,8 +67,8 @@ TEST(AdmissibleLinear, TheProjectionIsNoFurtherFromTheTruth) {
   const auto plan = a1.polluted();
   RunTime runtime;
   Assembled system = assemble(*plan, runtime);
-  const LinearSolution free = solve(*plan, system.accumulator);
-  const Eigen::MatrixXd root = reduced_system(system.accumulator).leftCols(20);
+  const minimise::LinearSolution free = solve(*plan, system.accumulator);
+  const Eigen::MatrixXd root = minimise::reduced_system(system.accumulator).leftCols(20);
   const Solution found = solve(*plan);
   Eigen::VectorXd before(20), after(20);
   for (std::size_t u = 0; u < 20; ++u) {

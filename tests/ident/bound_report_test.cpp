@@ -1,12 +1,13 @@
+#include "tasks/bound_report.hpp"
+
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/tasks/bound.hpp"
-#include "ident/tasks/bound_report.hpp"
 #include "likelihood_case.hpp"
 #include "memory_systems.hpp"
+#include "tasks/bound.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -35,8 +36,8 @@ std::vector<double> truth_of(const problems::Problem& problem) {
 
 TEST(BoundReport, IsTheBoundAtTheTruth) {
   const LikelihoodCase a1("A1", 0.01);
-  const BoundReport report = predict_bound(*a1.clean(), {}, {});
-  const std::vector<double> bound = cramer_rao_bound(*a1.clean(), truth_of(a1.problem), {});
+  const tasks::BoundReport report = tasks::predict_bound(*a1.clean(), {}, {});
+  const std::vector<double> bound = tasks::cramer_rao_bound(*a1.clean(), truth_of(a1.problem), {});
   ASSERT_EQ(report.unknowns.size(), bound.size());
   for (std::size_t i = 0; i < bound.size(); ++i) EXPECT_NEAR(report.unknowns[i].bound, bound[i], 1e-6 * bound[i]);
   EXPECT_EQ(report.without_lines.size(), 10u);
@@ -45,10 +46,10 @@ TEST(BoundReport, IsTheBoundAtTheTruth) {
 
 TEST(BoundReport, LeavingACoordinateOutIsNotHavingMeasuredIt) {
   const LikelihoodCase a1("A1", 0.01);
-  const BoundReport report = predict_bound(*a1.clean(), {}, {});
+  const tasks::BoundReport report = tasks::predict_bound(*a1.clean(), {}, {});
   const frf::Dof gone = frf::Dof::parse(report.without_coordinate.front().what);
   const auto smaller = problems::plan(a1.scene, without(a1.problem, {gone}));
-  const std::vector<double> bound = cramer_rao_bound(*smaller, truth_of(a1.problem), {});
+  const std::vector<double> bound = tasks::cramer_rao_bound(*smaller, truth_of(a1.problem), {});
   for (std::size_t i = 0; i < bound.size(); ++i) {
     const double expected = bound[i] / report.unknowns[i].bound;
     EXPECT_NEAR(report.without_coordinate.front().factors[i], expected, 1e-4 * expected) << i;
@@ -58,9 +59,9 @@ TEST(BoundReport, LeavingACoordinateOutIsNotHavingMeasuredIt) {
 
 TEST(BoundReport, ACandidateBringsBackWhatLeavingItOutCosts) {
   const LikelihoodCase a1("A1", 0.01);
-  const BoundReport all = predict_bound(*a1.clean(), {}, {});
+  const tasks::BoundReport all = tasks::predict_bound(*a1.clean(), {}, {});
   const std::string name = all.without_coordinate.front().what;
-  const BoundReport fewer = predict_bound(*a1.clean(), {frf::Dof::parse(name)}, {});
+  const tasks::BoundReport fewer = tasks::predict_bound(*a1.clean(), {frf::Dof::parse(name)}, {});
   ASSERT_FALSE(fewer.with_more.empty());
   EXPECT_EQ(fewer.with_more.front().what, name);
   for (std::size_t i = 0; i < all.unknowns.size(); ++i) {
@@ -72,7 +73,7 @@ TEST(BoundReport, LinesThatTheSceneLeavesOutAreOffered) {
   LikelihoodCase a1("A1", 0.01);
   a1.scene.identify.method = Method::one;
   a1.scene.frequency.range_hz = Range{400.0, 700.0};
-  const BoundReport report = predict_bound(*a1.clean(), {}, {});
+  const tasks::BoundReport report = tasks::predict_bound(*a1.clean(), {}, {});
   ASSERT_FALSE(report.with_more.empty());
   EXPECT_THAT(report.with_more.front().what, HasSubstr("all 31 lines of the files, 400 to 1000 Hz"));
   EXPECT_LT(report.with_more.front().worst, 1.0);
@@ -84,18 +85,18 @@ TEST(BoundReport, NeedsAJointToAssume) {
   const Matrix stiffness = a1.scene.truth.begin()->second;
   a1.scene.truth.clear();
   try {
-    predict_bound(*a1.clean(), {}, {});
+    tasks::predict_bound(*a1.clean(), {}, {});
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("neither [truth] nor [identify] start"));
   }
   a1.scene.identify.start[restrictions::Kind::stiffness] = stiffness;
-  EXPECT_EQ(predict_bound(*a1.clean(), {}, {}).unknowns.size(), a1.problem.unknowns.size());
+  EXPECT_EQ(tasks::predict_bound(*a1.clean(), {}, {}).unknowns.size(), a1.problem.unknowns.size());
 }
 
 TEST(BoundReport, ACandidateThatNoFileHasIsAnErrorWithTheNearest) {
   try {
-    predict_bound(*LikelihoodCase("A1").clean(), {frf::Dof::parse("1:+Z")}, {});
+    tasks::predict_bound(*LikelihoodCase("A1").clean(), {frf::Dof::parse("1:+Z")}, {});
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("did you mean 1:+Y?"));

@@ -1,4 +1,4 @@
-#include "ident/algebra/complex_triangle.hpp"
+#include "minimise/linear/complex_triangle.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -29,7 +29,7 @@ MatrixXd real_form(const MatrixXcd& rows, const std::vector<std::size_t>& real, 
   return out;
 }
 
-MatrixXd product_of(Triangle& triangle) {
+MatrixXd product_of(minimise::Triangle& triangle) {
   triangle.flush();
   const auto width = static_cast<Index>(triangle.unknowns() + 1);
   MatrixXd r = MatrixXd::Zero(width, width);
@@ -39,7 +39,7 @@ MatrixXd product_of(Triangle& triangle) {
   return r.transpose() * r;
 }
 
-void push(const MatrixXcd& rows, Index first, Index count, ComplexTriangle& to) {
+void push(const MatrixXcd& rows, Index first, Index count, minimise::ComplexTriangle& to) {
   double* row = to.append(static_cast<std::size_t>(count));
   const auto half = static_cast<Index>(to.stride() / 2);
   for (Index i = 0; i < count; ++i, row += to.stride()) {
@@ -62,8 +62,8 @@ RC_GTEST_PROP(ComplexTriangle, PouredItIsTheRealTriangleOfItsRows, (unsigned see
   std::shuffle(columns.begin(), columns.end(), random);
   const std::vector<std::size_t> real(columns.begin(), columns.begin() + n), imaginary(columns.begin() + n, columns.end());
 
-  ComplexTriangle complex(static_cast<std::size_t>(n));
-  Triangle poured(columns.size());
+  minimise::ComplexTriangle complex(static_cast<std::size_t>(n));
+  minimise::Triangle poured(columns.size());
   for (Index first = 0; first < m;) {
     const Index count = std::min(m - first, std::uniform_int_distribution<Index>(1, 150)(random));
     push(rows, first, count, complex);

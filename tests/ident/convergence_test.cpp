@@ -1,4 +1,4 @@
-#include "ident/tasks/convergence.hpp"
+#include "tasks/convergence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ std::unique_ptr<Plan> noisy_plan(const std::string& name) {
 
 TEST(Convergence, TheLastPointIsTheSolutionItself) {
   const auto plan = noisy_plan("A1");
-  const auto points = quality_by_line(*plan, 1000);
+  const auto points = tasks::quality_by_line(*plan, 1000);
   const Solution solution = solve(*plan);
   ASSERT_FALSE(points.empty());
   EXPECT_EQ(points.back().lines, plan->lines.size());
@@ -32,10 +32,10 @@ TEST(Convergence, TheLastPointIsTheSolutionItself) {
 /// Each point is what the scene cut to its first lines gives.
 TEST(Convergence, AnEarlierPointIsTheSolutionOfItsLines) {
   const auto plan = noisy_plan("A1");
-  const auto points = quality_by_line(*plan, 1000);
+  const auto points = tasks::quality_by_line(*plan, 1000);
   plan->lines.resize(10);
   const Solution solution = solve(*plan);
-  const auto point = std::ranges::find(points, 10u, &LineQuality::lines);
+  const auto point = std::ranges::find(points, 10u, &tasks::LineQuality::lines);
   ASSERT_NE(point, points.end());
   EXPECT_EQ(point->frequency_hz, plan->lines.back().frequency_hz);
   ASSERT_FALSE(solution.quality.empty());
@@ -44,7 +44,7 @@ TEST(Convergence, AnEarlierPointIsTheSolutionOfItsLines) {
 
 TEST(Convergence, ManyLinesGiveAsManyPointsAsAskedFor) {
   const auto plan = noisy_plan("A6");
-  const auto points = quality_by_line(*plan, 20);
+  const auto points = tasks::quality_by_line(*plan, 20);
   EXPECT_LE(points.size(), 20U);
   EXPECT_GE(points.size(), 15U);
   EXPECT_EQ(points.back().lines, plan->lines.size());
@@ -53,7 +53,7 @@ TEST(Convergence, ManyLinesGiveAsManyPointsAsAskedFor) {
 TEST(Convergence, WithoutATruthThereIsNone) {
   const auto plan = noisy_plan("A1");
   plan->scene.truth.clear();
-  EXPECT_TRUE(quality_by_line(*plan, 10).empty());
+  EXPECT_TRUE(tasks::quality_by_line(*plan, 10).empty());
 }
 
 }  // namespace

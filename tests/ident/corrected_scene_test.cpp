@@ -12,12 +12,12 @@
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "study/trial_data.hpp"
-#include "ident/tasks/couple.hpp"
-#include "ident/tasks/equivalent.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
+#include "study/trial_data.hpp"
+#include "tasks/couple.hpp"
+#include "tasks/equivalent.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {
@@ -181,7 +181,7 @@ TEST_F(CorrectedScene, PartsAreMendedBeforeTheyAreCoupled) {
   change(first, [](frf::FrfSet& set) {
     for (Complex& value : set.values) value = std::conj(value);
   }, frf::Quantity::receptance);
-  couple(read_couple_scene(file), folder_ / "out.h5", false);
+  tasks::couple(read_couple_scene(file), folder_ / "out.h5", false);
   const frf::FrfSet found = frf::load(*frf::open_hdf5(folder_ / "out.h5"));
   for (std::size_t i = 0; i < found.values.size(); ++i) {
     ASSERT_LT(std::abs(found.values[i] - problem.assembly.values[i]), 1e-9 * std::abs(problem.assembly.values[i]));
@@ -191,12 +191,12 @@ TEST_F(CorrectedScene, PartsAreMendedBeforeTheyAreCoupled) {
 TEST_F(CorrectedScene, LevelsOfAnEquivalentJointAreMended) {
   const fs::path file = problems::write(problems::make_rig_two("rig2"), folder_, {.format = "h5", .seed = 1, .clean = true});
   const EquivalentScene scene = read_equivalent_scene(file);
-  const auto expected = find_equivalent(scene);
+  const auto expected = tasks::find_equivalent(scene);
   const std::string level = scene.levels[1].assembly.path.filename();
   const frf::FrfSet right = frf::load(*frf::open_hdf5(folder_ / level));
   change(level, times([](double, const std::string&, const std::string&) { return 1e-3; }), right.header.quantity);
   std::ofstream(file, std::ios::app) << files_table(level, "gain = 1000.0");
-  const auto found = find_equivalent(read_equivalent_scene(file));
+  const auto found = tasks::find_equivalent(read_equivalent_scene(file));
   EXPECT_NEAR(found[1].joint.stiffness, expected[1].joint.stiffness, 1e-9 * std::abs(expected[1].joint.stiffness));
 }
 

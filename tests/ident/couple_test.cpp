@@ -1,4 +1,4 @@
-#include "ident/tasks/couple.hpp"
+#include "tasks/couple.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST_F(Couple, WritesTheFrfsOfTheAssembly) {
   const problems::CouplingProblem problem = problems::make_coupling("coupling-B");
   Control control;
   control.threads = 1;
-  const CoupleResult result = couple(written("coupling-B", true), folder_ / "out.h5", false, control);
+  const tasks::CoupleResult result = tasks::couple(written("coupling-B", true), folder_ / "out.h5", false, control);
   EXPECT_EQ(result.status, Status::ok);
   EXPECT_EQ(result.result.conditions, 5u);
   EXPECT_EQ(result.unusable_lines, 0u);
@@ -49,7 +49,7 @@ TEST_F(Couple, BoundsAreTheFrfsWithAndWithoutDependentConditions) {
   CoupleScene scene = written("coupling-C", false);
   scene.frequency.step_hz = 1.0;
   scene.frequency.range_hz = Range{5.0, 60.0};
-  const CoupleResult result = couple(scene, folder_ / "out.h5", true);
+  const tasks::CoupleResult result = tasks::couple(scene, folder_ / "out.h5", true);
   ASSERT_TRUE(result.dependencies && result.with_all);
   EXPECT_THAT(result.dependencies->left_out(), ElementsAre(false, true, false, false, true));
   EXPECT_EQ(result.result.conditions, 3u);
@@ -64,9 +64,9 @@ TEST_F(Couple, LinesThatCannotBeCoupledAreNaNAndTold) {
   problems::CouplingProblem problem = problems::make_coupling("coupling-A");
   frf::FrfSet& part = problem.parts[1];
   part.values[part.index(3, 0, 0)] = Complex(std::nan(""), std::nan(""));
-  const CoupleResult result =
-      couple(read_couple_scene(problems::write(problem, folder_, {.format = "h5", .seed = 1, .clean = true})), folder_ / "out.h5",
-             false);
+  const tasks::CoupleResult result =
+      tasks::couple(read_couple_scene(problems::write(problem, folder_, {.format = "h5", .seed = 1, .clean = true})),
+                    folder_ / "out.h5", false);
   EXPECT_EQ(result.status, Status::ok);
   EXPECT_EQ(result.unusable_lines, 1u);
   EXPECT_THAT(result.message, HasSubstr("1 of 341 lines"));
@@ -87,13 +87,13 @@ TEST_F(Couple, AConditionThatFollowsFromTheStructureIsNotUsable) {
   problem.scene = "[data]\nparts = [\"" + problem.parts[2].header.file + "\", \"" + problem.parts[0].header.file +
                   "\"]\n[couple]\nground = [\"6:+Y\", \"7:+Y\"]\njoin = [[\"1:+Y\", \"2:+Y\"]]\n";
   const fs::path file = problems::write(problem, folder_, {.format = "h5", .seed = 1, .clean = true});
-  const CoupleResult result = couple(read_couple_scene(file), folder_ / "out.h5", false);
+  const tasks::CoupleResult result = tasks::couple(read_couple_scene(file), folder_ / "out.h5", false);
   EXPECT_EQ(result.status, Status::rank_deficient);
   EXPECT_EQ(result.unusable_lines, result.lines);
   CoupleScene fixed = read_couple_scene(file);
   fixed.options.threshold = coupling::Threshold::fixed;
   fixed.options.epsilon = 1e-6;
-  const CoupleResult dropped = couple(fixed, folder_ / "out.h5", false);
+  const tasks::CoupleResult dropped = tasks::couple(fixed, folder_ / "out.h5", false);
   EXPECT_EQ(dropped.status, Status::ok);
   EXPECT_EQ(dropped.records[5].kept, 2u);
 }
@@ -102,7 +102,7 @@ TEST_F(Couple, AnInterruptionLeavesNoFile) {
   const CoupleScene scene = written("coupling-A", true);
   Control control;
   control.interrupted = [] { return true; };
-  EXPECT_THROW(couple(scene, folder_ / "out.h5", false, control), Interrupted);
+  EXPECT_THROW(tasks::couple(scene, folder_ / "out.h5", false, control), Interrupted);
   EXPECT_FALSE(fs::exists(folder_ / "out.h5"));
 }
 

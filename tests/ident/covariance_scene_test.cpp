@@ -5,10 +5,10 @@
 #include "hammer_sets.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "study/trial_loop.hpp"
-#include "study/trial_data.hpp"
-#include "ident/tasks/bound.hpp"
 #include "problems/case/in_memory.hpp"
+#include "study/trial_data.hpp"
+#include "study/trial_loop.hpp"
+#include "tasks/bound.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {
@@ -30,7 +30,7 @@ std::vector<double> truth_of(const problems::Problem& problem) {
 }
 
 std::vector<double> bound_of(const Scene& scene, const problems::Problem& problem, const problems::Measurement& sets) {
-  return cramer_rao_bound(*problems::plan(scene, sets), truth_of(problem), {});
+  return tasks::cramer_rao_bound(*problems::plan(scene, sets), truth_of(problem), {});
 }
 
 /// Trials of a study drawn from the files: rms errors are those of the bound, intervals hold the truth, χ² is as expected.

@@ -1,10 +1,11 @@
-#include "ident/tasks/entry_errors.hpp"
+#include "tasks/entry_errors.hpp"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "ident/identify.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
 
@@ -19,7 +20,7 @@ struct SolvedProblem {
 SolvedProblem solved_problem(const std::string& name) {
   const problems::Problem problem = problems::make(name);
   SolvedProblem out{problems::plan(problems::scene(problem), {problem.substructures, problem.assembly}), {}};
-  out.solution = solve(*out.plan);
+  out.solution = ident::solve(*out.plan);
   return out;
 }
 
@@ -36,13 +37,13 @@ SolvedProblem too_stiff(const std::string& name) {
 
 TEST(EntryErrors, NoiseFreeDataHaveNone) {
   SolvedProblem a1 = solved_problem("A1");
-  const EntryErrors errors = entry_errors(*a1.plan, a1.solution.bands);
+  const tasks::EntryErrors errors = tasks::entry_errors(*a1.plan, a1.solution.bands);
   EXPECT_EQ(errors.responses.size(), errors.all_responses);
   ASSERT_EQ(errors.rms_db.size(), errors.responses.size() * errors.references.size());
   for (const double error : errors.rms_db) EXPECT_LE(error, 1e-4);
 }
 
-double size_of(const RegeneratedFrf& frf) {
+double size_of(const tasks::RegeneratedFrf& frf) {
   double largest = 0.0;
   for (const Complex& value : frf.measured) largest = std::max(largest, std::abs(value));
   return largest;
@@ -52,10 +53,11 @@ double size_of(const RegeneratedFrf& frf) {
 TEST(EntryErrors, AreThoseOfTheFrfsRegeneratedOneByOne) {
   for (const char* name : {"A1", "B"}) {
     SolvedProblem problem = too_stiff(name);
-    const EntryErrors errors = entry_errors(*problem.plan, problem.solution.bands);
-    const Regenerated all = regenerate(*problem.plan, problem.solution.bands, choose_entries(*problem.plan, 100000));
+    const tasks::EntryErrors errors = tasks::entry_errors(*problem.plan, problem.solution.bands);
+    const tasks::Regenerated all =
+        tasks::regenerate(*problem.plan, problem.solution.bands, tasks::choose_entries(*problem.plan, 100000));
     double largest = 0.0;
-    for (const RegeneratedFrf& frf : all.frfs) {
+    for (const tasks::RegeneratedFrf& frf : all.frfs) {
       const std::size_t row = frf::find_coordinate(errors.responses, frf.entry.response);
       const std::size_t column = frf::find_coordinate(errors.references, frf.entry.reference);
       const double error = errors.rms_db[row * errors.references.size() + column];
@@ -63,7 +65,8 @@ TEST(EntryErrors, AreThoseOfTheFrfsRegeneratedOneByOne) {
         EXPECT_LT(size_of(frf), 1e-9 * size_of(all.frfs.front())) << "left out though it does not vanish by symmetry";
         continue;
       }
-      EXPECT_NEAR(error, decibel_error(frf).value(), 1e-9) << name << " " << frf.entry.response.name() << "/" << frf.entry.reference.name();
+      EXPECT_NEAR(error, tasks::decibel_error(frf).value(), 1e-9)
+          << name << " " << frf.entry.response.name() << "/" << frf.entry.reference.name();
       largest = std::max(largest, error);
     }
     EXPECT_EQ(all.frfs.size(), errors.rms_db.size());
@@ -74,17 +77,17 @@ TEST(EntryErrors, AreThoseOfTheFrfsRegeneratedOneByOne) {
 TEST(EntryErrors, OutsideEveryBandThereIsNothingToCompare) {
   SolvedProblem a1 = solved_problem("A1");
   a1.solution.bands.front().band_hz = Range{1.0, 2.0};
-  for (const double error : entry_errors(*a1.plan, a1.solution.bands).rms_db) EXPECT_TRUE(std::isnan(error));
+  for (const double error : tasks::entry_errors(*a1.plan, a1.solution.bands).rms_db) EXPECT_TRUE(std::isnan(error));
 }
 
 TEST(EntryErrors, ThinnedCoordinatesKeepTheirEnds) {
   Dofs dofs;
   for (std::size_t i = 1; i <= 10; ++i) dofs.push_back(frf::Dof::parse(std::to_string(i) + ":+Y"));
-  const Dofs three = thinned(dofs, 3);
+  const Dofs three = tasks::thinned(dofs, 3);
   ASSERT_EQ(three.size(), 3U);
   EXPECT_EQ(three.front(), dofs.front());
   EXPECT_EQ(three.back(), dofs.back());
-  EXPECT_EQ(thinned(dofs, 10), dofs);
+  EXPECT_EQ(tasks::thinned(dofs, 10), dofs);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(CovarianceLaw, IsFoundFromSingularCovariances) {
     const VectorXcd frf = normal.matrix(4, 1) * std::exp(2.0 * normal().real());
     const MatrixXcd sigma = law(frf, 1.0);
     const std::vector<std::size_t> all = {0, 1, 2, 3};
-    const Correlation correlation = Correlation::of(4, all, sigma, sigma.diagonal().real());
+    const minimise::Correlation correlation = minimise::Correlation::of(4, all, sigma, sigma.diagonal().real());
     MatrixXcd sum = MatrixXcd::Zero(4, 4);
     for (int blow = 0; blow < 3; ++blow) {  // rank 3 of 4
       VectorXcd error = normal.matrix(4, 1);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "ident/tasks/bound.hpp"
 #include "solver_case.hpp"
+#include "tasks/bound.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 double error_over_bound(const SolverCase& example, const std::string& solver, std::uint64_t seeds) {
   const std::vector<double> truth = example.truth();
   const auto exact = problems::plan(example.scene, {example.problem.substructures, example.problem.assembly});
-  const std::vector<double> bound = cramer_rao_bound(*exact, truth, Control());
+  const std::vector<double> bound = tasks::cramer_rao_bound(*exact, truth, Control());
   double squares = 0.0;
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
     const Solution found = example.solve(solver, seed, false);

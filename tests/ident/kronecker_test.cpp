@@ -39,7 +39,7 @@ Selection selection(std::size_t m, std::size_t n, std::size_t l, std::mt19937_64
 }
 
 /// All weighted equations one below the other, [A(m,p)·B(q,l) … | C₁ − C₂].
-MatrixXcd stacked(const LineProduct& line, const SubProduct& part) {
+MatrixXcd stacked(const minimise::LineProduct& line, const SubProduct& part) {
   const std::size_t na = part.a_dofs.size(), nb = part.b_dofs.size(), columns = part.columns.size();
   MatrixXcd e(index_of(part.rows.size() * columns), index_of(na * nb + 1));
   for (std::size_t i = 0; i < part.rows.size(); ++i) {
@@ -86,7 +86,7 @@ void expect_same_least_squares(const MatrixXcd& expected, const MatrixXcd& found
 }
 
 void check(const RandomProduct& product, const Selection& selected, bool a_is_unit = false) {
-  LineProduct line = product.line();
+  minimise::LineProduct line = product.line();
   if (a_is_unit) line.a = {};
   line.a_is_unit = a_is_unit;
   const SubProduct part = selected.part();

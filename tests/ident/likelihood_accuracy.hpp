@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "study/trial_loop.hpp"
-#include "ident/tasks/bound.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
+#include "study/trial_loop.hpp"
+#include "tasks/bound.hpp"
 
 namespace jointid::ident {
 
@@ -30,7 +30,7 @@ struct LikelihoodCase {
 
   /// On exact FRFs.
   std::vector<double> bound() const {
-    return cramer_rao_bound(*problems::plan(scene, {problem.substructures, problem.assembly}), truth, {});
+    return tasks::cramer_rao_bound(*problems::plan(scene, {problem.substructures, problem.assembly}), truth, {});
   }
 
   problems::Problem problem;

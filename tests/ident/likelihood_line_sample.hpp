@@ -98,7 +98,8 @@ class LineSample {
             covariance(i, j) / std::sqrt(variance[i] * variance[j]);
       }
     }
-    data.correlation = std::make_shared<Correlation>(Correlation::of(weights.size(), some, covariance, variance));
+    data.correlation =
+        std::make_shared<minimise::Correlation>(minimise::Correlation::of(weights.size(), some, covariance, variance));
   }
 
   static restrictions::JointSpec spec(std::size_t joint) {

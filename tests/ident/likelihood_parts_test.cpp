@@ -2,11 +2,11 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/eigen.hpp"
-#include "ident/algebra/covariance.hpp"
 #include "ident/likelihood/line/frf_weight.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
 #include "likelihood_line_sample.hpp"
 #include "memory_systems.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -110,14 +110,15 @@ TEST(Covariance, IsTheInverseWhateverTheUnits) {
   root << 1.0, 0.3, -0.2, 0.0, 2.0, 0.5, 0.0, 0.0, 0.7;
   const Eigen::Vector3d unit(1e-9, 1.0, 1e6);
   const Eigen::MatrixXd information = unit.asDiagonal() * (root.transpose() * root) * unit.asDiagonal();
-  const Eigen::MatrixXd product = unit.asDiagonal() * covariance_of(information) * information * unit.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd product =
+      unit.asDiagonal() * minimise::covariance_of(information) * information * unit.cwiseInverse().asDiagonal();
   EXPECT_LT((product - Eigen::Matrix3d::Identity()).norm(), 1e-12);
 }
 
 TEST(Covariance, OfAnUnknownWithoutInformationIsHuge) {
   Eigen::Matrix2d information;
   information << 1.0, 1.0, 1.0, 1.0;
-  EXPECT_GT(covariance_of(information)(0, 0), 1e12);
+  EXPECT_GT(minimise::covariance_of(information)(0, 0), 1e12);
 }
 
 TEST(FrfWeight, IsOneOverSigmaWithinWhatArithmeticCanUse) {

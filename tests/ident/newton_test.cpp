@@ -1,3 +1,5 @@
+#include "ident/newton/newton.hpp"
+
 #include <gmock/gmock.h>
 
 #include <Eigen/Core>
@@ -5,12 +7,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/algebra/start_points.hpp"
 #include "ident/identify.hpp"
 #include "ident/newton/iteration.hpp"
-#include "ident/newton/newton.hpp"
 #include "ident/result/minima.hpp"
 #include "minimise/least_squares.hpp"
+#include "minimise/linear/start_points.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/problem.hpp"
 #include "tests/require.hpp"
@@ -236,10 +237,10 @@ TEST_F(UnreachableJoint, WithoutAStartItBeginsAtTheDirectSolution) {
 }
 
 TEST(StartPoints, SizesThatFitComeFirstThenRandomOnesWithin80Percent) {
-  const StartPoints starts({2.0, -4.0}, [](const std::vector<double>& theta) { return std::abs(theta[0] - 200.0); });
+  const minimise::StartPoints starts({2.0, -4.0}, [](const std::vector<double>& theta) { return std::abs(theta[0] - 200.0); });
   EXPECT_DOUBLE_EQ(starts(0)[0], 200.0);
   EXPECT_DOUBLE_EQ(starts(0)[1], -400.0);
-  for (std::size_t k = StartPoints::sizes; k < 100; ++k) {
+  for (std::size_t k = minimise::StartPoints::sizes; k < 100; ++k) {
     EXPECT_THAT(std::abs(starts(k)[0] - 200.0), Le(160.0));
     EXPECT_THAT(std::abs(starts(k)[1] + 400.0), Le(320.0));
     EXPECT_EQ(starts(k), starts(k));

@@ -1,4 +1,4 @@
-#include "ident/algebra/noise_fit.hpp"
+#include "ident/variance/noise_fit.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

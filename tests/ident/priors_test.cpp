@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "ident/tasks/bound.hpp"
 #include "likelihood_case.hpp"
+#include "tasks/bound.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -44,9 +44,9 @@ TEST(Priors, AnIndependentPriorAddsItsInformation) {
   LikelihoodCase a1("A1", 0.01);
   std::vector<double> truth;
   for (const problems::ExactUnknown& unknown : a1.problem.unknowns) truth.push_back(unknown.value);
-  const double bound = cramer_rao_bound(*a1.clean(), truth, {})[0];
+  const double bound = tasks::cramer_rao_bound(*a1.clean(), truth, {})[0];
   a1.scene.identify.priors = {{"K(1,1)", truth[0], bound}};
-  EXPECT_NEAR(cramer_rao_bound(*a1.clean(), truth, {})[0], bound / std::sqrt(2.0), 1e-6 * bound);
+  EXPECT_NEAR(tasks::cramer_rao_bound(*a1.clean(), truth, {})[0], bound / std::sqrt(2.0), 1e-6 * bound);
 }
 
 TEST(Priors, APriorThatContradictsTheDataRaisesChiSquare) {

@@ -1,4 +1,4 @@
-#include "ident/tasks/propose_scene.hpp"
+#include "tasks/propose_scene.hpp"
 
 #include <gmock/gmock.h>
 
@@ -36,12 +36,12 @@ std::vector<const frf::FrfHeader*> pointers(const std::vector<frf::FrfHeader>& h
   return all;
 }
 
-ProposedRoles roles_of(const std::vector<frf::FrfHeader>& headers) { return propose_roles(pointers(headers)); }
+tasks::ProposedRoles roles_of(const std::vector<frf::FrfHeader>& headers) { return tasks::propose_roles(pointers(headers)); }
 
 std::vector<std::size_t> only(std::size_t file) { return {file}; }
 
 TEST(ProposedRoles, TheAssemblyIsTheFileThatSpansTheParts) {
-  const ProposedRoles roles =
+  const tasks::ProposedRoles roles =
       roles_of({header("x", {"1:+X", "2:+X", "3:+X"}), header("y", {"1:+X", "2:+X"}), header("z", {"3:+X", "4:+X"})});
   EXPECT_THAT(roles.assembly, ElementsAre(only(0)));
   EXPECT_THAT(roles.substructures, ElementsAre(only(1), only(2)));
@@ -61,14 +61,14 @@ TEST(ProposedRoles, SeveralFilesCanBeTheAssembly) {
 }
 
 TEST(ProposedRoles, FilesAlikeAreRuns) {
-  const ProposedRoles roles =
+  const tasks::ProposedRoles roles =
       roles_of({header("y", {"1:+X"}), header("y2", {"1:+X"}), header("x", {"1:+X", "3:+X"}), header("z", {"3:+X"})});
   EXPECT_THAT(roles.substructures, ElementsAre(ElementsAre(0, 1), ElementsAre(3)));
   EXPECT_THAT(roles.reasons, Contains(HasSubstr("runs of one measurement")));
 }
 
 TEST(ProposedRoles, NamesDecideWhatDofsLeaveOpenAndItIsSaid) {
-  const ProposedRoles roles = roles_of({header("d/rig_assembly.uff", {"1:+X"}), header("d/rig_part.uff", {"1:+X"})});
+  const tasks::ProposedRoles roles = roles_of({header("d/rig_assembly.uff", {"1:+X"}), header("d/rig_part.uff", {"1:+X"})});
   EXPECT_THAT(roles.assembly, ElementsAre(only(0)));
   EXPECT_THAT(roles.doubts, ElementsAre(HasSubstr("by its name")));
 }
@@ -83,18 +83,18 @@ TEST(ProposedJoint, NodesThatLieClose) {
   const std::vector<frf::FrfHeader> parts = {
       header("x", {"1:+X", "2:+X", "3:+X", "3:+Y"}, {{1, {0, 0, 0}}, {2, {1, 0, 0}}, {3, {2, 0, 0}}}),
       header("y", {"7:+X", "8:+X", "9:+X"}, {{7, {2.1, 0, 0}}, {8, {3, 0, 0}}, {9, {4, 0, 0}}})};
-  const ProposedJoint joint = propose_joint(pointers(parts));
+  const tasks::ProposedJoint joint = tasks::propose_joint(pointers(parts));
   EXPECT_THAT(frf::names(joint.dofs), ElementsAre("3:+X", "3:+Y", "7:+X"));
 }
 
 TEST(ProposedJoint, TheNearestWhereNoneIsClose) {
   const std::vector<frf::FrfHeader> parts = {header("x", {"1:+X", "2:+X"}, {{1, {0, 0, 0}}, {2, {0.1, 0, 0}}}),
                                              header("y", {"7:+X", "8:+X"}, {{7, {2.1, 0, 0}}, {8, {2.2, 0, 0}}})};
-  EXPECT_THAT(frf::names(propose_joint(pointers(parts)).dofs), ElementsAre("2:+X", "7:+X"));
+  EXPECT_THAT(frf::names(tasks::propose_joint(pointers(parts)).dofs), ElementsAre("2:+X", "7:+X"));
 }
 
 TEST(ProposedJoint, WithoutPositionsItIsLeftToTheUser) {
-  const ProposedJoint joint = propose_joint(pointers({header("x", {"1:+X"}), header("y", {"2:+X"})}));
+  const tasks::ProposedJoint joint = tasks::propose_joint(pointers({header("x", {"1:+X"}), header("y", {"2:+X"})}));
   EXPECT_THAT(joint.dofs, IsEmpty());
   EXPECT_THAT(joint.doubts, ElementsAre(HasSubstr("name the DOFs")));
 }
@@ -116,13 +116,13 @@ frf::FrfSet set_with_coherence(double good_from_hz, double good_to_hz) {
 
 TEST(ProposedRange, IsWhatAllFilesHave) {
   const auto a = frf::from_memory(set_with_coherence(0, 100)), b = frf::from_memory(set_with_coherence(0, 100));
-  const ProposedRange range = propose_range({a.get(), b.get()});
+  const tasks::ProposedRange range = tasks::propose_range({a.get(), b.get()});
   EXPECT_THAT(range.range_hz, testing::Optional(ElementsAre(1.0, 100.0)));  // not 0 Hz
 }
 
 TEST(ProposedRange, LeavesOutEndsWhereNoiseRules) {
   const auto a = frf::from_memory(set_with_coherence(10, 100)), b = frf::from_memory(set_with_coherence(0, 80));
-  const ProposedRange range = propose_range({a.get(), b.get()});
+  const tasks::ProposedRange range = tasks::propose_range({a.get(), b.get()});
   EXPECT_THAT(range.range_hz, testing::Optional(ElementsAre(10.0, 80.0)));
   EXPECT_THAT(range.reasons, ElementsAre(HasSubstr("noise rules")));
 }
@@ -131,12 +131,12 @@ TEST(ProposedRange, NoFrequenciesInCommonIsAnError) {
   frf::FrfSet far = set_with_coherence(0, 100);
   for (double& f : far.header.frequency_hz) f += 1000.0;
   const auto a = frf::from_memory(set_with_coherence(0, 100)), b = frf::from_memory(far);
-  EXPECT_THROW(propose_range({a.get(), b.get()}), InputError);
+  EXPECT_THROW(tasks::propose_range({a.get(), b.get()}), InputError);
 }
 
 TEST(ProposedRange, CanBeInterrupted) {
   const auto a = frf::from_memory(set_with_coherence(0, 100));
-  EXPECT_THROW(propose_range({a.get()}, [] { return true; }), Interrupted);
+  EXPECT_THROW(tasks::propose_range({a.get()}, [] { return true; }), Interrupted);
 }
 
 /// The files of a problem, and what its own scene says.
@@ -151,7 +151,7 @@ struct Written {
       for (const DataFile& file : *part) files.push_back(file.path);
     }
   }
-  Scene proposed() const { return parse_scene(scene_text(propose_scene(files), folder), folder / "new.toml"); }
+  Scene proposed() const { return parse_scene(tasks::scene_text(tasks::propose_scene(files), folder), folder / "new.toml"); }
 };
 
 std::vector<Path> paths(const std::vector<DataFile>& files) {
@@ -171,12 +171,12 @@ TEST(ProposedScene, OfRigOneIsTheRigsOwn) {
 }
 
 TEST(ProposedScene, NamesOfFilesAreQuoted) {
-  ProposedScene proposed;
+  tasks::ProposedScene proposed;
   proposed.substructures = {{"a \"b\"\\c.uff"}};
   proposed.assembly = {{"run\n1.uff", "run2.uff"}};
   proposed.joint = {frf::Dof::parse("1:+X"), frf::Dof::parse("2:+X")};
   proposed.reasons = {"run\n1.uff and " + std::string(200, 'x') + " \x01 are runs"};
-  const Scene scene = parse_scene(scene_text(proposed, ""), "scene.toml");
+  const Scene scene = parse_scene(tasks::scene_text(proposed, ""), "scene.toml");
   EXPECT_EQ(scene.data.substructures.front().path.filename(), "a \"b\"\\c.uff");
   EXPECT_EQ(scene.data.assembly.front().path.filename(), "run\n1.uff");
   EXPECT_EQ(scene.data.assembly.front().repeats.size(), 1U);

@@ -21,8 +21,8 @@ class RandomProduct {
     for (std::size_t j = 0; j < l; ++j) column_class.push_back(coin(random));
   }
 
-  LineProduct line() const {
-    LineProduct product;
+  minimise::LineProduct line() const {
+    minimise::LineProduct product;
     product.a = view(a);
     product.b = view(b);
     product.c1 = view(c1);
@@ -32,7 +32,7 @@ class RandomProduct {
     return product;
   }
 
-  static View view(const RowMatrixXc& matrix) {
+  static minimise::View view(const RowMatrixXc& matrix) {
     const auto rows = static_cast<std::size_t>(matrix.rows()), columns = static_cast<std::size_t>(matrix.cols());
     return {matrix.data(), rows, columns, columns};
   }

@@ -7,10 +7,10 @@
 
 #include "dense/real_lu.hpp"
 #include "dense/svd.hpp"
-#include "ident/algebra/column_scaling.hpp"
 #include "ident/equations/assemble.hpp"
 #include "ident/equations/linear_plan.hpp"
 #include "ident/identify.hpp"
+#include "minimise/linear/column_scaling.hpp"
 #include "plain_estimate.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/case/thesis_beams.hpp"
@@ -93,7 +93,7 @@ Eigen::MatrixXd stacked_triangles(const MemoryScene& parts) {
       for (std::size_t i = 0; i <= j; ++i) system(before + index(i), index(columns[j])) = triangle(i, j);
     }
   }
-  return system * power_of_two_scales(system).asDiagonal();
+  return system * minimise::power_of_two_scales(system).asDiagonal();
 }
 
 double condition(const Eigen::MatrixXd& system) {

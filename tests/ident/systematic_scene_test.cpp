@@ -5,9 +5,9 @@
 
 #include "base/error.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/tasks/bound.hpp"
 #include "likelihood_case.hpp"
 #include "study/systematic_noise.hpp"
+#include "tasks/bound.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -79,9 +79,9 @@ TEST(SystematicScene, PriorsCostPrecisionAndTheBoundKnows) {
   LikelihoodCase a1("A1", 0.01);
   std::vector<double> truth;
   for (const auto& unknown : a1.problem.unknowns) truth.push_back(unknown.value);
-  const std::vector<double> without = cramer_rao_bound(*a1.clean(), truth, {});
+  const std::vector<double> without = tasks::cramer_rao_bound(*a1.clean(), truth, {});
   a1.scene.data.gains = {gains(0.01)};
-  const std::vector<double> with = cramer_rao_bound(*a1.clean(), truth, {});
+  const std::vector<double> with = tasks::cramer_rao_bound(*a1.clean(), truth, {});
   for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_GT(with[i], without[i] * (1.0 - 1e-9));
   EXPECT_GT(with[0], 1.2 * without[0]);
 }

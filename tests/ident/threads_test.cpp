@@ -52,7 +52,7 @@ TEST(Threads, TheSolutionIsBitForBitTheSameForAnyNumber) {
 
 /// Σ over chunks by hand: the same lines in the same order, put into one accumulator without any chunk.
 Assembled assembled_at_once(Plan& plan) {
-  Assembled out{Accumulator(plan.columns->size(), Reduction::orthogonal), {}, 0, {}};
+  Assembled out{minimise::Accumulator(plan.columns->size(), minimise::Reduction::orthogonal), {}, 0, {}};
   LineAssembler assembler(linear_plan(plan)->spec);
   std::vector<std::size_t> substructures, assembly;
   for (const Line& line : plan.lines) {
@@ -60,7 +60,7 @@ Assembled assembled_at_once(Plan& plan) {
     assembly.push_back(line.assembly);
   }
   linear_plan(plan)->builder->read(substructures, assembly);
-  LineProduct product;
+  minimise::LineProduct product;
   for (std::size_t i = 0; i < plan.lines.size(); ++i) {
     product.frequency_hz = plan.lines[i].frequency_hz;
     if (linear_plan(plan)->builder->line(i, product)) assembler.add(product, out.accumulator);

@@ -1,4 +1,4 @@
-#include "ident/algebra/triangle.hpp"
+#include "minimise/linear/triangle.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "ident/algebra/accumulator.hpp"
+#include "minimise/linear/accumulator.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -28,7 +28,7 @@ MatrixXd random_rows(Index rows, Index columns, std::mt19937_64& random) {
   return x;
 }
 
-void push(Triangle& triangle, const MatrixXd& x, Index first, Index count) {
+void push(minimise::Triangle& triangle, const MatrixXd& x, Index first, Index count) {
   double* rows = triangle.append(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) {
     for (Index j = 0; j < x.cols(); ++j) rows[i * static_cast<Index>(triangle.stride()) + j] = x(first + i, j);
@@ -36,7 +36,7 @@ void push(Triangle& triangle, const MatrixXd& x, Index first, Index count) {
 }
 
 /// Pushes all rows in chunks of random size.
-void push_all(Triangle& triangle, const MatrixXd& x, std::mt19937_64& random) {
+void push_all(minimise::Triangle& triangle, const MatrixXd& x, std::mt19937_64& random) {
   std::uniform_int_distribution<Index> chunk(1, 1 + x.rows() / 2);
   for (Index first = 0; first < x.rows();) {
     const Index count = std::min(chunk(random), x.rows() - first);
@@ -45,7 +45,7 @@ void push_all(Triangle& triangle, const MatrixXd& x, std::mt19937_64& random) {
   }
 }
 
-MatrixXd upper(const Triangle& triangle) {
+MatrixXd upper(const minimise::Triangle& triangle) {
   const Index n = static_cast<Index>(triangle.unknowns()) + 1;
   MatrixXd r = MatrixXd::Zero(n, n);
   for (Index i = 0; i < n; ++i) {
@@ -77,7 +77,7 @@ RC_GTEST_PROP(Triangle, ItsProductIsThatOfTheRows, (unsigned seed)) {
   std::mt19937_64 random(seed);
   const auto [unknowns, rows] = sizes(random);
   const MatrixXd x = random_rows(rows, static_cast<Index>(unknowns) + 1, random);
-  Triangle triangle(unknowns);
+  minimise::Triangle triangle(unknowns);
   push_all(triangle, x, random);
   triangle.flush();
   RC_ASSERT(triangle.rows_pushed() == static_cast<std::size_t>(rows));
@@ -90,7 +90,7 @@ RC_GTEST_PROP(Triangle, InNormalModeItIsTheProduct, (unsigned seed)) {
   std::mt19937_64 random(seed);
   const auto [unknowns, rows] = sizes(random);
   const MatrixXd x = random_rows(rows, static_cast<Index>(unknowns) + 1, random);
-  Triangle triangle(unknowns, Reduction::normal);
+  minimise::Triangle triangle(unknowns, minimise::Reduction::normal);
   push_all(triangle, x, random);
   triangle.flush();
   const MatrixXd product = upper(triangle).selfadjointView<Eigen::Upper>();
@@ -102,16 +102,16 @@ RC_GTEST_PROP(Triangle, MergedTrianglesHoldTheRowsOfBoth, (unsigned seed)) {
   std::mt19937_64 random(seed);
   const auto [unknowns, rows] = sizes(random);
   const MatrixXd x = random_rows(2 * rows, static_cast<Index>(unknowns) + 1, random);
-  for (const Reduction reduction : {Reduction::orthogonal, Reduction::normal}) {
-    Triangle one(unknowns, reduction), two(unknowns, reduction);
+  for (const minimise::Reduction reduction : {minimise::Reduction::orthogonal, minimise::Reduction::normal}) {
+    minimise::Triangle one(unknowns, reduction), two(unknowns, reduction);
     push_all(one, x.topRows(rows), random);
     push_all(two, x.bottomRows(rows), random);
     one.merge(two);
     one.flush();
     RC_ASSERT(one.rows_pushed() == static_cast<std::size_t>(2 * rows));
     const MatrixXd r = upper(one);
-    const MatrixXd product = reduction == Reduction::normal ? MatrixXd(r.selfadjointView<Eigen::Upper>())
-                                                            : MatrixXd(r.transpose() * r);
+    const MatrixXd product =
+        reduction == minimise::Reduction::normal ? MatrixXd(r.selfadjointView<Eigen::Upper>()) : MatrixXd(r.transpose() * r);
     expect_gram(product, x, 1e-13);
   }
   RC_ASSERT(!::testing::Test::HasFailure());
@@ -125,7 +125,7 @@ RC_GTEST_PROP(Triangle, TheOrderOfRowsChangesSignsOnly, (unsigned seed)) {
   std::vector<Index> order(static_cast<std::size_t>(x.rows()));
   std::iota(order.begin(), order.end(), Index{0});
   std::shuffle(order.begin(), order.end(), random);
-  Triangle straight(unknowns), shuffled(unknowns);
+  minimise::Triangle straight(unknowns), shuffled(unknowns);
   push_all(straight, x, random);
   for (const Index row : order) push(shuffled, x, row, 1);
   straight.flush();
@@ -138,7 +138,7 @@ RC_GTEST_PROP(Triangle, TheOrderOfRowsChangesSignsOnly, (unsigned seed)) {
 }
 
 TEST(Triangle, WithoutRowsItIsZeroAndZeroRowsChangeNothing) {
-  Triangle triangle(3);
+  minimise::Triangle triangle(3);
   triangle.flush();
   EXPECT_EQ(upper(triangle), MatrixXd::Zero(4, 4));
   triangle.append(5);
@@ -149,8 +149,8 @@ TEST(Triangle, WithoutRowsItIsZeroAndZeroRowsChangeNothing) {
 
 TEST(Triangle, NewRowsAreZeroFilledAfterReduction) {
   std::mt19937_64 random(3);
-  for (const Reduction reduction : {Reduction::orthogonal, Reduction::normal}) {
-    Triangle triangle(9, reduction);
+  for (const minimise::Reduction reduction : {minimise::Reduction::orthogonal, minimise::Reduction::normal}) {
+    minimise::Triangle triangle(9, reduction);
     push_all(triangle, random_rows(500, 10, random), random);
     triangle.flush();
     const double* rows = triangle.append(40);
@@ -160,7 +160,7 @@ TEST(Triangle, NewRowsAreZeroFilledAfterReduction) {
 
 TEST(Triangle, RowsWithWeightsFourteenDecadesApartKeepTheLightOnes) {
   // Two heavy rows fix x₁ − x₂, two light ones x₁ + x₂; the product would lose the light ones.
-  Triangle triangle(2);
+  minimise::Triangle triangle(2);
   MatrixXd x(4, 3);
   x << 1e7, -1e7, 1e7, 1e-7, 1e-7, 3e-7, 1e7, -1e7, 1e7, 1e-7, 1e-7, 3e-7;
   push(triangle, x, 0, 4);
@@ -174,7 +174,7 @@ TEST(Triangle, RowsWithWeightsFourteenDecadesApartKeepTheLightOnes) {
 TEST(Accumulator, KeepsOneTrianglePerSetOfColumnsAndMergesByIt) {
   std::mt19937_64 random(4);
   const MatrixXd x = random_rows(30, 3, random), y = random_rows(20, 2, random);
-  Accumulator one(4), two(4), whole(4);
+  minimise::Accumulator one(4), two(4), whole(4);
   push(one.triangle({0, 2}), x, 0, 10);
   push(two.triangle({0, 2}), x, 10, 20);
   push(two.triangle({3}), y, 0, 20);

@@ -8,8 +8,8 @@
 #include "ident/identify.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "ident/tasks/couple.hpp"
 #include "problems/problem.hpp"
+#include "tasks/couple.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {
@@ -120,7 +120,7 @@ TEST_F(Flange, PartsAreCoupledAtVirtualPoints) {
                              "]\nstiffness = " + text_of(problem.truth.at(restrictions::Kind::stiffness)) +
                              "\nhysteretic_damping = " + text_of(problem.truth.at(restrictions::Kind::hysteretic_damping)) + "\n",
                          folder_ / "couple.toml");
-  couple(scene, folder_ / "out.h5", false);
+  tasks::couple(scene, folder_ / "out.h5", false);
   const frf::FrfSet coupled = frf::load(*frf::open_hdf5(folder_ / "out.h5"));
   EXPECT_EQ(coupled.header.response[2].name(), "VP1:+RZ");
   const std::size_t from = frf::find_coordinate(problem.assembly.header.reference, frf::Dof::parse("204:+X"));

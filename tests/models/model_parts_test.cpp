@@ -11,10 +11,10 @@
 #include "ident/scene/read_scene.hpp"
 #include "ident/scene/scene_files.hpp"
 #include "ident/scene/variance_origin.hpp"
-#include "ident/tasks/couple.hpp"
 #include "problems/problem.hpp"
 #include "scene/text.hpp"
 #include "study/trial_runner.hpp"
+#include "tasks/couple.hpp"
 #include "tests/models/model_sample.hpp"
 #include "tests/test_folder.hpp"
 
@@ -161,7 +161,7 @@ TEST_F(ModelParts, AreCoupled) {
     const std::string text =
         "[data]\nparts = [\"A1_substructure_1.h5\", \"" + part +
         "\"]\n[couple]\njoin = [[\"4:+Y\", \"5:+Y\"], [\"4:+RZ\", \"5:+RZ\"]]\nkeep = [\"1:+Y\", \"7:+Y\"]\n";
-    couple(parse_couple_scene(text, folder_ / "couple.toml"), folder_ / "out.h5", false, {});
+    tasks::couple(parse_couple_scene(text, folder_ / "couple.toml"), folder_ / "out.h5", false, {});
     return frf::load(*frf::open_hdf5(folder_ / "out.h5"));
   };
   const frf::FrfSet expected = result("A1_substructure_2.h5"), found = result("b.toml");

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "friction/fit/fit.hpp"
-#include "ident/tasks/equivalent_joint.hpp"
 #include "problems/case/rig_two.hpp"
+#include "tasks/equivalent_joint.hpp"
 
 namespace jointid::problems {
 
@@ -19,13 +19,13 @@ inline friction::Curve equivalents(const RigTwo& rig, Form form) {
   curve.name = rig.name;
   curve.kind = friction::CurveKind::equivalent;
   for (std::size_t level = 0; level < rig.levels.size(); ++level) {
-    ident::JointLines lines;
+    tasks::JointLines lines;
     lines.relative = form.relative;
     std::vector<std::complex<double>> h1, h3;
     for (std::size_t i = 0; rig.parts.header.frequency_hz[i] <= 57.0; ++i) {
       const auto part = [&](std::size_t r, std::size_t c) {
         const auto h = rig.parts.values[rig.parts.index(i, r, c)];
-        return form.real ? ident::real_frf(h) : h;
+        return form.real ? tasks::real_frf(h) : h;
       };
       lines.a.push_back(part(0, 0));
       lines.b.push_back(part(1, 1));
@@ -36,7 +36,7 @@ inline friction::Curve equivalents(const RigTwo& rig, Form form) {
       h3.push_back(rig.rigid.values[2 * i + 1]);
     }
     lines.gap = form.rigid ? rigid_gap(lines, h1, h3) : difference_gap(lines);
-    const ident::EquivalentJoint joint = equivalent_joint(lines);
+    const tasks::EquivalentJoint joint = equivalent_joint(lines);
     curve.u.push_back(rig.displacements[level]);
     curve.value.push_back(joint.stiffness);
     curve.damping.push_back(joint.damping);

@@ -11,8 +11,8 @@
 #include "dense/lu.hpp"
 #include "friction/curve/equivalent.hpp"
 #include "friction/law/laws.hpp"
-#include "ident/tasks/equivalent.hpp"
 #include "rig_two_table.hpp"
+#include "tasks/equivalent.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::problems {
@@ -25,7 +25,7 @@ TEST(EquivalentJoint, InvertsTheCoupledFrfs) {
   std::srand(1);
   for (int trial = 0; trial < 100; ++trial) {
     const Complex z = std::polar(std::pow(10.0, 1.0 + trial % 7), 0.014 * trial);
-    ident::JointLines lines;
+    tasks::JointLines lines;
     std::vector<Complex> h1_rigid, h3_rigid;
     for (int line = 0; line < 5; ++line) {
       Eigen::Matrix2cd h = 1e-4 * Eigen::Matrix2cd::Random();
@@ -44,7 +44,7 @@ TEST(EquivalentJoint, InvertsTheCoupledFrfs) {
     }
     lines.gap = difference_gap(lines);
     lines.relative = trial % 2 == 0;
-    const ident::EquivalentJoint found = equivalent_joint(lines);
+    const tasks::EquivalentJoint found = equivalent_joint(lines);
     EXPECT_TRUE(found.settled);
     EXPECT_LT(std::abs(Complex(found.stiffness, found.damping) - z), 1e-8 * std::abs(z)) << trial;
     EXPECT_LT(found.misfit, 1e-9);
@@ -54,8 +54,8 @@ TEST(EquivalentJoint, InvertsTheCoupledFrfs) {
 }
 
 TEST(EquivalentJoint, RealFrfsKeepSizeAndSign) {
-  EXPECT_EQ(ident::real_frf({3.0, 4.0}), Complex(5.0));
-  EXPECT_EQ(ident::real_frf({-3.0, 4.0}), Complex(-5.0));
+  EXPECT_EQ(tasks::real_frf({3.0, 4.0}), Complex(5.0));
+  EXPECT_EQ(tasks::real_frf({-3.0, 4.0}), Complex(-5.0));
 }
 
 TEST(RigTwo, WithoutErrorsTheDescribingFunctionComesBack) {
@@ -95,7 +95,7 @@ TEST_F(RigTwoFiles, GiveWhatTheSetsInMemoryGive) {
   for (const bool rigid : {true, false}) {
     if (!rigid) scene.rigid.reset();
     const friction::Curve expected = equivalents(polluted(rig, 3), {.rigid = rigid});
-    const std::vector<ident::LevelJoint> found = find_equivalent(scene);
+    const std::vector<tasks::LevelJoint> found = tasks::find_equivalent(scene);
     ASSERT_EQ(found.size(), expected.u.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_EQ(found[i].displacement, expected.u[i]);
@@ -131,7 +131,7 @@ TEST_F(RigTwoFiles, SayWhichLevelHasNoCommonLine) {
   ident::EquivalentScene scene = ident::read_equivalent_scene(write(make_rig_two("rig2"), folder_, {}));
   scene.dofs = {frf::Dof::parse("109:+Y"), frf::Dof::parse("110:+Y")};
   try {
-    find_equivalent(scene);
+    tasks::find_equivalent(scene);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("110:+Y"));

@@ -13,13 +13,13 @@ namespace {
 using testing::ElementsAre;
 using testing::Le;
 
-ident::RegeneratedFrf frf(const char* response, const char* reference, std::vector<Complex> measured,
+tasks::RegeneratedFrf frf(const char* response, const char* reference, std::vector<Complex> measured,
                           std::vector<Complex> predicted) {
   return {{frf::Dof::parse(response), frf::Dof::parse(reference)}, std::move(measured), std::move(predicted)};
 }
 
 TEST(SolvePlots, MagnitudeAndPhaseOfBoth) {
-  const ident::Regenerated data = {{10.0, 20.0}, {frf("1:+Y", "2:+RZ", {{0, 1}, {0, 0}}, {{0, 2}, {-3, 0}})}};
+  const tasks::Regenerated data = {{10.0, 20.0}, {frf("1:+Y", "2:+RZ", {{0, 1}, {0, 0}}, {{0, 2}, {-3, 0}})}};
   const PlotGroup group = frf_overlay(data, {}, 100);
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].name, "1:+Y / 2:+RZ (6.02 dB)");
@@ -35,8 +35,7 @@ TEST(SolvePlots, MagnitudeAndPhaseOfBoth) {
 }
 
 TEST(SolvePlots, WhatIsNotThereIsLeftOut) {
-  const ident::Regenerated data = {
-      {10.0}, {frf("1:+Y", "2:+Y", {nan}, {1.0}), frf("1:+Y", "1:+Y", {1.0}, {Complex(nan, nan)})}};
+  const tasks::Regenerated data = {{10.0}, {frf("1:+Y", "2:+Y", {nan}, {1.0}), frf("1:+Y", "1:+Y", {1.0}, {Complex(nan, nan)})}};
   const PlotGroup group = frf_overlay(data, {}, 100);
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].name, "1:+Y / 1:+Y");
@@ -45,13 +44,13 @@ TEST(SolvePlots, WhatIsNotThereIsLeftOut) {
 }
 
 TEST(SolvePlots, AnFrfThatVanishesBySymmetryIsLeftOut) {
-  const ident::Regenerated data = {{10.0}, {frf("1:+Y", "1:+Y", {1.0}, {1.0}), frf("1:+Y", "1:+X", {1e-17}, {1e-18})}};
+  const tasks::Regenerated data = {{10.0}, {frf("1:+Y", "1:+Y", {1.0}, {1.0}), frf("1:+Y", "1:+X", {1e-17}, {1e-18})}};
   EXPECT_EQ(frf_overlay(data, {}, 100).choices.size(), 1U);
 }
 
 TEST(SolvePlots, AHundredThousandLinesStaySmall) {
   const std::size_t lines = 100000;
-  ident::Regenerated data;
+  tasks::Regenerated data;
   std::vector<Complex> values;
   for (std::size_t i = 0; i < lines; ++i) {
     data.frequency_hz.push_back(0.0123456789 * static_cast<double>(i));
@@ -63,7 +62,7 @@ TEST(SolvePlots, AHundredThousandLinesStaySmall) {
 
 TEST(SolvePlots, OneQualityPlotPerMatrix) {
   using restrictions::Kind;
-  const std::vector<ident::LineQuality> lines = {{2, 10.0, {{Kind::stiffness, {0.5, 0.6, 0.1}}}},
+  const std::vector<tasks::LineQuality> lines = {{2, 10.0, {{Kind::stiffness, {0.5, 0.6, 0.1}}}},
                                                  {3, 20.0, {{Kind::stiffness, {0.9, 1.1, 0.1}}}}};
   const PlotGroup group = quality_plots(lines);
   ASSERT_EQ(group.choices.size(), 1U);

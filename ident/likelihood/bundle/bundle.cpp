@@ -7,10 +7,10 @@
 
 #include "base/eigen.hpp"
 #include "dense/pivoted_qr.hpp"
-#include "ident/algebra/covariance.hpp"
 #include "ident/likelihood/bundle/bundle_functions.hpp"
 #include "ident/likelihood/line/line_start.hpp"
 #include "ident/likelihood/line/line_tolerance.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -68,7 +68,7 @@ class Bundle {
 Bundle::Bundle(LikelihoodData& observations, const restrictions::Restriction& restriction, const UnknownColumns& columns,
                double omega0, const LikelihoodFit& start, const FitWatcher& watch)
     : observations_(observations), watch_(watch), scale_{start.theta, {}}, t_(start.theta.size(), 0.0) {
-  const Eigen::VectorXd variances = covariance_of(start.information).diagonal();
+  const Eigen::VectorXd variances = minimise::covariance_of(start.information).diagonal();
   for (Eigen::Index i = 0; i < variances.size(); ++i) scale_.scale.push_back(std::sqrt(variances[i]));
   for (std::size_t i = 0; i < observations.lines().size(); ++i) {
     const LineData& data = observations.lines()[i];
@@ -172,7 +172,7 @@ void Bundle::reduce() {
     step_ -= rho[1] * rotated.bottomRows(left).transpose() * right.tail(left);
   }
   const Eigen::VectorXd gradient = step_;
-  step_ = covariance_of(fit_.information) * gradient;
+  step_ = minimise::covariance_of(fit_.information) * gradient;
   fit_.converged = std::sqrt(std::max(0.0, step_.dot(gradient))) < 1e-3;
 }
 

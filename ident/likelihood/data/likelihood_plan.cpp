@@ -1,7 +1,7 @@
 #include "ident/likelihood/data/likelihood_plan.hpp"
 
 #include <algorithm>
-#include <ranges>
+#include <span>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -29,7 +29,7 @@ Dofs find_others(const Plan& plan) {
 /// "gain of 1:+Y, gain of 2:+Y and 7 more"
 std::string listed_names(const std::vector<NamedSystematic>& all) {
   constexpr std::size_t most = 4;
-  const std::string text = comma_list(all | std::views::take(most), &NamedSystematic::name);
+  const std::string text = comma_list(std::span(all).first(std::min(most, all.size())), &NamedSystematic::name);
   return all.size() > most ? text + " and " + std::to_string(all.size() - most) + " more" : text;
 }
 

@@ -50,8 +50,8 @@ class ElementParts {
 
 }  // namespace
 
-std::shared_ptr<const Correlation> correlation_of(const LineLayout& layout, const LineErrors* substructures, const LineErrors* assembly,
-                                                  const std::vector<double>& variance) {
+std::shared_ptr<const minimise::Correlation> correlation_of(const LineLayout& layout, const LineErrors* substructures,
+                                                            const LineErrors* assembly, const std::vector<double>& variance) {
   if (!substructures && !assembly) return nullptr;
   ElementParts parts;
   std::size_t element = 0;
@@ -65,8 +65,8 @@ std::shared_ptr<const Correlation> correlation_of(const LineLayout& layout, cons
   });
   Eigen::VectorXd variances(at(parts.elements().size()));
   for (Eigen::Index i = 0; i < variances.size(); ++i) variances[i] = variance[parts.elements()[static_cast<std::size_t>(i)]];
-  Correlation out = Correlation::of(element, parts.elements(), parts.covariance(), variances);
-  return out.groups().empty() ? nullptr : std::make_shared<const Correlation>(std::move(out));
+  minimise::Correlation out = minimise::Correlation::of(element, parts.elements(), parts.covariance(), variances);
+  return out.groups().empty() ? nullptr : std::make_shared<const minimise::Correlation>(std::move(out));
 }
 
 }  // namespace jointid::ident

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "ident/algebra/correlation.hpp"
 #include "ident/likelihood/line/line_layout.hpp"
 #include "ident/likelihood/line/symmetric.hpp"
+#include "minimise/linear/correlation.hpp"
 
 namespace jointid::ident {
 
@@ -28,7 +28,7 @@ struct LineErrors {
 /// A variance E|e|² of each element (Correlation), 0 for one without a weight, to the correlation of the elements of a line from
 /// the errors of both systems, of which either may be empty; empty where nothing depends on anything. H_sub(n,n) and H_asm(n,n) stand
 /// alone in their rows: D has the error of both.
-std::shared_ptr<const Correlation> correlation_of(const LineLayout& layout, const LineErrors* substructures, const LineErrors* assembly,
-                                                  const std::vector<double>& variance);
+std::shared_ptr<const minimise::Correlation> correlation_of(const LineLayout& layout, const LineErrors* substructures,
+                                                            const LineErrors* assembly, const std::vector<double>& variance);
 
 }  // namespace jointid::ident

@@ -10,16 +10,16 @@
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
-#include "ident/algebra/covariance.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/simulated_data.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
 
 Replicate replicate_of(const LikelihoodFit& fit) {
   Replicate out{.theta = fit.theta, .error = {}, .usable = fit.converged};
-  const Eigen::MatrixXd covariance = covariance_of(fit.information);
+  const Eigen::MatrixXd covariance = minimise::covariance_of(fit.information);
   for (std::size_t column = 0; column < fit.theta.size(); ++column) {
     const auto c = at(column);
     out.error.push_back(std::sqrt(covariance(c, c)));

@@ -4,24 +4,24 @@
 #include <limits>
 
 #include "base/eigen.hpp"
-#include "ident/algebra/covariance.hpp"
-#include "ident/algebra/null_space.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/joint_part.hpp"
 #include "ident/plan/joint_guess.hpp"
+#include "minimise/linear/covariance.hpp"
+#include "minimise/linear/null_space.hpp"
 
 namespace jointid::ident {
 
 std::vector<double> bound_of(const Plan& plan, const Eigen::MatrixXd& information) {
   const Eigen::MatrixXd of_joint = joint_information(information, plan.columns->size());
-  const Eigen::MatrixXd covariance = covariance_of(of_joint), free = null_space_of(of_joint);
+  const Eigen::MatrixXd covariance = minimise::covariance_of(of_joint), free = minimise::null_space_of(of_joint);
   std::vector<double> bound;
   for (std::size_t column = 0; column < plan.columns->size(); ++column) {
     const auto c = at(column);
     bound.push_back(std::sqrt(covariance(c, c)) * plan.unscale(column));
   }
-  LinearSolution fixed;
-  if (free.cols() > 0) tell_null_space(free, fixed);
+  minimise::LinearSolution fixed;
+  if (free.cols() > 0) minimise::tell_null_space(free, fixed);
   for (const std::size_t column : fixed.undetermined) bound[column] = std::numeric_limits<double>::infinity();
   return bound;
 }

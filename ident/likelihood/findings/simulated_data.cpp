@@ -25,7 +25,8 @@ double error(double normal, double weight) { return weight > 0.0 ? normal / weig
 
 /// Errors in parts of their deviations, for the channels of a line one after the other.
 std::vector<Complex> draw_errors(const std::array<std::pair<const std::vector<Complex>*, Channel*>, 5>& channels,
-                                 const Correlation* correlation, const RandomStream& stream, std::uint64_t first_entry) {
+                                 const minimise::Correlation* correlation, const RandomStream& stream,
+                                 std::uint64_t first_entry) {
   std::vector<Complex> errors;
   for (std::size_t c = 0; c < channels.size(); ++c) {
     for (std::size_t i = 0; i < channels[c].second->value.size(); ++i) {

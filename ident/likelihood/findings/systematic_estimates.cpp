@@ -5,8 +5,8 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
-#include "ident/algebra/covariance.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -56,7 +56,7 @@ std::vector<SystematicEstimate> systematic_estimates(const Plan& plan, const Lik
                                                      const Eigen::MatrixXd& information) {
   const SystematicPlan* systematic = likelihood_plan(plan)->observations->systematic_plan();
   if (systematic == nullptr) return {};
-  const Eigen::MatrixXd covariance = covariance_of(information);
+  const Eigen::MatrixXd covariance = minimise::covariance_of(information);
   std::vector<SystematicEstimate> out;
   for (std::size_t u = 0; u < systematic->all().size(); ++u) {
     const std::size_t column = plan.columns->size() + u;
@@ -69,7 +69,8 @@ void tell_calibration(const Plan& plan, const Eigen::MatrixXd& information, Solu
   const SystematicPlan* systematic = likelihood_plan(plan)->observations->systematic_plan();
   if (systematic == nullptr || !out.identifiability) return;
   const Eigen::Index joint = at(plan.columns->size());
-  const Eigen::MatrixXd covariance = covariance_of(information), alone = covariance_of(information.topLeftCorner(joint, joint));
+  const Eigen::MatrixXd covariance = minimise::covariance_of(information),
+                        alone = minimise::covariance_of(information.topLeftCorner(joint, joint));
   const CalibrationShare* worst = nullptr;
   std::vector<CalibrationShare>& shares = out.identifiability->calibration;
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {

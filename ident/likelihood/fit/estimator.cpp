@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/eigen.hpp"
-#include "ident/algebra/covariance.hpp"
 #include "ident/likelihood/fit/godambe_information.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -102,7 +102,7 @@ Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& th
   lines_.weigh_robustly();
   Eigen::VectorXd gradient;
   sum(theta, information, gradient);
-  return determined_step(information, gradient);
+  return minimise::determined_step(information, gradient);
 }
 
 /// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
@@ -140,9 +140,9 @@ void LikelihoodEstimator::implicit_stage(LikelihoodFit& fit, const FitWatcher& w
 Eigen::VectorXd LikelihoodEstimator::joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information,
                                                 const Eigen::VectorXd& gradient) {
   if (admissible_ == nullptr) return secants_.step(information, gradient);
-  const Eigen::VectorXd step = determined_step(information, gradient);
+  const Eigen::VectorXd step = minimise::determined_step(information, gradient);
   const Eigen::VectorXd from = Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()));
-  nearest_ = nearest_admissible(*admissible_, from + step, root_of(information), std::sqrt(lines_.tolerance()));
+  nearest_ = nearest_admissible(*admissible_, from + step, minimise::root_of(information), std::sqrt(lines_.tolerance()));
   return nearest_.theta - from;
 }
 
@@ -279,14 +279,15 @@ ConstrainedFit LikelihoodEstimator::constrain(LikelihoodFit fit, const Admissibl
   const auto vector = [](const std::vector<double>& theta) {
     return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size())));
   };
-  AdmissibleFit unmoved = nearest_admissible(set, vector(fit.theta), root_of(fit.information), std::sqrt(lines_.tolerance()));
+  AdmissibleFit unmoved =
+      nearest_admissible(set, vector(fit.theta), minimise::root_of(fit.information), std::sqrt(lines_.tolerance()));
   if (unmoved.theta == vector(fit.theta)) return {std::move(fit), std::move(unmoved)};
   const std::size_t before = std::exchange(fit.iterations, 0);
   fit.converged = project(fit, settled, watch) && fit.converged;  // so that both minima are of the same weights
   const double free_loss = total(fit.theta);
   const Eigen::VectorXd free = vector(fit.theta);
   admissible_ = &set;
-  nearest_ = nearest_admissible(set, free, root_of(fit.information), std::sqrt(lines_.tolerance()));
+  nearest_ = nearest_admissible(set, free, minimise::root_of(fit.information), std::sqrt(lines_.tolerance()));
   const bool moves = nearest_.theta != free;
   const double tie_share = nearest_.cost > 0.0 ? nearest_.tie_cost / nearest_.cost : 0.0;
   if (moves) {

@@ -8,7 +8,7 @@
 
 #include "dense/cholesky.hpp"
 #include "dense/eigen.hpp"
-#include "ident/algebra/covariance.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -20,8 +20,8 @@ constexpr double least_curvature = 0.1, most_curvature = 3.0;  // of the informa
 }  // namespace
 
 Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information, const GradientAt& quick) {
-  if (null_space_of(information).cols() > 0) return information;
-  const auto root = dense::cholesky(covariance_of(information));
+  if (minimise::null_space_of(information).cols() > 0) return information;
+  const auto root = dense::cholesky(minimise::covariance_of(information));
   if (!root) return information;
   const Eigen::MatrixXd& unit = *root;  // offsets of one standard deviation: the information is the identity there
   const auto along = [&](const Eigen::VectorXd& direction) {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ident/algebra/covariance.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -20,7 +20,7 @@ Eigen::VectorXd SecantSteps::step(const Eigen::MatrixXd& information, const Eige
     shares[k] = pair.step.dot(rest) / pair.step.dot(pair.fall);
     rest -= shares[k] * pair.fall;
   }
-  Eigen::VectorXd step = determined_step(information, rest);
+  Eigen::VectorXd step = minimise::determined_step(information, rest);
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
     const Pair& pair = pairs_[k];
     step += (shares[k] - pair.fall.dot(step) / pair.step.dot(pair.fall)) * pair.step;

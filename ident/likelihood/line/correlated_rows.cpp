@@ -16,7 +16,7 @@ MatrixXcd whitened(const MatrixXcd& factor, const MatrixXcd& transposed) {
 
 }  // namespace
 
-void CorrelatedRows::reset(const Correlation& correlation, std::size_t columns) {
+void CorrelatedRows::reset(const minimise::Correlation& correlation, std::size_t columns) {
   correlation_ = &correlation;
   groups_.resize(correlation.groups().size());
   for (std::size_t g = 0; g < groups_.size(); ++g) groups_[g].setZero(at(columns), at(correlation.groups()[g].elements.size()));

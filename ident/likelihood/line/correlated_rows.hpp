@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ident/algebra/correlation.hpp"
+#include "minimise/linear/correlation.hpp"
 
 namespace jointid::ident {
 
@@ -12,10 +12,12 @@ namespace jointid::ident {
 class CorrelatedRows {
  public:
   /// Zero, for rows of `columns` numbers.
-  void reset(const Correlation& correlation, std::size_t columns);
+  void reset(const minimise::Correlation& correlation, std::size_t columns);
 
   /// Row of an element of some group, to be written to.
-  Complex* row(Correlation::Place place) { return groups_[place.group].col(static_cast<Eigen::Index>(place.row)).data(); }
+  Complex* row(minimise::Correlation::Place place) {
+    return groups_[place.group].col(static_cast<Eigen::Index>(place.row)).data();
+  }
 
   /// Adds Re(Zᴴ ρ⁻¹ Z), the lower triangle: columns are real unknowns.
   void add_to(Eigen::Ref<Eigen::MatrixXd> normal) const;
@@ -24,7 +26,7 @@ class CorrelatedRows {
   void add_to(Eigen::MatrixXcd& normal) const;
 
  private:
-  const Correlation* correlation_ = nullptr;
+  const minimise::Correlation* correlation_ = nullptr;
   std::vector<Eigen::MatrixXcd> groups_;  ///< Zᵀ, [columns, elements]
 };
 

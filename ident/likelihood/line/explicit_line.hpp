@@ -51,7 +51,7 @@ class ExplicitLine {
   std::vector<ComplexMatrix> by_;    ///< ∂Z/∂θ of columns_
   ComplexMatrix x_centre_, y_centre_;
   std::vector<double> scale_;  ///< [own()]
-  std::shared_ptr<const Correlation> correlation_;
+  std::shared_ptr<const minimise::Correlation> correlation_;
 };
 
 }  // namespace jointid::ident

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "ident/algebra/correlation.hpp"
 #include "ident/likelihood/line/line_layout.hpp"
 #include "ident/likelihood/line/systematic_errors.hpp"
+#include "minimise/linear/correlation.hpp"
 
 namespace jointid::ident {
 
@@ -20,7 +20,7 @@ struct LineData {
   double omega = 0.0;  ///< rad/s
   Channel x, y, a, b, d;
   std::size_t measured = 0;  ///< real numbers with a weight
-  std::shared_ptr<const Correlation> correlation;  ///< of the errors; empty where they are independent
+  std::shared_ptr<const minimise::Correlation> correlation;  ///< of the errors; empty where they are independent
   std::shared_ptr<const SystematicFrfs> systematic{};  ///< as measured; empty where there are none
   std::shared_ptr<const SystematicTerms> terms{};      ///< of corrected_line()
 

@@ -61,8 +61,9 @@ void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, N
   const Complex residual = channel.value[i] - predicted, weight = channel.weight[i];
   put_systematic(first_element_ + i, residual);
   row_[place_++] = {weight.real() == 0.0 ? 0.0 : residual.real(), weight.imag() == 0.0 ? 0.0 : residual.imag()};
-  const Correlation::Place place = correlation_ ? correlation_->place(first_element_ + i) : Correlation::Place();
-  if (place.group != Correlation::none) {
+  const minimise::Correlation::Place place =
+      correlation_ ? correlation_->place(first_element_ + i) : minimise::Correlation::Place();
+  if (place.group != minimise::Correlation::none) {
     put_correlated(place, weight, first, second);
   } else if (complex_) {
     for (std::size_t k = 0; k < place_; ++k) row_[k] *= weight.real();
@@ -89,7 +90,8 @@ void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, N
 }
 
 /// The row that is written, as CorrelatedRows weights it.
-void LineModel::put_correlated(Correlation::Place place, Complex weight, NormalRows::Run first, NormalRows::Run second) {
+void LineModel::put_correlated(minimise::Correlation::Place place, Complex weight, NormalRows::Run first,
+                               NormalRows::Run second) {
   const std::size_t variables = layout_.variables(), head = first.count + second.count, frfs = place_ - unknowns_ - 1;
   const auto weighted = [&](Complex z) { return Complex(weight.real() * z.real(), weight.imag() * z.imag()); };
   Complex* const out = correlated_rows_.row(place);
@@ -120,8 +122,8 @@ void LineModel::put_systematic_prior(std::size_t variable, const Channel& channe
 
 /// A measured FRF whose error depends on others, as a row of its own. False: it stands alone.
 bool LineModel::put_correlated_prior(std::size_t variable, Complex residual, Complex weight) {
-  const Correlation::Place place = correlation_ ? correlation_->place(variable) : Correlation::Place();
-  if (place.group == Correlation::none) return false;
+  const minimise::Correlation::Place place = correlation_ ? correlation_->place(variable) : minimise::Correlation::Place();
+  if (place.group == minimise::Correlation::none) return false;
   Complex* const out = correlated_rows_.row(place);
   prior_weight_.push_back(weight.real());
   if (complex_) {

@@ -74,7 +74,7 @@ class LineModel {
   void put_joint(const JointImpedance& joint, const Complex* left, const Complex* right);
   void put_systematic(std::size_t element, Complex residual);
   void emit(const Channel& channel, std::size_t i, Complex predicted, NormalRows::Run first, NormalRows::Run second);
-  void put_correlated(Correlation::Place place, Complex weight, NormalRows::Run first, NormalRows::Run second);
+  void put_correlated(minimise::Correlation::Place place, Complex weight, NormalRows::Run first, NormalRows::Run second);
 
   const LineLayout& layout_;
   Numbers numbers_;
@@ -88,7 +88,7 @@ class LineModel {
   std::vector<double> prior_weight_;  ///< 2v, v of complex equations
   NormalRows rows_;
   ComplexRows complex_rows_;
-  const Correlation* correlation_ = nullptr;  ///< of the line's errors
+  const minimise::Correlation* correlation_ = nullptr;  ///< of the line's errors
   const SystematicTerms* terms_ = nullptr;    ///< of the line, while unknowns are asked for
   std::size_t first_element_ = 0;             ///< of the channel whose rows are written, see Correlation
   CorrelatedRows correlated_rows_;

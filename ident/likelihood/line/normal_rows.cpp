@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ident/algebra/kernel.hpp"
+#include "minimise/linear/kernel.hpp"
 
 namespace jointid::ident {
 namespace {

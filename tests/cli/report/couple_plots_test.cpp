@@ -44,7 +44,7 @@ class CoupleReport : public testing::Test {
         problems::write(problems::make_coupling("coupling-C"), folder_, {.format = "h5", .seed = 1, .clean = false}));
   }
 
-  ident::CoupleResult couple(bool bounds) const { return ident::couple(scene_, folder_ / "out.h5", bounds); }
+  tasks::CoupleResult couple(bool bounds) const { return tasks::couple(scene_, folder_ / "out.h5", bounds); }
 
   TestFolder folder_;
   ident::CoupleScene scene_;
@@ -53,7 +53,7 @@ class CoupleReport : public testing::Test {
 TEST_F(CoupleReport, ReadsBackWhatWasWritten) {
   scene_.options.uncertainty = true;
   scene_.options.noise = frf::NoiseModel{.level = 0.05};
-  const ident::CoupleResult result = couple(true);
+  const tasks::CoupleResult result = couple(true);
   const std::vector<PredictedFrf> frfs = read_predicted(result, 8);
   const frf::FrfSet set = frf::load(*frf::open_hdf5(result.result.path)), all = frf::load(*frf::open_hdf5(result.with_all->path));
   ASSERT_EQ(frfs.size(), 8u);
@@ -86,7 +86,7 @@ TEST_F(CoupleReport, TheThresholdPartsTheSingularValuesOfEveryLine) {
   scene_.options.method = coupling::Method::grc;
   for (const auto threshold : {coupling::Threshold::fixed, coupling::Threshold::picard}) {
     scene_.options.threshold = threshold;
-    const ident::CoupleResult result = couple(false);
+    const tasks::CoupleResult result = couple(false);
     const PlotGroup group = condition_plots(result, 10000);
     const auto& series = curves(group, 0, 1).series;
     const auto& kept = curves(group, 0, 2).series[0].y;

@@ -1,0 +1,58 @@
+#include "ident/likelihood/likelihood.hpp"
+#include "ident/linear/linear_method.hpp"
+#include "ident/newton/newton.hpp"
+#include "ident/scene/method_traits.hpp"
+
+namespace jointid::ident {
+namespace {
+
+const std::vector<std::string> linear_solvers = {"qr", "normal", "spqr"};
+
+/// What plans a linear method.
+template <std::unique_ptr<MethodPlan> (*plan_linear)(Plan&)>
+std::unique_ptr<MethodPlan> without_start(Plan& plan, const StartPlanner&) {
+  return plan_linear(plan);
+}
+
+}  // namespace
+
+const std::vector<MethodTraits>& all_methods() {
+  static const std::vector<MethodTraits> all = {
+      {.method = Method::one,
+       .name = "one",
+       .solvers = linear_solvers,
+       .phrase = "Method One",
+       .plan = without_start<plan_method_one>},
+      {.method = Method::two,
+       .name = "two",
+       .solvers = linear_solvers,
+       .phrase = "Method Two",
+       .plan = without_start<plan_method_two>,
+       .inverts_substructures = true},
+      {.method = Method::direct,
+       .name = "direct",
+       .solvers = linear_solvers,
+       .phrase = "the direct solution",
+       .plan = without_start<plan_direct>,
+       .joint_on_assembly = false,
+       .inverts_references = true},
+      {.method = Method::newton,
+       .name = "newton",
+       .solvers = {"levenberg-marquardt", "newton", "ceres", "ipopt", "nlopt", "nlopt-crs2", "nlopt-sbplx", "pattern"},
+       .phrase = "method \"newton\"",
+       .plan = plan_newton,
+       .iterates = true,
+       .has_constraints = false,
+       .joint_on_assembly = false},
+      {.method = Method::likelihood,
+       .name = "likelihood",
+       .solvers = {"gauss-helmert", "iqml", "ceres"},
+       .phrase = "method \"likelihood\"",
+       .plan = plan_likelihood,
+       .iterates = true,
+       .uses_variances = true},
+  };
+  return all;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,13 @@
+#include "tasks/bound.hpp"
+
+#include "ident/likelihood/findings/bound_of.hpp"
+#include "ident/plan/joint_guess.hpp"
+
+namespace jointid::tasks {
+
+std::vector<double> cramer_rao_bound(ident::Plan& plan, const std::vector<double>& values, const ident::Control& control) {
+  read_observations(plan, control);
+  return bound_of(plan, make_estimator(plan, control).information_at(scaled(plan, values)));
+}
+
+}  // namespace jointid::tasks

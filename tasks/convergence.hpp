@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ident/plan/plan.hpp"
+#include "ident/result/control.hpp"
+
+namespace jointid::tasks {
+
+/// Figures of merit of the joint identified from the first `lines` lines.
+struct LineQuality {
+  std::size_t lines = 0;
+  double frequency_hz = 0.0;  ///< of the last of them
+  std::map<restrictions::Kind, ident::Quality> quality;
+};
+
+/// RJCF and ARVF against the number of frequency lines (docs/formulas.md §6): the scene solved from its first line,
+/// its first two, … Starts where the lines fix every unknown. With more than `points` lines, that many numbers of lines
+/// spread evenly. Empty when the scene tells no truth.
+std::vector<LineQuality> quality_by_line(ident::Plan& plan, std::size_t points, const ident::Control& control = {});
+
+}  // namespace jointid::tasks

@@ -1,0 +1,126 @@
+#include "tasks/propose_joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "base/statistics.hpp"
+#include "base/text.hpp"
+
+namespace jointid::tasks {
+namespace {
+
+using Headers = std::vector<const frf::FrfHeader*>;
+using Dofs = std::vector<frf::Dof>;
+
+constexpr double equally_near = 1.01;  // as the nearest pair
+
+double distance(const frf::Node& a, const frf::Node& b) {
+  return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1], a.position[2] - b.position[2]);
+}
+
+/// The coordinates with which a part could be coupled.
+Dofs couplable(const frf::FrfHeader& part) {
+  Dofs dofs;
+  for (const frf::Dof& dof : part.response) {
+    if (frf::has(part.reference, dof)) dofs.push_back(dof);
+  }
+  return dofs;
+}
+
+/// Nodes of a part that have such coordinates and a position.
+std::vector<frf::Node> nodes_of(const frf::FrfHeader& part) {
+  std::set<std::int64_t> wanted;
+  for (const frf::Dof& dof : couplable(part)) wanted.insert(dof.node);
+  std::vector<frf::Node> nodes;
+  for (const frf::Node& node : part.nodes) {
+    if (wanted.contains(node.id)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+double nearest(const frf::Node& node, const std::vector<frf::Node>& among) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const frf::Node& other : among) {
+    if (&other != &node) least = std::min(least, distance(node, other));
+  }
+  return least;
+}
+
+/// The median over nodes of the distance to the nearest of the same part; infinite for a part of one node.
+double usual_distance(const std::vector<frf::Node>& nodes) {
+  std::vector<double> each;
+  for (const frf::Node& node : nodes) each.push_back(nearest(node, nodes));
+  return median(each);
+}
+
+struct NearNode {
+  frf::Node node;
+  double gap = 0.0, usual = 0.0;
+};
+
+/// Of every node the distance to the nearest node of another part.
+std::vector<NearNode> gaps(const Headers& parts) {
+  std::vector<std::vector<frf::Node>> nodes;
+  for (const frf::FrfHeader* part : parts) nodes.push_back(nodes_of(*part));
+  std::vector<NearNode> found;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (nodes[i].empty()) continue;
+    const double usual = usual_distance(nodes[i]);
+    for (const frf::Node& node : nodes[i]) {
+      double gap = std::numeric_limits<double>::infinity();
+      for (std::size_t j = 0; j < parts.size(); ++j) {
+        if (j != i) gap = std::min(gap, nearest(node, nodes[j]));
+      }
+      found.push_back({node, gap, usual});
+    }
+  }
+  return found;
+}
+
+Dofs at_nodes(const Headers& parts, const std::set<std::int64_t>& nodes) {
+  Dofs dofs;
+  for (const frf::FrfHeader* part : parts) {
+    for (const frf::Dof& dof : couplable(*part)) {
+      if (nodes.contains(dof.node)) dofs.push_back(dof);
+    }
+  }
+  std::ranges::stable_sort(dofs, {}, [](const frf::Dof& dof) { return frf::coordinate_key(dof); });
+  return dofs;
+}
+
+std::string listed(const std::set<std::int64_t>& nodes) {
+  return comma_list(nodes, [](std::int64_t node) { return std::to_string(node); });
+}
+
+}  // namespace
+
+ProposedJoint propose_joint(const Headers& parts) {
+  ProposedJoint joint;
+  const std::vector<NearNode> all = gaps(parts);
+  double least = std::numeric_limits<double>::infinity();
+  for (const NearNode& node : all) least = std::min(least, node.gap);
+  if (!std::isfinite(least)) {
+    joint.doubts.push_back(
+        "Joint DOFs: the files do not say where the nodes are, or not of two parts; name the DOFs on both sides of the joint.");
+    return joint;
+  }
+  std::set<std::int64_t> near, nearest_ones;
+  for (const NearNode& node : all) {
+    if (node.gap <= 0.5 * node.usual && std::isfinite(node.usual)) near.insert(node.node.id);
+    if (node.gap <= equally_near * least) nearest_ones.insert(node.node.id);
+  }
+  const bool by_spacing = std::ranges::includes(near, nearest_ones);
+  const std::set<std::int64_t>& chosen = by_spacing ? near : nearest_ones;
+  joint.dofs = at_nodes(parts, chosen);
+  joint.reasons.push_back("Joint DOFs: nodes " + listed(chosen) +
+                          (by_spacing ? " lie nearer to another part than half the usual distance of nodes in their own"
+                                      : " are those of different parts that lie nearest to each other") +
+                          "; the smallest gap is " + digits(least, "%.3g") + " m.");
+  joint.doubts.push_back("Where the joint is, only positions say: look at its DOFs.");
+  return joint;
+}
+
+}  // namespace jointid::tasks
