@@ -21,6 +21,7 @@
 #include "gui/project.hpp"
 #include "gui/recent_files.hpp"
 #include "gui/scene/scene_editor.hpp"
+#include "gui/scene/scene_words.hpp"
 #include "gui/work/worker.hpp"
 #include "tasks/propose_scene.hpp"
 
@@ -79,6 +80,10 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   connect(worker_, &Worker::failed, this, [this](const InputError& error) { messages_->warn(QString::fromUtf8(error.what())); });
   connect(tabs_, &QTabWidget::tabCloseRequested, this, &MainWindow::close_project);
   connect(tabs_, &QTabWidget::currentChanged, this, &MainWindow::show_titles);
+  worker_->add([](const Worker::Watch&) -> Worker::Deliver {
+    ask_for_everything();
+    return {};
+  });
   add_menus();
   restore_layout();
   show_titles();

@@ -85,8 +85,9 @@ void MainWindow::add_view_menu() {
                   on_current(this, [](Project& project) { project.switch_view(true); }));
   int page = 0;
   for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
-                              tr("Cou&pling"), tr("&Loading curves"), tr("&Before measuring")}) {
-    menu->addAction(text, QKeySequence(QStringLiteral("Alt+%1").arg((page + 2) % 10)), this,
+                              tr("Cou&pling"), tr("&Loading curves"), tr("&Before measuring"), tr("&Response"), tr("Friction la&ws")}) {
+    const QString key = page < 9 ? QStringLiteral("Alt+%1").arg((page + 2) % 10) : QStringLiteral("Ctrl+%1").arg(page - 8);
+    menu->addAction(text, QKeySequence(key), this,
                     on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));
     ++page;
   }

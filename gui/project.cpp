@@ -17,10 +17,9 @@
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
-#include "gui/look/said.hpp"
 #include "gui/modal/modal_page.hpp"
+#include "gui/page/scene_page.hpp"
 #include "gui/plan/plan_page.hpp"
-#include "gui/plot/frf_plot.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
@@ -65,6 +64,7 @@ QWidget* Project::make_views() {
   views_->addTab(form_, tr("Form"));
   connect(views_, &QTabWidget::currentChanged, this, &Project::show_form);
   connect(form_, &SceneForm::edit_wanted, this, &Project::edit);
+  connect(form_, &SceneForm::text_wanted, editor_, &SceneEditor::replace_text);
   return views_;
 }
 
@@ -99,57 +99,18 @@ void Project::redo() {
   check();
 }
 
-void Project::add_pages() {
-  pages_ = named(new QTabWidget, "pages", tr("Pages"));
-  data_page_ = named(new DataPage, "data_page", tr("Data"));
-  pages_->addTab(data_page_, tr("Data"));
-  geometry_page_ = named(new GeometryPage, "geometry_page", tr("Geometry"));
-  pages_->addTab(geometry_page_, tr("Geometry"));
-  solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
-  pages_->addTab(solve_page_, tr("Solve"));
-  compare_page_ = named(new ComparePage, "compare_page", tr("Compare"));
-  pages_->addTab(compare_page_, tr("Compare"));
-  study_page_ = named(new StudyPage, "study_page", tr("Study"));
-  pages_->addTab(study_page_, tr("Study"));
-  modal_page_ = named(new ModalPage, "modal_page", tr("Modes"));
-  pages_->addTab(modal_page_, tr("Modes"));
-  couple_page_ = named(new CouplePage, "couple_page", tr("Coupling"));
-  pages_->addTab(couple_page_, tr("Coupling"));
-  loading_curve_page_ = named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves"));
-  pages_->addTab(loading_curve_page_, tr("Loading curves"));
-  plan_page_ = named(new PlanPage, "plan_page", tr("Before measuring"));
-  pages_->addTab(plan_page_, tr("Before measuring"));
-  splitter_->addWidget(pages_);
-  link_cursors();
-  connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
-  connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
-  connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
-  connect(modal_page_, &ModalPage::modes_changed, this, [this] {
-    geometry_page_->set_modes(named_shapes(report::uff_modes(*modal_page_->shown()), q(modal_page_->shown()->files)));
-  });
-  connect(couple_page_, &CouplePage::failed, this, &Project::show_failure);
-  connect(plan_page_, &PlanPage::failed, this, &Project::show_failure);
-  connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
-  connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
-  connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
-  connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
-}
-
-/// One cursor in all plots.
-void Project::link_cursors() {
-  FrfPlot* const data = data_page_->plot();
-  FrfPlot* const solution = solve_page_->plot();
-  connect(data, &FrfPlot::cursor_moved, solution, &FrfPlot::set_cursor);
-  connect(solution, &FrfPlot::cursor_moved, data, &FrfPlot::set_cursor);
-  for (FrfPlot* plot : {data, solution}) connect(plot, &FrfPlot::cursor_moved, geometry_page_, &GeometryPage::set_frequency);
-}
-
 bool Project::is_modified() const { return editor_->document()->isModified(); }
 
 void Project::check() {
-  checked_ = check_scene(editor_->text(), path());
-  const auto wrong_couple = couple_page_->set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
-  if (is_couple_scene(editor_->text())) checked_ = {{}, wrong_couple};
+  const std::string text = editor_->text();
+  const QString saved = is_modified() ? QString() : file_;
+  checked_ = check_scene(text, path());
+  const auto wrong_couple = couple_page_->set_scene(text, path(), saved);
+  if (is_couple_scene(text)) checked_ = {{}, wrong_couple};
+  for (ScenePage* page : {response_page_, laws_page_}) {
+    const auto wrong = page->set_scene(text, path(), saved);
+    if (page->is_of(text)) checked_ = {{}, wrong};
+  }
   editor_->set_error(checked_.error);
   show_problem();
   show_form();
@@ -194,6 +155,8 @@ void Project::cancel() {
   couple_page_->cancel();
   loading_curve_page_->cancel();
   plan_page_->cancel();
+  response_page_->cancel();
+  laws_page_->cancel();
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.

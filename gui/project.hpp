@@ -23,6 +23,7 @@ class ModalPage;
 class PlanPage;
 class SceneEditor;
 class SceneForm;
+class ScenePage;
 class SolvePage;
 class StudyPage;
 
@@ -68,6 +69,8 @@ class Project : public QWidget {
   ModalPage* modal_page() const { return modal_page_; }
   LoadingCurvePage* loading_curve_page() const { return loading_curve_page_; }
   CouplePage* couple_page() const { return couple_page_; }
+  ScenePage* response_page() const { return response_page_; }
+  ScenePage* laws_page() const { return laws_page_; }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   /// Stops what runs on any page.
@@ -116,6 +119,7 @@ class Project : public QWidget {
   ModalPage* modal_page_;
   LoadingCurvePage* loading_curve_page_;
   CouplePage* couple_page_;
+  ScenePage *response_page_, *laws_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   CheckedScene checked_;

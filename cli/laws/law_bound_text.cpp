@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/laws/law_text.hpp"
+#include "cli/laws/law_parts.hpp"
 #include "cli/text/json_value.hpp"
 
 namespace jointid::cli {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
-#include "cli/laws/law_text.hpp"
+#include "cli/laws/law_parts.hpp"
 #include "cli/text/json_value.hpp"
 #include "laws/task/identify_laws.hpp"
 

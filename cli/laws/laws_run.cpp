@@ -1,7 +1,6 @@
 #include "cli/laws/laws_run.hpp"
 
-#include "cli/laws/law_page.hpp"
-#include "cli/laws/law_text.hpp"
+#include "cli/laws/law_parts.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
@@ -13,7 +12,7 @@ ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std:
   const laws::LawIdentification found = with_progress("fitting friction laws", [&] { return laws::identify_laws(scene); });
   if (targets.json) write_target(*targets.json, law_json(scene, found), out);
   if (targets.csv) write_target(*targets.csv, law_csv(scene, found), out);
-  if (targets.report) write_target(*targets.report, report::law_page(scene, found), out);
+  if (targets.report) write_target(*targets.report, law_page(scene, found), out);
   if (!takes_output({targets.json, targets.csv, targets.report})) out << law_text(scene, found);
   if (found.status == laws::LawStatus::ok) return ExitCode::done;
   const std::string what = scene.file.string() + ": ";

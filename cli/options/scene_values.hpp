@@ -1,21 +1,11 @@
 #pragma once
 
-#include <Eigen/SparseCore>
-#include <vector>
-
-#include "ident/scene/scene_files.hpp"
-#include "scene/reader.hpp"
+#include "report/response/scene_values.hpp"
 
 namespace jointid::cli {
 
-/// A symmetric matrix inline, or from a file "m.mtx", "model.mat:M" beside the scene, which is added to `files`. `size`: its
-/// rows; 0: any.
-Eigen::SparseMatrix<double> read_sparse_matrix(const scene::Item& item, const ident::Path& folder, Eigen::Index size,
-                                               std::vector<ident::NamedFile>& files);
-Eigen::MatrixXd read_matrix(const scene::Item& item, const ident::Path& folder, Eigen::Index size,
-                            std::vector<ident::NamedFile>& files);
-
-/// A list of numbers, at least one.
-Eigen::VectorXd read_vector(const scene::Item& item);
+using jointid::report::read_matrix;
+using jointid::report::read_sparse_matrix;
+using jointid::report::read_vector;
 
 }  // namespace jointid::cli

@@ -7,7 +7,6 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "cli/response/prepared.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/json_value.hpp"
 #include "cli/text/table.hpp"
@@ -58,7 +57,7 @@ Table ways_table(const WaysRun& run) {
 
 std::vector<WaysRun> run_comparison(const ResponseScene& scene, Progress& progress) {
   require_case(scene);
-  const Prepared prepared = prepare(scene);
+  const Prepared prepared = prepare(scene, progress.control());
   std::vector<WaysRun> runs;
   for (const double level : scene.levels) {
     for (const double hz : scene.values_hz) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/response/response_scene.hpp"
+#include "cli/response/response_parts.hpp"
 #include "cli/text/progress.hpp"
 #include "response/comparison/compare_ways.hpp"
 

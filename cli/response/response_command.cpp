@@ -6,12 +6,7 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/response/comparison_run.hpp"
-#include "cli/response/curve_rows.hpp"
-#include "cli/response/read_response_scene.hpp"
-#include "cli/response/response_file.hpp"
-#include "cli/response/response_page.hpp"
-#include "cli/response/response_text.hpp"
-#include "cli/response/run_response.hpp"
+#include "cli/response/response_parts.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
 
@@ -100,11 +95,11 @@ ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
   if (arguments.compare) return compare(arguments, scene, out);
   const ResponseRun run = [&] {
     Progress progress;
-    return run_response(scene, progress);
+    return run_response(scene, progress.control());
   }();
   if (arguments.json) write_target(*arguments.json, response_json(scene, run), out);
   if (arguments.csv) write_target(*arguments.csv, response_csv(run), out);
-  if (arguments.report) write_target(*arguments.report, report::response_report(scene, run), out);
+  if (arguments.report) write_target(*arguments.report, response_report(scene, run), out);
   if (arguments.curves) write_curves(*arguments.curves, run, out);
   if (arguments.history) write_history(*arguments.history, run, out);
   if (arguments.out) write_response_table(*arguments.out, run);

@@ -5,7 +5,6 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QLabel>
-#include <QRegularExpression>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -17,6 +16,7 @@
 #include "gui/look/said.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/page/plot_menu.hpp"
+#include "gui/scene/completion_place.hpp"
 #include "report/couple/couple_plots.hpp"
 #include "report/couple/couple_text.hpp"
 
@@ -37,10 +37,7 @@ report::PlotGroup alphas(const Coupled& coupled) {
 
 }  // namespace
 
-bool is_couple_scene(const std::string& text) {
-  static const QRegularExpression table(QStringLiteral("^\\s*\\[couple\\]"), QRegularExpression::MultilineOption);
-  return table.match(q(text)).hasMatch();
-}
+bool is_couple_scene(const std::string& text) { return line_of_key(text, "couple", "") > 0; }
 
 CouplePage::CouplePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Coupling"));

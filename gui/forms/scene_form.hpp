@@ -14,10 +14,11 @@ class QVBoxLayout;
 
 namespace jointid::gui {
 
+class ChoiceRow;
 class Field;
 
 /// The scene's text as fields, one for each key that the scene reader names (gui/scene/scene_words.hpp). It holds nothing itself:
-/// it shows the text and asks for edits of it.
+/// it shows the text and asks for edits of it. Of several joints, and of the files, one is shown, which can be chosen.
 class SceneForm : public QScrollArea {
   Q_OBJECT
 
@@ -33,14 +34,19 @@ class SceneForm : public QScrollArea {
   /// The cursor to the field that is wrong; false where none is.
   bool go_to_error();
 
-  /// Of a table and key; null where there is none.
+  /// Of a table as all_tables() names it, and key; null where there is none. Those of "joint" are of the joint that is chosen, those of
+  /// "data.files.*" of the file; "joints" has the name of the joint.
   Field* field(const std::string& table, const std::string& key) const;
 
  Q_SIGNALS:
   /// `value`: as written in the text, "" to leave the key out.
   void edit_wanted(const std::string& table, const std::string& key, const std::string& value);
+  /// For the whole text.
+  void text_wanted(const std::string& text);
 
  private:
+  static constexpr const char* all_joints = "joints";  ///< the section of what only one of several has
+  static constexpr const char* any_file = "data.files.*";
   struct Section {
     std::string table;
     QGroupBox* box;
@@ -49,15 +55,26 @@ class SceneForm : public QScrollArea {
   };
 
   void build();
-  void add_section(const std::string& table, QVBoxLayout& column);
-  void show_values(const std::string& text);
-  void show_error(const std::string& text, const SceneError& error);
+  Section& add_section(const std::string& table, QVBoxLayout& column);
+  void add_joints(QVBoxLayout& column);
+  void add_field(Section& section, const std::string& key);
+  std::string path_of(const std::string& table) const;
+  bool has_section(const std::string& table) const;
+  bool is_shown(const std::string& table) const;
+  void show_choices();
+  void show_again();
+  void show_values();
+  void show_section(const Section& section);
+  void show_error(const SceneError& error);
+  void choose_table_at(int line);
   void clear_errors();
 
   std::vector<Section> sections_;
   QStringList dofs_;
   QString folder_;
-  QLabel* several_ = nullptr;  ///< what is said of scenes with several joints
+  ChoiceRow *joints_ = nullptr, *files_ = nullptr;
+  std::string text_;
+  std::optional<SceneError> error_;
 };
 
 }  // namespace jointid::gui

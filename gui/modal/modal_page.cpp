@@ -5,7 +5,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QKeyEvent>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -14,8 +13,6 @@
 #include "gui/look/buttons.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
-#include "gui/look/output.hpp"
-#include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
 #include "gui/modal/modal_tables.hpp"
 #include "gui/page/dof_box.hpp"
@@ -195,64 +192,6 @@ void ModalPage::add_job(const modalfit::FitOptions& options) {
   show_buttons();
 }
 
-void ModalPage::pick(std::vector<modalfit::Pole> poles) {
-  if (!sought_) return;
-  picked_.pick(std::move(poles));
-  go();
-}
-
-void ModalPage::undo() {
-  if (!picked_.can_undo()) return;
-  picked_.undo();
-  go();
-}
-
-void ModalPage::redo() {
-  if (!picked_.can_redo()) return;
-  picked_.redo();
-  go();
-}
-
-/// To what is picked now; what the search found is still there.
-void ModalPage::go() {
-  modalfit::FitOptions options = used_;
-  options.poles = picked_.now();
-  if (options.poles) return add_job(options);
-  line_->cancel();
-  const std::size_t number = ++wanted_;
-  line_->worker().add([this, number](const Worker::Watch&) -> Worker::Deliver {
-    return [this, number] {
-      if (number != wanted_) return;
-      run_ = sought_;
-      show_run();
-      show_buttons();
-    };
-  });
-  show_buttons();
-}
-
-/// The poles that a pick changes are those refined, or those asked for while something runs.
-void ModalPage::toggle(std::size_t group, std::size_t point) {
-  if (!run_ || !sought_) return;
-  const std::vector<modalfit::Pole> now = is_busy() && picked_.now() ? *picked_.now() : run_->fit.poles();
-  const report::Point at = chart_->scatter().groups[group].points[point];
-  if (group != report::elsewhere) return pick(without_pole(now, at.x));
-  for (const auto& order : sought_->fit.stabilisation) {
-    if (static_cast<double>(order.order) != at.y) continue;
-    for (const auto& pole : order.poles) {
-      if (pole.frequency_hz == at.x) return pick(with_pole(now, used_.kind, pole));
-    }
-  }
-}
-
-void ModalPage::leave_chosen_mode() {
-  const QModelIndex row = modes_->currentIndex();
-  if (!row.isValid() || !run_) return;
-  const int mode = modes_->cells()->data(row.siblingAtColumn(0), Qt::DisplayRole).toInt();
-  if (mode < 1 || static_cast<std::size_t>(mode) > run_->fit.modes.size()) return;
-  pick(without_pole(run_->fit.poles(), run_->fit.modes[static_cast<std::size_t>(mode) - 1].pole.frequency_hz));
-}
-
 void ModalPage::show_run() {
   chart_->draw(report::stabilisation_diagram(*run_, sought_->fit.stabilisation, most_lines_behind));
   modes_->show_rows(rows_of(report::modes_table(*run_)));
@@ -281,51 +220,6 @@ void ModalPage::show_buttons() {
   none_->setEnabled(sought_ != nullptr);
   for (QPushButton* button : {shapes_, regenerated_}) button->setEnabled(run_ != nullptr && !is_busy());
   command_->setEnabled(structure() != nullptr && (!picked_.now() || !picked_.now()->empty()));
-}
-
-QString ModalPage::command_line() const {
-  if (structure() == nullptr) return {};
-  modalfit::FitOptions wanted = sought_ ? used_ : options();
-  wanted.poles = picked_.now();
-  return modal_command(sought_ ? of_run_ : *structure(), wanted);
-}
-
-void ModalPage::write(const QString& file, const std::function<void(const std::filesystem::path&)>& to) {
-  if (!run_) return line_->say(tr("No modes are found yet."), true);
-  try {
-    check_output(file, inputs_of(structures_));
-    to(as_path(file));
-    line_->say(tr("Written to %1.").arg(file));
-  } catch (const InputError& error) {
-    line_->say(QString::fromUtf8(error.what()), true);
-  }
-}
-
-void ModalPage::write_shapes(const QString& file) {
-  write(file, [this](const std::filesystem::path& path) { report::write_shapes(*run_, path); });
-}
-
-void ModalPage::write_regenerated(const QString& file) {
-  write(file, [this](const std::filesystem::path& path) { report::write_regenerated(*run_, path); });
-}
-
-/// Undo and redo are of the picks where the page has the focus, not of the scene's text.
-bool ModalPage::event(QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
-      event->accept();
-      return true;
-    }
-  }
-  return QWidget::event(event);
-}
-
-void ModalPage::keyPressEvent(QKeyEvent* event) {
-  if (event->matches(QKeySequence::Undo)) return undo();
-  if (event->matches(QKeySequence::Redo)) return redo();
-  if (event->key() == Qt::Key_Delete && results_->currentWidget() == modes_) return leave_chosen_mode();
-  QWidget::keyPressEvent(event);
 }
 
 }  // namespace jointid::gui

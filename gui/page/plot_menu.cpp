@@ -1,6 +1,7 @@
 #include "gui/page/plot_menu.hpp"
 
 #include <QComboBox>
+#include <QStringList>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -12,12 +13,25 @@
 namespace jointid::gui {
 namespace {
 
-std::vector<report::CurvePlot> curve_plots(const report::Choice& choice) {
-  std::vector<report::CurvePlot> out;
+/// Curves below each other are one drawing, points are drawings of their own.
+std::vector<std::pair<QString, PlotMenu::Drawing>> drawings_of(const report::Choice& choice) {
+  std::vector<report::CurvePlot> curves;
+  std::vector<std::pair<QString, PlotMenu::Drawing>> out;
   for (const report::Plot& plot : choice.plots) {
-    if (const auto* curves = std::get_if<report::CurvePlot>(&plot)) out.push_back(*curves);
+    if (const auto* curve = std::get_if<report::CurvePlot>(&plot)) curves.push_back(*curve);
+  }
+  if (!curves.empty()) out.emplace_back(QString(), curves);
+  for (const report::Plot& plot : choice.plots) {
+    const auto* points = std::get_if<report::ScatterPlot>(&plot);
+    if (points != nullptr) out.emplace_back(choice.plots.size() > 1 ? q(points->title) : QString(), *points);
   }
   return out;
+}
+
+QString joined(const QStringList& names) {
+  QStringList all = names;
+  all.removeAll(QString());
+  return all.join(QStringLiteral(": "));
 }
 
 }  // namespace
@@ -35,16 +49,17 @@ PlotMenu::PlotMenu(const char* name, const QString& accessible_name, const QStri
   connect(menu_, &QComboBox::currentIndexChanged, this, &PlotMenu::show_choice);
 }
 
-void PlotMenu::show_groups(std::vector<Named> groups) {
+void PlotMenu::show_groups(const std::vector<Named>& groups) {
   const QString before = menu_->currentText();
   const QSignalBlocker quiet(menu_);
   menu_->clear();
   choices_.clear();
-  for (auto& [name, group] : groups) {
-    for (report::Choice& choice : group.choices) {
-      const bool alone = choice.name.empty();
-      menu_->addItem(alone ? name : name.isEmpty() ? q(choice.name) : name + ": " + q(choice.name));
-      choices_.push_back(std::move(choice));
+  for (const auto& [name, group] : groups) {
+    for (const report::Choice& choice : group.choices) {
+      for (auto& [title, drawing] : drawings_of(choice)) {
+        menu_->addItem(joined({name, q(choice.name), title}));
+        choices_.push_back(std::move(drawing));
+      }
     }
   }
   menu_->setCurrentIndex(choices_.empty() ? -1 : std::max(0, menu_->findText(before)));
@@ -54,7 +69,7 @@ void PlotMenu::show_groups(std::vector<Named> groups) {
 void PlotMenu::show_choice() {
   const int chosen = menu_->currentIndex();
   if (chosen < 0) return chart_->clear();
-  chart_->draw(curve_plots(choices_[static_cast<std::size_t>(chosen)]));
+  std::visit([this](const auto& drawing) { chart_->draw(drawing); }, choices_[static_cast<std::size_t>(chosen)]);
 }
 
 }  // namespace jointid::gui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <variant>
 #include <vector>
 
 #include "report/page/contents.hpp"
@@ -21,7 +22,8 @@ class PlotMenu : public QWidget {
 
   /// A group and how it is called in the menu; the choice that is shown stays, if it is still there.
   using Named = std::pair<QString, report::PlotGroup>;
-  void show_groups(std::vector<Named> groups);
+  void show_groups(const std::vector<Named>& groups);
+  using Drawing = std::variant<std::vector<report::CurvePlot>, report::ScatterPlot>;
   QComboBox* menu() const { return menu_; }
   Chart* chart() const { return chart_; }
 
@@ -30,7 +32,7 @@ class PlotMenu : public QWidget {
 
   QComboBox* menu_;
   Chart* chart_;
-  std::vector<report::Choice> choices_;
+  std::vector<Drawing> choices_;
 };
 
 }  // namespace jointid::gui

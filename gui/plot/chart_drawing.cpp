@@ -13,7 +13,7 @@
 namespace jointid::gui {
 namespace {
 
-constexpr int in_a_row = 4, narrowest = 180;  // pixels
+constexpr int in_a_row = 4, narrowest = 180, below_axis = 45, of_a_number = 18;  // pixels
 constexpr std::size_t few_points = 60;  ///< of a group, which are drawn large
 constexpr const char* ring_name = "ring";
 
@@ -59,17 +59,18 @@ void draw_mark(QCustomPlot& plot, QCPAxisRect& rect, double at, const QString& n
   text->position->setCoords(at, 0.0);
 }
 
-/// `room`: pixels for its name.
-void draw_histogram(QCustomPlot& plot, QCPAxisRect& rect, const report::HistogramPlot& histogram, int room, Theme theme) {
+/// `room`: pixels for all of it; numbers are as many as do not touch each other.
+void draw_histogram(QCustomPlot& plot, QCPAxisRect& rect, const report::HistogramPlot& histogram, QSize room, Theme theme) {
   style_axes(rect, theme);
   QCPAxis* const x = rect.axis(QCPAxis::atBottom);
   QCPAxis* const y = rect.axis(QCPAxis::atLeft);
   const QString unit = QString::fromStdString(histogram.x.label);
   const QString label = QString::fromStdString(histogram.title) + (unit.isEmpty() ? QString() : " (" + unit + ")");
-  x->setLabel(QFontMetrics(x->labelFont()).elidedText(label, Qt::ElideRight, room));
+  x->setLabel(QFontMetrics(x->labelFont()).elidedText(label, Qt::ElideRight, room.width() - 20));
   x->ticker()->setTickCount(2);
   x->setNumberPrecision(4);
-  y->ticker()->setTickCount(3);
+  y->ticker()->setTickStepStrategy(QCPAxisTicker::tssMeetTickCount);
+  y->ticker()->setTickCount(std::clamp((room.height() - below_axis) / of_a_number, 1, 3));
   const double width = (histogram.high - histogram.low) / static_cast<double>(std::max<std::size_t>(1, histogram.counts.size()));
   auto* bars = new QCPBars(x, y);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
@@ -124,10 +125,12 @@ void draw_scatter(QCustomPlot& plot, const report::ScatterPlot& scatter, Theme t
 void draw_histograms(QCustomPlot& plot, const std::vector<report::HistogramPlot>& histograms, Theme theme) {
   const int square = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(histograms.size()))));
   const int columns = std::max(1, std::min({square, in_a_row, plot.width() / narrowest}));
+  const int rows = std::max(1, (static_cast<int>(histograms.size()) + columns - 1) / columns);
+  const QSize room(plot.width() / columns, plot.height() / rows);
   for (int i = 0; i < static_cast<int>(histograms.size()); ++i) {
     auto* rect = new QCPAxisRect(&plot);
     plot.plotLayout()->addElement(i / columns, i % columns, rect);
-    draw_histogram(plot, *rect, histograms[static_cast<std::size_t>(i)], plot.width() / columns - 20, theme);
+    draw_histogram(plot, *rect, histograms[static_cast<std::size_t>(i)], room, theme);
   }
 }
 

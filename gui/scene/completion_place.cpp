@@ -3,30 +3,14 @@
 #include <algorithm>
 #include <sstream>
 
+#include "gui/scene/table_path.hpp"
+
 namespace jointid::gui {
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// The path of a header "[joint.stiffness]" or "[[joints]]", or empty: a line of an array of arrays is none.
-std::string header(const std::string& line) {
-  const std::string text = trimmed(line);
-  if (!text.starts_with('[')) return "";
-  const std::size_t open = text.starts_with("[[") ? 2 : 1;
-  const std::size_t close = text.find(']', open);
-  if (close == std::string::npos) return "";
-  const std::string rest = trimmed(text.substr(close + open));
-  const std::string path = trimmed(text.substr(open, close - open));
-  const bool is_path = std::ranges::none_of(path, [](char c) { return c == ',' || c == ' ' || c == '+'; });
-  return is_path && (rest.empty() || rest.starts_with('#')) ? path : "";
-}
-
 std::string key_of(const std::string& line) {
   const std::size_t equals = line.find('=');
-  return equals == std::string::npos ? "" : trimmed(line.substr(0, equals));
+  return equals == std::string::npos ? "" : without_blanks(line.substr(0, equals));
 }
 
 bool is_word(char c) {
@@ -50,17 +34,14 @@ int depth_of(const std::string& text) {
 
 /// Follows tables and keys line by line.
 struct Reader {
-  std::string table, key;
+  TablePath table;
+  std::string key;
   int depth = 0;
 
   void take(const std::string& line) {
-    if (depth <= 0 && !header(line).empty()) {
-      table = header(line);
-      key.clear();
-      return;
-    }
+    if (depth <= 0 && table.take(line)) return key.clear();
     const std::size_t equals = line.find('=');
-    if (depth <= 0 && !trimmed(line).starts_with('#') && equals != std::string::npos) key = key_of(line);
+    if (depth <= 0 && !without_blanks(line).starts_with('#') && equals != std::string::npos) key = key_of(line);
     depth = std::max(0, depth + depth_of(depth <= 0 && equals != std::string::npos ? line.substr(equals) : line));
   }
 };
@@ -86,15 +67,15 @@ CompletionPlace completion_place(const std::string& before) {
     current.clear();
   }
   using Kind = CompletionPlace::Kind;
-  const std::string text = trimmed(current);
+  const std::string text = without_blanks(current);
   const bool quoted = is_in_string(current);
   if (!quoted && current.find('#') != std::string::npos) return {};
-  if (reader.depth > 0) return {quoted ? Kind::value : Kind::none, reader.table, reader.key, last_word(current, quoted)};
+  if (reader.depth > 0) return {quoted ? Kind::value : Kind::none, reader.table.plain(), reader.key, last_word(current, quoted)};
   if (current.find('=') != std::string::npos) {
-    return {quoted ? Kind::value : Kind::none, reader.table, key_of(current), last_word(current, quoted)};
+    return {quoted ? Kind::value : Kind::none, reader.table.plain(), key_of(current), last_word(current, quoted)};
   }
   if (text.starts_with('[')) return {Kind::header, "", "", last_word(current, false)};
-  return {Kind::key, reader.table, "", last_word(current, false)};
+  return {Kind::key, reader.table.plain(), "", last_word(current, false)};
 }
 
 int line_of_key(const std::string& text, const std::string& table, const std::string& key) {
@@ -105,7 +86,7 @@ int line_of_key(const std::string& text, const std::string& table, const std::st
     ++number;
     const bool inside = reader.depth > 0;
     reader.take(line);
-    if (inside || reader.table != table) continue;
+    if (inside || !reader.table.is(table)) continue;
     if (of_table == 0) of_table = number;
     if (!key.empty() && reader.key == key && key_of(line) == key) return number;
   }
@@ -118,9 +99,31 @@ std::string tables_below(const std::string& text, const std::string& table) {
   std::string out;
   for (std::string line; std::getline(lines, line);) {
     reader.take(line);
-    if (reader.table == table || reader.table.starts_with(table + ".")) out += line + "\n";
+    if (reader.table.is_in(table)) out += line + "\n";
   }
   return out;
+}
+
+std::string table_at(const std::string& text, int line) {
+  Reader reader;
+  std::istringstream lines(text);
+  std::string one;
+  for (int number = 1; number <= line && std::getline(lines, one); ++number) reader.take(one);
+  return reader.table.numbered();
+}
+
+int behind_tables(const std::string& text, const std::string& table) {
+  Reader reader;
+  std::istringstream lines(text);
+  int number = 0, last = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    const bool inside = reader.depth > 0;
+    reader.take(line);
+    const bool counts = inside || (!without_blanks(line).empty() && !without_blanks(line).starts_with('#'));
+    if (reader.table.is_in(table) && counts) last = number;
+  }
+  return last == 0 ? 0 : last + 1;
 }
 
 }  // namespace jointid::gui

@@ -16,10 +16,18 @@ struct CompletionPlace {
 /// `before`: the text up to the cursor.
 CompletionPlace completion_place(const std::string& before);
 
+/// Tables are named by their paths, with or without the numbers of [[…]] (gui/scene/table_path.hpp).
+
 /// The line (from 1) of a key in its table, of the table's header where the key is empty or not there, or 0.
 int line_of_key(const std::string& text, const std::string& table, const std::string& key);
 
 /// The lines of a table and of those below it, in the order of the text.
 std::string tables_below(const std::string& text, const std::string& table);
+
+/// The table in which a line (from 1) is, with the numbers of [[…]]: "joints#2.stiffness".
+std::string table_at(const std::string& text, int line);
+
+/// The line behind the last one of a table and of those below it, comments and empty lines aside; 0 where there is none.
+int behind_tables(const std::string& text, const std::string& table);
 
 }  // namespace jointid::gui

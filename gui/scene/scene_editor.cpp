@@ -5,6 +5,7 @@
 #include <QFontDatabase>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QStringListModel>
 #include <QTextBlock>
@@ -92,7 +93,7 @@ QStringList SceneEditor::completions() const {
     case CompletionPlace::Kind::none:
       return {};
     case CompletionPlace::Kind::header:
-      return as_list(all_tables());
+      return as_list(all_tables()).filter(QRegularExpression(QStringLiteral("^[^*]*$")));
     case CompletionPlace::Kind::key:
       return as_list(keys_of(at.table));
     case CompletionPlace::Kind::value:

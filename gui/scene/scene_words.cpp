@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <utility>
 
 #include "base/error.hpp"
@@ -15,6 +16,7 @@ using Line = std::pair<std::string, std::string>;  // key, value
 
 constexpr const char* no_word = "this-is-surely-no-word-of-any-scene";  // far from every word, so that the reader names them all
 
+constexpr const char* any_file = "data.files.*";
 constexpr const char* date = "1979-05-27";  // which no key takes
 constexpr const char* gaussian = "'gaussian'";
 constexpr const char* hammer = "'hammer'";  // which has other keys than the other laws of noise
@@ -76,8 +78,13 @@ Words listed(const std::string& remedy) {
   return words;
 }
 
-/// [[joints]] has the tables of [joint].
-std::string as_single(const std::string& table) { return table.starts_with("joints") ? "joint" + table.substr(6) : table; }
+/// The table that the least scene has in place of this one: [[joints]] has those of [joint], one file the keys of another.
+std::string as_single(const std::string& table) {
+  if (table.starts_with("data.files.")) return "data.files.a";
+  if (!table.starts_with("joints")) return table;
+  const std::size_t below = table.find('.');
+  return "joint" + (below == std::string::npos ? "" : table.substr(below));
+}
 
 /// What the reader expects in place of `line`'s value: "a number", "[lo, hi]"; empty where it complains of anything else.
 std::string wanted_for(const std::string& table, const Line& line) {
@@ -103,16 +110,33 @@ Words find_tables(const std::string& path) {
   for (const std::string& key : keys_of(path)) {
     if (key == "joints" || !is_table(path, key)) continue;
     found.push_back(path.empty() ? key : path + "." + key);
-    if (found.back() == "data.files") continue;  // its keys are the files of the least scene
+    if (found.back() == "data.files") {  // its keys are the files of the least scene, which all have the same
+      found.push_back(any_file);
+      continue;
+    }
     const Words below = find_tables(found.back());
     found.insert(found.end(), below.begin(), below.end());
   }
   return found;
 }
 
-}  // namespace
+/// What was asked before: the reader answers alike for as long as the program runs. For several threads.
+template <class Value>
+class Kept {
+ public:
+  template <class Ask>
+  Value of(const std::string& question, const Ask& ask) {
+    const std::scoped_lock lock(mutex_);
+    const auto found = answers_.find(question);
+    return found != answers_.end() ? found->second : answers_.emplace(question, ask()).first->second;
+  }
 
-Words keys_of(const std::string& table) {
+ private:
+  std::mutex mutex_;
+  std::map<std::string, Value> answers_;
+};
+
+Words ask_for_keys(const std::string& table) {
   Words keys;
   for (const char* model : {gaussian, hammer}) {
     for (const std::string& key : listed(remedy_of(as_single(table), {no_word, "1"}, "is not known here", model))) {
@@ -120,11 +144,11 @@ Words keys_of(const std::string& table) {
     }
     if (table != "noise") break;
   }
-  if (table == "joints") keys.insert(keys.begin(), "name");
+  if (table.starts_with("joints") && table.find('.') == std::string::npos) keys.insert(keys.begin(), "name");
   return keys;
 }
 
-Words words_of(const std::string& table, const std::string& key) {
+Words ask_for_words(const std::string& table, const std::string& key) {
   const std::string word = "'" + std::string(no_word) + "'";
   for (const std::string& value : {word, "[" + word + "]"}) {
     Words words = listed(remedy_of(as_single(table), {key, value}, "is not a valid word"));
@@ -133,7 +157,8 @@ Words words_of(const std::string& table, const std::string& key) {
   return {};
 }
 
-ValueKind kind_of(const std::string& table, const std::string& key) {
+ValueKind ask_for_kind(const std::string& table, const std::string& key) {
+  if (table.starts_with("joints") && key == "name") return ValueKind::text;  // which [joint] has not
   const std::string word = "'" + std::string(no_word) + "'";
   if (!words_of(table, key).empty()) {
     return listed(remedy_of(as_single(table), {key, word}, "is not a valid word")).empty() ? ValueKind::words : ValueKind::word;
@@ -146,6 +171,32 @@ ValueKind kind_of(const std::string& table, const std::string& key) {
   if (wanted != "an array" || wanted_for(table, {key, "[" + std::string(date) + "]"}) != "a string") return ValueKind::value;
   const std::string problem = answer(as_single(table), {key, "[" + word + "]"}, gaussian).problem;
   return problem.find("DOF") == std::string::npos ? ValueKind::texts : ValueKind::dofs;
+}
+
+}  // namespace
+
+Words keys_of(const std::string& table) {
+  static Kept<Words> kept;
+  return kept.of(table, [&] { return ask_for_keys(table); });
+}
+
+Words words_of(const std::string& table, const std::string& key) {
+  static Kept<Words> kept;
+  return kept.of(table + " " + key, [&] { return ask_for_words(table, key); });
+}
+
+ValueKind kind_of(const std::string& table, const std::string& key) {
+  static Kept<ValueKind> kept;
+  return kept.of(table + " " + key, [&] { return ask_for_kind(table, key); });
+}
+
+void ask_for_everything() {
+  for (const std::string& table : all_tables()) {
+    for (const std::string& key : keys_of(table)) {
+      kind_of(table, key);
+      words_of(table, key);
+    }
+  }
 }
 
 Words all_tables() {

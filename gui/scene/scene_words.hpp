@@ -28,7 +28,10 @@ enum class ValueKind {
 /// Asked of the reader, too: it is given a date, which it takes nowhere, and says what it expects instead.
 ValueKind kind_of(const std::string& table, const std::string& key);
 
-/// The paths of all tables, "data", "joint.stiffness", …
+/// All of these beforehand, by another thread than the window's: what was asked once is kept.
+void ask_for_everything();
+
+/// The paths of all tables, "data", "joint.stiffness", …; "data.files.*" is that of any file.
 std::vector<std::string> all_tables();
 
 }  // namespace jointid::gui

@@ -3,16 +3,10 @@
 #include <algorithm>
 
 #include "gui/scene/completion_place.hpp"
+#include "gui/scene/table_path.hpp"
 
 namespace jointid::gui {
 namespace {
-
-/// Where line `number` (from 1) begins; the end of the text where there is none.
-std::size_t begin_of_line(const std::string& text, int number) {
-  std::size_t at = 0;
-  for (int line = 1; line < number && at < text.size(); ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
-  return at;
-}
 
 /// One past the value that begins at `at`: strings and brackets are followed, a comment behind it is not part of it.
 std::size_t end_of_value(const std::string& text, std::size_t at) {
@@ -80,9 +74,9 @@ std::optional<Assignment> find_assignment(const std::string& text, std::string t
   for (;;) {
     if (const auto found = find_here(text, table, key)) return found;
     if (table.empty()) return std::nullopt;
-    const std::size_t dot = table.rfind('.');
-    key = (dot == std::string::npos ? table : table.substr(dot + 1)) + "." + key;
-    table = dot == std::string::npos ? "" : table.substr(0, dot);
+    const auto [above, last] = parted(table);
+    key = last + "." + key;
+    table = above;
   }
 }
 
@@ -90,7 +84,7 @@ std::optional<Assignment> find_assignment(const std::string& text, std::string t
 std::string without_empty_table(const std::string& text, const std::string& table) {
   const int header = line_of_key(text, table, "");
   const std::size_t begin = begin_of_line(text, header), behind = begin_of_line(text, header + 1);
-  if (header == 0 || table.empty() || text.find('[', begin) >= behind) return text;
+  if (header == 0 || table.empty() || numbered_part(table) == table || text.find('[', begin) >= behind) return text;
   const std::size_t next = text.find_first_not_of(" \t\r\n", behind);
   if (next != std::string::npos && text[next] != '[') return text;
   const std::size_t comment = text.find('#', begin);
@@ -104,6 +98,24 @@ int line_at(const std::string& text, std::size_t place) {
 }
 
 }  // namespace
+
+std::size_t begin_of_line(const std::string& text, int number) {
+  std::size_t at = 0;
+  for (int line = 1; line < number && at < text.size(); ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  return at;
+}
+
+std::vector<std::string> strings_in(const std::string& value) {
+  std::vector<std::string> found;
+  for (std::size_t at = 0; at < value.size(); ++at) {
+    if (value[at] == '#') at = std::min(value.find('\n', at), value.size());
+    if (at >= value.size() || (value[at] != '"' && value[at] != '\'')) continue;
+    const std::size_t end = std::min(value.find(value[at], at + 1), value.size());
+    found.push_back(value.substr(at + 1, end - at - 1));
+    at = end;
+  }
+  return found;
+}
 
 std::optional<std::string> value_of(const std::string& text, const std::string& table, const std::string& key) {
   const auto found = find_assignment(text, table, key);
@@ -123,7 +135,11 @@ std::string with_value(const std::string& text, const std::string& table, const 
   const std::string line = key + " = " + value + "\n";
   if (table.empty()) return line + out;
   if (!out.empty() && out.back() != '\n') out += '\n';
-  if (line_of_key(text, table, "") == 0) return out + "\n[" + table + "]\n" + line;
+  if (line_of_key(text, table, "") == 0) {
+    const std::string array = numbered_part(table);
+    const std::size_t behind = array.empty() ? out.size() : begin_of_line(out, behind_tables(out, array));
+    return out.insert(behind, "\n" + header_of(table) + "\n" + line);
+  }
   return out.insert(end_of_table(out, table), line);
 }
 

@@ -3,8 +3,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace jointid::gui {
+
+/// Tables are named by their paths (gui/scene/table_path.hpp).
 
 /// The value of a key as it is written, over several lines perhaps; empty where the key is not there. A table that stands as the
 /// value of a key (`start = { … }`) is a value of the table above it.
@@ -19,5 +22,11 @@ std::string with_value(const std::string& text, const std::string& table, const 
 
 /// The text without a key; a comment behind it stays, a table without anything in it goes, too.
 std::string without_value(const std::string& text, const std::string& table, const std::string& key);
+
+/// The strings in a value, whatever lists they are in.
+std::vector<std::string> strings_in(const std::string& value);
+
+/// Where a line (from 1) begins; the end of the text where there is none.
+std::size_t begin_of_line(const std::string& text, int number);
 
 }  // namespace jointid::gui

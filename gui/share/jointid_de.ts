@@ -59,6 +59,25 @@
     </message>
 </context>
 <context>
+    <name>ChoiceRow</name>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add another one to the text</source>
+        <translation>Fügt dem Text ein weiteres hinzu</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this one from the text; undo brings it back</source>
+        <translation>Entfernt dieses aus dem Text; Rückgängig bringt es zurück</translation>
+    </message>
+</context>
+<context>
     <name>CompareChoices</name>
     <message>
         <source>What is compared</source>
@@ -1118,6 +1137,14 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <source>&amp;Loading curves</source>
         <translation>&amp;Belastungskurven</translation>
     </message>
+    <message>
+        <source>&amp;Response</source>
+        <translation>&amp;Antwort</translation>
+    </message>
+    <message>
+        <source>Friction la&amp;ws</source>
+        <translation>&amp;Reibgesetze</translation>
+    </message>
 </context>
 <context>
     <name>MessageBar</name>
@@ -1681,6 +1708,14 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     <message>
         <source>Loading curves</source>
         <translation>Belastungskurven</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Friction laws</source>
+        <translation>Reibgesetze</translation>
     </message>
 </context>
 <context>
@@ -2355,6 +2390,206 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <source>of studies: standard deviation of the mass of every sensor, in kg</source>
         <translation>für Studien: Standardabweichung der Masse jedes Sensors, in kg</translation>
     </message>
+    <message>
+        <source>Data: what a file does not say, and what is wrong in it</source>
+        <translation>Daten: was eine Datei nicht sagt und was in ihr falsch ist</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Fügestellen</translation>
+    </message>
+    <message>
+        <source>what its FRFs are, whatever the file says</source>
+        <translation>was ihre FRFs sind, was die Datei auch sagt</translation>
+    </message>
+    <message>
+        <source>of its responses: 4:+Y, 5:+Y</source>
+        <translation>ihrer Antworten: 4:+Y, 5:+Y</translation>
+    </message>
+    <message>
+        <source>of its references; without them those of the responses</source>
+        <translation>ihrer Referenzen; ohne sie die der Antworten</translation>
+    </message>
+    <message>
+        <source>the variable of a MATLAB file that has the FRFs</source>
+        <translation>die Variable einer MATLAB-Datei mit den FRFs</translation>
+    </message>
+    <message>
+        <source>of the structure as weighed, hung free, in kg</source>
+        <translation>der frei hängenden Struktur, gewogen, in kg</translation>
+    </message>
+    <message>
+        <source>true frequency over that of the file: 0.5 to 2</source>
+        <translation>wahre Frequenz durch die der Datei: 0.5 bis 2</translation>
+    </message>
+    <message>
+        <source>sensors: { &quot;OLD&quot; = &quot;NEW&quot; }, { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</source>
+        <translation>Sensoren: { &quot;ALT&quot; = &quot;NEU&quot; }, { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</translation>
+    </message>
+    <message>
+        <source>the same of hammer or shaker: { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</source>
+        <translation>dasselbe von Hammer oder Shaker: { &quot;4:+Y&quot; = &quot;5:+Y&quot; }</translation>
+    </message>
+    <message>
+        <source>whether the file has the complex conjugates</source>
+        <translation>ob die Datei die konjugiert Komplexen hat</translation>
+    </message>
+    <message>
+        <source>by which its responses lag, in s: 20e-6</source>
+        <translation>um die ihre Antworten nacheilen, in s: 20e-6</translation>
+    </message>
+    <message>
+        <source>true FRF over that of the file: 9.80665, or { &quot;4:+Y&quot; = 1.02 }</source>
+        <translation>wahre FRF durch die der Datei: 9.80665 oder { &quot;4:+Y&quot; = 1.02 }</translation>
+    </message>
+    <message>
+        <source>the same of hammer or shaker: { &quot;4:+Y&quot; = 1.02 }</source>
+        <translation>dasselbe von Hammer oder Shaker: { &quot;4:+Y&quot; = 1.02 }</translation>
+    </message>
+    <message>
+        <source>sensors with the wrong sign: 4:+Y</source>
+        <translation>Sensoren mit falschem Vorzeichen: 4:+Y</translation>
+    </message>
+    <message>
+        <source>directions of hammer or shaker with the wrong sign: 4:+Y</source>
+        <translation>Richtungen von Hammer oder Shaker mit falschem Vorzeichen: 4:+Y</translation>
+    </message>
+    <message>
+        <source>that the structure carried, in kg: { &quot;4:+Y&quot; = 0.005 }</source>
+        <translation>die die Struktur trug, in kg: { &quot;4:+Y&quot; = 0.005 }</translation>
+    </message>
+    <message>
+        <source>which of these masses are there at a time</source>
+        <translation>welche dieser Massen gleichzeitig da sind</translation>
+    </message>
+    <message>
+        <source>of the joint, before its unknowns: left</source>
+        <translation>der Fügestelle, vor ihren Unbekannten: left</translation>
+    </message>
+    <message>
+        <source>laws compared</source>
+        <translation>Gesetze im Vergleich</translation>
+    </message>
+    <message>
+        <source>residuals by level</source>
+        <translation>Residuen nach Kraftstufe</translation>
+    </message>
+    <message>
+        <source>%1 without a law</source>
+        <translation>%1 ohne Gesetz</translation>
+    </message>
+    <message>
+        <source>notes</source>
+        <translation>Hinweise</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Fügestelle</translation>
+    </message>
+    <message>
+        <source>Friction laws</source>
+        <translation>Reibgesetze</translation>
+    </message>
+    <message>
+        <source>Identify laws</source>
+        <translation>Gesetze bestimmen</translation>
+    </message>
+    <message>
+        <source>Identify the friction laws of the joints from vibration at several force levels, as `jointid solve` does</source>
+        <translation>Bestimmt die Reibgesetze der Fügestellen aus Schwingungen bei mehreren Kraftstufen, wie `jointid solve`</translation>
+    </message>
+    <message>
+        <source>Stiffness and damping of the joints over their motion</source>
+        <translation>Steifigkeit und Dämpfung der Fügestellen über ihrer Bewegung</translation>
+    </message>
+    <message>
+        <source>With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints&apos; stiffness and damping
+over their motion stand here, without a law and by the laws that were found.</source>
+        <translation>Mit einer Szene von Reibgesetzen aus Schwingungen, [[joint.friction]] und [[data.levels]], stehen hier Steifigkeit und Dämpfung
+der Fügestellen über ihrer Bewegung, ohne Gesetz und nach den gefundenen Gesetzen.</translation>
+    </message>
+    <message>
+        <source>Joints, laws, residuals</source>
+        <translation>Fügestellen, Gesetze, Residuen</translation>
+    </message>
+    <message>
+        <source>response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>peaks over force</source>
+        <translation>Spitzen über der Kraft</translation>
+    </message>
+    <message>
+        <source>harmonics</source>
+        <translation>Harmonische</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>equivalent joints</source>
+        <translation>Ersatzfügestellen</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>peaks</source>
+        <translation>Spitzen</translation>
+    </message>
+    <message>
+        <source>all points</source>
+        <translation>alle Punkte</translation>
+    </message>
+    <message>
+        <source>motions from rest</source>
+        <translation>Bewegungen aus der Ruhe</translation>
+    </message>
+    <message>
+        <source>remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Not everything was found; what is missing is left out of tables and plots.</source>
+        <translation>Nicht alles wurde gefunden; was fehlt, steht nicht in Tabellen und Bildern.</translation>
+    </message>
+    <message>
+        <source>Everything that was asked for was found.</source>
+        <translation>Alles, wonach gefragt war, wurde gefunden.</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Antwort</translation>
+    </message>
+    <message>
+        <source>Find responses</source>
+        <translation>Antworten berechnen</translation>
+    </message>
+    <message>
+        <source>Find the periodic responses, and what else the scene asks for, as `jointid response` does</source>
+        <translation>Berechnet die periodischen Antworten, und wonach die Szene sonst fragt, wie `jointid response`</translation>
+    </message>
+    <message>
+        <source>Responses over frequency and force, loops, motions</source>
+        <translation>Antworten über Frequenz und Kraft, Hysteresen, Bewegungen</translation>
+    </message>
+    <message>
+        <source>With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response],
+its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.</source>
+        <translation>Mit einer Szene einer Struktur mit Reibfügestellen, [structure] oder [data] parts, [[joints]], [force] und [response],
+stehen hier ihre FRFs bei allen Kraftstufen, Spitzen über der Stufe, Harmonische, Hysteresen der Fügestellen und Bewegungen.</translation>
+    </message>
+    <message>
+        <source>Peaks, points, curves and remarks</source>
+        <translation>Spitzen, Punkte, Kurven und Bemerkungen</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>
@@ -2382,20 +2617,111 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Szene als Formular</translation>
     </message>
     <message>
-        <source>The joints of this scene stand in [[joints]]: they are edited in the text.</source>
-        <translation>Die Fügestellen dieser Szene stehen in [[joints]]: sie werden im Text geändert.</translation>
-    </message>
-    <message>
-        <source>Several joints</source>
-        <translation>Mehrere Fügestellen</translation>
-    </message>
-    <message>
         <source>What is wrong with these fields</source>
         <translation>Was an diesen Feldern falsch ist</translation>
     </message>
     <message>
         <source>It is a table of its own in the text.</source>
         <translation>Im Text ist es eine eigene Tabelle.</translation>
+    </message>
+    <message>
+        <source>File that the fields are of</source>
+        <translation>Datei, zu der die Felder gehören</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Joint that the fields are of</source>
+        <translation>Fügestelle, zu der die Felder gehören</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Fügestelle</translation>
+    </message>
+    <message>
+        <source>the only one</source>
+        <translation>die einzige</translation>
+    </message>
+    <message>
+        <source>The file is written as one value in the text.</source>
+        <translation>Die Datei steht als ein Wert im Text.</translation>
+    </message>
+</context>
+<context>
+    <name>ScenePage</name>
+    <message>
+        <source>Status: %1</source>
+        <translation>Stand: %1</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is shown then</source>
+        <translation>Anhalten; dann wird nichts gezeigt</translation>
+    </message>
+    <message>
+        <source>Diagram and tables</source>
+        <translation>Diagramm und Tabellen</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that finds the same</source>
+        <translation>Kopiert die Befehlszeile, die dasselbe findet</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht …</translation>
+    </message>
+    <message>
+        <source>Save the page that the command writes with --report</source>
+        <translation>Speichert die Seite, die der Befehl mit --report schreibt</translation>
+    </message>
+    <message>
+        <source>JSON…</source>
+        <translation>JSON …</translation>
+    </message>
+    <message>
+        <source>Save what the command writes with --json</source>
+        <translation>Speichert, was der Befehl mit --json schreibt</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV …</translation>
+    </message>
+    <message>
+        <source>Save what the command writes with --csv</source>
+        <translation>Speichert, was der Befehl mit --csv schreibt</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>Seiten (*.html)</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Berechnen …</translation>
+    </message>
+    <message>
+        <source>SCENE.toml</source>
+        <translation>SZENE.toml</translation>
+    </message>
+    <message>
+        <source>Save the results</source>
+        <translation>Ergebnisse speichern</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -2693,6 +3019,13 @@ alle Ergebnisse: %1</translation>
     <message>
         <source>SCENE.toml</source>
         <translation>SZENE.toml</translation>
+    </message>
+</context>
+<context>
+    <name>TableMenu</name>
+    <message>
+        <source>Which table is shown</source>
+        <translation>Welche Tabelle gezeigt wird</translation>
     </message>
 </context>
 </TS>

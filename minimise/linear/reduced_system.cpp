@@ -20,7 +20,7 @@ MatrixXd dense(const Triangle& triangle) {
 }
 
 /// Some P with PᵀP = product, from the eigenvalues of the product with unit diagonal.
-MatrixXd root_of(const MatrixXd& product) {
+MatrixXd scaled_root(const MatrixXd& product) {
   const Index n = product.rows();
   Eigen::VectorXd scale(n);
   for (Index j = 0; j < n; ++j) scale[j] = power_of_two_scale(std::sqrt(product(j, j)));
@@ -31,7 +31,7 @@ MatrixXd root_of(const MatrixXd& product) {
 }  // namespace
 
 MatrixXd reduced_system(const Accumulator& accumulator) {
-  if (accumulator.reduction() == Reduction::normal) return root_of(normal_product(accumulator));
+  if (accumulator.reduction() == Reduction::normal) return scaled_root(normal_product(accumulator));
   const std::size_t n = accumulator.columns();
   const auto& triangles = accumulator.triangles();
   if (triangles.size() == 1 && triangles.begin()->first.size() == n) return dense(triangles.begin()->second);

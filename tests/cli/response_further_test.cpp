@@ -8,12 +8,12 @@
 #include <sstream>
 
 #include "cli/response/comparison_run.hpp"
-#include "cli/response/curve_rows.hpp"
+#include "report/response/curve_rows.hpp"
 #include "cli/response/response_command.hpp"
-#include "cli/response/response_file.hpp"
-#include "cli/response/response_page.hpp"
-#include "cli/response/run_response.hpp"
-#include "cli/response/response_text.hpp"
+#include "report/response/response_file.hpp"
+#include "report/response/response_page.hpp"
+#include "report/response/run_response.hpp"
+#include "report/response/response_text.hpp"
 #include "frf/hdf5/table_file.hpp"
 #include "problems/thesis/pulses.hpp"
 #include "response_sample.hpp"
@@ -44,8 +44,7 @@ mode = 2
 ResponseScene scene_of(const std::string& text) { return parse_response_scene(text, "scene.toml"); }
 
 ResponseRun run_of(const ResponseScene& scene) {
-  Progress progress;
-  return run_response(scene, progress);
+  return run_response(scene, {});
 }
 
 const std::string at_one = replaced(rest, "range = [2.0, 4.0]\npoints = 41", "values = [3.0]");

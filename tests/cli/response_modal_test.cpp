@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/response/run_response.hpp"
-#include "cli/response/response_text.hpp"
+#include "report/response/run_response.hpp"
+#include "report/response/response_text.hpp"
 #include "response/structure/modal_damping.hpp"
 #include "response_sample.hpp"
 
@@ -32,8 +32,7 @@ std::string parts_scene(const std::string& frequency, const std::string& harmoni
 }
 
 ResponseRun run_of(const std::string& text, const TestFolder& folder) {
-  Progress progress;
-  return run_response(parse_response_scene(text, folder / "scene.toml"), progress);
+  return run_response(parse_response_scene(text, folder / "scene.toml"), {});
 }
 
 /// Frequencies that are no lines: the response of the matrices to the accuracy of the models.

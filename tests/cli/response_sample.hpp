@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "cli/response/read_response_scene.hpp"
+#include "cli/response/response_parts.hpp"
 #include "frf/file/write.hpp"
 #include "response/structure/matrix_receptance.hpp"
 #include "tests/test_folder.hpp"

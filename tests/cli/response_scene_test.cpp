@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "cli/response/read_response_scene.hpp"
+#include "report/response/read_response_scene.hpp"
 #include "cli/response/response_command.hpp"
-#include "cli/response/run_response.hpp"
-#include "cli/response/response_text.hpp"
+#include "report/response/run_response.hpp"
+#include "report/response/response_text.hpp"
 #include "models/matrix_file.hpp"
 #include "response/structure/modal_damping.hpp"
 #include "response_sample.hpp"
@@ -64,9 +64,8 @@ TEST(ResponseScene, SaysInOneLineWhatIsWrong) {
 }
 
 TEST(ResponseScene, FindsPeaksOverLevels) {
-  Progress progress;
   const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
-  const ResponseRun run = run_response(scene, progress);
+  const ResponseRun run = run_response(scene, {});
   ASSERT_EQ(run.levels.size(), 2u);
   EXPECT_TRUE(all_converged(run));
   for (const LevelResponse& level : run.levels) {
@@ -85,12 +84,11 @@ TEST(ResponseScene, FindsPeaksOverLevels) {
 }
 
 TEST(ResponseScene, TellsDeviationsOfTheLaw) {
-  Progress progress;
   const std::string known = replaced(chain + rest, "[force]", "deviations = { k = 5.0 }\n[force]");
   const ResponseScene scene =
       parse_response_scene(replaced(known, "range = [2.0, 4.0]\npoints = 41", "values = [2.9]"), "scene.toml");
   EXPECT_EQ(scene.joints[0].deviations, (std::vector<double>{0.0, 0.0, 5.0}));
-  const ResponseRun run = run_response(scene, progress);
+  const ResponseRun run = run_response(scene, {});
   ASSERT_EQ(run.levels[0].deviations.size(), 1u);
   EXPECT_GT(run.levels[0].deviations[0].amplitude(0, 0), 0.0);
   EXPECT_THAT(response_text(scene, run), HasSubstr("std dev"));
@@ -118,9 +116,8 @@ TEST(ResponseScene, FilesOfPartsGiveWhatMatricesGive) {
       "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
       "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
       joint + "[force]\ndof = 1\n" + end + "points = 41\n[response]\ndofs = [1, 3]\nharmonics = [1, 3, 5]\n";
-  Progress progress;
-  const ResponseRun measured = run_response(parse_response_scene(files, folder / "scene.toml"), progress);
-  const ResponseRun computed = run_response(parse_response_scene(matrices, folder / "scene.toml"), progress);
+  const ResponseRun measured = run_response(parse_response_scene(files, folder / "scene.toml"), {});
+  const ResponseRun computed = run_response(parse_response_scene(matrices, folder / "scene.toml"), {});
   ASSERT_EQ(measured.levels[0].points.size(), 41u);
   EXPECT_TRUE(all_converged(measured));
   EXPECT_TRUE(measured.doubts.empty());
@@ -132,12 +129,12 @@ TEST(ResponseScene, FilesOfPartsGiveWhatMatricesGive) {
   // The ninth harmonic of 4 Hz is beyond the last line.
   const std::string more = replaced(files, "[1, 3, 5]", "[1, 3, 5, 7, 9]");
   const ResponseScene beyond = parse_response_scene(more, folder / "scene.toml");
-  const ResponseRun dropped = run_response(beyond, progress);
+  const ResponseRun dropped = run_response(beyond, {});
   EXPECT_EQ(dropped.levels[0].points.back().dropped.size(), 2u);
   EXPECT_THAT(response_text(beyond, dropped), HasSubstr("harmonics beyond the lines of the files are dropped"));
-  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "\"1:+X\"\n", "\"1:+Y\"\n"), folder / "scene.toml"), progress),
+  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "\"1:+X\"\n", "\"1:+Y\"\n"), folder / "scene.toml"), {}),
                InputError);
-  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "[2.0, 4.0]", "[50.0, 60.0]"), folder / "scene.toml"), progress),
+  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "[2.0, 4.0]", "[50.0, 60.0]"), folder / "scene.toml"), {}),
                InputError);
 }
 
@@ -204,8 +201,7 @@ TEST(ResponseScene, LargeModelsStaySparse) {
     const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
     EXPECT_EQ(scene.sparse.has_value(), n > most_full);
     EXPECT_EQ(coordinates(scene), n);
-    Progress progress;
-    return run_response(scene, progress);
+    return run_response(scene, {});
   };
   const ResponseRun small = run_of(200, ""), large = run_of(1000, "");
   EXPECT_TRUE(all_converged(large));

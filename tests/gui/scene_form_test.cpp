@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTest>
 #include <QTextDocument>
 
@@ -65,7 +66,8 @@ struct Form {
 TEST(SceneForm, HasAFieldForEveryKeyThatTheReaderKnows) {
   Form form;
   for (const std::string& table : all_tables()) {
-    if (table == "data.files") continue;
+    if (table == "data.files") continue;  // its keys are files
+    EXPECT_FALSE(keys_of(table).empty()) << table;
     for (const std::string& key : keys_of(table)) {
       EXPECT_NE(form.window.current()->form()->field(table, key), nullptr) << table << " " << key;
       EXPECT_FALSE(hint_of(table, key).isEmpty()) << table << " " << key;
@@ -162,10 +164,97 @@ TEST(SceneForm, TablesInOneLineAreFieldsOfTheTableAbove) {
   EXPECT_EQ(form.line("identify.start", "stiffness").text(), "[[1, 2], [2, 3]]");
 }
 
-TEST(SceneForm, SeveralJointsAreLeftToTheText) {
-  Form form("[[joints]]\nname = \"left\"\ndofs = [\"1:+X\", \"2:+X\"]\n[joints.stiffness]\npattern = \"full\"\n");
-  EXPECT_TRUE(find<QLabel>(*form.window.current()->form(), "several_joints")->isVisible());
-  EXPECT_FALSE(form.field("joint", "dofs").isVisible());
+const char* const two_joints = R"([data]
+substructures = ["a.uff", "b.uff"]
+assembly = ["c.uff"]
+
+[[joints]]
+name = "left"
+dofs = ["1:+X", "2:+X"]
+[joints.stiffness]
+pattern = "full"
+
+[[joints]]  # the other one
+name = "right"
+dofs = ["3:+X", "4:+X"]
+[joints.mass]
+pattern = "diagonal"
+
+[identify]
+method = "one"
+)";
+
+TEST(SceneForm, OneOfSeveralJointsIsShownAndEdited) {
+  Form form(two_joints);
+  QComboBox& chosen = *find<QComboBox>(*form.window.current()->form(), "joint_choice");
+  ASSERT_EQ(chosen.count(), 2);
+  EXPECT_EQ(chosen.itemText(1), "2: right");
+  EXPECT_EQ(form.line("joint", "dofs").text(), "1:+X, 2:+X");
+  EXPECT_EQ(form.choice("joint.stiffness", "pattern").currentText(), "full");
+  chosen.setFocus();
+  QTest::keyClick(&chosen, Qt::Key_Down);
+  EXPECT_EQ(form.line("joints", "name").text(), "right");
+  EXPECT_EQ(form.line("joint", "dofs").text(), "3:+X, 4:+X");
+  EXPECT_EQ(form.choice("joint.mass", "pattern").currentText(), "diagonal");
+  form.type(form.line("joint", "bands"), "[[10, 20]]");
+  QTest::keyClick(&form.line("joint", "bands"), Qt::Key_Return);
+  form.choice("joint.stiffness", "pattern").setFocus();
+  QTest::keyClick(&form.choice("joint.stiffness", "pattern"), Qt::Key_S);
+  std::string wanted = two_joints;
+  wanted.replace(wanted.find("dofs = [\"3"), 24, "dofs = [\"3:+X\", \"4:+X\"]\nbands = [[10, 20]]");
+  wanted.replace(wanted.find("pattern = \"diagonal\"\n"), 21, "pattern = \"diagonal\"\n\n[joints.stiffness]\npattern = \"symmetric\"\n");
+  EXPECT_EQ(form.text(), wanted);
+  ASSERT_TRUE(form.window.current()->checked().scene) << form.window.current()->checked().error->problem;
+  EXPECT_EQ(form.window.current()->checked().scene->joints[1].matrices.size(), 2U);
+}
+
+TEST(SceneForm, JointsAreAddedAndRemoved) {
+  Form form;
+  QPushButton& add = *find<QPushButton>(*form.window.current()->form(), "joint_choice_add");
+  QPushButton& remove = *find<QPushButton>(*form.window.current()->form(), "joint_choice_remove");
+  EXPECT_FALSE(remove.isEnabled());
+  add.setFocus();
+  QTest::keyClick(&add, Qt::Key_Space);
+  EXPECT_EQ(form.line("joints", "name").text(), "joint2");
+  form.type(form.line("joint", "dofs"), "3:+Y, 4:+Y");
+  QTest::keyClick(&form.line("joint", "dofs"), Qt::Key_Return);
+  ASSERT_TRUE(form.window.current()->checked().scene) << form.window.current()->checked().error->problem;
+  EXPECT_EQ(form.window.current()->checked().scene->joints.size(), 2U);
+  EXPECT_EQ(form.window.current()->checked().scene->joints[0].name, "joint1");
+  remove.setFocus();
+  QTest::keyClick(&remove, Qt::Key_Space);
+  ASSERT_TRUE(form.window.current()->checked().scene);
+  EXPECT_EQ(form.window.current()->checked().scene->joints.size(), 1U);
+  for (int i = 0; i < 3; ++i) QTest::keyClick(&form.window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(form.text(), commented);
+}
+
+TEST(SceneForm, TheJointThatIsWrongIsShown) {
+  std::string text = two_joints;
+  text.replace(text.find("4:+X"), 4, "4:+Q");
+  Form form(text);
+  EXPECT_EQ(form.line("joints", "name").text(), "right");
+  EXPECT_THAT(form.field("joint", "dofs").error().toStdString(), testing::HasSubstr("4:+Q"));
+}
+
+TEST(SceneForm, WhatAFileDoesNotSayIsFilledInFileByFile) {
+  Form form;
+  QComboBox& file = *find<QComboBox>(*form.window.current()->form(), "file_choice");
+  ASSERT_EQ(file.count(), 3);
+  file.setFocus();
+  QTest::keyClick(&file, Qt::Key_C);
+  ASSERT_EQ(file.currentText(), "c.uff");
+  form.type(form.line("data.files.*", "flip"), "1:+Y");
+  QTest::keyClick(&form.line("data.files.*", "flip"), Qt::Key_Return);
+  EXPECT_EQ(form.text(), commented + std::string("\n[data.files.\"c.uff\"]\nflip = [\"1:+Y\"]\n"));
+  ASSERT_TRUE(form.window.current()->checked().scene);
+  EXPECT_EQ(form.window.current()->checked().scene->data.assembly.front().corrections.flip.size(), 1U);
+  file.setFocus();
+  QTest::keyClick(&file, Qt::Key_A);
+  EXPECT_EQ(form.line("data.files.*", "flip").text(), "");
+  form.editor().replace_text(form.text() + "gain = 0\n");
+  EXPECT_EQ(file.currentText(), "c.uff");
+  EXPECT_FALSE(form.field("data.files.*", "gain").error().isEmpty());
 }
 
 TEST(SceneForm, CellsOfASpreadsheetArePastedIntoAMatrix) {

@@ -60,6 +60,17 @@ TEST(SceneWords, TheReaderTellsWhatItTakes) {
   for (const char* key : {"delta", "starts", "bootstrap"}) EXPECT_EQ(kind_of("identify", key), number) << key;
   for (const char* key : {"level", "floor", "coherence", "averages"}) EXPECT_EQ(kind_of("noise", key), number) << key;
   EXPECT_EQ(kind_of("noise", "reciprocal"), flag);
+  EXPECT_EQ(kind_of("joints", "name"), text);
+  EXPECT_EQ(kind_of("data.files.\"x.uff\"", "quantity"), word);
+  EXPECT_EQ(kind_of("data.files.*", "conjugate"), flag);
+  for (const char* key : {"dofs", "flip", "reference_dofs"}) EXPECT_EQ(kind_of("data.files.*", key), dofs) << key;
+  for (const char* key : {"mass", "delay"}) EXPECT_EQ(kind_of("data.files.*", key), number) << key;
+}
+
+TEST(SceneWords, WhatIsAskedBeforehandIsWhatIsAnswered) {
+  ask_for_everything();
+  EXPECT_EQ(kind_of("identify", "method"), ValueKind::word);
+  EXPECT_THAT(words_of("identify", "method"), ElementsAreArray(ident::method_words()));
 }
 
 }  // namespace

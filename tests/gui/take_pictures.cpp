@@ -30,6 +30,7 @@
 #include "gui/main_window.hpp"
 #include "gui/modal/modal_page.hpp"
 #include "gui/page/plot_menu.hpp"
+#include "gui/page/scene_page.hpp"
 #include "gui/plan/plan_page.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
@@ -188,6 +189,23 @@ class Photographer {
       wait_for([&] { return !couple.is_busy(); });
     }
     keep("workbench-couple");
+    QTest::keyClick(&window_, Qt::Key_W, Qt::ControlModifier);
+    take_frictional(beside.filePath("response/beams-B.toml"), &Project::response_page, "workbench-response");
+    take_frictional(beside.filePath("laws/sdof-iwan.toml"), &Project::laws_page, "workbench-laws");
+  }
+
+  /// A scene of joints with friction.
+  void take_frictional(const QString& scene, ScenePage* (Project::*page_of)() const, const char* name) {
+    window_.open({scene});
+    ScenePage& page = *(window_.current()->*page_of)();
+    window_.current()->pages()->setCurrentWidget(&page);
+    page.run();
+    wait_for([&] { return !page.is_busy(); });
+    keep(name);
+    for (int choice = 1; every_ && choice < page.plots()->menu()->count(); ++choice) {
+      page.plots()->menu()->setCurrentIndex(choice);
+      keep(qPrintable(QStringLiteral("every-%1-%2").arg(QLatin1String(name)).arg(choice)));
+    }
     QTest::keyClick(&window_, Qt::Key_W, Qt::ControlModifier);
   }
 

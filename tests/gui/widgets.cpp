@@ -8,6 +8,7 @@
 #include "gui/look/paths.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/problem.hpp"
+#include "problems/vibration/law_problem_cases.hpp"
 
 namespace jointid::gui {
 
@@ -32,10 +33,19 @@ std::string read_file(const QString& file) {
   return in.open(QIODevice::ReadOnly) ? in.readAll().toStdString() : "";
 }
 
-Measured::Measured(const char* problem, const char* format)
-    : scene_(as_name(problems::is_coupling(problem)
-                         ? problems::write(problems::make_coupling(problem), as_path(folder_.path()), {.format = format})
-                         : problems::write(problems::make(problem), as_path(folder_.path()), {.format = format}))) {}
+namespace {
+
+std::filesystem::path write_problem(const std::string& name, const QTemporaryDir& folder, const char* format) {
+  const problems::WriteOptions options{.format = format};
+  const std::filesystem::path path = as_path(folder.path());
+  if (problems::is_coupling(name)) return problems::write(problems::make_coupling(name), path, options);
+  if (problems::is_law_problem(name)) return problems::write(problems::make_law_problem(name), path, options);
+  return problems::write(problems::make(name), path, options);
+}
+
+}  // namespace
+
+Measured::Measured(const char* problem, const char* format) : scene_(as_name(write_problem(problem, folder_, format))) {}
 
 QStringList Measured::files() const {
   QStringList all;

@@ -1,0 +1,48 @@
+#include "gui/forms/choice_row.hpp"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <string>
+
+#include "gui/look/buttons.hpp"
+#include "gui/look/named.hpp"
+
+namespace jointid::gui {
+
+ChoiceRow::ChoiceRow(const char* name, const QString& title, bool with_buttons, QWidget* parent) : QWidget(parent) {
+  choice_ = named(new QComboBox, name, title);
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(choice_);
+  connect(choice_, &QComboBox::activated, this, &ChoiceRow::changed);
+  if (with_buttons) {
+    add_ = push_button((std::string(name) + "_add").c_str(), tr("Add"), tr("Add another one to the text"));
+    remove_ = push_button((std::string(name) + "_remove").c_str(), tr("Remove"), tr("Remove this one from the text; undo brings it back"));
+    row->addWidget(add_);
+    row->addWidget(remove_);
+    connect(add_, &QPushButton::clicked, this, &ChoiceRow::more_wanted);
+    connect(remove_, &QPushButton::clicked, this, &ChoiceRow::fewer_wanted);
+  }
+  row->addStretch(1);
+}
+
+void ChoiceRow::show_names(const QStringList& names) {
+  const QSignalBlocker quiet(choice_);
+  const int before = choice_->currentIndex();
+  choice_->clear();
+  choice_->addItems(names);
+  choice_->setCurrentIndex(names.isEmpty() ? -1 : std::clamp(before, 0, static_cast<int>(names.size()) - 1));
+  if (remove_ != nullptr) remove_->setEnabled(names.size() > 1);
+}
+
+void ChoiceRow::choose(int number) { choice_->setCurrentIndex(number); }
+
+int ChoiceRow::chosen() const { return choice_->currentIndex(); }
+
+QString ChoiceRow::chosen_name() const { return choice_->currentText(); }
+
+}  // namespace jointid::gui

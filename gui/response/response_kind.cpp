@@ -1,0 +1,94 @@
+#include "gui/response/response_kind.hpp"
+
+#include "gui/look/said.hpp"
+#include "report/response/read_response_scene.hpp"
+#include "report/response/response_page.hpp"
+#include "report/response/response_plots.hpp"
+#include "report/response/response_tables.hpp"
+#include "report/response/response_text.hpp"
+#include "report/response/run_response.hpp"
+
+namespace jointid::gui {
+namespace {
+
+constexpr std::size_t most_rows = 2000, most_of_curve = 500;  // rows of tables
+
+struct Responded {
+  report::ResponseScene scene;
+  report::ResponseRun run;
+};
+
+std::vector<PlotMenu::Named> plots_of(const report::ResponseRun& run) {
+  return {{Said::tr("response"), report::level_plots(run)},   {Said::tr("peaks over force"), report::backbone_plots(run)},
+          {Said::tr("harmonics"), report::harmonic_plots(run)}, {Said::tr("loop"), report::loop_plots(run)},
+          {Said::tr("curve"), report::curve_plots(run)},        {Said::tr("equivalent joints"), report::equivalent_plots(run)},
+          {Said::tr("motion"), report::transient_plots(run)}};
+}
+
+CellRows remark_rows(const std::vector<std::string>& remarks) {
+  CellRows out{{Said::tr("remark")}, {}, {}};
+  for (const std::string& remark : remarks) out.cells.push_back({Cell{q(remark)}});
+  return out;
+}
+
+std::vector<TableMenu::Named> tables_of(const report::ResponseScene& scene, const report::ResponseRun& run) {
+  std::vector<TableMenu::Named> out;
+  std::size_t points = 0;
+  for (const report::LevelResponse& level : run.levels) points += level.points.size();
+  if (!run.levels.empty()) out.emplace_back(Said::tr("peaks"), rows_of(report::peaks_table(run)));
+  if (points > 0 && points <= most_rows) out.emplace_back(Said::tr("all points"), rows_of(report::points_table(run)));
+  for (const report::CurveRun& curve : run.curves) {
+    out.emplace_back(q(curve.name + report::curve_remark(curve)), rows_of(report::curve_table(curve, run, most_of_curve)));
+  }
+  if (!run.equivalents.empty()) out.emplace_back(Said::tr("equivalent joints"), rows_of(report::equivalents_table(run)));
+  if (!run.transients.empty()) out.emplace_back(Said::tr("motions from rest"), rows_of(report::transients_table(run)));
+  out.emplace_back(Said::tr("remarks"), remark_rows(report::response_remarks(scene, run)));
+  return out;
+}
+
+SceneFindings findings_of(const std::shared_ptr<const Responded>& all) {
+  SceneFindings out;
+  out.is_bad = !report::all_converged(all->run);
+  out.said = out.is_bad ? Said::tr("Not everything was found; what is missing is left out of tables and plots.")
+                        : Said::tr("Everything that was asked for was found.");
+  out.plots = plots_of(all->run);
+  out.tables = tables_of(all->scene, all->run);
+  out.outputs = {{"html", [all] { return report::response_report(all->scene, all->run); }},
+                 {"json", [all] { return report::response_json(all->scene, all->run); }},
+                 {"csv", [all] { return report::response_csv(all->run); }}};
+  return out;
+}
+
+SceneTask read_responses(const std::string& text, const std::filesystem::path& file) {
+  const report::ResponseScene scene = report::parse_response_scene(text, file);
+  SceneTask task;
+  for (const ident::NamedFile& named : report::files_of(scene)) task.inputs.push_back(named.path);
+  task.run = [scene](const Worker::Watch& watch) {
+    ident::Control control;
+    control.interrupted = watch.interrupted;
+    control.progress = watch.progress;
+    return findings_of(std::make_shared<const Responded>(Responded{scene, report::run_response(scene, control)}));
+  };
+  return task;
+}
+
+}  // namespace
+
+SceneKind response_kind() {
+  SceneKind kind;
+  kind.name = "response";
+  kind.title = Said::tr("Response");
+  kind.run = Said::tr("Find responses");
+  kind.run_hint = Said::tr("Find the periodic responses, and what else the scene asks for, as `jointid response` does");
+  kind.plots = Said::tr("Responses over frequency and force, loops, motions");
+  kind.plot_hint =
+      Said::tr("With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response],\n"
+               "its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.");
+  kind.tables = Said::tr("Peaks, points, curves and remarks");
+  kind.command = QStringLiteral("jointid response");
+  kind.is_of = [](const std::string& text) { return has_table(text, "response"); };
+  kind.read = read_responses;
+  return kind;
+}
+
+}  // namespace jointid::gui

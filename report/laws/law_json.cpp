@@ -1,0 +1,133 @@
+#include <nlohmann/json.hpp>
+
+#include "report/laws/law_text.hpp"
+#include "base/complex.hpp"
+#include "report/json_value.hpp"
+#include "laws/task/contradiction.hpp"
+
+namespace jointid::report {
+namespace {
+
+using laws::LawIdentification;
+
+Json phasor(Complex number) { return {value(number.real()), value(number.imag())}; }
+
+Json column(const Eigen::MatrixXcd& rows, Eigen::Index at) {
+  Json out = Json::array();
+  for (Eigen::Index n = 0; n < rows.rows(); ++n) out.push_back(phasor(rows(n, at)));
+  return out;
+}
+
+Json fitted(const friction::FittedValue& of) {
+  Json out = {{"name", of.name}, {"unit", of.unit}, {"value", value(of.value)}, {"std_error", value(of.std_error)}};
+  out["ci95"] = value(of.ci95);
+  out["knowledge"] = friction::name(of.knowledge);
+  return out;
+}
+
+Json candidate(const response::LawCandidate& of) {
+  Json rounds = Json::array();
+  for (const response::HarmonicsRound& round : of.fit.rounds) {
+    rounds.push_back(
+        {{"largest_harmonic", round.largest}, {"chi_square", value(round.chi_square)}, {"moved", value(round.moved)}});
+  }
+  return {{"laws", of.laws},
+          {"status", response::word(of.fit.status)},
+          {"unknowns", of.fit.values.size()},
+          {"numbers", of.fit.numbers},
+          {"freedom", of.fit.freedom},
+          {"chi_square", value(of.fit.chi_square)},
+          {"aic", value(of.fit.aic)},
+          {"steps", of.fit.steps},
+          {"rounds", rounds}};
+}
+
+Json joint(const laws::LawScene& scene, const LawIdentification& found, std::size_t j) {
+  const response::FittedJoint& of = found.fit().joints[j];
+  Json out = {{"name", scene.joints[j].beside.name}, {"law", found.laws()[j]}};
+  out["stiffness"] = of.joint.friction ? fitted(of.stiffness) : Json();
+  out["limit"] = of.joint.friction ? fitted(of.limit) : Json();
+  out["motion"] = {value(of.smallest_motion), value(of.largest_motion)};
+  out["parameters"] = Json::array();
+  for (const friction::FittedValue& parameter : of.parameters) out["parameters"].push_back(fitted(parameter));
+  return out;
+}
+
+Json covariance(const Eigen::MatrixXd& matrix) {
+  Json out = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const Eigen::VectorXd row = matrix.row(i);
+    out.push_back(values(std::span(row.data(), static_cast<std::size_t>(row.size()))));
+  }
+  return out;
+}
+
+Json state(const laws::LawScene& scene, const LawIdentification& found, std::size_t i) {
+  const response::MeasuredState& measured = found.data.states[i];
+  const response::DirectStep& step = found.steps[i];
+  Json out = {{"level", scene.levels[found.data.level[i]].name},
+              {"frequency", value(hertz(measured.omega))},
+              {"harmonics", measured.harmonics},
+              {"joints", Json::array()}};
+  for (Eigen::Index j = 0; j < step.joint_force.cols(); ++j) {
+    Json one = {{"motion", column(step.joint_motion, j)},
+                {"motion_deviation", column(step.motion_deviation, j)},
+                {"force", column(step.joint_force, j)},
+                {"force_deviation", column(step.force_deviation, j)}};
+    one["equivalent"] = step.equivalent.size() > 0 ? phasor(step.equivalent(j)) : Json();
+    one["equivalent_deviation"] = step.equivalent.size() > 0 ? phasor(step.equivalent_deviation(j)) : Json();
+    out["joints"].push_back(one);
+  }
+  out["separation"] = value(step.separation);
+  out["residual"] = Json();
+  if (i < found.fit().states.size()) {
+    const Eigen::VectorXd residual = response::in_deviations(measured, found.fit().states[i].response - measured.response);
+    out["residual"] = values(std::span(residual.data(), static_cast<std::size_t>(residual.size())));
+  }
+  return out;
+}
+
+Json consistency(const laws::LawScene& scene, const LawIdentification& found) {
+  using Kind = response::DataFault::Kind;
+  const std::vector<std::string> levels = laws::level_names(scene);
+  const response::Consistency& test = found.consistency;
+  Json out = {{"chi_square", value(test.chi_square)},
+              {"freedom", test.freedom},
+              {"limit", value(test.limit)},
+              {"contradicts", test.contradicts()},
+              {"faults", Json::array()}};
+  for (const response::DataFault& fault : test.faults) {
+    const auto name = [&](Eigen::Index response) { return found.data.responses[static_cast<std::size_t>(response)].name(); };
+    Json one = {{"text", laws::fault_text(fault, found.data.responses, levels)}, {"chi_square", value(fault.chi_square)}};
+    if (fault.kind != Kind::force) one["dofs"] = {name(fault.first)};
+    if (fault.kind == Kind::exchanged) one["dofs"].push_back(name(fault.second));
+    if (fault.kind != Kind::exchanged) one["gain"] = phasor(fault.gain);
+    if (fault.level) one["level"] = levels[*fault.level];
+    out["faults"].push_back(one);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string law_json(const laws::LawScene& scene, const LawIdentification& found) {
+  Json out = {{"status", word(found.status)},
+              {"message", found.message},
+              {"laws", found.laws()},
+              {"not_told_apart", found.not_told_apart},
+              {"joints", Json::array()},
+              {"covariance", covariance(found.fit().covariance)},
+              {"chi_square", value(found.fit().chi_square)},
+              {"freedom", found.fit().freedom},
+              {"compared", Json::array()},
+              {"dofs", frf::names(found.data.responses)},
+              {"states", Json::array()},
+              {"notes", found.notes}};
+  out["consistency"] = consistency(scene, found);
+  for (std::size_t j = 0; j < found.fit().joints.size(); ++j) out["joints"].push_back(joint(scene, found, j));
+  for (const response::LawCandidate& each : found.compared) out["compared"].push_back(candidate(each));
+  for (std::size_t i = 0; i < found.data.states.size(); ++i) out["states"].push_back(state(scene, found, i));
+  return json_text(out);
+}
+
+}  // namespace jointid::report

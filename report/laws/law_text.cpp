@@ -1,0 +1,182 @@
+#include "report/laws/law_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/complex.hpp"
+#include "base/text.hpp"
+#include "report/laws/direct_bins.hpp"
+#include "friction/curve/equivalent.hpp"
+
+namespace jointid::report {
+namespace {
+
+using laws::LawIdentification;
+
+constexpr std::size_t most_bins = 10;
+
+std::string interval_text(const friction::FittedValue& value) {
+  if (!value.ci95) return "–";
+  return number((*value.ci95)[0], value.std_error) + " to " + number((*value.ci95)[1], value.std_error);
+}
+
+void add_value(Table& table, const friction::FittedValue& value) {
+  table.add({value.name, number(value.value, value.std_error), value.unit,
+             value.std_error ? fmt::format("{:.2g}", *value.std_error) : "–", interval_text(value),
+             friction::name(value.knowledge)});
+}
+
+std::string harmonics_text(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int n : numbers) text += (text.empty() ? "" : " ") + std::to_string(n);
+  return text;
+}
+
+std::string data_text(const laws::LawScene& scene, const LawIdentification& found) {
+  std::set<double> lines;
+  std::set<int> harmonics;
+  for (const response::MeasuredState& state : found.data.states) {
+    lines.insert(state.omega);
+    harmonics.insert(state.harmonics.begin(), state.harmonics.end());
+  }
+  return fmt::format("{} state{} of {} level{}: {} line{} from {:.6g} to {:.6g} Hz, {} response{}, harmonics {}\n",
+                     found.data.states.size(), found.data.states.size() == 1 ? "" : "s", scene.levels.size(),
+                     scene.levels.size() == 1 ? "" : "s", lines.size(), lines.size() == 1 ? "" : "s",
+                     hertz(*lines.begin()), hertz(*lines.rbegin()), found.data.responses.size(),
+                     found.data.responses.size() == 1 ? "" : "s", harmonics_text({harmonics.begin(), harmonics.end()}));
+}
+
+std::string choice_text(const LawIdentification& found) {
+  std::string text = "law: " + laws::laws_text(found.laws());
+  if (!found.not_told_apart.empty()) {
+    text += "; the data cannot tell it from " + comma_list(found.not_told_apart);
+  }
+  return text + "\n";
+}
+
+std::string fit_text(const response::LawFit& fit) {
+  std::string text = fmt::format("χ² = {:.5g} of {} degrees of freedom, {} Gauss–Newton steps", fit.chi_square,
+                                 static_cast<long>(fit.freedom), fit.steps);
+  if (!fit.states.empty()) text += ", harmonics of the model " + harmonics_text(fit.states.front().solution.harmonics);
+  return text + "\n";
+}
+
+std::string consistency_text(const LawIdentification& found) {
+  const response::Consistency& test = found.consistency;
+  if (test.freedom == 0) return {};
+  return fmt::format("without any law: χ² = {:.5g} of {} degrees of freedom, at most {:.5g} is to be expected\n", test.chi_square,
+                     static_cast<long>(test.freedom), test.limit);
+}
+
+}  // namespace
+
+Table law_table(const LawIdentification& found) {
+  Table table({{"law", Align::left}, {"unknowns"}, {"χ²"}, {"freedom"}, {"AIC − least"}, {"", Align::left}});
+  const double least = found.compared.front().fit.aic;
+  for (const response::LawCandidate& each : found.compared) {
+    const bool defined = each.fit.values.size() > 0;
+    table.add({laws::laws_text(each.laws), std::to_string(each.fit.values.size()), defined ? number(each.fit.chi_square) : "–",
+               std::to_string(each.fit.freedom), defined ? fmt::format("{:.1f}", each.fit.aic - least) : "–",
+               std::string(response::word(each.fit.status))});
+  }
+  return table;
+}
+
+Table joint_table(const response::FittedJoint& joint) {
+  Table table(
+      {{"", Align::left}, {"value"}, {"unit", Align::left}, {"std error"}, {"95 % interval", Align::left}, {"", Align::left}});
+  if (joint.joint.friction) {
+    add_value(table, joint.stiffness);
+    if (std::isfinite(joint.limit.value)) add_value(table, joint.limit);
+  }
+  table.add({"least |Q₁|", number(joint.smallest_motion), "m", "", "", ""});
+  table.add({"largest |Q₁|", number(joint.largest_motion), "m", "", "", ""});
+  for (const friction::FittedValue& value : joint.parameters) add_value(table, value);
+  return table;
+}
+
+Table direct_table(const LawIdentification& found, std::size_t joint) {
+  Table table({{"|Q₁| m"}, {"k_e N/m"}, {"±"}, {"d_e N/m"}, {"±"}, {"states"}, {"law k_e"}, {"law d_e"}});
+  const bool fitted = joint < found.fit().joints.size() && found.fit().joints[joint].joint.friction != nullptr;
+  for (const DirectBin& bin : direct_bins(found.steps, at(joint), most_bins)) {
+    std::vector<std::string> cells = {number(bin.motion),
+                                      number(bin.equivalent.real(), bin.deviation.real()),
+                                      fmt::format("{:.2g}", bin.deviation.real()),
+                                      number(bin.equivalent.imag(), bin.deviation.imag()),
+                                      fmt::format("{:.2g}", bin.deviation.imag()),
+                                      std::to_string(bin.states),
+                                      "–",
+                                      "–"};
+    if (fitted) {
+      const response::Joint& law = found.fit().joints[joint].joint;
+      const friction::Equivalent by_law = friction::equivalent(*law.friction, bin.motion);
+      cells[6] = number(by_law.stiffness + law.stiffness);
+      cells[7] = number(by_law.damping);
+    }
+    table.add(cells);
+  }
+  return table;
+}
+
+Table level_table(const laws::LawScene& scene, const LawIdentification& found) {
+  Table table({{"level", Align::left}, {"states"}, {"rms residual"}, {"largest"}});
+  for (std::size_t level = 0; level < scene.levels.size(); ++level) {
+    double sum = 0.0, largest = 0.0;
+    Eigen::Index count = 0;
+    std::size_t states = 0;
+    for (std::size_t i = 0; i < found.fit().states.size(); ++i) {
+      if (found.data.level[i] != level) continue;
+      const response::MeasuredState& state = found.data.states[i];
+      const Eigen::VectorXd residual = response::in_deviations(state, found.fit().states[i].response - state.response);
+      sum += residual.squaredNorm();
+      largest = std::max(largest, residual.cwiseAbs().maxCoeff());
+      count += residual.size();
+      ++states;
+    }
+    table.add({scene.levels[level].name, std::to_string(states),
+               count > 0 ? fmt::format("{:.2f}", std::sqrt(sum / static_cast<double>(count))) : "–",
+               count > 0 ? fmt::format("{:.1f}", largest) : "–"});
+  }
+  return table;
+}
+
+std::string law_text(const laws::LawScene& scene, const LawIdentification& found) {
+  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + data_text(scene, found) + "\n" + choice_text(found) +
+                     law_table(found).text() + "\n";
+  for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
+    text += scene.joints[j].beside.name + ": " + found.laws()[j] + "\n" + joint_table(found.fit().joints[j]).text() + "\n";
+  }
+  text += fit_text(found.fit()) + consistency_text(found) + "residuals in standard deviations\n" + level_table(scene, found).text() + "\n";
+  for (std::size_t j = 0; j < scene.joints.size(); ++j) {
+    text += scene.joints[j].beside.name + ": stiffness and damping without a law\n" + direct_table(found, j).text() + "\n";
+  }
+  for (const std::string& note : found.notes) text += "note: " + note + "\n";
+  return text + "status: " + std::string(word(found.status)) + (found.message.empty() ? "" : ": " + found.message) + "\n";
+}
+
+std::string law_csv(const laws::LawScene& scene, const LawIdentification& found) {
+  std::string text = csv_line({"joint", "law", "quantity", "unit", "value", "std error", "ci95 low", "ci95 high", "knowledge"});
+  const auto add = [&](std::size_t j, const friction::FittedValue& value) {
+    std::optional<double> low, high;
+    if (value.ci95) {
+      low = (*value.ci95)[0];
+      high = (*value.ci95)[1];
+    }
+    text += csv_line({scene.joints[j].beside.name, found.laws()[j], value.name, value.unit, csv_number(value.value),
+                      csv_number(value.std_error), csv_number(low), csv_number(high), friction::name(value.knowledge)});
+  };
+  for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
+    const response::FittedJoint& joint = found.fit().joints[j];
+    if (joint.joint.friction) {
+      add(j, joint.stiffness);
+      add(j, joint.limit);
+    }
+    for (const friction::FittedValue& value : joint.parameters) add(j, value);
+  }
+  return text;
+}
+
+}  // namespace jointid::report

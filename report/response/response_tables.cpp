@@ -1,0 +1,182 @@
+#include "report/response/response_tables.hpp"
+#include "base/complex.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace jointid::report {
+namespace {
+
+using response::HarmonicSolution;
+
+std::string numbers_text(const std::vector<int>& numbers) {
+  if (numbers.size() <= 4) return fmt::format("{}", fmt::join(numbers, " "));
+  return fmt::format("{} {} … {}", numbers[0], numbers[1], numbers.back());
+}
+
+double amplitude(const HarmonicSolution& solution, Eigen::Index row, Eigen::Index dof) {
+  return std::abs(solution.response(row, dof));
+}
+
+double phase(const HarmonicSolution& solution, Eigen::Index dof) {
+  return std::arg(solution.response(first_row(solution), dof)) * 180.0 / std::numbers::pi;
+}
+
+bool any_deviation(const ResponseRun& run) {
+  return std::ranges::any_of(run.levels, [](const LevelResponse& level) { return !level.deviations.empty(); });
+}
+
+std::string multiplier_text(const std::optional<PointStability>& stability) {
+  if (!stability || !stability->known || stability->another) return "–";
+  return fmt::format("{:.4f}{}", stability->largest, stability->stable ? "" : " unstable");
+}
+
+void add_curve_point(const CurveRun& curve, double parameter, const HarmonicSolution& point, const std::string& remark,
+                     Table& table) {
+  const double force = curve.curve.parameter ? curve.curve.force : parameter;
+  std::vector<std::string> cells = {number(parameter)};
+  for (Eigen::Index dof = 0; dof < point.response.cols(); ++dof) {
+    const double size = amplitude(point, first_row(point), dof);
+    cells.insert(cells.end(), {number(size), number(size / force)});
+  }
+  cells.insert(cells.end(), {number(point.loss.sum()), remark});
+  table.add(cells);
+}
+
+}  // namespace
+
+Table peaks_table(const ResponseRun& run) {
+  const bool known = any_deviation(run);
+  std::vector<Column> columns = {{"force N"}, {"peak Hz"}, {"|X| m"}};
+  if (known) columns.push_back({"std dev m"});
+  columns.insert(columns.end(), {{"|X|/force m/N"}, {"damping %"}, {"loss J/period"}});
+  const bool judged =
+      std::ranges::any_of(run.levels, [](const LevelResponse& level) { return level.peak_stability.has_value(); });
+  if (judged) columns.push_back({"|μ|"});
+  columns.insert(columns.end(), {{"harmonics", Align::left}, {"", Align::left}});
+  Table table(columns);
+  for (const LevelResponse& level : run.levels) {
+    std::vector<std::string> cells = {number(level.level)};
+    if (level.peak) {
+      const HarmonicSolution& peak = *level.peak;
+      const double size = amplitude(peak, first_row(peak), 0);
+      cells.push_back(number(hertz(peak.omega)));
+      cells.push_back(number(size, level.peak_deviation));
+      if (known) cells.push_back(level.peak_deviation ? fmt::format("{:.2g}", *level.peak_deviation) : "–");
+      const std::string damping = level.peak_mode ? fmt::format("{:.4g}", 100.0 * level.peak_mode->ratio) : "–";
+      cells.insert(cells.end(), {number(size / level.level), damping, number(peak.loss.sum())});
+      if (judged) cells.push_back(multiplier_text(level.peak_stability));
+      cells.push_back(numbers_text(peak.harmonics));
+    } else {
+      cells.resize(columns.size() - 1, "–");
+    }
+    cells.push_back(!level.peak ? "no peak found" : level.refined ? "" : "largest of the points");
+    table.add(cells);
+  }
+  return table;
+}
+
+Table points_table(const ResponseRun& run) {
+  const bool known = any_deviation(run);
+  std::vector<Column> columns = {{"force N"}, {"Hz"}};
+  for (const std::string& dof : run.dofs) {
+    columns.push_back({"|X(" + dof + ")| m"});
+    if (known) columns.push_back({"std dev"});
+    columns.push_back({"phase °"});
+  }
+  columns.push_back({"loss J/period"});
+  const bool judged = std::ranges::any_of(run.levels, [](const LevelResponse& level) { return !level.stability.empty(); });
+  if (judged) columns.push_back({"|μ|"});
+  columns.insert(columns.end(), {{"harmonics", Align::left}, {"", Align::left}});
+  Table table(columns);
+  for (const LevelResponse& level : run.levels) {
+    for (std::size_t i = 0; i < level.points.size(); ++i) {
+      const HarmonicSolution& point = level.points[i];
+      std::vector<std::string> cells = {number(level.level), number(hertz(point.omega))};
+      if (point.converged) {
+        for (std::size_t dof = 0; dof < run.dofs.size(); ++dof) {
+          cells.push_back(number(amplitude(point, first_row(point), at(dof))));
+          if (known) cells.push_back(fmt::format("{:.2g}", level.deviations[i].amplitude(first_row(point), at(dof))));
+          cells.push_back(fmt::format("{:.2f}", phase(point, at(dof))));
+        }
+        cells.push_back(number(point.loss.sum()));
+        if (judged) cells.push_back(level.stability.empty() ? "–" : multiplier_text(level.stability[i]));
+      } else {
+        cells.resize(columns.size() - 2, "–");
+      }
+      cells.push_back(numbers_text(point.harmonics));
+      cells.push_back(point.converged ? "" : "not converged");
+      table.add(cells);
+    }
+  }
+  return table;
+}
+
+Table curve_table(const CurveRun& curve, const ResponseRun& run, std::size_t most) {
+  std::vector<Column> columns = {{curve.name}};
+  for (const std::string& dof : run.dofs) columns.insert(columns.end(), {{"|X(" + dof + ")| m"}, {"|X|/force m/N"}});
+  columns.insert(columns.end(), {{"loss J/period"}, {"", Align::left}});
+  Table table(columns);
+  const std::size_t count = curve.found.points.size(), shown = std::min(most, count);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t at = shown > 1 ? i * (count - 1) / (shown - 1) : 0;
+    add_curve_point(curve, curve.found.parameters[at], curve.found.points[at], "", table);
+  }
+  for (std::size_t i = 0; i < curve.found.peaks.size(); ++i) {
+    add_curve_point(curve, curve.found.peak_parameters[i], curve.found.peaks[i], "peak", table);
+  }
+  return table;
+}
+
+std::string curve_remark(const CurveRun& curve) {
+  const std::string force = curve.curve.parameter ? fmt::format(", {:.6g} N", curve.curve.force) : "";
+  return fmt::format("{} at {:.6g} Hz", force, curve.curve.frequency_hz);
+}
+
+Table equivalents_table(const ResponseRun& run) {
+  std::vector<Column> columns = {{"|Q| m"}};
+  for (const std::string& joint : run.joints) columns.insert(columns.end(), {{"k_e(" + joint + ") N/m"}, {"d_e N/m"}});
+  const bool modes =
+      std::ranges::any_of(run.equivalents, [](const EquivalentRow& row) { return row.mode || !row.problem.empty(); });
+  if (modes) columns.insert(columns.end(), {{"mode Hz"}, {"damping %"}, {"", Align::left}});
+  Table table(columns);
+  for (const EquivalentRow& row : run.equivalents) {
+    std::vector<std::string> cells = {number(row.amplitude)};
+    for (const response::EquivalentJoint& joint : row.joints)
+      cells.insert(cells.end(), {number(joint.stiffness), number(joint.damping)});
+    if (row.mode) {
+      const double loss = row.mode->loss_factor_joints + row.mode->loss_factor_viscous;
+      cells.insert(cells.end(), {number(hertz(row.mode->omega)), fmt::format("{:.4g}", 50.0 * loss),
+                                 row.mode->converged ? "" : "not converged"});
+    } else if (modes) {
+      cells.insert(cells.end(), {"–", "–", row.problem});
+    }
+    table.add(cells);
+  }
+  return table;
+}
+
+Table transients_table(const ResponseRun& run) {
+  std::vector<Column> columns = {{"", Align::left}, {"until s"}};
+  for (const std::string& dof : run.dofs) columns.push_back({"max |x(" + dof + ")| m"});
+  for (const std::string& joint : run.marched)
+    columns.insert(columns.end(), {{"max |q(" + joint + ")| m"}, {"max |f| N"}});
+  columns.push_back({"events"});
+  Table table(columns);
+  for (const TransientRun& each : run.transients) {
+    const response::Transient& motion = each.motion;
+    std::vector<std::string> cells = {each.name, number(motion.times.back())};
+    for (Eigen::Index i = 0; i < motion.x.cols(); ++i) cells.push_back(number(motion.x.col(i).cwiseAbs().maxCoeff()));
+    for (Eigen::Index j = 0; j < motion.q.cols(); ++j) {
+      cells.insert(cells.end(), {number(motion.q.col(j).cwiseAbs().maxCoeff()), number(motion.f.col(j).cwiseAbs().maxCoeff())});
+    }
+    cells.push_back(motion.events > 0 ? std::to_string(motion.events) : "–");
+    table.add(cells);
+  }
+  return table;
+}
+
+}  // namespace jointid::report

@@ -1,0 +1,182 @@
+#include "report/response/response_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/complex.hpp"
+#include "report/response/response_tables.hpp"
+
+namespace jointid::report {
+namespace {
+
+using response::HarmonicSolution;
+
+/// Largest error bar of the lowest harmonics of all points, in parts of |X|.
+double largest_bar(const ResponseRun& run) {
+  double largest = 0.0;
+  for (const LevelResponse& level : run.levels) {
+    for (std::size_t i = 0; i < level.left_out.size(); ++i) {
+      if (level.left_out[i].size() == 0) continue;
+      const Eigen::Index row = first_row(level.points[i]);
+      const Eigen::ArrayXd size = level.points[i].response.row(row).cwiseAbs().transpose();
+      largest = std::max(largest, (level.left_out[i].row(row).transpose().array() / size.max(1e-300)).maxCoeff());
+    }
+  }
+  return largest;
+}
+
+/// What is left out by the harmonics, the worst of all points.
+void add_truncation(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
+  double next = 0.0;
+  const response::DroppedHarmonic* worst = nullptr;
+  double worst_hz = 0.0;
+  for (const LevelResponse& level : run.levels) {
+    for (const HarmonicSolution& point : level.points) {
+      if (point.converged) next = std::max(next, point.next);
+      for (const response::DroppedHarmonic& dropped : point.dropped) {
+        if (worst != nullptr && dropped.motion <= worst->motion) continue;
+        worst = &dropped;
+        worst_hz = hertz(point.omega);
+      }
+    }
+  }
+  if (next > 0.0)
+    remarks.push_back(fmt::format("the next harmonics would move the joints by at most {:.1e} of their motion", next));
+  if (next > 1.0) {
+    remarks.push_back(
+        "that is more than their motion itself: a joint so stiff, or so loose, that its motion is rounding; leave it out or "
+        "connect its ends rigidly");
+  }
+  if (scene.harmonics.fixed.empty() && next > scene.harmonics.tolerance) {
+    remarks.push_back(fmt::format("that is above the tolerance of {:.1e}: raise largest_harmonic above {}",
+                                  scene.harmonics.tolerance, scene.harmonics.largest));
+  }
+  if (worst != nullptr) {
+    remarks.push_back(fmt::format(
+        "harmonics beyond the lines of the files are dropped: at most {:.3g} N at harmonic {} of {:.6g} Hz, about {:.3g} m at "
+        "the joint",
+        worst->force, worst->harmonic, worst_hz, worst->motion));
+    remarks.push_back(
+        fmt::format("their error bar (H of the nearest line): |X| by at most {:.2g} of its size", largest_bar(run)));
+  }
+}
+
+/// What shooting found: the unstable, those with residual force, how far the harmonics are from the exact orbits.
+void add_stability(const ResponseRun& run, std::vector<std::string>& remarks) {
+  bool any_known = false;
+  double difference = 0.0;
+  std::vector<std::string> free;
+  const auto add = [&](const PointStability& stability, const HarmonicSolution& at, double level) {
+    const std::string place = fmt::format("{:.6g} N, {:.6g} Hz", level, hertz(at.omega));
+    if (!stability.known) {
+      remarks.push_back(place + ": no exact orbit was found from the solution, its stability is not known");
+    } else if (stability.another) {
+      remarks.push_back(place + ": the exact orbit that was found is another one, the solution's stability is not known");
+    } else {
+      any_known = true;
+      if (!stability.stable)
+        remarks.push_back(fmt::format("{}: unstable, a multiplier has modulus {:.6g}", place, stability.largest));
+      difference = std::max(difference, stability.difference);
+      for (const std::string& joint : stability.residual_force_free) {
+        if (std::ranges::find(free, joint) == free.end()) free.push_back(joint);
+      }
+    }
+  };
+  for (const LevelResponse& level : run.levels) {
+    if (level.peak_stability) add(*level.peak_stability, *level.peak, level.level);
+    for (std::size_t i = 0; i < level.stability.size(); ++i) {
+      if (level.points[i].converged && !(level.peak && level.points[i].omega == level.peak->omega)) {
+        add(level.stability[i], level.points[i], level.level);
+      }
+    }
+  }
+  if (!any_known) return;
+  remarks.push_back(fmt::format(
+      "where nothing else is said, the responses are stable; exact orbits differ from them by at most {:.2g} of the motion",
+      difference));
+  if (!free.empty()) {
+    remarks.push_back(fmt::format(
+        "residual force free: {} never slip fully, a multiplier is exactly 1; means depend on the past, harmonics above 0 do "
+        "not",
+        fmt::join(free, ", ")));
+  }
+}
+
+/// Ends of curves and of transients that are not those asked for.
+void add_further_problems(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
+  for (const CurveRun& curve : run.curves) {
+    for (std::size_t i = 0; i < curve.found.turning_points.size(); ++i) {
+      remarks.push_back(fmt::format("the curve along {} turns back at {:.6g}", curve.name, curve.found.turning_parameters[i]));
+    }
+    if (curve.found.end != response::CurveEnd::reached) {
+      remarks.push_back(fmt::format("the curve along {} could not be followed to its end", curve.name));
+    }
+  }
+  for (const TransientRun& run_of : run.transients) {
+    const response::Transient& motion = run_of.motion;
+    if (!motion.complete) {
+      remarks.push_back(fmt::format("{}: {}; the motion ends at {:.6g} s", run_of.name,
+                                    scene.transient->method == response::TransientMethod::exact
+                                        ? "events come closer to each other than numbers can tell, or the motion runs away"
+                                        : "the motion grows beyond all numbers",
+                                    motion.times.back()));
+    }
+    if (motion.growth > 1.0 || !motion.too_soft.empty()) {
+      remarks.push_back(
+          fmt::format("{}: Algorithm Two may be boundedly unstable (its character matrix has {:.6g}): plausible and wrong",
+                      run_of.name, motion.growth));
+    }
+  }
+}
+
+void add_problems(const ResponseRun& run, std::vector<std::string>& remarks) {
+  for (const LevelResponse& level : run.levels) {
+    const auto lost = std::ranges::count(level.points, false, &HarmonicSolution::converged);
+    if (lost > 0) {
+      remarks.push_back(fmt::format(
+          "{:.6g} N: harmonic balance did not converge at {} of {} frequencies; marching in time may find a response there",
+          level.level, lost, level.points.size()));
+    } else if (!level.complete) {
+      remarks.push_back(fmt::format("{:.6g} N: the curve could not be followed to its end", level.level));
+    }
+    for (const HarmonicSolution& turn : level.turning_points) {
+      remarks.push_back(fmt::format(
+          "{:.6g} N: the curve turns back at {:.6g} Hz, |X| = {:.6g} m: between two such frequencies there are several "
+          "responses",
+          level.level, hertz(turn.omega), std::abs(turn.response(first_row(turn), 0))));
+    }
+  }
+  remarks.insert(remarks.end(), run.doubts.begin(), run.doubts.end());
+}
+
+}  // namespace
+
+std::vector<std::string> response_remarks(const ResponseScene& scene, const ResponseRun& run) {
+  std::vector<std::string> remarks;
+  add_truncation(scene, run, remarks);
+  add_stability(run, remarks);
+  add_problems(run, remarks);
+  add_further_problems(scene, run, remarks);
+  return remarks;
+}
+
+std::string response_text(const ResponseScene& scene, const ResponseRun& run) {
+  std::string text = scene.title.empty() ? "" : scene.title + "\n";
+  std::size_t points = 0;
+  for (const LevelResponse& level : run.levels) points += level.points.size();
+  if (!run.levels.empty())
+    text += fmt::format("response of {} to a force at {}, {} joint{}, {} point{}\n\n", run.dofs.front(), scene.force_dof.name,
+                        run.joints.size(), run.joints.size() == 1 ? "" : "s", points, points == 1 ? "" : "s");
+  if (!run.levels.empty()) text += points <= most_told ? points_table(run).text() : peaks_table(run).text();
+  for (const CurveRun& curve : run.curves) {
+    text += fmt::format("\nalong {}{}\n", curve.name, curve_remark(curve)) + curve_table(curve, run, most_told / 2).text();
+  }
+  if (!run.equivalents.empty()) text += "\nequivalent joints\n" + equivalents_table(run).text();
+  if (!run.transients.empty()) text += "\nfrom rest\n" + transients_table(run).text();
+  const std::vector<std::string> remarks = response_remarks(scene, run);
+  for (std::size_t i = 0; i < remarks.size(); ++i) text += (i == 0 ? "\n" : "") + remarks[i] + "\n";
+  return text;
+}
+
+}  // namespace jointid::report
