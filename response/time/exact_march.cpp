@@ -141,7 +141,7 @@ bool ExactMarch::step(double limit, const std::function<void(const MarchStep&)>&
   ++steps_;
   events_here_ = h > 1e-12 * smooth.longest_step() ? 0 : events_here_ + 1;
   if (event.joint >= 0) pass(event);
-  return events_here_ < 100;
+  return events_here_ < 100 && z_.allFinite();
 }
 
 void ExactMarch::pass(const Event& event) {

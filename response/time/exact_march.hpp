@@ -31,7 +31,7 @@ struct MarchStep {
 /// Why a march ended.
 enum class MarchStatus {
   reached,  ///< the time asked for
-  stalled   ///< events or steps came closer to each other than numbers can tell, or would be more than most_steps
+  stalled   ///< events or steps came closer to each other than numbers can tell, would be more than most_steps, or motion ran away
 };
 
 /// Steps of one call of march() beyond which it does not begin: joints or springs stiffer than any that takes part in the motion.
