@@ -1,6 +1,6 @@
-// Proper orthogonal decomposition of a record of 64 channels, 1,000,000 samples (quick: 20,000), by the streamed QR: from text
-// and from binary UFF 58, beside reading it alone. Promised: values to 1e-12 of those that the record was made of, from text at
-// most twice the time of reading, memory below 100 MB however long the record.
+// Proper orthogonal decomposition of a record of 64 channels, 1,000,000 samples (quick: 20,000), by the streamed QR: from text,
+// binary UFF 58 and HDF5, beside reading it alone. Promised: values to 1e-12 of those that the record was made of, at most 1.5
+// times the time of reading from text and 2.5 times from UFF and HDF5, memory below 100 MB however long the record.
 #include "series/pod/pod.hpp"
 
 #include <fmt/format.h>
@@ -10,11 +10,14 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "base/temporary_file.hpp"
 #include "bench/bench.hpp"
+#include "frf/hdf5/table_file.hpp"
 #include "records/file/open_samples.hpp"
 
 namespace {
@@ -101,9 +104,26 @@ void write_uff_record(const std::filesystem::path& path, std::size_t samples) {
   });
 }
 
-Pod decomposed(const std::filesystem::path& path, std::size_t threads) {
-  const auto stream = records::open_samples(path);
-  const auto next = [&](Samples& block) { return stream->read({block.data(), static_cast<std::size_t>(block.size())}); };
+/// A dataset "rows", a column a channel.
+void write_hdf5_record(const std::filesystem::path& path, std::size_t samples) {
+  frf::TableWriter table(path, {{}, std::vector<frf::TableColumn>(channels, {"x", "m", 0.0})}, samples);
+  make_record(samples, [&](const auto& block) {
+    const Samples rows = block;
+    table.append({rows.data(), static_cast<std::size_t>(rows.size())});
+  });
+  table.finish();
+}
+
+struct Record {
+  std::filesystem::path path;
+  std::vector<std::string> names = {};  ///< of the channels; empty: all
+
+  std::unique_ptr<records::SampleStream> open() const { return records::open_samples(path, {names}); }
+};
+
+Pod decomposed(const Record& record, std::size_t threads) {
+  const auto stream = record.open();
+  const auto next = [&](std::span<double> rows) { return stream->read(rows); };
   return pod(record_triangle(channels, next, threads));
 }
 
@@ -115,8 +135,8 @@ double work_seconds(const Work& work) {
   return bench::processor_seconds() - before;
 }
 
-void only_read(const std::filesystem::path& path) {
-  const auto stream = records::open_samples(path);
+void only_read(const Record& record) {
+  const auto stream = record.open();
   std::vector<double> block(4096 * channels);
   while (stream->read(block) > 0) {
   }
@@ -128,36 +148,47 @@ double largest_error(const Pod& found) {
   return worst;
 }
 
-/// Reading alone and reading with decomposing; how many times the processor time of reading the latter takes on one thread.
-double measure_file(const std::string& what, const std::filesystem::path& path, std::size_t samples, bench::Promises& promises) {
-  only_read(path);  // the first time the file comes from the disk
-  const double reading = work_seconds([&] { only_read(path); });
+/// Reading alone and reading with decomposing, the least processor time of three of each in turns.
+void measure_file(const std::string& what, const Record& record, std::size_t samples, double most,
+                  bench::Promises& promises) {
+  only_read(record);  // the first time the file comes from the disk
+  double reading = HUGE_VAL, alone = HUGE_VAL;
   Pod one, two;
-  const double alone = work_seconds([&] { one = decomposed(path, 1); });
-  const double clock_one = bench::seconds([&] { one = decomposed(path, 1); }),
-               clock_two = bench::seconds([&] { two = decomposed(path, 2); });
+  for (int round = 0; round < 3; ++round) {
+    reading = std::min(reading, work_seconds([&] { only_read(record); }));
+    alone = std::min(alone, work_seconds([&] { one = decomposed(record, 1); }));
+  }
+  const double clock_one = bench::seconds([&] { one = decomposed(record, 1); }),
+               clock_two = bench::seconds([&] { two = decomposed(record, 2); });
   const double unit = 1e6 / static_cast<double>(samples);
-  fmt::print("{:<10}{:>8.2f}{:>12.2f}{:>8.2f}{:>16.2f}{:>12.2f}\n", what, reading * unit, alone * unit, alone / reading,
+  fmt::print("{:<10}{:>8.2f}{:>16.2f}{:>8.2f}{:>16.2f}{:>12.2f}\n", what, reading * unit, alone * unit, alone / reading,
              clock_one * unit, clock_two * unit);
   promises.at_most(what + ": values less the true ones", largest_error(one), 1e-12);
   promises.holds(what + ": the same on two threads", one.sigma == two.sigma);
-  return alone / reading;
+  promises.speed_at_most(what + ": reading and decomposing, times reading", alone / reading, most);
 }
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {
   const std::size_t samples = line.count(0, 1'000'000, 20'000);
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  fmt::print("{} samples of {} channels, us a sample: processor time, by the clock\n{:<10}{:>8}{:>12}{:>8}{:>16}{:>12}\n",
+  fmt::print("{} samples of {} channels, us a sample: processor time, by the clock\n{:<10}{:>8}{:>16}{:>8}{:>16}{:>12}\n",
              samples, channels, "", "read", "and decompose", "times", "clock 1 thread", "2 threads");
+  // None is ever committed.
   {
-    const TemporaryFile text(folder / "jointid-bench-pod.csv");  // never committed
+    const TemporaryFile text(folder / "jointid-bench-pod.csv");
     write_text_record(text.path(), samples);
-    const double times = measure_file("text", text.path(), samples, promises);
-    promises.speed_at_most("text: reading and decomposing, times reading", times, 2.0);
+    measure_file("text", {text.path()}, samples, 1.5, promises);
   }
-  const TemporaryFile uff(folder / "jointid-bench-pod.uff");
-  write_uff_record(uff.path(), samples);
-  measure_file("UFF 58b", uff.path(), samples, promises);
+  {
+    const TemporaryFile uff(folder / "jointid-bench-pod.uff");
+    write_uff_record(uff.path(), samples);
+    measure_file("UFF 58b", {uff.path()}, samples, 2.5, promises);
+  }
+  const TemporaryFile hdf5(folder / "jointid-bench-pod.h5");
+  write_hdf5_record(hdf5.path(), samples);
+  Record rows{hdf5.path()};
+  for (std::size_t k = 1; k <= channels; ++k) rows.names.push_back(fmt::format("rows({})", k));
+  measure_file("HDF5", rows, samples, 2.5, promises);
   const double memory = bench::peak_megabytes();
   fmt::print("peak memory {:.0f} MB\n", memory);
   promises.at_most("memory, MB", memory, 100.0);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <span>
 #include <thread>
 
 #include "base/error.hpp"
@@ -52,9 +53,9 @@ PodRecord own_part(const PodArguments& arguments, const ident::Team& team, const
     }
     check_same(*out, *stream);
     out->cut += stream->cut();
-    const auto next = [&](series::Samples& block) {
+    const auto next = [&](std::span<double> rows) {
       stop_if(interrupted);
-      const std::size_t count = stream->read({block.data(), static_cast<std::size_t>(block.size())});
+      const std::size_t count = stream->read(rows);
       read(samples += count);
       return count;
     };

@@ -1,48 +1,7 @@
-#include <stdexcept>
-
-#include "base/text.hpp"
 #include "report/response/scene_values.hpp"
 #include "report/response/response_sections.hpp"
-#include "friction/law/laws.hpp"
 
 namespace jointid::report {
-namespace {
-
-/// Parameters in the order of the law, from a list or a table by name.
-std::vector<double> read_parameters(const scene::Item& item, const friction::Law& law) {
-  std::vector<std::string> names;
-  for (const friction::LawParameter& parameter : law.parameters) names.emplace_back(parameter.name);
-  std::vector<double> values;
-  if (item.is_table()) {
-    const scene::Table table = item.table(names);
-    for (const std::string& name : names) values.push_back(table.require(name).number());
-    return values;
-  }
-  const std::vector<scene::Item> list = item.list();
-  if (list.size() != names.size()) {
-    item.fail("law " + std::string(law.name) + " has " + std::to_string(names.size()) + " parameters, here are " +
-                  std::to_string(list.size()),
-              "give " + comma_list(names));
-  }
-  for (const scene::Item& value : list) values.push_back(value.number());
-  return values;
-}
-
-void read_law(const scene::Table& table, response::Joint& joint) {
-  const auto law = table.find("law"), parameters = table.find("parameters");
-  if (!law) {
-    if (parameters) parameters->fail("there are parameters and no law", "name the law");
-    return;
-  }
-  try {
-    const friction::Law& chosen = friction::law(law->text_not_empty());
-    joint.friction = friction::make_element(chosen.name, read_parameters(table.require("parameters"), chosen));
-  } catch (const std::invalid_argument& error) {
-    law->fail(error.what());
-  }
-}
-
-}  // namespace
 
 SceneDof read_dof(const scene::Item& item, const ResponseScene& scene) {
   SceneDof found;
@@ -76,7 +35,7 @@ std::vector<double> read_deviations(const scene::Item& item, const response::Joi
 }  // namespace
 
 SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::size_t number) {
-  const scene::Table table = item.table({"name", "dofs", "law", "parameters", "deviations", "stiffness", "damping", "cubic"});
+  const scene::Table table = item.table({"name", "dofs", "law", "parameters", "parts", "deviations", "stiffness", "damping", "cubic"});
   SceneJoint joint;
   const scene::Item ends = table.require("dofs");
   const std::vector<scene::Item> list = ends.list_not_empty();
@@ -86,7 +45,7 @@ SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::
   if (joint.negative && joint.negative->name == joint.positive.name) ends.fail("both ends are " + joint.positive.name);
   joint.joint.name = joint.positive.name + "–" + (joint.negative ? joint.negative->name : "ground");
   if (const auto name = table.find("name")) joint.joint.name = name->text_not_empty();
-  read_law(table, joint.joint);
+  joint.joint.friction = read_friction(table);
   if (const auto deviations = table.find("deviations")) joint.deviations = read_deviations(*deviations, joint.joint);
   if (const auto stiffness = table.find("stiffness")) joint.joint.stiffness = stiffness->number();
   if (const auto damping = table.find("damping")) joint.joint.damping = damping->not_negative();

@@ -18,6 +18,10 @@ void require_full(const scene::Item& item, const ResponseScene& scene);
 /// The same at an item that marches in time, unless [structure] names modes for that.
 void require_marching(const scene::Item& item, const ResponseScene& scene);
 
+/// The friction of a joint: `law` with `parameters`, or "series" and "parallel" with `parts`, each such a law itself; none where
+/// there is no law.
+std::shared_ptr<const friction::Element> read_friction(const scene::Table& table);
+
 /// One of [[joints]]; `number` counts from 1.
 SceneJoint read_joint(const scene::Item& item, const ResponseScene& scene, std::size_t number);
 

@@ -81,8 +81,11 @@ Instant ExactMarch::motion() const {
 }
 
 MarchStatus ExactMarch::march(double until, const std::function<void(const MarchStep&)>& see) {
-  if (until - time_ > most_steps * flow().longest_step()) return MarchStatus::stalled;
+  const double least = (until - time_) / flow().longest_step();
+  if (least > most_steps) return MarchStatus::stalled;
+  const std::size_t last = steps_ + static_cast<std::size_t>(spare_steps + 20.0 * std::max(least, 0.0));
   while (time_ < until) {
+    if (steps_ >= last) return MarchStatus::stalled;
     const double change = force_.next_change(time_), limit = std::min(until, change);
     if (!step(limit, see)) return MarchStatus::stalled;
     if (time_ == change) z_.tail(force_.load().cols()) = force_.state(time_);
@@ -141,7 +144,7 @@ bool ExactMarch::step(double limit, const std::function<void(const MarchStep&)>&
   ++steps_;
   events_here_ = h > 1e-12 * smooth.longest_step() ? 0 : events_here_ + 1;
   if (event.joint >= 0) pass(event);
-  return events_here_ < 100;
+  return events_here_ < 100 && z_.allFinite();
 }
 
 void ExactMarch::pass(const Event& event) {

@@ -31,11 +31,14 @@ struct MarchStep {
 /// Why a march ended.
 enum class MarchStatus {
   reached,  ///< the time asked for
-  stalled   ///< events or steps came closer to each other than numbers can tell, or would be more than most_steps
+  stalled   ///< events or steps came closer to each other than numbers can tell, were too many, or the motion ran away
 };
 
 /// Steps of one call of march() beyond which it does not begin: joints or springs stiffer than any that takes part in the motion.
 inline constexpr double most_steps = 1e6;
+
+/// Steps that one call may take beyond 20 times the least: a joint that slips within what numbers can tell would take any number.
+inline constexpr double spare_steps = 1e5;
 
 struct MarchOptions {
   double longest_step = friction::infinity;  ///< s

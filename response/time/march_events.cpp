@@ -10,10 +10,11 @@ namespace {
 
 using Function = std::function<double(double)>;
 
-/// A root of g between a, g(a) > 0, and b, g(b) < 0, to rounding.
+/// A root of g between a, g(a) > 0, and b, g(b) < 0, to rounding; where a motion runs away, so that it has no such signs, an end.
 double root(const Function& g, double a, double b) {
   const double at_a = g(a), at_b = g(b);
-  if (at_b == 0.0) return b;
+  if (!(at_a > 0.0)) return a;
+  if (!(at_b < 0.0)) return b;
   std::uintmax_t iterations = 100;
   const auto found =
       boost::math::tools::toms748_solve(g, a, b, at_a, at_b, boost::math::tools::eps_tolerance<double>(52), iterations);

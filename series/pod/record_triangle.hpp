@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "base/eigen.hpp"
+#include "series/pod/tall_triangle.hpp"
 
 namespace jointid::series {
 
@@ -25,7 +27,7 @@ class RecordTriangle {
   /// The record of `other` behind this one.
   void join(const RecordTriangle& other);
 
-  std::size_t channels() const { return static_cast<std::size_t>(triangle_.cols()) - 1; }
+  std::size_t channels() const { return rows_.columns(); }
   std::size_t samples() const { return samples_; }  ///< T, the missing ones left out
   std::size_t missing() const { return missing_; }
   Eigen::VectorXd mean() const;
@@ -38,12 +40,17 @@ class RecordTriangle {
   Eigen::MatrixXd uncentred() const;
 
  private:
-  Eigen::MatrixXd triangle_;  ///< [channels + 1, channels + 1], the ones first
+  Eigen::VectorXd top() const;  ///< R(0, 1 …)
+  /// The rows of a triangle below this one.
+  void join_rows(double corner, const double* top, const RowMatrixXd& triangle);
+
+  TallTriangle rows_;  ///< of [1 X]
   std::size_t samples_ = 0, missing_ = 0;
 };
 
-/// Fills the next rows of a record, at most as many as the block has, and returns how many; 0 at the end.
-using NextSamples = std::function<std::size_t(Samples& block)>;
+/// Fills the next rows of a record, of as many numbers as there are channels, at most as many as there is room for, and returns how
+/// many; 0 at the end.
+using NextSamples = std::function<std::size_t(std::span<double> rows)>;
 
 /// The triangle of a whole record, in blocks of a fixed number of rows whose triangles are joined in their order, so that the
 /// result has the same bits for any number of threads ≥ 1. Memory: `threads` blocks.

@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
-#include "report/response/run_response.hpp"
+#include "cli/response/response_command.hpp"
 #include "report/response/response_text.hpp"
+#include "report/response/run_response.hpp"
 #include "response/structure/modal_damping.hpp"
 #include "response_sample.hpp"
 
@@ -96,6 +99,57 @@ TEST(ResponseModal, DoubtsFrfsThatNoStructureHas) {
   ASSERT_EQ(run.doubts.size(), 2u);
   EXPECT_THAT(run.doubts[0], HasSubstr("not reciprocal"));
   EXPECT_THAT(run.doubts[1], HasSubstr("not passive"));
+}
+
+/// What the command answers, its JSON behind its text; or the line of its error.
+struct Answer {
+  ExitCode code = ExitCode::done;
+  std::string text, error;
+  std::size_t lines_with(const std::string& words) const {
+    std::size_t found = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) found += line.find(words) == std::string::npos ? 0 : 1;
+    return found;
+  }
+};
+
+Answer answer_to(const std::string& scene, const TestFolder& folder) {
+  std::ofstream(folder / "scene.toml") << scene;
+  ResponseArguments arguments{.scene = folder / "scene.toml"};
+  std::ostringstream out;
+  try {
+    return {execute(arguments, out), out.str(), ""};
+  } catch (const InputError& error) {
+    return {ExitCode::usage, out.str(), error.what()};
+  }
+}
+
+/// Harmonics and frequencies beyond the lines, DOFs that no file has, FRFs that feed energy, joints that leave no motion: one line.
+TEST(ResponseModal, SaysInOneLineWhatTheFilesDoNotHold) {
+  const TestFolder folder;
+  write_parts(folder);
+  const std::string good = parts_scene("values = [3.0]\n", "[1, 3]");
+  const Answer beyond = answer_to(parts_scene("values = [7.0]\n", "[1, 3]"), folder);
+  EXPECT_EQ(beyond.code, ExitCode::done);
+  EXPECT_EQ(beyond.lines_with("harmonics beyond the lines of the files are dropped"), 1u) << beyond.text;
+  const std::vector<std::array<std::string, 3>> wrong = {
+      {"values = [3.0]", "values = [30.0]", "no line at 30"},
+      {"values = [3.0]", "values = [3.01]", "no line at 3.01"},
+      {"dof = \"1:+X\"", "dof = \"9:+X\"", "reference 9:+X: no file has it; did you mean "},
+      {"dofs = [\"1:+X\", \"3:+X\"]", "dofs = [\"1:+X\", \"9:+X\"]", "response 9:+X: no file has it"},
+      {"dofs = [\"2:+X\", \"3:+X\"]", "dofs = [\"2:+X\", \"9:+X\"]", "9:+X: no file has it"},
+      {"parameters = [0.01, 150.0]\n", "", "the key 'parameters' is missing"},
+  };
+  for (const auto& [what, by, message] : wrong) {
+    const Answer answer = answer_to(replaced(good, what, by), folder);
+    EXPECT_THAT(answer.error, HasSubstr(message)) << by;
+    EXPECT_EQ(answer.error.find('\n'), std::string::npos);
+    EXPECT_EQ(answer.text, "");
+  }
+  const Answer rigid = answer_to(replaced(good, "[0.01, 150.0]", "[1e-14, 1e14]"), folder);
+  EXPECT_EQ(rigid.lines_with("so stiff, or so loose, that its motion is rounding") + rigid.lines_with("did not converge at"), 1u)
+      << rigid.text;
+  EXPECT_EQ(rigid.text.find("nan"), std::string::npos);
 }
 
 }  // namespace

@@ -63,6 +63,47 @@ TEST(ResponseScene, SaysInOneLineWhatIsWrong) {
   EXPECT_THAT(error_of(rest), HasSubstr("there is no structure"));
 }
 
+/// A slider as itself, as a table, as two side by side and as one behind a spring: the same responses, and names of parameters.
+TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
+  const std::string ren = "law = \"ren\"\nparameters = { a = 0.004, b = 1.5, k = 150.0 }";
+  const auto run_with = [&](const std::string& law) {
+    Progress progress;
+    return run_response(parse_response_scene(replaced(chain + rest, ren, law), "scene.toml"), progress);
+  };
+  const ResponseRun slider = run_with("law = \"bilinear\"\nparameters = { a = 0.004, k = 150.0 }");
+  const std::vector<std::string> same = {
+      "law = \"generalised\"\nparameters = { k = 150.0, slip = [[0.0, 0.004], [1.0, 0.004]] }",
+      "law = \"parallel\"\nparts = [{ law = \"bilinear\", parameters = [0.004, 100.0] },\n"
+      "         { law = \"bilinear\", parameters = { a = 0.004, k = 50.0 } }]\ndeviations = { \"2.k\" = 5.0 }",
+      "law = \"series\"\nparts = [{ law = \"bilinear\", parameters = [0.002, 300.0] },\n"
+      "         { law = \"parallel\", parts = [{ law = \"spring\", parameters = [300.0] }] }]",
+  };
+  for (const std::string& law : same) {
+    const ResponseRun other = run_with(law);
+    for (std::size_t level = 0; level < 2; ++level) {
+      const auto &expected = slider.levels[level].points, &found = other.levels[level].points;
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        ASSERT_TRUE(found[i].converged);
+        EXPECT_LT((found[i].response - expected[i].response).cwiseAbs().maxCoeff(),
+                  1e-10 * expected[i].response.cwiseAbs().maxCoeff());
+      }
+    }
+  }
+  const std::vector<std::array<std::string, 2>> wrong = {
+      {"law = \"series\"", "the key 'parts' is missing"},
+      {"law = \"series\"\nparameters = [1.0]", "law series has the parameters of its parts"},
+      {"law = \"parallel\"\nparts = [{ law = \"ren\" }]", "[joints[1].parts[1]]: the key 'parameters' is missing"},
+      {"law = \"parallel\"\nparts = [{ parameters = [1.0] }]", "the key 'law' is missing"},
+      {"law = \"ren\"\nparts = [{ law = \"ren\" }]", "law ren has no parts"},
+      {"parts = [{ law = \"ren\" }]", "there are parts and no law"},
+      {"law = \"generalised\"\nparameters = { k = 1.0, slip = [[0.0, 1.0], [2.0, 3.0]] }", "point 2: shares are at most 1"},
+      {"law = \"generalised\"\nparameters = { k = 1.0, slip = [[0.0]] }", "slip[1]: a point is [share that slips, displacement]"},
+      {"law = \"rem\"\nparameters = [1.0]", "valid: ren, shoukry, burdekin, bilinear, iwan, spring, generalised, series, parallel"},
+  };
+  for (const auto& [law, message] : wrong) EXPECT_THAT(error_of(replaced(chain + rest, ren, law)), HasSubstr(message)) << law;
+}
+
 TEST(ResponseScene, FindsPeaksOverLevels) {
   const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
   const ResponseRun run = run_response(scene, {});

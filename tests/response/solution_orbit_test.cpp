@@ -81,5 +81,15 @@ TEST(SolutionOrbit, SpringsOfJointsAreThoseOfTheStructure) {
   EXPECT_LE((a.orbit.x - b.orbit.x).cwiseAbs().maxCoeff(), 1e-10 * b.orbit.x.cwiseAbs().maxCoeff());
 }
 
+/// A spring that pushes away more than the structure holds: harmonic balance has a solution, which no motion is near.
+TEST(SolutionOrbit, AMotionThatRunsAwayHasNone) {
+  const MatrixAssembly all =
+      assembly({{.name = "away", .friction = law("bilinear", {0.01, 1e-9}), .stiffness = -4000.0}});
+  const Excitation force = Excitation::single(1e4);
+  const HarmonicSolution solution = solution_of(all, force, 14.0, odd(5));
+  ASSERT_TRUE(solution.converged);
+  EXPECT_NE(stability(all, force, solution).orbit.status, OrbitStatus::closed);
+}
+
 }  // namespace
 }  // namespace jointid::response

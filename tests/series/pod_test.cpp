@@ -58,9 +58,9 @@ TEST(Pod, KeepsValuesThatSquaresLose) {
 TEST(Pod, IsTheSameForAnyBlocksAndThreads) {
   const Samples x = random_record(20000, 5, 11);
   const auto reader = [&x](Eigen::Index rows) {
-    return [&x, rows, at_row = Eigen::Index{0}](Samples& block) mutable {
-      const Eigen::Index count = std::min({rows, block.rows(), x.rows() - at_row});
-      block.topRows(count) = x.middleRows(at_row, count);
+    return [&x, rows, at_row = Eigen::Index{0}](std::span<double> room) mutable {
+      const Eigen::Index count = std::min({rows, at(room.size()) / x.cols(), x.rows() - at_row});
+      Eigen::Map<Samples>(room.data(), count, x.cols()) = x.middleRows(at_row, count);
       at_row += count;
       return static_cast<std::size_t>(count);
     };
