@@ -109,7 +109,9 @@ LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::v
   if (!options.harmonics.empty() || first.joints.empty()) return first;
   std::vector<Joint> joints;
   for (const FittedJoint& joint : first.joints) joints.push_back(joint.joint);
-  LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), options);
+  LawFitOptions near = options;
+  near.near_start = true;
+  LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), near);
   return is_minimum(fit) || !is_minimum(first) ? fit : first;
 }
 

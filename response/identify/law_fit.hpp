@@ -15,6 +15,8 @@ struct LawFitOptions {
   int largest = 21;              ///< … up to this one
   /// Whether the receptances are unknowns of their own (NuisanceResiduals), where the structure knows their errors.
   bool receptance_errors = true;
+  bool near_start = false;  ///< the start is near the minimum, as of a fit with fewer harmonics
+  std::size_t threads = 1;
   GaussNewtonOptions steps{};
 };
 

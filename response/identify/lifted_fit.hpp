@@ -25,10 +25,11 @@ struct LiftedFit {
 /// direct step. τ falls from a third of the joint's force to 1e-4 of it, each minimum the start of the next; with τ → 0 it is the
 /// likelihood. Gauss–Newton steps, the unknowns of a line eliminated from its rows. Nothing when direct_step cannot start it.
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics);
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, std::size_t threads = 1);
 
 /// The same with other harmonics from where a fit ended: tolerances from 1e-2 on; forces of new harmonics begin as the law's.
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from);
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from,
+                                    std::size_t threads = 1);
 
 }  // namespace jointid::response
