@@ -107,13 +107,14 @@ FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitO
 }
 
 FitOfHarmonics HarmonicsFits::first(const std::vector<int>& harmonics, double enough) const {
-  FitOfHarmonics start, fit;
-  start.result.unknowns = unknowns_.start();
-  if (ways_.near_start) fit = from(harmonics, start, enough);
+  const auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics, ways_.threads);
+  FitOfHarmonics fit = from_lifted(harmonics, lifted, enough);
   if (fit.result.converged) return fit;
-  fit = better(std::move(fit),
-               from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, ways_.threads), enough));
-  if (fit.result.converged) return fit;
+  if (lifted) {
+    fit = better(std::move(fit),
+                 from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, *lifted, ways_.threads), enough));
+    if (fit.result.converged) return fit;
+  }
   FitOfHarmonics other = plain(harmonics, unknowns_.start(), {}, enough);
   const int steps = other.result.steps;
   if (ways_.nuisance && other.result.defined) other = with_nuisance(harmonics, other, enough);

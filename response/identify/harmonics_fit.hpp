@@ -23,7 +23,6 @@ struct FitOfHarmonics {
 /// How fits are made.
 struct FitWays {
   bool nuisance = false;     ///< the receptances are unknowns of their own
-  bool near_start = false;   ///< the values of the unknowns are near a minimum: harmonic balance can begin there
   std::size_t threads = 1;
   GaussNewtonOptions steps{};
 };
@@ -34,8 +33,8 @@ class HarmonicsFits {
   HarmonicsFits(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns,
                 const FitWays& ways);
 
-  /// From the values of the unknowns: by fit_lifted, then by harmonic balance (at once where they are near a minimum). Where that does
-  /// not end in a minimum, or no direct step starts it, by harmonic balance alone, first with the receptances as measured.
+  /// From the values of the unknowns: by fit_lifted, then by harmonic balance. Where that does not end in a minimum, or no direct
+  /// step starts it, by harmonic balance alone, first with the receptances as measured.
   FitOfHarmonics first(const std::vector<int>& harmonics, double enough) const;
   /// No fit: residuals and states at some values of the unknowns.
   FitOfHarmonics at(const std::vector<int>& harmonics, const Eigen::VectorXd& numbers) const;

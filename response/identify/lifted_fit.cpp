@@ -15,10 +15,10 @@
 namespace jointid::response {
 namespace {
 
-constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};  ///< of the joint's force
-constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};             ///< from a fit with other harmonics
+constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01};   ///< of the joint's force
+constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};  ///< from another fit
 constexpr int most_lifted_steps = 30;                                ///< with one tolerance
-constexpr double least_gain = 1e-3, least_share_gained = 1e-4;  ///< of Σr², and of it relatively: a step that lowers it by less
+constexpr double least_gain = 1e-3, least_share_gained = 3e-3;  ///< of Σr², and of it relatively: a step that lowers it by less
 constexpr double first_lifted_damping = 1e-4, most_lifted_damping = 1e6;
 constexpr double shares[] = {1.0, 0.5, 0.2};  ///< of a step that are tried before more damping
 
