@@ -16,4 +16,12 @@ MatrixXd triangle_of(const Eigen::Ref<const MatrixXd>& a) {
   return qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>();
 }
 
+Elimination eliminate(const Eigen::Ref<const MatrixXd>& a, const Eigen::Ref<const MatrixXd>& b) {
+  const Eigen::HouseholderQR<MatrixXd> qr(a);
+  MatrixXd turned = b;
+  turned.applyOnTheLeft(qr.householderQ().adjoint());
+  return {qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>(), turned.topRows(a.cols()),
+          turned.bottomRows(a.rows() - a.cols())};
+}
+
 }  // namespace jointid::dense

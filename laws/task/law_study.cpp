@@ -97,7 +97,10 @@ class Trials {
     LawIdentification found = identify_states(scene_, std::move(data));
     found.data = {};  // a thousand trials need not keep them
     found.steps.clear();
-    for (response::LawCandidate& each : found.compared) each.fit.states.clear();
+    for (response::LawCandidate& each : found.compared) {
+    each.fit.states.clear();
+    each.fit.end.reset();
+  }
     return found;
   }
 

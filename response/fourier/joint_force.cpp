@@ -10,6 +10,12 @@ JointForce::JointForce(Joint joint) : joint_(std::move(joint)) {
   if (joint_.friction) friction_.emplace(joint_.friction);
 }
 
+std::vector<JointForce> joint_forces(const std::vector<Joint>& joints) {
+  std::vector<JointForce> forces;
+  for (const Joint& joint : joints) forces.emplace_back(joint);
+  return forces;
+}
+
 ForceHarmonics JointForce::evaluate(const Motion& motion, double omega, const Harmonics& force, bool with_parameters) const {
   ForceHarmonics sum;
   if (friction_) {
@@ -52,13 +58,15 @@ void JointForce::add_cubic(const Motion& motion, ForceHarmonics& sum, const Harm
   std::vector<Complex> powers(static_cast<std::size_t>(force.largest()) + 1);
   for (int i = 0; i < points; ++i) {
     const double theta = 2.0 * std::numbers::pi * i / points, q = motion.value(theta);
-    const Eigen::RowVectorXcd slope = (3.0 * q * q * motion.by_unknowns(theta)).transpose().cast<Complex>();
+    Eigen::RowVectorXcd slope;
+    if (joint_.cubic != 0.0) slope = (3.0 * q * q * motion.by_unknowns(theta)).transpose().cast<Complex>();
     fill_powers(theta, powers);
     for (Eigen::Index n = 0; n < force.size(); ++n) {
       const Complex factor = (force[n] == 0 ? 1.0 : 2.0) / points * std::conj(powers[static_cast<std::size_t>(force[n])]);
+      if (with_parameters) sum.by_parameters(n, sum.by_parameters.cols() - 1) += q * q * q * factor;
+      if (joint_.cubic == 0.0) continue;
       sum.force(n) += joint_.cubic * q * q * q * factor;
       sum.by_motion.row(n) += joint_.cubic * factor * slope;
-      if (with_parameters) sum.by_parameters(n, sum.by_parameters.cols() - 1) += q * q * q * factor;
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "response/fourier/masing_fourier.hpp"
 #include "response/joint/joint.hpp"
@@ -28,5 +29,8 @@ class JointForce {
   Joint joint_;
   std::optional<MasingFourier> friction_;
 };
+
+/// Of each joint.
+std::vector<JointForce> joint_forces(const std::vector<Joint>& joints);
 
 }  // namespace jointid::response

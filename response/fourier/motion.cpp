@@ -23,6 +23,17 @@ double real_polynomial(const std::vector<Complex>& coefficients, double cosine, 
   return re;
 }
 
+/// The same at many angles, given by their cosines and sines.
+Eigen::ArrayXd real_polynomial(const std::vector<Complex>& coefficients, const Eigen::ArrayXd& cosine, const Eigen::ArrayXd& sine) {
+  Eigen::ArrayXd re = Eigen::ArrayXd::Zero(cosine.size()), im = re, next(cosine.size());
+  for (std::size_t k = coefficients.size(); k-- > 0;) {
+    next = re * cosine - im * sine + coefficients[k].real();
+    im = re * sine + im * cosine + coefficients[k].imag();
+    re = next;
+  }
+  return re;
+}
+
 /// The root of a function with its slope between two places where it has different signs: Newton's steps, halves where they
 /// leave.
 template <class Function>
@@ -76,10 +87,12 @@ Motion::Slopes Motion::slopes(double theta) const {
 
 Eigen::VectorXd Motion::by_unknowns(double theta) const {
   Eigen::VectorXd column(harmonics_.unknowns());
+  std::vector<Complex> powers(value_.size());
+  fill_powers(theta, powers);
   for (Eigen::Index i = 0; i < harmonics_.size(); ++i) {
-    const double angle = harmonics_[i] * theta;
-    column(harmonics_.offset(i)) = std::cos(angle);
-    if (harmonics_[i] > 0) column(harmonics_.offset(i) + 1) = -std::sin(angle);
+    const Complex power = powers[static_cast<std::size_t>(harmonics_[i])];
+    column(harmonics_.offset(i)) = power.real();
+    if (harmonics_[i] > 0) column(harmonics_.offset(i) + 1) = -power.imag();
   }
   return column;
 }
@@ -107,14 +120,21 @@ std::vector<double> Motion::reversals(double start, double span) const {
   const double end = start + span;
   const int samples = static_cast<int>(std::ceil(samples_per_harmonic * harmonics_.largest() * span / (2.0 * std::numbers::pi)));
   const double step = span / samples;
-  double from = start;
-  Slopes before = slopes(start);
+  std::vector<Complex> turns(static_cast<std::size_t>(samples) + 1);
+  fill_powers(step, turns);
+  Eigen::ArrayXd cosine(samples + 1), sine(samples + 1);
+  for (int i = 0; i <= samples; ++i) {
+    const Complex at = std::polar(1.0, start) * turns[static_cast<std::size_t>(i)];
+    cosine(i) = at.real();
+    sine(i) = at.imag();
+  }
+  const Eigen::ArrayXd first = real_polynomial(first_, cosine, sine), second = real_polynomial(second_, cosine, sine);
   const auto add = [&](double theta) {
     if (theta < end) found.push_back(theta);
   };
   for (int i = 1; i <= samples; ++i) {
-    const double to = i == samples ? end : start + i * step;
-    const Slopes after = slopes(to);
+    const double from = start + (i - 1) * step, to = i == samples ? end : start + i * step;
+    const Slopes before = {first(i - 1), second(i - 1)}, after = {first(i), second(i)};
     if ((before.first > 0.0) != (after.first > 0.0)) {
       add(reversal(from, to, before.first));
     } else if (before.first * before.second < 0.0 && after.first * after.second > 0.0) {
@@ -124,8 +144,6 @@ std::vector<double> Motion::reversals(double start, double span) const {
         add(reversal(middle, to, slope));
       }
     }
-    from = to;
-    before = after;
   }
   return found;
 }

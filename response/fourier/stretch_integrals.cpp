@@ -85,11 +85,9 @@ StretchIntegrals StretchIntegrator::integrate(const PathStretch& stretch, const 
 /// T is analytic between `from` and `to`, and T′ falls: where it is the same near both ends, T is linear.
 void StretchIntegrator::piece(const Travel& travel, double from, double to, bool at_corner) {
   if (!(to > from)) return;
-  if (parameters_ == 0) {
-    const double low = travel.at(from), high = travel.at(to), margin = 0.01 * (high - low);
-    const double tangent = element_.response(low + margin).tangent;
-    if (tangent == element_.response(high - margin).tangent) return linear_piece(travel, from, to, tangent);
-  }
+  const double low = travel.at(from), high = travel.at(to), margin = 0.01 * (high - low);
+  const double tangent = element_.response(low + margin).tangent;
+  if (tangent == element_.response(high - margin).tangent) return linear_piece(travel, from, to, tangent);
   if (at_corner) {
     const double first = std::min(to, from + corner_angle / 3.0 * longest_);
     gauss(travel, from, first, true);
@@ -119,17 +117,36 @@ void StretchIntegrator::linear_piece(const Travel& travel, double from, double t
   const double v = travel.at(0.5 * (from + to)), force = element_.response(v).force;
   const double constant = 2.0 * travel.sign * (force - tangent * v) - tangent * travel.corner.displacement;
   for (Eigen::Index i = 0; i < force_.size(); ++i) sum_.force(i) += constant * rotation(force_[i]);
-  if (tangent == 0.0) return;
+  if (tangent == 0.0 && parameters_ == 0) return;
   const Harmonics& motion = motion_.harmonics();
+  Eigen::VectorXcd moved = Eigen::VectorXcd::Zero(force_.size()), turned(force_.size());  // of q and 1
   for (Eigen::Index i = 0; i < force_.size(); ++i) {
-    Complex moved = 0.0;
+    turned(i) = rotation(force_[i]);
     for (Eigen::Index m = 0; m < motion.size(); ++m) {
       const Complex amplitude = motion_.amplitudes()(m);
-      moved += 0.5 * (amplitude * rotation(force_[i] - motion[m]) + std::conj(amplitude) * rotation(force_[i] + motion[m]));
+      moved(i) += 0.5 * (amplitude * rotation(force_[i] - motion[m]) + std::conj(amplitude) * rotation(force_[i] + motion[m]));
     }
-    sum_.force(i) += tangent * moved;
   }
+  sum_.force += tangent * moved;
+  if (parameters_ > 0) linear_parameters(travel, travel.at(from), travel.at(to), moved, turned);
+  if (tangent == 0.0) return;
   for (Eigen::Index k = 0; k < sum_.tangent.size(); ++k) sum_.tangent(k) += tangent * rotation(static_cast<int>(k));
+}
+
+/// Where T is linear, ∂T/∂p = c + dv is as well: 2s∂T/∂p = 2sc − dq_c + dq.
+void StretchIntegrator::linear_parameters(const Travel& travel, double low, double high, const Eigen::VectorXcd& moved,
+                                          const Eigen::VectorXcd& turned) {
+  const double margin = 0.01 * (high - low), first = low + margin, last = high - margin;
+  std::vector<double> at_first(by_parameter_.size());
+  element_.derivative(first, at_first);
+  element_.derivative(last, by_parameter_);
+  for (Eigen::Index p = 0; p < parameters_; ++p) {
+    const std::size_t at_p = static_cast<std::size_t>(p);
+    const double slope = last > first ? (by_parameter_[at_p] - at_first[at_p]) / (last - first) : 0.0;
+    const double value = at_first[at_p] - slope * first;
+    sum_.parameters.col(p) +=
+        (2.0 * travel.sign * value - slope * travel.corner.displacement) * turned + slope * moved;
+  }
 }
 
 void StretchIntegrator::gauss(const Travel& travel, double from, double to, bool graded) {

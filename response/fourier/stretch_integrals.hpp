@@ -29,6 +29,7 @@ class StretchIntegrator {
   struct Travel;
   void piece(const Travel& travel, double from, double to, bool at_corner);
   void linear_piece(const Travel& travel, double from, double to, double tangent);
+  void linear_parameters(const Travel& travel, double low, double high, const Eigen::VectorXcd& moved, const Eigen::VectorXcd& turned);
   void gauss(const Travel& travel, double from, double to, bool graded);
   void add_point(const Travel& travel, double theta, double weight);
   double displacement_now() const;

@@ -63,6 +63,7 @@ NewtonResult along_stiffness(const CondensedEquations& equations, const Harmonic
     steps += reached.steps;
     return reached;
   };
+  if (!std::isfinite(spring) || !std::isfinite(negligible_spring * stiffest)) return {};
   NewtonResult at = attempt(spring, equations.free(line, level));
   while (at.converged && spring < negligible_spring * stiffest && growth > smallest_growth) {
     NewtonResult reached = attempt(spring * growth, at.motion);

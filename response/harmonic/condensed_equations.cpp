@@ -31,6 +31,18 @@ Eigen::MatrixXcd CondensedEquations::amplitudes(const Eigen::VectorXd& motion) c
 
 CondensedEquations::Value CondensedEquations::evaluate(const HarmonicLine& line, double level,
                                                        const Eigen::VectorXd& motion) const {
+  return evaluate(line, level, motion, joint_forces(line.omega, motion, false));
+}
+
+std::vector<ForceHarmonics> CondensedEquations::joint_forces(double omega, const Eigen::VectorXd& motion, bool with_parameters) const {
+  std::vector<ForceHarmonics> forces;
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    forces.push_back(joints_[j].evaluate(motion_of(motion, at(j)), omega, harmonics_, with_parameters));
+  return forces;
+}
+
+CondensedEquations::Value CondensedEquations::evaluate(const HarmonicLine& line, double level, const Eigen::VectorXd& motion,
+                                                       const std::vector<ForceHarmonics>& forces) const {
   const Eigen::Index size = harmonics_.unknowns(), count = at(joints_.size());
   Eigen::MatrixXcd residual = amplitudes(motion);
   Value value;
@@ -38,7 +50,7 @@ CondensedEquations::Value CondensedEquations::evaluate(const HarmonicLine& line,
   for (Eigen::Index n = 0; n < harmonics_.size(); ++n)
     residual.row(n) -= level * line.harmonics[static_cast<std::size_t>(n)].driven.transpose();
   for (Eigen::Index j = 0; j < count; ++j) {
-    const ForceHarmonics force = joints_[static_cast<std::size_t>(j)].evaluate(motion_of(motion, j), line.omega, harmonics_);
+    const ForceHarmonics& force = forces[static_cast<std::size_t>(j)];
     for (Eigen::Index n = 0; n < harmonics_.size(); ++n) {
       const Eigen::MatrixXcd& g = line.harmonics[static_cast<std::size_t>(n)].joints;
       for (Eigen::Index i = 0; i < count; ++i) {

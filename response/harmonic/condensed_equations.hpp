@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "response/fourier/joint_force.hpp"
@@ -17,6 +18,7 @@ struct JointParameter {
 class CondensedEquations {
  public:
   CondensedEquations(std::vector<Joint> joints, Harmonics harmonics);
+  CondensedEquations(std::vector<JointForce> joints, Harmonics harmonics) : joints_(std::move(joints)), harmonics_(std::move(harmonics)) {}
 
   const Harmonics& harmonics() const { return harmonics_; }
   const std::vector<JointForce>& joints() const { return joints_; }
@@ -28,6 +30,10 @@ class CondensedEquations {
     Eigen::MatrixXd by_motion;
   };
   Value evaluate(const HarmonicLine& line, double level, const Eigen::VectorXd& motion) const;
+  /// The same with the forces that are known.
+  Value evaluate(const HarmonicLine& line, double level, const Eigen::VectorXd& motion, const std::vector<ForceHarmonics>& forces) const;
+  /// F of each joint with its derivatives.
+  std::vector<ForceHarmonics> joint_forces(double omega, const Eigen::VectorXd& motion, bool with_parameters) const;
 
   /// ∂R/∂ω (the line has slopes), ∂R/∂s, ∂R/∂θ at a fixed motion.
   Eigen::VectorXd by_omega(const HarmonicLine& line, double level, const Eigen::VectorXd& motion) const;

@@ -79,13 +79,18 @@ std::vector<int> HarmonicBalance::following(const Harmonics& harmonics) const {
 
 HarmonicSolution HarmonicBalance::describe(const CondensedEquations& equations, const HarmonicLine& line, double level,
                                            const Eigen::VectorXd& motion) const {
+  return described(equations, line, level, motion, equations.forces(line.omega, motion));
+}
+
+HarmonicSolution described(const CondensedEquations& equations, const HarmonicLine& line, double level, const Eigen::VectorXd& motion,
+                           Eigen::MatrixXcd force) {
   HarmonicSolution solution;
   solution.omega = line.omega;
   solution.level = level;
   solution.harmonics = equations.harmonics().numbers();
   solution.joint_motion = equations.amplitudes(motion);
-  solution.joint_force = equations.forces(line.omega, motion);
-  solution.response.resize(solution.joint_force.rows(), structure_->responses());
+  solution.joint_force = std::move(force);
+  solution.response.resize(solution.joint_force.rows(), line.harmonics.front().free.size());
   solution.loss = Eigen::VectorXd::Zero(solution.joint_force.cols());
   for (Eigen::Index n = 0; n < solution.response.rows(); ++n) {
     const HarmonicLine::One& one = line.harmonics[static_cast<std::size_t>(n)];

@@ -51,4 +51,8 @@ class HarmonicBalance {
   HarmonicChoice choice_;
 };
 
+/// Q, F, X and losses of a motion with these forces of the joints, [harmonic, joint]; nothing is said of whether they balance.
+HarmonicSolution described(const CondensedEquations& equations, const HarmonicLine& line, double level, const Eigen::VectorXd& motion,
+                           Eigen::MatrixXcd force);
+
 }  // namespace jointid::response

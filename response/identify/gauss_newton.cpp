@@ -9,7 +9,7 @@
 namespace jointid::response {
 namespace {
 
-constexpr double longest_step = 1.0;
+constexpr double longest_step = 1.0;  ///< as GaussNewtonEnd begins with
 constexpr double first_damping = 1e-4, least_damping = 1e-12, most_damping = 1e12;
 constexpr double no_gain = 1e-10;          ///< of Σr²: steps are no longer judged by it
 constexpr double step_of_rounding = 1e-6;  ///< where Σr² cannot fall any more
@@ -33,6 +33,20 @@ bool descend(const Residuals& residuals, GaussNewtonResult& result, double& damp
 
 }  // namespace
 
+Linearised stacked(const std::vector<Eigen::MatrixXd>& parts) {
+  Eigen::Index rows = 0;
+  for (const Eigen::MatrixXd& part : parts) rows += part.rows();
+  const Eigen::Index columns = parts.empty() ? 1 : parts.front().cols();
+  Linearised all = {Eigen::VectorXd(rows), Eigen::MatrixXd(rows, columns - 1)};
+  Eigen::Index row = 0;
+  for (const Eigen::MatrixXd& part : parts) {
+    all.jacobian.middleRows(row, part.rows()) = part.leftCols(columns - 1);
+    all.residual.segment(row, part.rows()) = part.rightCols(1);
+    row += part.rows();
+  }
+  return all;
+}
+
 Eigen::VectorXd damped_step(const Linearised& at, double damping) {
   const Eigen::Index rows = at.jacobian.rows(), columns = at.jacobian.cols();
   Eigen::VectorXd scale = at.jacobian.colwise().norm().transpose();
@@ -48,6 +62,17 @@ Eigen::VectorXd damped_step(const Linearised& at, double damping) {
   return step;
 }
 
+GaussNewtonEnd::What GaussNewtonEnd::judge(const Eigen::VectorXd& full, double deviations, double cost, double gain) {
+  if (deviations <= options_.enough && gain <= options_.enough) return What::here;
+  size_ = largest_element(full);
+  shrinks_ = size_ < before_;
+  is_last_ = size_ <= options_.tolerance || !shrinks_;
+  before_ = size_;
+  return size_ <= options_.tolerance || gain <= no_gain * cost ? What::full_step : What::descend;
+}
+
+bool GaussNewtonEnd::at_rounding() const { return size_ <= step_of_rounding; }
+
 GaussNewtonResult gauss_newton(const Residuals& residuals, const Eigen::VectorXd& start, const GaussNewtonOptions& options) {
   GaussNewtonResult result;
   result.unknowns = start;
@@ -55,26 +80,28 @@ GaussNewtonResult gauss_newton(const Residuals& residuals, const Eigen::VectorXd
   if (!first) return result;
   result.defined = true;
   result.at = std::move(*first);
-  double damping = first_damping, before = longest_step;
+  double damping = first_damping;
+  GaussNewtonEnd end(options);
   for (; result.steps < options.most_steps; ++result.steps) {
-    const Eigen::VectorXd full = damped_step(result.at, 0.0);
-    const double size = largest_element(full), gain = (result.at.jacobian * full).squaredNorm();
-    const bool at_end = size <= options.tolerance || gain <= no_gain * result.at.residual.squaredNorm();
-    if (!at_end) {
-      before = size;
+    const Eigen::VectorXd full = damped_step(result.at, 0.0), changed = result.at.jacobian * full;
+    const auto what = end.judge(full, changed.norm(), result.at.residual.squaredNorm(), changed.squaredNorm());
+    if (what == GaussNewtonEnd::What::here) {
+      result.converged = true;
+      return result;
+    }
+    if (what == GaussNewtonEnd::What::descend) {
       if (descend(residuals, result, damping)) continue;
-      result.converged = size <= step_of_rounding;
+      result.converged = end.at_rounding();
       return result;
     }
     std::optional<Linearised> next = residuals(result.unknowns + full);
     if (!next) return result;
-    result.converged = size <= options.tolerance || size >= before;
-    if (size < before) {
+    if (end.shrinks()) {
       result.unknowns += full;
       result.at = std::move(*next);
     }
+    result.converged = end.is_last();
     if (result.converged) return result;
-    before = size;
   }
   return result;
 }

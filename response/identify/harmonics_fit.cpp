@@ -9,34 +9,6 @@
 namespace jointid::response {
 namespace {
 
-/// `residuals`: ResponseResiduals or NuisanceResiduals.
-template <class R>
-FitOfHarmonics fit_residuals(R& residuals, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
-                             const GaussNewtonOptions& options) {
-  FitOfHarmonics fit;
-  const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
-    auto value = residuals.evaluate(numbers, from);
-    if (!value) return std::nullopt;
-    from = std::move(value->states);
-    return std::move(value->linearised);
-  };
-  fit.result = gauss_newton(linearise, start, options);
-  if (!fit.result.defined) return fit;
-  auto last = residuals.evaluate(fit.result.unknowns, from);
-  if (last) fit.states = std::move(last->states);
-  return fit;
-}
-
-template <class R>
-FitOfHarmonics value_at(R& residuals, const Eigen::VectorXd& numbers) {
-  FitOfHarmonics fit;
-  auto value = residuals.evaluate(numbers);
-  if (!value) return fit;
-  fit.result = {.defined = true, .converged = true, .steps = 0, .unknowns = numbers, .at = std::move(value->linearised)};
-  fit.states = std::move(value->states);
-  return fit;
-}
-
 /// The one that converged, or else that with the smaller sum.
 FitOfHarmonics better(FitOfHarmonics a, FitOfHarmonics b) {
   if (!a.result.defined || !b.result.defined) return a.result.defined ? a : b;
@@ -55,60 +27,97 @@ bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>&
 }
 
 HarmonicsFits::HarmonicsFits(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
-                             const LawUnknowns& unknowns, bool nuisance, const GaussNewtonOptions& options)
-    : structure_(std::move(structure)), states_(states), unknowns_(unknowns), nuisance_(nuisance), options_(options) {}
+                             const LawUnknowns& unknowns, const FitWays& ways)
+    : structure_(std::move(structure)), states_(states), unknowns_(unknowns), ways_(ways) {}
+
+GaussNewtonOptions HarmonicsFits::steps(double enough) const {
+  GaussNewtonOptions options = ways_.steps;
+  options.enough = std::max(options.enough, enough);
+  return options;
+}
 
 FitOfHarmonics HarmonicsFits::at(const std::vector<int>& harmonics, const Eigen::VectorXd& numbers) const {
-  if (nuisance_) {
-    NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics);
-    return value_at(residuals, numbers);
+  FitOfHarmonics fit;
+  std::optional<Linearised> found;
+  if (ways_.nuisance) {
+    NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+    found = residuals.evaluate(numbers);
+    fit.states = residuals.states();
+  } else {
+    const ResponseResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+    auto value = residuals.evaluate(numbers);
+    if (value) {
+      found = std::move(value->linearised);
+      fit.states = std::move(value->states);
+    }
   }
-  ResponseResiduals residuals(structure_, states_, unknowns_, harmonics);
-  return value_at(residuals, numbers);
-}
-
-FitOfHarmonics HarmonicsFits::plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start,
-                                    std::vector<StatePrediction> from) const {
-  ResponseResiduals residuals(structure_, states_, unknowns_, harmonics);
-  return fit_residuals(residuals, start, std::move(from), options_);
-}
-
-FitOfHarmonics HarmonicsFits::with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before) const {
-  NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics);
-  if (before.layout) residuals.begin_with(carried(*before.layout, before.errors, residuals.layout()));
-  FitOfHarmonics fit = fit_residuals(residuals, before.result.unknowns, before.states, options_);
-  fit.layout = residuals.layout();
-  fit.errors = residuals.errors();
+  if (found) fit.result = {.defined = true, .converged = true, .steps = 0, .unknowns = numbers, .at = std::move(*found)};
   return fit;
 }
 
-FitOfHarmonics HarmonicsFits::from(const std::vector<int>& harmonics, const FitOfHarmonics& before) const {
-  return nuisance_ ? with_nuisance(harmonics, before) : plain(harmonics, before.result.unknowns, before.states);
+FitOfHarmonics HarmonicsFits::plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start,
+                                    std::vector<StatePrediction> from, double enough) const {
+  const ResponseResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+  FitOfHarmonics fit;
+  const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
+    auto value = residuals.evaluate(numbers, from);
+    if (!value) return std::nullopt;
+    from = std::move(value->states);
+    return std::move(value->linearised);
+  };
+  fit.result = gauss_newton(linearise, start, steps(enough));
+  if (!fit.result.defined) return fit;
+  auto last = residuals.evaluate(fit.result.unknowns, from);
+  if (last) fit.states = std::move(last->states);
+  return fit;
 }
 
-FitOfHarmonics HarmonicsFits::from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted) const {
+FitOfHarmonics HarmonicsFits::with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const {
+  NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+  if (before.layout) residuals.begin_with(carried(*before.layout, before.errors, residuals.layout()));
+  FitOfHarmonics fit;
+  fit.result = residuals.fit(before.result.unknowns, before.states, steps(enough));
+  fit.layout = residuals.layout();
+  fit.errors = residuals.errors();
+  fit.states = residuals.states();
+  return fit;
+}
+
+FitOfHarmonics HarmonicsFits::from(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const {
+  return ways_.nuisance ? with_nuisance(harmonics, before, enough)
+                        : plain(harmonics, before.result.unknowns, before.states, enough);
+}
+
+FitOfHarmonics HarmonicsFits::from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted, double enough) const {
   if (!lifted) return {};
   FitOfHarmonics start;
   start.result.unknowns = lifted->numbers;
   start.states = std::move(lifted->states);
   start.layout = std::move(lifted->layout);
   start.errors = std::move(lifted->errors);
-  return from(harmonics, start);
+  return from(harmonics, start, enough);
 }
 
-FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitOfHarmonics& before) const {
-  if (!nuisance_) return from(harmonics, before);
+FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const {
+  FitOfHarmonics fit = from(harmonics, before, enough);
+  if (fit.result.converged || !ways_.nuisance) return fit;
   const LiftedFit start = {before.result.unknowns, *before.layout, before.errors, before.states, 0.0, 0};
-  FitOfHarmonics fit = from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, start));
-  return fit.result.converged ? fit : better(std::move(fit), from(harmonics, before));
+  return better(std::move(fit),
+                from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, start, ways_.threads), enough));
 }
 
-FitOfHarmonics HarmonicsFits::first(const std::vector<int>& harmonics) const {
-  FitOfHarmonics fit = from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics));
+FitOfHarmonics HarmonicsFits::first(const std::vector<int>& harmonics, double enough) const {
+  const auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics, ways_.threads);
+  FitOfHarmonics fit = from_lifted(harmonics, lifted, enough);
   if (fit.result.converged) return fit;
-  FitOfHarmonics other = plain(harmonics, unknowns_.start(), {});
+  if (lifted) {
+    fit = better(std::move(fit),
+                 from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, *lifted, ways_.threads), enough));
+    if (fit.result.converged) return fit;
+  }
+  FitOfHarmonics other = plain(harmonics, unknowns_.start(), {}, enough);
   const int steps = other.result.steps;
-  if (nuisance_ && other.result.defined) other = with_nuisance(harmonics, other);
+  if (ways_.nuisance && other.result.defined) other = with_nuisance(harmonics, other, enough);
   other.result.steps += steps;
   return better(std::move(fit), std::move(other));
 }

@@ -20,32 +20,39 @@ struct FitOfHarmonics {
   LineErrors errors{};
 };
 
+/// How fits are made.
+struct FitWays {
+  bool nuisance = false;     ///< the receptances are unknowns of their own
+  std::size_t threads = 1;
+  GaussNewtonOptions steps{};
+};
+
 /// Fits of the same states with one model after the other.
 class HarmonicsFits {
  public:
-  /// `nuisance`: the receptances are unknowns of their own.
-  HarmonicsFits(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
-                const LawUnknowns& unknowns, bool nuisance, const GaussNewtonOptions& options);
+  HarmonicsFits(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns,
+                const FitWays& ways);
 
   /// From the values of the unknowns: by fit_lifted, then by harmonic balance. Where that does not end in a minimum, or no direct
   /// step starts it, by harmonic balance alone, first with the receptances as measured.
-  FitOfHarmonics first(const std::vector<int>& harmonics) const;
+  FitOfHarmonics first(const std::vector<int>& harmonics, double enough) const;
   /// No fit: residuals and states at some values of the unknowns.
   FitOfHarmonics at(const std::vector<int>& harmonics, const Eigen::VectorXd& numbers) const;
-  /// From another fit; where the receptances are unknown, by fit_lifted first.
-  FitOfHarmonics next(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
+  /// From another fit by harmonic balance; where that finds no minimum, by fit_lifted first. `enough`: GaussNewtonOptions.
+  FitOfHarmonics next(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const;
 
  private:
-  FitOfHarmonics plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start, std::vector<StatePrediction> from) const;
-  FitOfHarmonics from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted) const;
-  FitOfHarmonics from(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
-  FitOfHarmonics with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before) const;
+  FitOfHarmonics plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start, std::vector<StatePrediction> from,
+                       double enough) const;
+  FitOfHarmonics from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted, double enough) const;
+  FitOfHarmonics from(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const;
+  FitOfHarmonics with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const;
+  GaussNewtonOptions steps(double enough) const;
 
   std::shared_ptr<const Receptance> structure_;
   const std::vector<MeasuredState>& states_;
   const LawUnknowns& unknowns_;
-  bool nuisance_;
-  GaussNewtonOptions options_;
+  FitWays ways_;
 };
 
 /// Whether the structure tells errors of its receptances at a measured harmonic.

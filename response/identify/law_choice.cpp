@@ -1,6 +1,7 @@
 #include "response/identify/law_choice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -93,11 +94,17 @@ constexpr int most_first_steps = 40;  ///< of a start: what has not come near a 
 /// The best of all starts; harmonics are not added yet.
 LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                  const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
-  if (options.harmonics.empty()) options.harmonics = measured_harmonics(states);
+  constexpr double roughly = 0.01, same = 0.1;  // of a deviation, and of χ²
+  if (options.harmonics.empty()) {
+    options.harmonics = measured_harmonics(states);
+    options.steps.enough = roughly;
+  }
   options.steps.most_steps = std::min(options.steps.most_steps, most_first_steps);
   LawFit best;
-  for (std::size_t i = 0; i < starts.size() && !(i > 0 && is_good(best)); ++i) {
+  bool again = false;
+  for (std::size_t i = 0; i < starts.size() && !again && !(i > 0 && is_good(best)); ++i) {
     LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
+    again = i > 0 && is_minimum(fit) && is_minimum(best) && std::abs(fit.chi_square - best.chi_square) < same;
     if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
   }
   return best;
@@ -109,7 +116,9 @@ LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::v
   if (!options.harmonics.empty() || first.joints.empty()) return first;
   std::vector<Joint> joints;
   for (const FittedJoint& joint : first.joints) joints.push_back(joint.joint);
-  LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), options);
+  LawFitOptions further = options;
+  if (is_minimum(first)) further.from = first.end;
+  LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), further);
   return is_minimum(fit) || !is_minimum(first) ? fit : first;
 }
 

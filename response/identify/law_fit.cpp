@@ -15,6 +15,10 @@
 namespace jointid::response {
 namespace {
 
+constexpr double rough = 0.1;  ///< of the deviations by which harmonics that are added may move an estimate
+
+constexpr double finest = 1e-6;  ///< deviations: unknown receptances make the steps shrink by a factor alone
+
 LawFitStatus status_of(const GaussNewtonResult& result) {
   if (!result.defined) return LawFitStatus::no_response;
   return result.converged ? LawFitStatus::converged : LawFitStatus::not_converged;
@@ -147,12 +151,16 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
   const HarmonicsToAdd add(*structure, states, options.largest);
   const bool adds = options.harmonics.empty();
   const bool nuisance = options.receptance_errors && knows_errors(*structure, states);
-  const HarmonicsFits fits(structure, states, unknowns, nuisance, options.steps);
+  const HarmonicsFits fits(structure, states, unknowns,
+                           {.nuisance = nuisance, .threads = options.threads, .steps = options.steps});
+  const double enough = adds ? rough * options.settled : 0.0;
   FitOfHarmonics fit;
+  if (options.from) fit = *options.from;
+  std::vector<int> harmonics;
   Eigen::VectorXd numbers = unknowns.start();
   for (int largest = add.first(); largest > 0; largest = add.after(largest)) {
-    const std::vector<int> harmonics = adds ? add.to(largest) : options.harmonics;
-    fit = out.rounds.empty() ? fits.first(harmonics) : fits.next(harmonics, fit);
+    harmonics = adds ? add.to(largest) : options.harmonics;
+    fit = out.rounds.empty() && !options.from ? fits.first(harmonics, enough) : fits.next(harmonics, fit, enough);
     out.steps += fit.result.steps;
     out.status = status_of(fit.result);
     if (!fit.result.defined) break;
@@ -162,6 +170,12 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
     if (out.status != LawFitStatus::converged || !adds || (out.rounds.size() > 1 && moved < options.settled)) break;
     if (add.after(largest) == 0) out.status = LawFitStatus::harmonics_not_enough;
   }
+  if (adds && fit.result.converged) {  // the last round ended roughly
+    fit = fits.next(harmonics, fit, nuisance ? finest : 0.0);
+    out.steps += fit.result.steps;
+    if (!fit.result.converged) out.status = status_of(fit.result);
+  }
+  out.end = std::make_shared<const FitOfHarmonics>(fit);
   describe_fit(unknowns, std::move(fit), out);
   return out;
 }
@@ -172,7 +186,7 @@ LawFit bound_of_laws(std::shared_ptr<const Receptance> structure, const std::vec
   LawFit out = numbers_of(*structure, states, unknowns);
   if (out.status == LawFitStatus::too_few_data) return out;
   const bool nuisance = knows_errors(*structure, states);
-  const HarmonicsFits fits(structure, states, unknowns, nuisance, {});
+  const HarmonicsFits fits(structure, states, unknowns, {.nuisance = nuisance});
   FitOfHarmonics fit = fits.at(harmonics, unknowns.start());
   out.status = status_of(fit.result);
   describe_fit(unknowns, std::move(fit), out);

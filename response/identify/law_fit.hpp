@@ -9,12 +9,16 @@
 
 namespace jointid::response {
 
+struct FitOfHarmonics;
+
 struct LawFitOptions {
   std::vector<int> harmonics{};  ///< of the model beside those measured; or, when empty, added until …
   double settled = 0.1;          ///< … the estimate moves by less than this many standard deviations, whichever way …
   int largest = 21;              ///< … up to this one
   /// Whether the receptances are unknowns of their own (NuisanceResiduals), where the structure knows their errors.
   bool receptance_errors = true;
+  std::shared_ptr<const FitOfHarmonics> from{};  ///< LawFit::end of a fit of the same unknowns, instead of their values
+  std::size_t threads = 1;
   GaussNewtonOptions steps{};
 };
 
@@ -55,6 +59,7 @@ struct LawFit {
   int steps = 0;
   std::vector<StatePrediction> states;
   std::vector<HarmonicsRound> rounds;  ///< one, unless harmonics were added
+  std::shared_ptr<const FitOfHarmonics> end;  ///< where another fit can go on
 };
 
 /// min Σ|Y − X(θ, H)|²/σ² over the unknown parameters, X by harmonic balance, from the values of `unknowns`; where the structure

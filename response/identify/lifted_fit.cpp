@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "response/identify/corrected_models.hpp"
 #include "response/identify/direct_step.hpp"
 #include "response/identify/lifted_line.hpp"
@@ -14,10 +15,10 @@
 namespace jointid::response {
 namespace {
 
-constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};  ///< of the joint's force
-constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};             ///< from a fit with other harmonics
+constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01};   ///< of the joint's force
+constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};  ///< from another fit
 constexpr int most_lifted_steps = 30;                                ///< with one tolerance
-constexpr double least_gain = 1e-3, least_share_gained = 1e-4;  ///< of Σr², and of it relatively: a step that lowers it by less
+constexpr double least_gain = 1e-3, least_share_gained = 3e-3;  ///< of Σr², and of it relatively: a step that lowers it by less
 constexpr double first_lifted_damping = 1e-4, most_lifted_damping = 1e6;
 constexpr double shares[] = {1.0, 0.5, 0.2};  ///< of a step that are tried before more damping
 
@@ -31,11 +32,12 @@ struct Point {
 class LiftedProblem {
  public:
   LiftedProblem(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                const LawUnknowns& unknowns, const std::vector<int>& harmonics)
+                const LawUnknowns& unknowns, const std::vector<int>& harmonics, std::size_t threads)
       : structure_(structure),
         states_(states),
         unknowns_(unknowns),
         harmonics_(harmonics),
+        threads_(threads),
         layout_(ResponseResiduals(structure, states, unknowns, harmonics).models(), *structure),
         tolerance_(states.size(), Eigen::VectorXd::Zero(structure->joints())) {
     for (const StateModel& model : models(layout_.no_errors())) harmonics_of_.push_back(model.harmonics());
@@ -72,9 +74,13 @@ class LiftedProblem {
     const auto joints = unknowns_.at_numbers(point.numbers);
     if (!joints) return std::nullopt;
     const std::vector<StateModel> models = this->models(point.errors);
+    const std::vector<JointForce> forces = joint_forces(*joints);
+    std::vector<double> squares(models.size());
+    for_each_index(models.size(), threads_, [&](std::size_t i) {
+      squares[i] = LiftedState(models[i], forces, point.force[i], tolerance_[i], false).residual().squaredNorm();
+    });
     double sum = squared_norm(point.errors) + prior_residuals(unknowns_, point.numbers).residual.squaredNorm();
-    for (std::size_t i = 0; i < models.size(); ++i)
-      sum += LiftedState(models[i], *joints, point.force[i], tolerance_[i]).residual().squaredNorm();
+    for (const double each : squares) sum += each;
     return std::isfinite(sum) ? std::optional(sum) : std::nullopt;
   }
 
@@ -94,7 +100,7 @@ class LiftedProblem {
   LiftedFit described(Point point, int steps) const {
     LiftedFit out = {point.numbers, layout_, point.errors, {}, 0.0, steps};
     const std::vector<StateModel> models = this->models(point.errors);
-    const std::vector<Joint> joints = *unknowns_.at_numbers(point.numbers);
+    const std::vector<JointForce> joints = joint_forces(*unknowns_.at_numbers(point.numbers));
     out.chi_square = squared_norm(point.errors);
     for (std::size_t i = 0; i < models.size(); ++i) {
       HarmonicSolution solution;
@@ -104,7 +110,7 @@ class LiftedProblem {
       solution.joint_force = point.force[i];
       out.states.push_back({std::move(solution), {}, {}});
       const Eigen::Index measured = measured_numbers(states_[i]);
-      out.chi_square += LiftedState(models[i], joints, point.force[i], tolerance_[i]).residual().head(measured).squaredNorm();
+      out.chi_square += LiftedState(models[i], joints, point.force[i], tolerance_[i], false).residual().head(measured).squaredNorm();
     }
     return out;
   }
@@ -135,7 +141,7 @@ class LiftedProblem {
   }
 
   LiftedLines linearise(const Point& point) const {
-    return {layout_, models(point.errors), unknowns_, point.numbers, point.force, point.errors, tolerance_};
+    return {layout_, models(point.errors), unknowns_, point.numbers, point.force, point.errors, tolerance_, threads_};
   }
 
   bool move(const LiftedLines& lines, Point& point, double& now, double& damping) const {
@@ -162,6 +168,7 @@ class LiftedProblem {
   const std::vector<MeasuredState>& states_;
   const LawUnknowns& unknowns_;
   const std::vector<int>& harmonics_;
+  std::size_t threads_;
   LineLayout layout_;
   std::vector<Harmonics> harmonics_of_{};             ///< of each state
   std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
@@ -181,14 +188,15 @@ std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point,
 }  // namespace
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics) {
-  LiftedProblem problem(structure, states, unknowns, harmonics);
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, std::size_t threads) {
+  LiftedProblem problem(structure, states, unknowns, harmonics, threads);
   return fit(problem, problem.start(), tolerances);
 }
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from) {
-  LiftedProblem problem(structure, states, unknowns, harmonics);
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from,
+                                    std::size_t threads) {
+  LiftedProblem problem(structure, states, unknowns, harmonics, threads);
   return fit(problem, problem.start(from), last_tolerances);
 }
 

@@ -2,106 +2,81 @@
 
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "dense/cholesky.hpp"
-#include "dense/qr.hpp"
 #include "response/identify/response_residuals.hpp"
 
 namespace jointid::response {
 
 LiftedLines::LiftedLines(const LineLayout& layout, const std::vector<StateModel>& models, const LawUnknowns& unknowns,
                          const Eigen::VectorXd& numbers, const std::vector<Eigen::MatrixXcd>& force, const LineErrors& errors,
-                         const std::vector<Eigen::VectorXd>& tolerance)
-    : layout_(layout), errors_(errors), joints_(force.front().cols()) {
-  const std::vector<Joint> joints = *unknowns.at_numbers(numbers);
+                         const std::vector<Eigen::VectorXd>& tolerance, std::size_t threads)
+    : layout_(layout), errors_(errors), lines_(layout.lines().size()), joints_(force.front().cols()) {
+  const std::vector<JointForce> joints = joint_forces(*unknowns.at_numbers(numbers));
   const Eigen::VectorXd slopes = unknowns.slopes(numbers);
   for (const StateModel& model : models) harmonics_.push_back(model.harmonics());
-  Eigen::Index rows_of_all = 0;
-  for (std::size_t l = 0; l < layout.lines().size(); ++l) {
-    const LineLayout::Line& own = layout.lines()[l];
-    Eigen::Index rows = 0, forces = 0;
-    for (const std::size_t i : own.states) {
-      forces += joints_ * harmonics_[i].unknowns();
-      rows += measured_numbers(models[i].state()) + joints_ * harmonics_[i].unknowns();
-    }
-    Line line;
-    line.by_errors.setZero(rows, own.errors);
-    line.by_force.setZero(rows, forces);
-    line.residual.resize(rows);
-    line.by_parameter.resize(rows, slopes.size());
-    Eigen::Index row = 0, column = 0;
-    for (const std::size_t i : own.states) {
-      const LiftedState state(models[i], joints, force[i], tolerance[i]);
-      const LiftedRows of_state = state.rows(unknowns, slopes);
-      const Eigen::Index count = of_state.residual.size(), width = of_state.by_force.cols();
-      line.residual.segment(row, count) = of_state.residual;
-      line.by_parameter.middleRows(row, count) = of_state.by_parameter;
-      line.by_force.block(row, column, count, width) = of_state.by_force;
-      for (const auto& [number, first, errors_of] : own.harmonics) {
-        if (errors_of > 0 && harmonics_[i].find(number) >= 0)
-          line.by_errors.block(row, first, count, errors_of) = state.by_errors(number);
-      }
-      row += count;
-      column += width;
-    }
-    line.residual -= line.by_errors * errors[l];
-    eliminate(line);
-    rows_of_all += rows;
-    lines_.push_back(std::move(line));
-  }
+  std::vector<Eigen::MatrixXd> reduced(lines_.size());
+  for_each_index(lines_.size(), threads, [&](std::size_t l) {
+    std::vector<LiftedState> states;
+    for (const std::size_t i : layout.lines()[l].states) states.emplace_back(models[i], joints, force[i], tolerance[i], true);
+    lines_[l] = eliminated(layout.lines()[l], states, unknowns, slopes, errors[l]);
+    reduced[l] = lines_[l].errors->left(lines_[l].left);
+  });
   const Linearised priors = prior_residuals(unknowns, numbers);
-  rows_of_all += priors.residual.size();
-  reduced_ = {Eigen::VectorXd(rows_of_all), Eigen::MatrixXd(rows_of_all, slopes.size())};
-  Eigen::Index row = 0;
-  for (const Line& line : lines_) append(line, row);
-  reduced_.residual.tail(priors.residual.size()) = priors.residual;
-  reduced_.jacobian.bottomRows(priors.residual.size()) = priors.jacobian;
+  reduced.emplace_back(priors.residual.size(), slopes.size() + 1) << priors.jacobian, priors.residual;
+  reduced_ = stacked(reduced);
 }
 
-void LiftedLines::eliminate(Line& line) const {
-  const Eigen::Index forces = line.by_force.cols(), parameters = line.by_parameter.cols();
-  Eigen::MatrixXd all(line.residual.size(), forces + parameters + 1);
-  all << line.by_force, line.by_parameter, line.residual;
-  if (line.by_errors.cols() > 0) {
-    line.lower = Eigen::MatrixXd::Identity(all.rows(), all.rows()) + line.by_errors * line.by_errors.transpose();
-    dense::cholesky_in_place(line.lower);  // I + BBᵀ is positive definite
-    dense::solve_lower(line.lower, all);
+LiftedLines::Line LiftedLines::eliminated(const LineLayout::Line& own, const std::vector<LiftedState>& states,
+                                          const LawUnknowns& unknowns, const Eigen::VectorXd& slopes,
+                                          const Eigen::VectorXd& errors) const {
+  Line line;
+  Eigen::Index rows = 0;
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    const LiftedRows of_state = states[s].rows(unknowns, slopes);
+    Eigen::MatrixXd others = Eigen::MatrixXd::Zero(of_state.residual.size(), own.errors + slopes.size() + 1);
+    for (const auto& [number, first, count] : own.harmonics) {
+      if (count > 0 && harmonics_[own.states[s]].find(number) >= 0)
+        others.middleCols(first, count) = states[s].by_errors(number);
+    }
+    others.middleCols(own.errors, slopes.size()) = of_state.by_parameter;
+    others.rightCols(1) = of_state.residual - others.leftCols(own.errors) * errors;
+    line.states.push_back(dense::eliminate(of_state.by_force, others));
+    rows += line.states.back().left.rows();
   }
-  line.basis = dense::orthonormal_columns(all.leftCols(forces));
-  line.triangle = line.basis.transpose() * all.leftCols(forces);
-  line.whitened_parameter = all.middleCols(forces, parameters);
-  line.whitened_residual = all.rightCols(1);
-}
-
-void LiftedLines::append(const Line& line, Eigen::Index& row) {
-  const Eigen::Index rows = line.residual.size();
-  reduced_.residual.segment(row, rows) = line.whitened_residual - line.basis * (line.basis.transpose() * line.whitened_residual);
-  reduced_.jacobian.middleRows(row, rows) =
-      line.whitened_parameter - line.basis * (line.basis.transpose() * line.whitened_parameter);
-  row += rows;
+  Eigen::MatrixXd by_errors(rows, own.errors);
+  line.left.resize(rows, slopes.size() + 1);
+  Eigen::Index row = 0;
+  for (dense::Elimination& state : line.states) {
+    by_errors.middleRows(row, state.left.rows()) = state.left.leftCols(own.errors);
+    line.left.middleRows(row, state.left.rows()) = state.left.rightCols(slopes.size() + 1);
+    row += state.left.rows();
+    state.left.resize(0, 0);
+  }
+  line.errors.emplace(std::move(by_errors));
+  return line;
 }
 
 LiftedChange LiftedLines::change(const Eigen::VectorXd& step) const {
+  Eigen::VectorXd moved(step.size() + 1);
+  moved << step, 1.0;
   LiftedChange out;
   out.force.resize(harmonics_.size());
   for (std::size_t l = 0; l < lines_.size(); ++l) {
     const Line& line = lines_[l];
-    Eigen::MatrixXd forces = -line.basis.transpose() * (line.whitened_residual + line.whitened_parameter * step);
-    dense::solve_lower_transposed(line.triangle.transpose(), forces);
-    Eigen::Index place = 0;
-    for (const std::size_t i : layout_.lines()[l].states) {
-      const Eigen::Index size = harmonics_[i].unknowns();
-      out.force[i].resize(harmonics_[i].size(), joints_);
-      for (Eigen::Index j = 0; j < joints_; ++j, place += size)
-        out.force[i].col(j) = harmonics_[i].unpack(forces.col(0).segment(place, size));
+    const LineLayout::Line& own = layout_.lines()[l];
+    const Eigen::VectorXd best = line.errors->best(line.left * moved);
+    for (std::size_t s = 0; s < own.states.size(); ++s) {
+      const dense::Elimination& state = line.states[s];
+      Eigen::MatrixXd forces = -(state.taken.leftCols(own.errors) * best + state.taken.rightCols(moved.size()) * moved);
+      dense::solve_lower_transposed(state.triangle.transpose(), forces);
+      const Harmonics& harmonics = harmonics_[own.states[s]];
+      Eigen::MatrixXcd& force = out.force[own.states[s]];
+      force.resize(harmonics.size(), joints_);
+      for (Eigen::Index j = 0; j < joints_; ++j)
+        force.col(j) = harmonics.unpack(forces.col(0).segment(j * harmonics.unknowns(), harmonics.unknowns()));
     }
-    if (line.by_errors.cols() == 0) {
-      out.errors.emplace_back(Eigen::VectorXd::Zero(0));
-      continue;
-    }
-    Eigen::MatrixXd left = line.residual + line.by_parameter * step + line.by_force * forces;
-    dense::solve_lower(line.lower, left);
-    dense::solve_lower_transposed(line.lower, left);
-    out.errors.emplace_back(-line.by_errors.transpose() * left - errors_[l]);
+    out.errors.emplace_back(best - errors_[l]);
   }
   return out;
 }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "dense/qr.hpp"
+#include "dense/ridge.hpp"
 #include "response/identify/gauss_newton.hpp"
 #include "response/identify/lifted_state.hpp"
 #include "response/identify/line_correlation.hpp"
@@ -15,14 +18,14 @@ struct LiftedChange {
   LineErrors errors;
 };
 
-/// The rows of all states and their unknowns to first order: of each line the errors u of its receptances and the joints' forces
-/// F of its states are eliminated. With S = I + BBᵀ = LLᵀ, A = L⁻¹∂r/∂F = QR, what is left of r − Bu and of ∂r/∂θ is (I − QQᵀ)L⁻¹
-/// of them.
+/// The rows of all states and their unknowns to first order. Of each state the joints' forces F are eliminated by a QR
+/// decomposition of ∂r/∂F, then of each line the errors u of its receptances (dense::Ridge).
 class LiftedLines {
  public:
+  /// On as many threads.
   LiftedLines(const LineLayout& layout, const std::vector<StateModel>& models, const LawUnknowns& unknowns,
               const Eigen::VectorXd& numbers, const std::vector<Eigen::MatrixXcd>& force, const LineErrors& errors,
-              const std::vector<Eigen::VectorXd>& tolerance);
+              const std::vector<Eigen::VectorXd>& tolerance, std::size_t threads);
 
   /// Residuals over the numbers of the laws alone, priors last: what is left when forces and errors do their best.
   const Linearised& reduced() const { return reduced_; }
@@ -33,16 +36,12 @@ class LiftedLines {
 
  private:
   struct Line {
-    Eigen::MatrixXd by_errors, lower;    ///< B, L
-    Eigen::MatrixXd basis, triangle;     ///< Q, R
-    Eigen::MatrixXd by_force;            ///< ∂r/∂F
-    Eigen::VectorXd residual;            ///< r − Bu
-    Eigen::MatrixXd by_parameter;        ///< ∂r/∂θ
-    Eigen::MatrixXd whitened_parameter;  ///< L⁻¹∂r/∂θ
-    Eigen::VectorXd whitened_residual;
+    std::vector<dense::Elimination> states;  ///< F from [∂r/∂u, ∂r/∂θ, r − (∂r/∂u)u]
+    std::optional<dense::Ridge> errors;
+    Eigen::MatrixXd left;  ///< ∂r/∂θ and r − (∂r/∂u)u of all states without F
   };
-  void eliminate(Line& line) const;
-  void append(const Line& line, Eigen::Index& row);
+  Line eliminated(const LineLayout::Line& own, const std::vector<LiftedState>& states, const LawUnknowns& unknowns,
+                  const Eigen::VectorXd& slopes, const Eigen::VectorXd& errors) const;
 
   const LineLayout& layout_;
   const LineErrors& errors_;

@@ -11,20 +11,21 @@ Eigen::MatrixXcd LiftedState::motion(const StateModel& model, const Eigen::Matri
   return motion;
 }
 
-LiftedState::LiftedState(const StateModel& model, const std::vector<Joint>& joints, const Eigen::MatrixXcd& force,
-                         const Eigen::VectorXd& tolerance)
+LiftedState::LiftedState(const StateModel& model, const std::vector<JointForce>& joints, const Eigen::MatrixXcd& force,
+                         const Eigen::VectorXd& tolerance, bool with_derivatives)
     : model_(model), equations_(joints, model.harmonics()), force_(force), tolerance_(tolerance) {
   const Harmonics& harmonics = model.harmonics();
   const Eigen::Index size = harmonics.unknowns();
   const Eigen::MatrixXcd own = motion(model, force);
-  stiffness_.setZero(equations_.unknowns(), equations_.unknowns());
   weight_.resize(equations_.unknowns());
+  if (with_derivatives) stiffness_.setZero(weight_.size(), weight_.size());
   for (Eigen::Index j = 0; j < force.cols(); ++j) {
     const JointForce& joint = equations_.joints()[static_cast<std::size_t>(j)];
-    law_.push_back(joint.evaluate(Motion(harmonics, own.col(j)), model.line().omega, harmonics, true));
+    law_.push_back(joint.evaluate(Motion(harmonics, own.col(j)), model.line().omega, harmonics, with_derivatives));
+    weight_.segment(j * size, size).setConstant(1.0 / tolerance(j));
+    if (!with_derivatives) continue;
     for (Eigen::Index u = 0; u < size; ++u)
       stiffness_.col(j * size + u).segment(j * size, size) = harmonics.pack(law_.back().by_motion.col(u));
-    weight_.segment(j * size, size).setConstant(1.0 / tolerance(j));
   }
 }
 
@@ -42,23 +43,15 @@ Eigen::VectorXd LiftedState::residual() const {
   return rows;
 }
 
-Eigen::MatrixXd LiftedState::by_motion(Eigen::Index harmonic) const {
+void LiftedState::add_moved(Eigen::Index harmonic, const Eigen::MatrixXd& moved, Eigen::Ref<Eigen::MatrixXd> columns) const {
   const Harmonics& harmonics = model_.harmonics();
-  const Eigen::Index joints = force_.cols(), responses = model_.state().response.cols();
-  const Eigen::Index measured = measured_numbers(model_.state()), parts = harmonics[harmonic] > 0 ? 2 : 1;
-  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(measured + weight_.size(), 2 * (joints + responses));
+  const Eigen::Index joints = force_.cols(), size = harmonics.unknowns(), parts = harmonics[harmonic] > 0 ? 2 : 1;
+  const Eigen::Index measured = columns.rows() - weight_.size();
   for (Eigen::Index j = 0; j < joints; ++j) {
-    for (Eigen::Index part = 0; part < parts; ++part) {
-      const Eigen::Index place = j * harmonics.unknowns() + harmonics.offset(harmonic) + part;
-      columns.col(2 * j + part).tail(weight_.size()) = -stiffness_.col(place).cwiseProduct(weight_);
-    }
+    const auto own = stiffness_.block(j * size, j * size + harmonics.offset(harmonic), size, parts);
+    columns.middleRows(measured + j * size, size) -= own * moved.middleRows(2 * j, parts) / tolerance_(j);
   }
-  for (Eigen::Index k = 0; k < 2 * responses; ++k) {
-    Eigen::MatrixXcd response = Eigen::MatrixXcd::Zero(harmonics.size(), responses);
-    response(harmonic, k / 2) = k % 2 == 0 ? Complex(1.0) : Complex(0.0, 1.0);
-    columns.col(2 * joints + k).head(measured) = in_deviations(model_.state(), model_.measured(response));
-  }
-  return columns;
+  add_in_deviations(model_.state(), harmonics[harmonic], moved.bottomRows(moved.rows() - 2 * joints), columns.topRows(measured));
 }
 
 LiftedRows LiftedState::rows(const LawUnknowns& unknowns, const Eigen::VectorXd& slopes) const {
@@ -83,11 +76,9 @@ LiftedRows LiftedState::rows(const LawUnknowns& unknowns, const Eigen::VectorXd&
         shares.block<2, 2>(2 * i, 2 * j) << g.real(), -g.imag(), g.imag(), g.real();
       }
     }
-    const Eigen::MatrixXd columns = by_motion(n) * shares;
-    for (Eigen::Index j = 0; j < joints; ++j) {
-      const Eigen::Index parts = harmonics[n] > 0 ? 2 : 1;
-      out.by_force.middleCols(j * size + harmonics.offset(n), parts) = columns.middleCols(2 * j, parts);
-    }
+    const Eigen::Index parts = harmonics[n] > 0 ? 2 : 1;
+    for (Eigen::Index j = 0; j < joints; ++j)
+      add_moved(n, shares.middleCols(2 * j, parts), out.by_force.middleCols(j * size + harmonics.offset(n), parts));
   }
   out.by_force.bottomRows(weight_.size()).diagonal() += weight_;
   return out;
@@ -95,7 +86,10 @@ LiftedRows LiftedState::rows(const LawUnknowns& unknowns, const Eigen::VectorXd&
 
 Eigen::MatrixXd LiftedState::by_errors(int harmonic) const {
   const Eigen::Index n = model_.harmonics().find(harmonic);
-  return by_motion(n) * model_.error_shares(harmonic, force_.row(n).transpose());
+  const Eigen::MatrixXd shares = model_.error_shares(harmonic, force_.row(n).transpose());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(measured_numbers(model_.state()) + weight_.size(), shares.cols());
+  add_moved(n, shares, columns);
+  return columns;
 }
 
 }  // namespace jointid::response

@@ -19,9 +19,9 @@ struct LiftedRows {
 /// − HWF_n follow from them without an equation to solve, and the law says F = F(Q; θ) up to a tolerance.
 class LiftedState {
  public:
-  /// `tolerance`: standard deviation in N that is given to the law's forces of each joint.
-  LiftedState(const StateModel& model, const std::vector<Joint>& joints, const Eigen::MatrixXcd& force,
-              const Eigen::VectorXd& tolerance);
+  /// `tolerance`: standard deviation in N that is given to the law's forces of each joint. rows() and by_errors() need derivatives.
+  LiftedState(const StateModel& model, const std::vector<JointForce>& joints, const Eigen::MatrixXcd& force,
+              const Eigen::VectorXd& tolerance, bool with_derivatives);
 
   /// Q_n of these forces, [harmonic, joint].
   static Eigen::MatrixXcd motion(const StateModel& model, const Eigen::MatrixXcd& force);
@@ -32,8 +32,8 @@ class LiftedState {
   Eigen::MatrixXd by_errors(int harmonic) const;
 
  private:
-  /// Rows of a change of Q_n and X_n of one harmonic, real and imaginary part of each: joints, then responses.
-  Eigen::MatrixXd by_motion(Eigen::Index harmonic) const;
+  /// Adds to these columns of rows what changes of Q_n and X_n at one harmonic do, given as Re and Im of each joint, then response.
+  void add_moved(Eigen::Index harmonic, const Eigen::MatrixXd& moved, Eigen::Ref<Eigen::MatrixXd> columns) const;
 
   const StateModel& model_;
   CondensedEquations equations_;

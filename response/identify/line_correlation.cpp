@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "dense/cholesky.hpp"
+#include "base/parallel.hpp"
 
 namespace jointid::response {
 
@@ -38,50 +38,53 @@ LineErrors LineLayout::no_errors() const {
 }
 
 LineCorrelation::LineCorrelation(const LineLayout& layout, const std::vector<StateModel>& models,
-                                 const std::vector<StatePrediction>& states, const std::vector<Joint>& joints)
-    : layout_(layout) {
-  for (const LineLayout::Line& line : layout.lines()) {
+                                 const std::vector<StatePrediction>& states, const std::vector<JointForce>& joints,
+                                 std::size_t threads)
+    : layout_(&layout), threads_(threads), by_errors_(layout.lines().size()) {
+  for_each_index(by_errors_.size(), threads, [&](std::size_t l) {
+    const LineLayout::Line& line = layout.lines()[l];
     Eigen::MatrixXd b = Eigen::MatrixXd::Zero(at(line.rows.size()), line.errors);
     Eigen::Index row = 0;
     for (const std::size_t i : line.states) {
       const Eigen::Index rows = measured_numbers(models[i].state());
       const ReceptanceResponse response(models[i], joints, states[i]);
       for (const auto& [number, first, count] : line.harmonics) {
-        if (models[i].harmonics().find(number) >= 0) b.block(row, first, rows, count) = response.by_errors(number);
+        if (count > 0 && models[i].harmonics().find(number) >= 0) b.block(row, first, rows, count) = response.by_errors(number);
       }
       row += rows;
     }
-    lower_.emplace_back(Eigen::MatrixXd::Identity(b.rows(), b.rows()) + b * b.transpose());
-    dense::cholesky_in_place(lower_.back());  // I + BBᵀ is positive definite
-    by_errors_.push_back(std::move(b));
-  }
-}
-
-void LineCorrelation::whiten(Linearised& linearised) const {
-  for (std::size_t i = 0; i < lower_.size(); ++i) {
-    const std::vector<Eigen::Index>& rows = layout_.lines()[i].rows;
-    Eigen::MatrixXd both(at(rows.size()), linearised.jacobian.cols() + 1);
-    both << linearised.jacobian(rows, Eigen::all), linearised.residual(rows);
-    dense::solve_lower(lower_[i], both);
-    linearised.jacobian(rows, Eigen::all) = both.leftCols(linearised.jacobian.cols());
-    linearised.residual(rows) = both.rightCols(1);
-  }
+    by_errors_[l].emplace(std::move(b));
+  });
 }
 
 Eigen::VectorXd LineCorrelation::without(const LineErrors& errors, const Eigen::VectorXd& residual) const {
   Eigen::VectorXd left = residual;
-  for (std::size_t i = 0; i < by_errors_.size(); ++i) left(layout_.lines()[i].rows) -= by_errors_[i] * errors[i];
+  for (std::size_t i = 0; i < by_errors_.size(); ++i) left(layout_->lines()[i].rows) -= by_errors_[i]->b() * errors[i];
   return left;
 }
 
-LineErrors LineCorrelation::best_errors(const Eigen::VectorXd& without) const {
-  LineErrors best;
-  for (std::size_t i = 0; i < by_errors_.size(); ++i) {
-    Eigen::MatrixXd solved = without(layout_.lines()[i].rows);
-    dense::solve_lower(lower_[i], solved);
-    dense::solve_lower_transposed(lower_[i], solved);
-    best.emplace_back(-by_errors_[i].transpose() * solved);
+Linearised LineCorrelation::whitened(const Eigen::VectorXd& without, const Eigen::MatrixXd& jacobian) const {
+  std::vector<Eigen::MatrixXd> left(by_errors_.size());
+  for_each_index(left.size(), threads_, [&](std::size_t l) {
+    const std::vector<Eigen::Index>& rows = layout_->lines()[l].rows;
+    Eigen::MatrixXd both(at(rows.size()), jacobian.cols() + 1);
+    both << jacobian(rows, Eigen::all), without(rows);
+    left[l] = by_errors_[l]->left(both);
+  });
+  std::vector<bool> is_of_line(static_cast<std::size_t>(without.size()), false);
+  for (const LineLayout::Line& line : layout_->lines()) {
+    for (const Eigen::Index row : line.rows) is_of_line[static_cast<std::size_t>(row)] = true;
   }
+  for (Eigen::Index row = 0; row < without.size(); ++row) {
+    if (is_of_line[static_cast<std::size_t>(row)]) continue;
+    left.emplace_back(1, jacobian.cols() + 1) << jacobian.row(row), without(row);
+  }
+  return stacked(left);
+}
+
+LineErrors LineCorrelation::best_errors(const Eigen::VectorXd& without) const {
+  LineErrors best(by_errors_.size());
+  for_each_index(best.size(), threads_, [&](std::size_t l) { best[l] = by_errors_[l]->best(without(layout_->lines()[l].rows)); });
   return best;
 }
 

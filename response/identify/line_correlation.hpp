@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "dense/ridge.hpp"
 #include "response/identify/gauss_newton.hpp"
 #include "response/identify/state_model.hpp"
 
@@ -41,21 +43,24 @@ class LineLayout {
 /// Lines are taken as independent: a receptance at 3ω that is also one at another line's ω counts twice.
 class LineCorrelation {
  public:
+  /// On as many threads.
   LineCorrelation(const LineLayout& layout, const std::vector<StateModel>& models, const std::vector<StatePrediction>& states,
-                  const std::vector<Joint>& joints);
-
-  /// L⁻¹ times the rows of each line, LLᵀ = S.
-  void whiten(Linearised& linearised) const;
+                  const std::vector<JointForce>& joints, std::size_t threads);
 
   /// The residuals less what the errors do to them, r − Bu.
   Eigen::VectorXd without(const LineErrors& errors, const Eigen::VectorXd& residual) const;
+
+  /// L⁻¹(r − Bu) and L⁻¹J of each line, LLᵀ = S, up to a rotation that leaves as few rows as there are numbers; then the rows that
+  /// belong to no line.
+  Linearised whitened(const Eigen::VectorXd& without, const Eigen::MatrixXd& jacobian) const;
 
   /// The errors v that minimise ‖r − Bu + Bv‖² + ‖v‖²: v = −BᵀS⁻¹(r − Bu), from r − Bu.
   LineErrors best_errors(const Eigen::VectorXd& without) const;
 
  private:
-  const LineLayout& layout_;
-  std::vector<Eigen::MatrixXd> by_errors_, lower_;  ///< B and L of each line
+  const LineLayout* layout_;
+  std::size_t threads_;
+  std::vector<std::optional<dense::Ridge>> by_errors_;  ///< B of each line
 };
 
 }  // namespace jointid::response

@@ -68,6 +68,18 @@ Eigen::VectorXd in_deviations(const MeasuredState& state, const Eigen::MatrixXcd
   return numbers;
 }
 
+void add_in_deviations(const MeasuredState& state, int harmonic, const Eigen::Ref<const Eigen::MatrixXd>& responses,
+                       Eigen::Ref<Eigen::MatrixXd> columns) {
+  Eigen::Index row = 0;
+  for (Eigen::Index n = 0; n < state.response.rows(); ++n) {
+    const int number = state.harmonics[static_cast<std::size_t>(n)];
+    const Eigen::Index parts = number > 0 ? 2 : 1;
+    for (Eigen::Index r = 0; r < state.response.cols(); ++r, row += parts) {
+      if (number == harmonic) columns.middleRows(row, parts) += responses.middleRows(2 * r, parts) / state.deviation(n, r);
+    }
+  }
+}
+
 void require_valid(const std::vector<MeasuredState>& states, const Receptance& structure) {
   if (states.empty()) {
     throw InputError({.kind = ErrorKind::data,

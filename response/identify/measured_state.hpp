@@ -30,4 +30,9 @@ Eigen::VectorXd in_deviations(const MeasuredState& state, const Eigen::MatrixXcd
 /// are not above 0, harmonics nω at which the structure is not known.
 void require_valid(const std::vector<MeasuredState>& states, const Receptance& structure);
 
+/// Adds to these columns of rows (as in_deviations) what changes of the responses at one measured harmonic are, given as Re and Im
+/// of each response.
+void add_in_deviations(const MeasuredState& state, int harmonic, const Eigen::Ref<const Eigen::MatrixXd>& responses,
+                       Eigen::Ref<Eigen::MatrixXd> columns);
+
 }  // namespace jointid::response

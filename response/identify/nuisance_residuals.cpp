@@ -8,9 +8,10 @@
 namespace jointid::response {
 namespace {
 
-constexpr int most_rounds = 10, most_halvings = 4;
+constexpr int most_rounds = 30, most_halvings = 4;
 constexpr double settled = 1e-7;              ///< largest last change of an error, in its deviations
-constexpr double far = 10.0, roughly = 1e-3;  ///< cost over numbers from which the errors need not settle, and how well they do
+constexpr double first_step_damping = 1e-4, least_step_damping = 1e-12, most_step_damping = 1e6;
+constexpr double step_shares[] = {1.0, 0.3};       ///< of a step that are tried before more damping
 
 double largest_change(const LineErrors& from, const LineErrors& to) {
   double largest = 0.0;
@@ -23,59 +24,124 @@ double largest_change(const LineErrors& from, const LineErrors& to) {
 }  // namespace
 
 NuisanceResiduals::NuisanceResiduals(std::shared_ptr<const Receptance> structure, std::vector<MeasuredState> states,
-                                     LawUnknowns unknowns, std::vector<int> harmonics)
+                                     LawUnknowns unknowns, std::vector<int> harmonics, std::size_t threads)
     : structure_(std::move(structure)),
       states_(std::move(states)),
       unknowns_(std::move(unknowns)),
       harmonics_(std::move(harmonics)),
+      threads_(threads),
       layout_(ResponseResiduals(structure_, states_, unknowns_, harmonics_).models(), *structure_),
       errors_(layout_.no_errors()) {}
 
-std::optional<NuisanceResiduals::Trial> NuisanceResiduals::tried(const LineErrors& errors, const Eigen::VectorXd& numbers,
+std::optional<NuisanceResiduals::Trial> NuisanceResiduals::tried(LineErrors errors, const Eigen::VectorXd& numbers,
                                                                  const std::vector<StatePrediction>& last) const {
-  ResponseResiduals residuals(corrected_models(structure_, states_, layout_, errors, harmonics_), unknowns_);
+  ResponseResiduals residuals(corrected_models(structure_, states_, layout_, errors, harmonics_), unknowns_, threads_);
   auto value = residuals.evaluate(numbers, last);
   if (!value) return std::nullopt;
   const double cost = value->linearised.residual.squaredNorm() + squared_norm(errors);
-  return Trial{std::move(residuals), std::move(*value), cost};
+  return Trial{numbers, std::move(errors), std::move(residuals), std::move(*value), cost};
 }
 
-bool NuisanceResiduals::move(const LineErrors& best, const Eigen::VectorXd& numbers, LineErrors& errors, Trial& trial) const {
+NuisanceResiduals::FirstOrder NuisanceResiduals::linearised(const Trial& trial) const {
+  const std::vector<JointForce> joints = joint_forces(*unknowns_.at_numbers(trial.numbers));
+  FirstOrder at = {{layout_, trial.residuals.models(), trial.value.states, joints, threads_}, {}, {}};
+  at.without = at.correlation.without(trial.errors, trial.value.linearised.residual);
+  at.reduced = at.correlation.whitened(at.without, trial.value.linearised.jacobian);
+  return at;
+}
+
+LineErrors NuisanceResiduals::best_errors(const FirstOrder& at, const Trial& trial, const Eigen::VectorXd& step) const {
+  return at.correlation.best_errors(at.without + trial.value.linearised.jacobian * step);
+}
+
+std::optional<NuisanceResiduals::Trial> NuisanceResiduals::moved(const Trial& trial, const Eigen::VectorXd& step,
+                                                                 const LineErrors& best, double share) const {
+  LineErrors errors = trial.errors;
+  for (std::size_t line = 0; line < errors.size(); ++line) errors[line] += share * (best[line] - trial.errors[line]);
+  return tried(std::move(errors), trial.numbers + share * step, trial.value.states);
+}
+
+bool NuisanceResiduals::settle(const LineErrors& best, Trial& trial) const {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(trial.numbers.size());
   double share = 1.0;
   for (int i = 0; i < most_halvings; ++i, share *= 0.5) {
-    LineErrors moved = errors;
-    for (std::size_t line = 0; line < moved.size(); ++line) moved[line] += share * (best[line] - errors[line]);
-    auto next = tried(moved, numbers, trial.value.states);
+    auto next = moved(trial, none, best, share);
     if (!next || !(next->cost < trial.cost)) continue;
-    errors = std::move(moved);
     trial = std::move(*next);
     return true;
   }
   return false;
 }
 
-std::optional<ResponseResiduals::Value> NuisanceResiduals::evaluate(const Eigen::VectorXd& numbers,
-                                                                    const std::vector<StatePrediction>& last) {
-  LineErrors errors = errors_;
-  auto trial = tried(errors, numbers, last);
+void NuisanceResiduals::keep(Trial&& trial) {
+  errors_ = std::move(trial.errors);
+  states_found_ = std::move(trial.value.states);
+}
+
+std::optional<Linearised> NuisanceResiduals::evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last) {
+  auto trial = tried(errors_, numbers, last);
   if (!trial) return std::nullopt;
-  const std::vector<Joint> joints = *unknowns_.at_numbers(numbers);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(numbers.size());
   for (int round = 0;; ++round) {
-    const LineCorrelation correlation(layout_, trial->residuals.models(), trial->value.states, joints);
-    const Eigen::VectorXd without = correlation.without(errors, trial->value.linearised.residual);
-    const LineErrors best = correlation.best_errors(without);
-    Linearised whitened = {without, trial->value.linearised.jacobian};
-    correlation.whiten(whitened);
-    const double rows = static_cast<double>(without.size());
-    const bool is_far = trial->cost > far * rows && trial->cost - whitened.residual.squaredNorm() < roughly * trial->cost;
-    const bool at_end = is_far || round == most_rounds || largest_change(errors, best) < settled;
-    if (at_end || !move(best, numbers, errors, *trial)) {
-      trial->value.linearised = std::move(whitened);
-      break;
+    FirstOrder at = linearised(*trial);
+    const LineErrors best = best_errors(at, *trial, none);
+    if (round < most_rounds && largest_change(trial->errors, best) >= settled && settle(best, *trial)) continue;
+    keep(std::move(*trial));
+    return std::move(at.reduced);
+  }
+}
+
+bool NuisanceResiduals::descend(const FirstOrder& at, Trial& trial, double& damping) const {
+  for (; damping <= most_step_damping; damping = std::max(10.0 * damping, least_step_damping)) {
+    const Eigen::VectorXd step = damped_step(at.reduced, damping);
+    const LineErrors best = best_errors(at, trial, step);
+    for (const double share : step_shares) {
+      auto next = moved(trial, step, best, share);
+      if (!next || !(next->cost < trial.cost)) continue;
+      trial = std::move(*next);
+      if (share == 1.0) damping = damping * 0.1 < least_step_damping ? 0.0 : damping * 0.1;
+      return true;
     }
   }
-  errors_ = std::move(errors);
-  return std::move(trial->value);
+  return false;
+}
+
+GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start, const std::vector<StatePrediction>& last,
+                                         const GaussNewtonOptions& options) {
+  GaussNewtonResult result;
+  result.unknowns = start;
+  auto trial = tried(errors_, start, last);
+  if (!trial) return result;
+  result.defined = true;
+  GaussNewtonEnd end(options);
+  double damping = first_step_damping;
+  FirstOrder at = linearised(*trial);
+  for (; result.steps < options.most_steps; ++result.steps) {
+    const Eigen::VectorXd full = damped_step(at.reduced, 0.0);
+    const double least = (at.reduced.residual + at.reduced.jacobian * full).squaredNorm();
+    const auto what = end.judge(full, (at.reduced.jacobian * full).norm(), trial->cost, trial->cost - least);
+    if (what == GaussNewtonEnd::What::here) {
+      result.converged = true;
+      break;
+    }
+    if (what == GaussNewtonEnd::What::descend) {
+      if (!descend(at, *trial, damping)) {
+        result.converged = end.at_rounding();
+        break;
+      }
+    } else {
+      auto next = moved(*trial, full, best_errors(at, *trial, full), 1.0);
+      if (!next) break;
+      if (end.shrinks()) *trial = std::move(*next);
+      result.converged = end.is_last();
+    }
+    at = linearised(*trial);
+    if (result.converged) break;
+  }
+  result.unknowns = trial->numbers;
+  result.at = std::move(at.reduced);
+  keep(std::move(*trial));
+  return result;
 }
 
 }  // namespace jointid::response

@@ -1,6 +1,9 @@
 #include "response/identify/response_residuals.hpp"
 
+#include <atomic>
 #include <utility>
+
+#include "base/parallel.hpp"
 
 namespace jointid::response {
 namespace {
@@ -29,11 +32,11 @@ Linearised prior_residuals(const LawUnknowns& unknowns, const Eigen::VectorXd& n
 }
 
 ResponseResiduals::ResponseResiduals(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
-                                     LawUnknowns unknowns, const std::vector<int>& harmonics)
-    : ResponseResiduals(models_of(structure, states, harmonics), std::move(unknowns)) {}
+                                     LawUnknowns unknowns, const std::vector<int>& harmonics, std::size_t threads)
+    : ResponseResiduals(models_of(structure, states, harmonics), std::move(unknowns), threads) {}
 
-ResponseResiduals::ResponseResiduals(std::vector<StateModel> models, LawUnknowns unknowns)
-    : models_(std::move(models)), unknowns_(std::move(unknowns)), rows_(unknowns_.priors()) {
+ResponseResiduals::ResponseResiduals(std::vector<StateModel> models, LawUnknowns unknowns, std::size_t threads)
+    : models_(std::move(models)), unknowns_(std::move(unknowns)), rows_(unknowns_.priors()), threads_(threads) {
   for (const StateModel& model : models_) rows_ += measured_numbers(model.state());
 }
 
@@ -43,13 +46,17 @@ std::optional<ResponseResiduals::Value> ResponseResiduals::evaluate(const Eigen:
   if (!joints) return std::nullopt;
   Value value = {{Eigen::VectorXd::Zero(rows_), Eigen::MatrixXd::Zero(rows_, unknowns_.size())}, {}};
   const Eigen::VectorXd slopes = unknowns_.slopes(numbers);
+  const std::vector<JointForce> forces = joint_forces(*joints);
+  value.states.resize(models_.size());
+  std::atomic<bool> failed = false;
+  for_each_index(models_.size(), threads_, [&](std::size_t i) {
+    if (failed) return;
+    value.states[i] = models_[i].predict(forces, unknowns_.moved(), i < last.size() ? &last[i].solution : nullptr);
+    if (!value.states[i].solution.converged) failed = true;
+  });
+  if (failed) return std::nullopt;
   Eigen::Index row = 0;
-  for (std::size_t i = 0; i < models_.size(); ++i) {
-    const HarmonicSolution* start = i < last.size() ? &last[i].solution : nullptr;
-    value.states.push_back(models_[i].predict(*joints, unknowns_.moved(), start));
-    if (!value.states.back().solution.converged) return std::nullopt;
-    fill(models_[i], value.states.back(), slopes, row, value.linearised);
-  }
+  for (std::size_t i = 0; i < models_.size(); ++i) fill(models_[i], value.states[i], slopes, row, value.linearised);
   const Linearised priors = prior_residuals(unknowns_, numbers);
   value.linearised.residual.tail(priors.residual.size()) = priors.residual;
   value.linearised.jacobian.bottomRows(priors.residual.size()) = priors.jacobian;

@@ -19,8 +19,8 @@ class ResponseResiduals {
  public:
   /// `harmonics`: of the model, see StateModel. The states must be valid.
   ResponseResiduals(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, LawUnknowns unknowns,
-                    const std::vector<int>& harmonics);
-  ResponseResiduals(std::vector<StateModel> models, LawUnknowns unknowns);
+                    const std::vector<int>& harmonics, std::size_t threads = 1);
+  ResponseResiduals(std::vector<StateModel> models, LawUnknowns unknowns, std::size_t threads = 1);
 
   const std::vector<StateModel>& models() const { return models_; }
   const LawUnknowns& unknowns() const { return unknowns_; }
@@ -40,6 +40,7 @@ class ResponseResiduals {
   std::vector<StateModel> models_;
   LawUnknowns unknowns_;
   Eigen::Index rows_ = 0;
+  std::size_t threads_;
 };
 
 }  // namespace jointid::response

@@ -50,13 +50,15 @@ Eigen::MatrixXd StateModel::error_shares(int harmonic, const Eigen::VectorXcd& j
   return shares;
 }
 
-StatePrediction StateModel::predict(const std::vector<Joint>& joints, const std::vector<JointParameter>& parameters,
+StatePrediction StateModel::predict(const std::vector<JointForce>& joints, const std::vector<JointParameter>& parameters,
                                     const HarmonicSolution* last) const {
-  const HarmonicBalance balance(structure_, joints, state_.force, {.fixed = harmonics_.numbers()});
   const CondensedEquations equations(joints, harmonics_);
   const Attempt attempt = attempt_all(equations, line_, 1.0, last);
   StatePrediction prediction;
-  prediction.solution = balance.describe(equations, line_, 1.0, attempt.result.motion);
+  prediction.forces = equations.joint_forces(line_.omega, attempt.result.motion, true);
+  Eigen::MatrixXcd force(harmonics_.size(), at(joints.size()));
+  for (std::size_t j = 0; j < joints.size(); ++j) force.col(at(j)) = prediction.forces[j].force;
+  prediction.solution = described(equations, line_, 1.0, attempt.result.motion, std::move(force));
   prediction.solution.converged = attempt.result.converged;
   prediction.solution.residual = attempt.result.residual;
   prediction.solution.start = attempt.start;
@@ -67,70 +69,69 @@ StatePrediction StateModel::predict(const std::vector<Joint>& joints, const std:
   return prediction;
 }
 
+Eigen::MatrixXcd StateModel::by_motion(const CondensedEquations& equations, Eigen::Index harmonic,
+                                       const std::vector<ForceHarmonics>& forces) const {
+  const Eigen::Index size = harmonics_.unknowns();
+  const Eigen::MatrixXcd& to_joints = line_.harmonics[static_cast<std::size_t>(harmonic)].to_joints;
+  Eigen::MatrixXcd moved(to_joints.rows(), equations.unknowns());
+  for (Eigen::Index j = 0; j < to_joints.cols(); ++j)
+    moved.middleCols(j * size, size) = -to_joints.col(j) * forces[static_cast<std::size_t>(j)].by_motion.row(harmonic);
+  return moved;
+}
+
 void StateModel::differentiate(const CondensedEquations& equations, const Eigen::VectorXd& motion,
                                const std::vector<JointParameter>& parameters, StatePrediction& prediction) const {
-  const HarmonicSolution& solution = prediction.solution;
-  const dense::RealLu jacobian(equations.evaluate(line_, 1.0, motion).by_motion);
-  const std::vector<Eigen::MatrixXcd> slopes = equations.forces_by_motion(line_.omega, motion);
-  std::vector<ForceHarmonics> forces;
-  for (std::size_t j = 0; j < equations.joints().size(); ++j) {
-    const Motion own(harmonics_, solution.joint_motion.col(at(j)));
-    forces.push_back(equations.joints()[j].evaluate(own, line_.omega, harmonics_, true));
+  const dense::RealLu jacobian(equations.evaluate(line_, 1.0, motion, prediction.forces).by_motion);
+  Eigen::MatrixXd change(motion.size(), at(parameters.size()));
+  const auto force = [&](std::size_t i) {
+    return prediction.forces[parameters[i].joint].by_parameters.col(at(parameters[i].parameter));
+  };
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    Eigen::MatrixXcd at_joints(harmonics_.size(), prediction.solution.joint_motion.cols());
+    for (Eigen::Index n = 0; n < harmonics_.size(); ++n) {
+      const Eigen::MatrixXcd& g = line_.harmonics[static_cast<std::size_t>(n)].joints;
+      at_joints.row(n) = (g.col(at(parameters[i].joint)) * force(i)(n)).transpose();
+    }
+    change.col(at(i)) = equations.pack(at_joints);
   }
-  for (const JointParameter& parameter : parameters) {
-    const Eigen::Index j = at(parameter.joint);
-    const Eigen::VectorXcd force = forces[parameter.joint].by_parameters.col(at(parameter.parameter));
-    Eigen::MatrixXcd at_joints(harmonics_.size(), solution.joint_motion.cols());
-    for (Eigen::Index n = 0; n < harmonics_.size(); ++n) {
-      at_joints.row(n) = (line_.harmonics[static_cast<std::size_t>(n)].joints.col(j) * force(n)).transpose();
+  if (!parameters.empty()) change = -jacobian.solve(change).eval();
+  prediction.by_parameter.assign(parameters.size(), Eigen::MatrixXcd::Zero(prediction.response.rows(), prediction.response.cols()));
+  for (Eigen::Index m = 0; m < prediction.response.rows(); ++m) {
+    const Eigen::Index n = harmonics_.find(state_.harmonics[static_cast<std::size_t>(m)]);
+    const Eigen::MatrixXcd moved = by_motion(equations, n, prediction.forces) * change;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const auto own = line_.harmonics[static_cast<std::size_t>(n)].to_joints.col(at(parameters[i].joint));
+      prediction.by_parameter[i].row(m) = (moved.col(at(i)) - own * force(i)(n)).transpose();
     }
-    const Eigen::VectorXd change = -jacobian.solve(equations.pack(at_joints));
-    Eigen::MatrixXcd response(harmonics_.size(), solution.response.cols());
-    for (Eigen::Index n = 0; n < harmonics_.size(); ++n) {
-      const std::size_t at_n = static_cast<std::size_t>(n);
-      Eigen::VectorXcd total = slopes[at_n] * change;
-      total(j) += force(n);
-      response.row(n) = -(line_.harmonics[at_n].to_joints * total).transpose();
-    }
-    prediction.by_parameter.push_back(measured(response));
   }
 }
 
-ReceptanceResponse::ReceptanceResponse(const StateModel& model, const std::vector<Joint>& joints,
+ReceptanceResponse::ReceptanceResponse(const StateModel& model, const std::vector<JointForce>& joints,
                                        const StatePrediction& prediction)
-    : model_(model), prediction_(prediction), equations_(joints, model.harmonics_) {
-  const Eigen::VectorXd motion = equations_.pack(prediction.solution.joint_motion);
-  const dense::RealLu jacobian(equations_.evaluate(model.line_, 1.0, motion).by_motion);
-  inverse_ = jacobian.solve(Eigen::MatrixXd::Identity(motion.size(), motion.size()));
-  slopes_ = equations_.forces_by_motion(model.line_.omega, motion);
-}
-
-Eigen::MatrixXd ReceptanceResponse::by_motion(Eigen::Index harmonic) const {
-  const Harmonics& harmonics = model_.harmonics_;
-  const Eigen::Index joints = model_.structure_->joints(), responses = model_.structure_->responses();
-  Eigen::MatrixXd columns(measured_numbers(model_.state_), 2 * (joints + responses));
-  for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    const Complex unit = k % 2 == 0 ? Complex(1.0) : Complex(0.0, 1.0);
-    Eigen::MatrixXcd response = Eigen::MatrixXcd::Zero(harmonics.size(), responses);
-    if (k / 2 < joints) {
-      Eigen::MatrixXcd at_joints = Eigen::MatrixXcd::Zero(harmonics.size(), joints);
-      at_joints(harmonic, k / 2) = unit;
-      const Eigen::VectorXd moved = inverse_ * equations_.pack(at_joints);
-      for (Eigen::Index m = 0; m < harmonics.size(); ++m) {
-        const std::size_t at_m = static_cast<std::size_t>(m);
-        response.row(m) = -(model_.line_.harmonics[at_m].to_joints * (slopes_[at_m] * moved)).transpose();
-      }
-    } else {
-      response(harmonic, k / 2 - joints) = unit;
-    }
-    columns.col(k) = in_deviations(model_.state_, model_.measured(response));
+    : model_(model), prediction_(prediction) {
+  const CondensedEquations equations(joints, model.harmonics_);
+  const Eigen::VectorXd motion = equations.pack(prediction.solution.joint_motion);
+  const dense::RealLu jacobian(equations.evaluate(model.line_, 1.0, motion, prediction.forces).by_motion);
+  const Eigen::MatrixXd inverse = jacobian.solve(Eigen::MatrixXd::Identity(motion.size(), motion.size()));
+  by_joints_ = Eigen::MatrixXd::Zero(measured_numbers(model.state_), motion.size());
+  for (const int number : model.state_.harmonics) {
+    const Eigen::MatrixXcd moved = model.by_motion(equations, model.harmonics_.find(number), prediction.forces) * inverse;
+    Eigen::MatrixXd parts(2 * moved.rows(), moved.cols());
+    for (Eigen::Index r = 0; r < moved.rows(); ++r) parts.middleRows(2 * r, 2) << moved.row(r).real(), moved.row(r).imag();
+    add_in_deviations(model.state_, number, parts, by_joints_);
   }
-  return columns;
 }
 
 Eigen::MatrixXd ReceptanceResponse::by_errors(int harmonic) const {
-  const Eigen::Index n = model_.harmonics_.find(harmonic);
-  return by_motion(n) * model_.error_shares(harmonic, prediction_.solution.joint_force.row(n).transpose());
+  const Harmonics& harmonics = model_.harmonics_;
+  const Eigen::Index n = harmonics.find(harmonic), joints = model_.structure_->joints(), parts = harmonic > 0 ? 2 : 1;
+  const Eigen::MatrixXd shares = model_.error_shares(harmonic, prediction_.solution.joint_force.row(n).transpose());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(by_joints_.rows(), shares.cols());
+  for (Eigen::Index j = 0; j < joints; ++j) {
+    columns += by_joints_.middleCols(j * harmonics.unknowns() + harmonics.offset(n), parts) * shares.middleRows(2 * j, parts);
+  }
+  add_in_deviations(model_.state_, harmonic, shares.bottomRows(shares.rows() - 2 * joints), columns);
+  return columns;
 }
 
 }  // namespace jointid::response

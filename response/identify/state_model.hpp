@@ -14,6 +14,7 @@ struct StatePrediction {
   Eigen::MatrixXcd response;  ///< X_n at the measured harmonics, [harmonic, response]
   /// ∂X_n by each parameter, as `response`; dX = −HW(F_Q dQ + F_θ dθ), dQ = −J⁻¹GF_θ dθ by the implicit function theorem.
   std::vector<Eigen::MatrixXcd> by_parameter;
+  std::vector<ForceHarmonics> forces{};  ///< of each joint, with derivatives by its own motion and parameters
 };
 
 /// One measured state and the receptances that its prediction needs, looked up once.
@@ -25,7 +26,7 @@ class StateModel {
   const MeasuredState& state() const { return state_; }
 
   /// Starts at the motion of `last` if it is given and converged.
-  StatePrediction predict(const std::vector<Joint>& joints, const std::vector<JointParameter>& parameters,
+  StatePrediction predict(const std::vector<JointForce>& joints, const std::vector<JointParameter>& parameters,
                           const HarmonicSolution* last = nullptr) const;
 
   /// Of the model.
@@ -43,6 +44,9 @@ class StateModel {
   friend class ReceptanceResponse;
   void differentiate(const CondensedEquations& equations, const Eigen::VectorXd& motion,
                      const std::vector<JointParameter>& parameters, StatePrediction& prediction) const;
+  /// −HW F_Q of one harmonic of the model. [response, motions of all joints]
+  Eigen::MatrixXcd by_motion(const CondensedEquations& equations, Eigen::Index harmonic,
+                             const std::vector<ForceHarmonics>& forces) const;
 
   std::shared_ptr<const Receptance> structure_;
   MeasuredState state_;
@@ -54,21 +58,16 @@ class StateModel {
 /// (I + G F_Q) δQ = Wᵀδu, δX = δu − HW F_Q δQ. The model, joints and prediction must outlive it.
 class ReceptanceResponse {
  public:
-  ReceptanceResponse(const StateModel& model, const std::vector<Joint>& joints, const StatePrediction& prediction);
+  ReceptanceResponse(const StateModel& model, const std::vector<JointForce>& joints, const StatePrediction& prediction);
 
   /// In deviations of the responses; two columns for each of the errors at that harmonic of the model, one deviation of its real
   /// part and one of its imaginary part. [measured numbers, 2 · errors]
   Eigen::MatrixXd by_errors(int harmonic) const;
 
  private:
-  /// Of real and imaginary part of each element of δu at one harmonic. [measured numbers, 2 · (joints + responses)]
-  Eigen::MatrixXd by_motion(Eigen::Index harmonic) const;
-
   const StateModel& model_;
   const StatePrediction& prediction_;
-  CondensedEquations equations_;
-  std::vector<Eigen::MatrixXcd> slopes_;  ///< ∂F_n/∂Q
-  Eigen::MatrixXd inverse_;               ///< (I + G F_Q)⁻¹
+  Eigen::MatrixXd by_joints_;  ///< −HW F_Q (I + G F_Q)⁻¹ in deviations, of Wᵀδu as CondensedEquations packs it
 };
 
 }  // namespace jointid::response

@@ -85,7 +85,7 @@ TEST(LawFit, PredictsTheGoldenResponsesAndTheirDerivatives) {
           << each["id"] << " parameter " << k;
     }
 
-    const Information bound(value->linearised.jacobian * slopes.cwiseInverse().asDiagonal());
+    const Information bound(value->jacobian * slopes.cwiseInverse().asDiagonal());
     const Eigen::VectorXd deviation = bound.covariance().diagonal().cwiseSqrt();
     const double tolerance = golden::tolerance(each["trusted_digits"]["bound_std"]);
     EXPECT_LE(relative(deviation, numbers(each["bound_std"])), tolerance) << each["id"];
@@ -146,7 +146,7 @@ TEST(LawFit, MeetsTheGoldenBoundWithErrorsOfTheReceptances) {
     NuisanceResiduals residuals(structure, golden_case.states, unknowns, golden::integers(each["harmonics_model"]));
     const auto value = residuals.evaluate(unknowns.start());
     ASSERT_TRUE(value);
-    const Information bound(value->linearised.jacobian * unknowns.slopes(unknowns.start()).cwiseInverse().asDiagonal());
+    const Information bound(value->jacobian * unknowns.slopes(unknowns.start()).cwiseInverse().asDiagonal());
     const json& expected = each["bound_with_frf_noise"];
     EXPECT_LE(relative(bound.covariance().diagonal().cwiseSqrt(), numbers(expected["bound_std"])),
               golden::tolerance(expected["trusted_digits"]))

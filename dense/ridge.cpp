@@ -1,0 +1,53 @@
+#include "dense/ridge.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "dense/cholesky.hpp"
+#include "dense/qr.hpp"
+
+namespace jointid::dense {
+
+using Eigen::MatrixXd;
+
+Ridge::Ridge(MatrixXd b) : b_(std::move(b)) {
+  const Eigen::Index size = std::min(b_.rows(), b_.cols());
+  lower_ = MatrixXd::Identity(size, size);
+  auto lower = lower_.selfadjointView<Eigen::Lower>();
+  if (b_.rows() < b_.cols()) {
+    lower.rankUpdate(b_);
+  } else {
+    lower.rankUpdate(b_.transpose());
+  }
+  cholesky_in_place(lower_);  // I + a square is positive definite
+}
+
+/// Of the normal equations (I + BᵀB)δ = −(Bᵀ(R + BU) + U).
+MatrixXd Ridge::step(const Eigen::Ref<const MatrixXd>& r, const MatrixXd& u) const {
+  MatrixXd gradient = -(b_.transpose() * (r + b_ * u) + u);
+  if (b_.rows() >= b_.cols()) {
+    solve_lower(lower_, gradient);
+    solve_lower_transposed(lower_, gradient);
+    return gradient;
+  }
+  MatrixXd solved = b_ * gradient;  // (I + BᵀB)⁻¹ = I − Bᵀ(I + BBᵀ)⁻¹B
+  solve_lower(lower_, solved);
+  solve_lower_transposed(lower_, solved);
+  return gradient - b_.transpose() * solved;
+}
+
+MatrixXd Ridge::best(const Eigen::Ref<const MatrixXd>& r) const {
+  MatrixXd u = MatrixXd::Zero(b_.cols(), r.cols());
+  if (b_.cols() == 0) return u;
+  u = step(r, u);
+  return u + step(r, u);
+}
+
+MatrixXd Ridge::left(const Eigen::Ref<const MatrixXd>& r) const {
+  const MatrixXd u = best(r);
+  MatrixXd all(r.rows() + u.rows(), r.cols());
+  all << r + b_ * u, u;
+  return all.rows() > all.cols() ? triangle_of(all) : all;
+}
+
+}  // namespace jointid::dense
