@@ -15,12 +15,12 @@ using Matrix = Eigen::MatrixXcd;
 /// Receptance of a free structure with random modes, and with residual flexibility.
 class RandomStructure {
  public:
-  RandomStructure(Eigen::Index coordinates, unsigned seed) {
+  RandomStructure(Eigen::Index coordinates, unsigned seed, int modes = 14) {
     std::mt19937 generator(seed);
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> frequency(20.0, 1500.0);
-    shapes_ = Eigen::MatrixXd::NullaryExpr(coordinates, 14, [&] { return normal(generator); });
-    for (int mode = 0; mode < 14; ++mode) omega_.push_back(2.0 * std::numbers::pi * (mode < 2 ? 0.0 : frequency(generator)));
+    shapes_ = Eigen::MatrixXd::NullaryExpr(coordinates, modes, [&] { return normal(generator); });
+    for (int mode = 0; mode < modes; ++mode) omega_.push_back(2.0 * std::numbers::pi * (mode < 2 ? 0.0 : frequency(generator)));
   }
 
   Matrix at(double omega) const {
@@ -63,24 +63,59 @@ Eigen::MatrixXd joint_stiffness() {
   return 1e5 * k;
 }
 
+/// Both side by side, and with the joint of impedance `z` between the coordinates `joint`.
+RandomSets joined(const RandomStructure& one, Eigen::Index first, const RandomStructure& two, Eigen::Index second,
+                  const std::vector<Eigen::Index>& joint, const Matrix& z, std::size_t lines) {
+  const Eigen::Index size = first + second;
+  const auto of = [lines](Eigen::Index from, Eigen::Index to) {
+    return empty_set(lines, static_cast<std::size_t>(from), static_cast<std::size_t>(to));
+  };
+  RandomSets sets{of(0, first), of(first, size), of(0, size)};
+  for (std::size_t i = 0; i < lines; ++i) {
+    const double omega = angular(sets.a.header.frequency_hz[i]);
+    Matrix h = Matrix::Zero(size, size);
+    h.topLeftCorner(first, first) = one.at(omega);
+    h.bottomRightCorner(second, second) = two.at(omega);
+    const Matrix to_joint = h(joint, Eigen::all), at_joint = h(joint, joint), identity = Matrix::Identity(z.rows(), z.rows());
+    append(sets.a, h.topLeftCorner(first, first));
+    append(sets.b, h.bottomRightCorner(second, second));
+    append(sets.both, h - h(Eigen::all, joint) * dense::solve(identity + z * at_joint, z * to_joint));
+  }
+  return sets;
+}
+
 }  // namespace
 
 RandomSets random_sets(std::size_t lines) {
-  const RandomStructure one(14, 1), two(10, 2);
-  frf::FrfSet a = empty_set(lines, 0, 14), b = empty_set(lines, 14, 24), both = empty_set(lines, 0, 24);
-  const Eigen::MatrixXd k = joint_stiffness();
-  for (std::size_t i = 0; i < lines; ++i) {
-    const double omega = 2.0 * std::numbers::pi * a.header.frequency_hz[i];
-    Matrix h = Matrix::Zero(24, 24);
-    h.topLeftCorner(14, 14) = one.at(omega);
-    h.bottomRightCorner(10, 10) = two.at(omega);
-    const Matrix z = std::complex<double>(1.0, 0.01) * k.cast<std::complex<double>>();
-    const Matrix to_joint = h(joint, Eigen::all), at_joint = h(joint, joint);
-    append(a, h.topLeftCorner(14, 14));
-    append(b, h.bottomRightCorner(10, 10));
-    append(both, h - h(Eigen::all, joint) * dense::solve(Matrix::Identity(4, 4) + z * at_joint, z * to_joint));
+  const Matrix z = std::complex<double>(1.0, 0.01) * joint_stiffness().cast<std::complex<double>>();
+  return joined(RandomStructure(14, 1), 14, RandomStructure(10, 2), 10, joint, z, lines);
+}
+
+SprungSets sprung_sets(std::size_t lines, std::size_t joint_coordinates, std::size_t others) {
+  const auto springs = static_cast<Eigen::Index>(joint_coordinates / 2), half = springs + static_cast<Eigen::Index>(others / 2);
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> factor(0.5, 2.0);
+  SprungSets out;
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index i = 0; i < 2 * springs; ++i) {
+    places.push_back(i < springs ? i : half + i - springs);
+    out.dofs.push_back(dof(places.back()));
   }
-  return {std::move(a), std::move(b), std::move(both)};
+  Matrix z = Matrix::Zero(2 * springs, 2 * springs);
+  std::vector<double> damping;
+  for (Eigen::Index i = 0; i < springs; ++i) {
+    const double k = 1e5 * factor(generator), d = 0.05 * factor(generator) * k;
+    const Complex value(k, d);
+    z(i, i) = z(springs + i, springs + i) = value;
+    z(i, springs + i) = z(springs + i, i) = -value;
+    out.springs.push_back({dof(i), dof(half + i)});
+    out.truth.push_back(k);
+    damping.push_back(d);
+  }
+  out.truth.insert(out.truth.end(), damping.begin(), damping.end());
+  const int modes = static_cast<int>(half);
+  out.frfs = joined(RandomStructure(half, 1, modes), half, RandomStructure(half, 2, modes), half, places, z, lines);
+  return out;
 }
 
 std::vector<frf::Dof> random_joint() {

@@ -6,6 +6,14 @@
 #include "ident/plan/scaling.hpp"
 
 namespace jointid::ident {
+namespace {
+
+/// Without the look at whether an infinite factor made the product no number.
+Complex times(const Complex& a, const Complex& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+}  // namespace
 
 JointImpedance::JointImpedance(const restrictions::Restriction& restriction, const UnknownColumns& columns, double omega0,
                                double omega)
@@ -49,10 +57,22 @@ void JointImpedance::sensitivity(const Complex* left, const Complex* right, Comp
   for (std::size_t t = 0; t < parts_.size(); ++t) {
     Complex sum = 0.0;
     for (std::size_t i = parts_[t].first_term; i < parts_[t].last_term; ++i) {
-      sum += terms_[i].coefficient * left[terms_[i].row] * right[terms_[i].column];
+      sum += times(terms_[i].coefficient * left[terms_[i].row], right[terms_[i].column]);
     }
-    out[t] = parts_[t].factor * sum;
+    out[t] = times(parts_[t].factor, sum);
   }
+}
+
+Eigen::VectorXd JointImpedance::along(const ComplexMatrix& q) const {
+  Eigen::VectorXd out(jointid::at(parts_.size()));
+  for (std::size_t t = 0; t < parts_.size(); ++t) {
+    Complex sum = 0.0;
+    for (std::size_t i = parts_[t].first_term; i < parts_[t].last_term; ++i) {
+      sum += terms_[i].coefficient * q(jointid::at(terms_[i].row), jointid::at(terms_[i].column));
+    }
+    out[jointid::at(t)] = (std::conj(parts_[t].factor) * sum).real();
+  }
+  return out;
 }
 
 }  // namespace jointid::ident

@@ -30,6 +30,9 @@ class JointImpedance {
   /// Σ_pq left(p) ∂Z(p,q)/∂θ_t right(q) for every unknown t of this line.
   void sensitivity(const Complex* left, const Complex* right, Complex* out) const;
 
+  /// Re Σ_pq conj(∂Z(p,q)/∂θ_t) Q(p,q) for every unknown t of this line.
+  Eigen::VectorXd along(const ComplexMatrix& q) const;
+
  private:
   struct Term {
     std::size_t row, column;

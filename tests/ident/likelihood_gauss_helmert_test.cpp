@@ -64,7 +64,7 @@ void compare(const Example& example) {
   RC_ASSERT(solved.has_value());
   const DenseStep dense(s, example.state);
   const Eigen::VectorXd& theta = solved->x;
-  const LineStep frfs = reduced->own - reduced->back * theta;
+  const LineStep frfs = reduced->own + reduced->answer(theta);
   const double of_sums = tolerance(example), of_steps = of_sums / solved->reciprocal_condition;
   RC_ASSERT((reduced->information - dense.information).norm() <= of_sums * dense.information.norm());
   RC_ASSERT((reduced->gradient - dense.gradient).norm() <= of_sums * dense.gradient.norm());

@@ -9,6 +9,7 @@
 #include "dense/qr.hpp"
 #include "dense/real_lu.hpp"
 #include "dense/svd.hpp"
+#include "ident/likelihood/line/line_gradient.hpp"
 #include "ident/likelihood/line/line_model.hpp"
 #include "likelihood_line_sample.hpp"
 
@@ -101,7 +102,8 @@ RC_GTEST_PROP(LikelihoodLine, CostIsTheSumOfSquares, (unsigned seed)) {
   LineSample s(any_shape(random), random);
   const LineState state = nearby(s);
   const double plain = residuals(s, s.theta, state.x, state.y).squaredNorm();
-  RC_ASSERT(std::abs(line_cost(s.layout, s.data, s.joint.at(s.theta), state.x, state.y) - plain) <= (s.data.correlation ? 1e-8 : 1e-10) * plain);
+  const double cost = line_cost(s.layout, s.data, s.joint.at(s.theta), state.x, state.y);
+  RC_ASSERT(std::abs(cost - plain) <= (s.data.correlation ? 1e-8 : 1e-10) * plain);
 }
 
 /// Rows of the linearised line in (X, Y, θ), the residuals last; differences `j` are its derivatives. What was not measured gets
@@ -141,8 +143,36 @@ RC_GTEST_PROP(LikelihoodLine, ReducesToTheSchurComplementOfDifferences, (unsigne
   expect_close(reduced->gradient, schur.topRightCorner(p, 1), 1e-5, cancelled);
   expect_close(Eigen::MatrixXd::Constant(1, 1, reduced->cost), schur.bottomRightCorner(1, 1), 1e-5, cancelled);
   // The FRFs' steps as far as the equations tell them: differences are too coarse for what only the weak rows fix.
-  expect_close(told * reduced->back, told * solved.leftCols(p), 1e-4);
+  expect_close(told * *reduced->back, told * solved.leftCols(p), 1e-4);
   expect_close(told * reduced->own, told * solved.rightCols(1), 1e-4);
+}
+
+/// By adjoints what the normal equations have by rows, for real and complex ones: the gradient of the joint with the FRFs eliminated,
+/// and their step.
+RC_GTEST_PROP(LikelihoodLine, GradientIsThatOfTheNormalEquations, (unsigned seed, bool circular)) {
+  std::mt19937_64 random(seed);
+  LineShape shape = any_shape(random);
+  shape.correlated = false;
+  LineSample s(shape, random);
+  if (circular) {
+    for (Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+      for (Complex& weight : channel->weight) weight.imag(weight.real());
+    }
+  }
+  const LineState state = nearby(s);
+  const ComplexMatrix z = s.joint.at(s.theta);
+  LineModel model(s.layout, circular ? LineModel::Numbers::complex : LineModel::Numbers::real);
+  model.linearise(s.data, s.joint, z, state, true);
+  const auto reduced = model.reduce(0.0);
+  RC_PRE(reduced.has_value());
+  RC_ASSERT(has_plain_errors(s.data));
+  const LineGradient gradient = gradient_of(s.layout, s.data, s.joint, z, state);
+  RC_ASSERT(std::abs(gradient.cost - line_cost(s.layout, s.data, z, state.x, state.y)) <= 1e-10 * gradient.cost);
+  const double brings = gradient.own.dot(model.own_step(gradient.own));  // of χ²: steps that only weak rows fix count little
+  RC_ASSERT(std::abs(gradient.own.dot(reduced->own) - brings) <= 1e-8 * brings);
+  RC_ASSERT(std::abs(gradient.cost - reduced->cost - brings) <= 1e-8 * gradient.cost);
+  const Eigen::VectorXd by_frfs = reduced->back->transpose() * gradient.own;
+  RC_ASSERT((gradient.joint - by_frfs - reduced->gradient).norm() <= 1e-8 * (gradient.joint.norm() + by_frfs.norm()));
 }
 
 /// The sample's FRFs at their best for a joint: Gauss–Newton to the end. Empty where it does not settle.
@@ -187,7 +217,7 @@ RC_GTEST_PROP(LikelihoodLine, ComplexEquationsAreTheRealOnes, (unsigned seed)) {
       RC_ASSERT(one.has_value() && other.has_value());
       expect_close(other->information, one->information, tolerance, cancelled);
       expect_close(other->gradient, one->gradient, tolerance, cancelled);
-      expect_close(other->back, one->back, tolerance);
+      expect_close(*other->back, *one->back, tolerance);
       expect_close(other->own, one->own, tolerance);
       RC_ASSERT(std::abs(other->cost - one->cost) <= tolerance * (cancelled + one->cost));
     }

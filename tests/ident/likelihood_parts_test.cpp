@@ -2,7 +2,9 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/eigen.hpp"
+#include "dense/cholesky.hpp"
 #include "ident/likelihood/line/frf_weight.hpp"
+#include "ident/likelihood/line/normal_kernels.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
 #include "likelihood_line_sample.hpp"
 #include "memory_systems.hpp"
@@ -17,30 +19,70 @@ using restrictions::Pattern;
 RC_GTEST_PROP(NormalRows, AddUpToTheProductOfTheDenseMatrix, (unsigned seed)) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
-  const auto columns = *rc::gen::inRange<std::size_t>(1, 20), count = *rc::gen::inRange<std::size_t>(0, 8);
+  const auto up_to = [&](std::size_t most) { return std::uniform_int_distribution<std::size_t>(0, most)(random); };
+  std::vector<NormalRows::Run> runs;
+  std::size_t tail = 0;
+  for (std::size_t r = up_to(5); r > 0; --r) {
+    runs.push_back({tail, up_to(12)});
+    tail += runs.back().count;
+  }
+  const std::size_t width = up_to(20), columns = tail + width;
+  RC_PRE(columns > 0u);
   NormalRows rows;
-  rows.reset(columns);
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(at(2 * count), at(columns));
-  for (std::size_t row = 0; row < count; ++row) {
-    std::array<std::size_t, 6> cut;
-    for (std::size_t& c : cut) c = std::uniform_int_distribution<std::size_t>(0, columns)(random);
-    std::sort(cut.begin(), cut.end());
-    std::array<NormalRows::Run, 3> runs;
-    std::size_t place = 0;
-    for (std::size_t r = 0; r < 3; ++r) {
-      runs[r] = {cut[2 * r], cut[2 * r + 1] - cut[2 * r]};
-      for (std::size_t i = 0; i < runs[r].count; ++i, ++place) {
-        dense(at(2 * row), at(runs[r].first + i)) = rows.real()[place] = normal(random);
-        dense(at(2 * row + 1), at(runs[r].first + i)) = rows.imaginary()[place] = normal(random);
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    const std::size_t count = up_to(8);
+    rows.reset(columns, tail);
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(at(2 * count), at(columns));
+    for (std::size_t row = 0; row < count; ++row) {
+      const std::size_t a = up_to(runs.size()), b = up_to(runs.size());
+      const auto run = [&](std::size_t i) { return i < runs.size() ? runs[i] : NormalRows::Run{}; };
+      const NormalRows::Run first = run(std::min(a, b)), second = a == b ? NormalRows::Run{} : run(std::max(a, b));
+      std::size_t place = 0;
+      for (const NormalRows::Run& each : {first, second, NormalRows::Run{tail, width}}) {
+        for (std::size_t i = 0; i < each.count; ++i, ++place) {
+          dense(at(2 * row), at(each.first + i)) = rows.real()[place] = normal(random);
+          dense(at(2 * row + 1), at(each.first + i)) = rows.imaginary()[place] = normal(random);
+        }
       }
+      rows.add(first, second);
     }
-    rows.add(runs);
+    rows.finish();
+    const Eigen::MatrixXd expected = dense.transpose() * dense;
+    const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> found(rows.values().data(), at(columns), at(columns),
+                                                                           Eigen::OuterStride<>(at(rows.stride())));
+    for (Eigen::Index c = 0; c < expected.cols(); ++c) {
+      for (Eigen::Index r = c; r < expected.rows(); ++r) RC_ASSERT(std::abs(found(r, c) - expected(r, c)) <= 1e-12);
+    }
   }
-  const Eigen::MatrixXd expected = dense.transpose() * dense;
-  const Eigen::Map<const Eigen::MatrixXd> found(rows.data(), at(columns), at(columns));
-  for (Eigen::Index c = 0; c < expected.cols(); ++c) {
-    for (Eigen::Index r = c; r < expected.rows(); ++r) RC_ASSERT(std::abs(found(r, c) - expected(r, c)) <= 1e-12);
-  }
+}
+
+/// Sizes beyond 128 take wider panels.
+RC_GTEST_PROP(NormalKernels, EliminateLikeCholeskyFactors, (unsigned seed)) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const std::size_t v = std::uniform_int_distribution<std::size_t>(1, seed % 8 == 0 ? 150 : 40)(random);
+  const std::size_t rest = std::uniform_int_distribution<std::size_t>(1, 25)(random), size = v + rest, stride = widths_of(size);
+  const Eigen::MatrixXd rows = Eigen::MatrixXd::NullaryExpr(at(2 * size), at(size), [&] { return normal(random); });
+  const Eigen::MatrixXd whole = rows.transpose() * rows, u = whole.topLeftCorner(at(v), at(v)), w = whole.topRightCorner(at(v), at(rest));
+  std::vector<double> matrix(size * stride + kernel_width, 0.0), out(v * widths_of(rest));
+  using Strided = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  Strided there(matrix.data(), at(size), at(size), Eigen::OuterStride<>(at(stride)));
+  there = whole;
+  RC_ASSERT(eliminate(matrix.data(), stride, v, size));
+  solve_eliminated(matrix.data(), stride, v, size, out.data());
+  const Eigen::MatrixXd solved = dense::solve_positive(u, w);
+  const Eigen::Map<const RowMatrixXd, 0, Eigen::OuterStride<>> found(out.data(), at(v), at(rest),
+                                                                     Eigen::OuterStride<>(at(widths_of(rest))));
+  RC_ASSERT((found - solved).norm() <= 1e-9 * solved.norm());
+  const Eigen::MatrixXd schur = whole.bottomRightCorner(at(rest), at(rest)) - w.transpose() * solved;
+  const Eigen::MatrixXd told = there.bottomRightCorner(at(rest), at(rest)).selfadjointView<Eigen::Lower>();
+  RC_ASSERT((told - schur).norm() <= 1e-9 * whole.norm());
+  Eigen::VectorXd one = w.col(0);
+  solve_by_factor(matrix.data(), stride, v, one.data());
+  RC_ASSERT((one - solved.col(0)).norm() <= 1e-9 * solved.norm());
+  there = whole;
+  there(at(v) - 1, at(v) - 1) = -1.0;
+  RC_ASSERT(!eliminate(matrix.data(), stride, v, size));
 }
 
 /// A joint with all four matrices, some of their elements known, in two bands.

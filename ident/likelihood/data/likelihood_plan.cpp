@@ -117,7 +117,7 @@ void plan_prediction(Plan& plan, const LikelihoodPlan& own) {
 /// Flops of linearising a line and eliminating its FRFs (line/line_model.hpp): normal equations of what was measured, Cholesky factors,
 /// back substitution for every unknown of the joint. Large lines are counted as those of circular errors, in complex numbers.
 Iteration iteration_cost(const LineLayout& layout, std::size_t unknowns, std::size_t lines) {
-  constexpr std::size_t usual = 25;  // with those of the intervals
+  constexpr std::size_t usual = 8;  // of the start, and where weights change; between them factors stay
   const auto number = [](std::size_t i) { return static_cast<double>(i); };
   const double v = number(layout.variables()), p = number(unknowns + 1), common = number(layout.y.size()) + p;
   const double column = layout.others > 0 ? number(layout.x.size()) / number(layout.others) : 0.0;

@@ -30,6 +30,8 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
 /// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
+/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations, and at the end of all.
+constexpr double kept_while_rough = 1.0, kept = 0.1, kept_in_the_end = 0.01;
 constexpr double rough = 0.1;  // while weights may still change; FRFs need not be optimised to the end then
 constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
@@ -96,7 +98,7 @@ void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd&
 
 /// The step of the joint from the lines as they are linearised where they stand, weighted by their own χ².
 Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information) {
-  lines_.linearise(theta);
+  if (!std::exchange(is_linearised_, false)) lines_.linearise(theta);
   lines_.take_linearised_costs();
   lines_.choose_tolerance();
   lines_.weigh_robustly();
@@ -106,14 +108,18 @@ Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& th
 }
 
 /// Iterative quadratic maximum likelihood: the conditions at the measured FRFs, which are linear in the joint, whitened by the
-/// covariance that the last joint gives them.
-bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch) {
+/// covariance that the last joint gives them. `moves_frfs`: with the last step, where that is below the tolerance, all FRFs take theirs:
+/// it is one of the implicit iteration, too.
+bool LikelihoodEstimator::whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, bool moves_frfs,
+                                         const FitWatcher& watch) {
   for (std::size_t iteration = 0; iteration < most; ++iteration) {
     watch(++fit.iterations);
     const Eigen::VectorXd step = whitened_step(fit.theta, fit.information);
-    fit.theta = added(fit.theta, step, 1.0);
+    const std::vector<double> before = std::exchange(fit.theta, added(fit.theta, step, 1.0));
     tell(fit);
-    if (std::sqrt(step.dot(fit.information * step)) < tolerance) return true;
+    if (!(norm_of(step, fit.information) < tolerance)) continue;
+    if (moves_frfs) lines_.advance(before, fit.theta, step);
+    return true;
   }
   return false;
 }
@@ -159,9 +165,14 @@ bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
   return *beyond_any_joint_;
 }
 
-bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch) {
+bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from) {
   const Relaxation until = relaxation(tolerance);
-  lines_.settle(fit.theta, until);
+  if (from == From::anywhere) {
+    lines_.settle(fit.theta, until);
+    moved_ = 0.0;
+  } else {
+    lines_.take_gradients(fit.theta);
+  }
   if (admissible_ == nullptr) lines_.choose_tolerance();
   lines_.weigh_robustly();
   bool is_linearised = true;
@@ -172,7 +183,14 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   Eigen::VectorXd gradient, taken;
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
-    if (!std::exchange(is_linearised, false)) lines_.linearise(fit.theta);
+    if (!std::exchange(is_linearised, false)) {
+      if (moved_ > (tolerance < rough ? kept : kept_while_rough)) {
+        lines_.linearise(fit.theta);
+        moved_ = 0.0;
+      } else {
+        lines_.take_gradients(fit.theta);
+      }
+    }
     const Eigen::VectorXd before_taken = std::exchange(gradient, {});
     sum(fit.theta, fit.information, gradient);
     if (taken.size() > 0) secants_.note(taken, before_taken - gradient, fit.information);
@@ -195,6 +213,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       break;
     }
     taken = scale * step;
+    moved_ += scale * size;
     lines_.weigh_robustly();
     crawling = scale < 0.01 ? crawling + 1 : 0;
     if (crawling == 3) return false;
@@ -207,7 +226,13 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       return false;
     }
     if (last > 0.0) shrinks_ = ratio = size / last;
-    if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) return true;
+    if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) {
+      if (tolerance < rough && moved_ > kept_in_the_end) {
+        lines_.linearise(fit.theta);
+        sum(fit.theta, fit.information, gradient);
+      }
+      return true;
+    }
     last = size;
   }
   return false;
@@ -216,10 +241,9 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
 LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch) {
   lines_.take_variances_as_measured();
   LikelihoodFit fit = begun(std::move(start));
-  if (!lines_.layout().a.empty()) whitened_stage(fit, 4, 1.0, watch);
-  implicit_stage(fit, watch);
+  if (lines_.layout().a.empty() || !whitened_stage(fit, 4, 1.0, true, watch)) implicit_stage(fit, watch);
   if (lines_.variances_by_law()) {
-    lines_.settle(fit.theta, relaxation(rough));
+    lines_.arrive(fit.theta);
     lines_.take_variances_here(fit.theta);
   }
   fit.converged = project(fit, rough, watch);
@@ -230,7 +254,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
   while (fit.converged && lines_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
     lines_.take_variances_here(fit.theta);
-    fit.converged = project(fit, rough, watch);
+    fit.converged = project(fit, rough, watch, From::last_project);
     Eigen::VectorXd moved(at(unknowns_));
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
@@ -243,7 +267,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
 LikelihoodFit LikelihoodEstimator::run_whitened(std::vector<double> start, const FitWatcher& watch) {
   lines_.take_variances_as_measured();
   LikelihoodFit fit = begun(std::move(start));
-  fit.converged = whitened_stage(fit, 50, 1e-3, watch);
+  fit.converged = whitened_stage(fit, 50, 1e-3, false, watch);
   finish(fit);
   return fit;
 }
@@ -255,7 +279,8 @@ LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
   secants_.forget();
   shrinks_ = 1.0;
   tell(fit);
-  lines_.begin(fit.theta);
+  is_linearised_ = std::exchange(linearised_at_, std::nullopt) == fit.theta;
+  if (!is_linearised_) lines_.begin(fit.theta);
   return fit;
 }
 
@@ -353,14 +378,22 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   return best;
 }
 
-double LikelihoodEstimator::misfit_at(const std::vector<double>& theta) {
+double LikelihoodEstimator::misfit_at(std::vector<double> theta) {
+  theta.resize(unknowns_, 0.0);
+  lines_.take_variances_as_measured();
   lines_.begin(theta);
-  lines_.linearise(theta);
+  if (lines_.layout().is_large()) {
+    lines_.linearise(theta);
+    linearised_at_ = std::move(theta);
+  } else {
+    lines_.linearise_frfs(theta);
+  }
   return lines_.linearised_misfit();
 }
 
 Eigen::MatrixXd LikelihoodEstimator::information_at(std::vector<double> theta) {
   theta.resize(unknowns_, 0.0);
+  linearised_at_.reset();
   lines_.begin(theta);
   lines_.relax(theta);
   lines_.linearise(theta);
@@ -373,26 +406,19 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(std::vector<double> theta) {
 
 Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit& fit) {
   const std::vector<FittedLine> there = lines_.places();
-  const auto gradient_of = [&](const std::vector<double>& theta) {
-    lines_.linearise(theta);
+  const auto gradient_at = [&](const Eigen::VectorXd& offset, bool relaxed) {
+    const std::vector<double> theta = added(fit.theta, offset, 1.0);
+    lines_.answer(there, theta, offset);
+    if (relaxed) lines_.relax(theta);
+    lines_.take_gradients(theta);
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;
     sum(theta, information, gradient);
     return gradient;
   };
-  const auto gradient_at = [&](const Eigen::VectorXd& offset) {
-    lines_.go_back(there);
-    const std::vector<double> theta = added(fit.theta, offset, 1.0);
-    lines_.relax(theta);
-    return gradient_of(theta);
-  };
-  const auto quick = [&](const Eigen::VectorXd& offset) {
-    const std::vector<double> theta = added(fit.theta, offset, 1.0);
-    lines_.answer(there, theta, offset);
-    return gradient_of(theta);
-  };
-  const bool saves = lines_.layout().is_large();
-  Eigen::MatrixXd curvature = godambe_information(gradient_at, fit.information, saves ? GradientAt(quick) : GradientAt());
+  const auto exact = [&](const Eigen::VectorXd& offset) { return gradient_at(offset, true); };
+  const auto quick = [&](const Eigen::VectorXd& offset) { return gradient_at(offset, false); };
+  Eigen::MatrixXd curvature = godambe_information(exact, fit.information, quick);
   lines_.go_back(there);
   return curvature;
 }

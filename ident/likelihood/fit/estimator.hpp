@@ -104,7 +104,7 @@ class LikelihoodEstimator {
 
   /// How far the lines are from fitting a joint, to rank starts by: the mean over the lines of log(1 + χ²/r), weighted by their
   /// redundancy r, with χ² as linearised where the iteration would begin. A few lines near resonances do not decide it.
-  double misfit_at(const std::vector<double>& theta);
+  double misfit_at(std::vector<double> theta);
 
   /// The Fisher information of the data on all unknowns if the joint were `theta`: its inverse is the Cramér–Rao bound.
   Eigen::MatrixXd information_at(std::vector<double> theta);
@@ -126,10 +126,14 @@ class LikelihoodEstimator {
   void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
   double misfit_of(double loss) const;  ///< errors over those that were assumed: √(loss over its expectation), at most 1
   Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
-  bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, const FitWatcher& watch);
+  bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, bool moves_frfs, const FitWatcher& watch);
   void implicit_stage(LikelihoodFit& fit, const FitWatcher& watch);
   Eigen::VectorXd joint_step(const std::vector<double>& theta, const Eigen::MatrixXd& information, const Eigen::VectorXd& gradient);
-  bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch);
+  enum class From {
+    anywhere,     ///< lines are put on the constraint and linearised
+    last_project  ///< only weights have changed since
+  };
+  bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from = From::anywhere);
   Relaxation relaxation(double tolerance) const;
   bool far_from_fitting() const;
   bool beyond_any_joint(const std::vector<double>& theta);
@@ -150,6 +154,9 @@ class LikelihoodEstimator {
   const AdmissibleSet* admissible_ = nullptr;  ///< while a fit is constrained
   AdmissibleFit nearest_;                      ///< of the last step under constraints
   SecantSteps secants_;
+  std::optional<std::vector<double>> linearised_at_;  ///< where lines stand as begun() leaves them, and are linearised already
+  bool is_linearised_ = false;                        ///< for the next whitened_step()
+  double moved_ = 0.0;                                ///< the joint since lines were linearised, in standard deviations
   double shrinks_ = 1.0;  ///< a step over the one before, as last seen near the minimum
 };
 

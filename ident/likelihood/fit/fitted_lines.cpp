@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include "base/eigen.hpp"
 #include "ident/likelihood/line/corrected_line.hpp"
+#include "ident/likelihood/line/line_gradient.hpp"
 #include "ident/likelihood/line/robust_loss.hpp"
 
 namespace jointid::ident {
@@ -94,6 +96,12 @@ void FittedLines::linearise(const std::vector<double>& theta) {
   });
 }
 
+void FittedLines::linearise_frfs(const std::vector<double>& theta) {
+  for_all([&](std::size_t i, LineModel& model) {
+    lines_[i].reduced = linearised(data_at(i, theta), impedance(i, theta), model, lines_[i], false);
+  });
+}
+
 void FittedLines::take_linearised_costs() {
   for (FittedLine& line : lines_) line.cost = line.reduced.cost;
 }
@@ -103,27 +111,44 @@ void FittedLines::advance(const std::vector<double>& theta, const std::vector<do
     FittedLine& line = lines_[i];
     const ComplexMatrix z = line.joint.at(theta);
     model.prepare(z, line.state);
-    model.advance(line.reduced.own - line.reduced.back * pick(step, line.columns), line.joint.at(next) - z, line.state);
+    model.advance(line.reduced.answer(pick(step, line.columns)) + line.reduced.own, line.joint.at(next) - z, line.state);
+  });
+}
+
+void FittedLines::arrive(const std::vector<double>& theta) {
+  constexpr double far = 2.0;
+  for_all([&](std::size_t i, LineModel& model) {
+    FittedLine& line = lines_[i];
+    const LineData& data = data_at(i, theta);
+    const ComplexMatrix z = line.joint.at(theta);
+    put_on_constraint(layout(), z, line.state);
+    line.cost = line_cost(layout(), data, z, line.state.x, line.state.y);
+    if (!(line.cost <= far * std::max(line.reduced.cost, line.redundancy))) {
+      ident::relax(data, z, model, line, Relaxation::beginning);
+    }
   });
 }
 
 void FittedLines::settle(const std::vector<double>& theta, Relaxation until) {
   std::atomic<bool> relaxed = false;
   for_all([&](std::size_t i, LineModel& model) {
+    if (ident::settle(data_at(i, theta), impedance(i, theta), model, lines_[i], until)) relaxed = true;
+  });
+  if (data_->shares().any(relaxed) && relax_stuck(theta)) linearise(theta);
+}
+
+void FittedLines::take_gradients(const std::vector<double>& theta) {
+  for_all([&](std::size_t i, LineModel& model) {
     FittedLine& line = lines_[i];
     const LineData& data = data_at(i, theta);
     const ComplexMatrix z = line.joint.at(theta);
-    if (until == Relaxation::beginning) {
-      put_on_constraint(layout(), z, line.state);
+    if (line.followed && has_plain_errors(data)) {
+      take_gradient(data, z, layout(), line);
+    } else {
       line.cost = line_cost(layout(), data, z, line.state.x, line.state.y);
       line.reduced = linearised(data, z, model, line);
-      if (line.is_as_predicted(line.cost, line.reduced.cost)) return;
     }
-    ident::relax(data, z, model, line, until);
-    line.reduced = linearised(data, z, model, line);
-    relaxed = true;
   });
-  if (data_->shares().any(relaxed) && relax_stuck(theta)) linearise(theta);
 }
 
 void FittedLines::relax(const std::vector<double>& theta) {
@@ -143,8 +168,9 @@ void FittedLines::answer(const std::vector<FittedLine>& before, const std::vecto
   for_all([&](std::size_t i, LineModel&) {
     FittedLine& line = lines_[i];
     line.state = before[i].state;
-    move(layout(), -(before[i].reduced.back * pick(step, line.columns)), 1.0, line.state.x, line.state.y);
+    move(layout(), before[i].reduced.answer(pick(step, line.columns)), 1.0, line.state.x, line.state.y);
     put_on_constraint(layout(), line.joint.at(theta), line.state);
+    line.followed = before[i].reduced.tells();
   });
 }
 
@@ -157,16 +183,18 @@ void FittedLines::follow(const std::vector<FittedLine>& before, const std::vecto
     const ReducedLine& reduced = before[i].reduced;
     const Eigen::VectorXd own_step = pick(step, line.columns);
     const ComplexMatrix z = line.joint.at(theta);
-    const LineStep answer = -(reduced.back * own_step);
+    const LineStep answer = reduced.answer(own_step);
     const auto cost_after = [&](const LineStep& change) {
       line.state = before[i].state;
       move(layout(), change, 1.0, line.state.x, line.state.y);
       return line_cost(layout(), data, z, line.state.x, line.state.y);
     };
     line.cost = cost_after(reduced.own + answer);
-    if (line.is_as_predicted(line.cost, reduced.cost_after(own_step))) {
+    const bool as_predicted = line.is_as_predicted(line.cost, reduced.cost_after(own_step));
+    line.followed = as_predicted && reduced.tells();
+    if (as_predicted) {
       put_on_constraint(layout(), z, line.state);
-      if (until == Relaxation::end) ident::relax(data, z, model, line);
+      if (until == Relaxation::end && !has_plain_errors(data)) ident::relax(data, z, model, line);
       return;
     }
     const double unmoved = cost_after(LineStep::Zero(answer.size()));
@@ -195,9 +223,14 @@ void FittedLines::choose_tolerance() {
 
 void FittedLines::take_variances_here(const std::vector<double>& theta) {
   if (!variances_by_law()) return;
+  as_measured_ = false;
   for (std::size_t i = own_.first; i < own_.last; ++i) {
     if (lines_[i].redundancy > 0.0) data_->weigh_at(i, lines_[i].state, impedance(i, theta));
   }
+}
+
+void FittedLines::take_variances_as_measured() {
+  if (!std::exchange(as_measured_, true)) data_->weigh_as_measured();
 }
 
 double FittedLines::loss() const {
@@ -272,8 +305,8 @@ std::size_t FittedLines::bytes() const {
     const ReducedLine& reduced = line.reduced;
     sum += sizeof(FittedLine) +
            sizeof(Complex) * static_cast<std::size_t>(state.x.size() + state.y.size() + state.a.size() + state.b.size()) +
-           sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.back.size() +
-                                                     reduced.own.size());
+           sizeof(double) * static_cast<std::size_t>(reduced.information.size() + reduced.gradient.size() + reduced.own.size() +
+                                                     (reduced.back ? reduced.back->size() : 0));
   }
   return sum;
 }

@@ -32,6 +32,9 @@ class FittedLines {
   /// first_state() of every line.
   void begin(const std::vector<double>& theta);
 
+  /// χ² of every line as linearised where it stands for a joint, without what it tells of that.
+  void linearise_frfs(const std::vector<double>& theta);
+
   /// linearised() every line where it stands.
   void linearise(const std::vector<double>& theta);
 
@@ -44,9 +47,16 @@ class FittedLines {
   /// The FRFs of every line optimised for a joint.
   void relax(const std::vector<double>& theta);
 
+  /// Puts every line, which has been linearised, on the constraint; its FRFs are optimised where χ² is far from what was promised.
+  void arrive(const std::vector<double>& theta);
+
   /// Puts every line on the constraint and linearises it there; its FRFs are optimised before where the linearised line promises that
   /// this would help much, or to the end.
   void settle(const std::vector<double>& theta, Relaxation until);
+
+  /// Gradients of the lines where they stand, with information and U⁻¹W of the place where they were linearised last (take_gradient());
+  /// lines that did not follow the last step as predicted are linearised again, and all that have not plain errors.
+  void take_gradients(const std::vector<double>& theta);
 
   /// From `before`, where lines are linearised, with the FRFs as they answer to a step of the joint to `theta`.
   void answer(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
@@ -66,7 +76,7 @@ class FittedLines {
 
   /// Variances by law are taken at the estimated values.
   void take_variances_here(const std::vector<double>& theta);
-  void take_variances_as_measured() { data_->weigh_as_measured(); }
+  void take_variances_as_measured();
   bool variances_by_law() const { return data_->variances_by_law(); }
 
   /// Σ L.
@@ -108,6 +118,7 @@ class FittedLines {
   LineShares::Range own_;
   std::vector<std::unique_ptr<LineModel>> models_;  ///< one per thread, kept: their matrices are large
   double tolerance_ = 1.0;
+  bool as_measured_ = true;  ///< the variances
 };
 
 }  // namespace jointid::ident

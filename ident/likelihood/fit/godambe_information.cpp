@@ -24,10 +24,13 @@ Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::Mat
   const auto root = dense::cholesky(minimise::covariance_of(information));
   if (!root) return information;
   const Eigen::MatrixXd& unit = *root;  // offsets of one standard deviation: the information is the identity there
-  const auto along = [&](const Eigen::VectorXd& direction) {
-    const Eigen::VectorXd offset = unit * (way * direction);
-    return Eigen::VectorXd(unit.transpose() * (gradient(-offset) - gradient(offset)) / (2.0 * way));
+  const auto by_differences = [&unit](const GradientAt& of) {
+    return [&unit, &of](const Eigen::VectorXd& direction) {
+      const Eigen::VectorXd offset = unit * (way * direction);
+      return Eigen::VectorXd(unit.transpose() * (of(-offset) - of(offset)) / (2.0 * way));
+    };
   };
+  const auto along = by_differences(gradient);
   const Eigen::Index size = information.rows();
   std::mt19937_64 random(static_cast<std::uint64_t>(size));
   std::vector<Eigen::VectorXd> probes(3, Eigen::VectorXd(size));
@@ -46,7 +49,7 @@ Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::Mat
     };
     if (!differs(0.25 * noticed, to_one_side)) return information;
   }
-  if (!differs(noticed, along)) return information;
+  if (!differs(noticed, by_differences(quick ? quick : gradient))) return information;
   Eigen::MatrixXd curvature(size, size);
   for (Eigen::Index c = 0; c < size; ++c) curvature.col(c) = along(Eigen::VectorXd::Unit(size, c));
   if (!curvature.allFinite()) return information;

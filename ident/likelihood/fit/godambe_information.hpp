@@ -14,7 +14,7 @@ using GradientAt = std::function<Eigen::VectorXd(const Eigen::VectorXd& offset)>
 /// that noise. G is the information itself where three directions show no difference above 2 % between J and I, which costs six
 /// gradients instead of two per unknown, and where the differences tell no curvature (eigenvalues of J beyond a tenth and three
 /// times those of I). `quick`, where it is given, is a gradient that is right to first order in what J and I differ by: where one-sided
-/// differences of it show none above 0.5 % the others are not asked for.
+/// differences of it show none above 0.5 % the others are not asked for, and the three directions are judged by it.
 Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information, const GradientAt& quick = {});
 
 }  // namespace jointid::ident

@@ -5,13 +5,15 @@
 
 #include "base/eigen.hpp"
 #include "ident/likelihood/line/guess_y.hpp"
+#include "ident/likelihood/line/line_gradient.hpp"
 
 namespace jointid::ident {
 namespace {
 
 ReducedLine nothing(const LineLayout& layout, const FittedLine& line) {
   const auto p = at(line.columns.size()), v = at(2 * layout.variables());
-  return {Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p), Eigen::MatrixXd::Zero(v, p), LineStep::Zero(v), line.redundancy};
+  return {Eigen::MatrixXd::Zero(p, p), Eigen::VectorXd::Zero(p), std::make_shared<Eigen::MatrixXd>(Eigen::MatrixXd::Zero(v, p)),
+          LineStep::Zero(v), line.redundancy};
 }
 
 /// The implicit iteration for a given joint: from the measured FRFs of both systems to the constraint between them.
@@ -24,6 +26,43 @@ LineState approached(const LineData& data, const ComplexMatrix& z, LineModel& mo
     model.advance(reduced->own, ComplexMatrix::Zero(z.rows(), z.cols()), state);
   }
   return state;
+}
+
+/// What another step of a line's FRFs would have to bring to be worth it.
+double enough(const FittedLine& line, Relaxation until) {
+  return until == Relaxation::end ? 1e-7 * std::max(line.cost, 1.0) : next_to_nothing * std::max(line.cost, line.redundancy);
+}
+
+/// Takes a step of the FRFs if χ² does not rise by it, and puts the line on the constraint. By how much χ² fell.
+std::optional<double> take(const LineData& data, const ComplexMatrix& z, const LineLayout& layout, const LineStep& step,
+                           FittedLine& line) {
+  ComplexMatrix x = line.state.x, y = line.state.y;
+  move(layout, step, 1.0, x, y);
+  const double cost = line_cost(layout, data, z, x, y);
+  if (!(cost <= line.cost)) return std::nullopt;
+  line.state.x = std::move(x);
+  line.state.y = std::move(y);
+  put_on_constraint(layout, z, line.state);
+  return std::exchange(line.cost, cost) - cost;
+}
+
+/// Steps by the factors that the model has, each with the gradient where it stands, after one that brought `gain`. True when another
+/// would bring next to nothing; false where the line is not near enough to the place that the factors are of.
+bool follow_gradient(const LineData& data, const ComplexMatrix& z, const LineModel& model, FittedLine& line, Relaxation until,
+                     double gain) {
+  constexpr double shrinks = 0.1;  // from one gain to the next
+  if (!has_plain_errors(data)) return false;
+  while (gain > enough(line, until)) {
+    const LineGradient gradient = gradient_of(model.layout(), data, line.joint, z, line.state);
+    const LineStep step = model.own_step(gradient.own);
+    const double promised = gradient.own.dot(step);
+    if (promised <= enough(line, until)) return true;
+    if (promised > shrinks * gain) return false;
+    const auto gained = take(data, z, model.layout(), step, line);
+    if (!gained) return false;
+    gain = *gained;
+  }
+  return true;
 }
 
 }  // namespace
@@ -43,11 +82,39 @@ LineState first_state(const LineLayout& layout, const LineData& data, const Comp
   return state;
 }
 
-ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& model, const FittedLine& line) {
-  model.linearise(data, line.joint, z, line.state, true);
+ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& model, const FittedLine& line, bool with_joint) {
+  model.linearise(data, line.joint, z, line.state, with_joint);
   std::optional<ReducedLine> reduced = model.reduce(0.0);
   for (double damping = 1e-3; !reduced && damping < 1e12; damping *= 10.0) reduced = model.reduce(damping);
   return reduced ? std::move(*reduced) : nothing(model.layout(), line);
+}
+
+void take_gradient(const LineData& data, const ComplexMatrix& z, const LineLayout& layout, FittedLine& line) {
+  const LineGradient gradient = gradient_of(layout, data, line.joint, z, line.state);
+  line.reduced.gradient = gradient.joint - line.reduced.back->transpose() * gradient.own;
+  line.reduced.own.setZero();
+  line.cost = line.reduced.cost = gradient.cost;
+}
+
+bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
+  constexpr double near = 0.01;  // of the redundancy: as far the information is that of the place before
+  const LineLayout& layout = model.layout();
+  put_on_constraint(layout, z, line.state);
+  line.cost = line_cost(layout, data, z, line.state.x, line.state.y);
+  line.reduced = linearised(data, z, model, line);
+  if (until == Relaxation::beginning && line.is_as_predicted(line.cost, line.reduced.cost)) return false;
+  const double before = line.cost;
+  const auto gain = take(data, z, layout, line.reduced.own, line);
+  if (gain && follow_gradient(data, z, model, line, until, *gain)) {
+    if (has_plain_errors(data) && (until == Relaxation::beginning || before - line.cost <= near * line.redundancy)) {
+      take_gradient(data, z, layout, line);
+      return true;
+    }
+  } else {
+    relax(data, z, model, line, until);
+  }
+  line.reduced = linearised(data, z, model, line);
+  return true;
 }
 
 void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
@@ -60,24 +127,16 @@ void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitte
     double gain = 0.0;
     while (damping < 1e12) {
       if (const auto reduced = model.reduce(damping)) {
-        ComplexMatrix x = line.state.x, y = line.state.y;
-        move(layout, reduced->own, 1.0, x, y);
-        const double cost = line_cost(layout, data, z, x, y);
-        if (cost <= line.cost) {
-          gain = line.cost - cost;
-          line.state.x = std::move(x);
-          line.state.y = std::move(y);
-          line.cost = cost;
+        if (const auto gained = take(data, z, layout, reduced->own, line)) {
+          gain = *gained;
           break;
         }
       }
       damping = std::max(10.0 * damping, 1e-2);
     }
-    put_on_constraint(layout, z, line.state);
+    if (gain <= enough(line, until)) break;
+    if (damping == 0.0 && follow_gradient(data, z, model, line, until, gain)) break;
     damping = damping > 1e-2 ? 0.1 * damping : 0.0;
-    const double enough =
-        until == Relaxation::end ? 1e-7 * std::max(line.cost, 1.0) : next_to_nothing * std::max(line.cost, line.redundancy);
-    if (gain <= enough) break;
   }
 }
 

@@ -18,6 +18,7 @@ struct FittedLine {
   double cost = 0.0;        ///< χ²
   double weight = 1.0;      ///< robust weight
   ReducedLine reduced;
+  bool followed = false;  ///< the last step of the joint as it was predicted: `reduced` is still near
 
   bool far_from_fitting() const { return redundancy > 0.0 && cost > 4.0 * redundancy; }
 
@@ -31,13 +32,24 @@ struct FittedLine {
 LineState first_state(const LineLayout& layout, const LineData& data, const ComplexMatrix& z);
 
 /// The line linearised where it stands and reduced to the joint's unknowns. No information, no step, and the χ² that is expected of
-/// a line that cannot be linearised there, such as one on an undamped resonance of the predicted assembly.
-ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& model, const FittedLine& line);
+/// a line that cannot be linearised there, such as one on an undamped resonance of the predicted assembly. Without the joint only χ²
+/// is of use.
+ReducedLine linearised(const LineData& data, const ComplexMatrix& z, LineModel& model, const FittedLine& line,
+                       bool with_joint = true);
 
 enum class Relaxation {
   end,       ///< to the minimum of χ²
   beginning  ///< until another step would change χ² by next to nothing: where a common step with the joint follows
 };
+
+/// Of a line on the constraint whose FRFs are about at their minimum: χ² and the gradient where it stands, the FRFs eliminated by
+/// U⁻¹W of the place where it was linearised last, whose information stays: right to first order in the way from there. No step of
+/// the FRFs. Needs has_plain_errors().
+void take_gradient(const LineData& data, const ComplexMatrix& z, const LineLayout& layout, FittedLine& line);
+
+/// Puts the line on the constraint and linearises it; its FRFs are optimised, in the beginning only where that promises to bring much:
+/// whether they were.
+bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until);
 
 /// Levenberg–Marquardt of the line's FRFs for a given joint.
 void relax(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until = Relaxation::end);

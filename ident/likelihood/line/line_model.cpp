@@ -6,14 +6,19 @@
 
 #include "base/eigen.hpp"
 #include "dense/blas.hpp"
-#include "dense/cholesky.hpp"
 #include "dense/lu.hpp"
+#include "ident/likelihood/line/normal_kernels.hpp"
 
 namespace jointid::ident {
 namespace {
 
 /// An FRF that was not measured may be this many times as large as those around it.
 constexpr double wide = 1e3;
+
+/// Without the look at whether an infinite factor made the product no number.
+Complex product(const Complex& a, const Complex& b) {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
 
 double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff(); }
 
@@ -36,7 +41,7 @@ void LineModel::put_y(const Complex* left, const ComplexMatrix& right, Eigen::In
   const Complex* const r = right.col(k).data();
   Complex* out = row_.data() + place_;
   for (const auto [row, column] : layout_.y) {
-    *out++ -= row == column ? left[row] * r[row] : left[row] * r[column] + left[column] * r[row];
+    *out++ -= row == column ? product(left[row], r[row]) : product(left[row], r[column]) + product(left[column], r[row]);
   }
   place_ += layout_.y.size();
 }
@@ -83,8 +88,7 @@ void LineModel::emit(const Channel& channel, std::size_t i, Complex predicted, N
       *im++ = weight.imag() * row_[k].imag();
     }
     const auto doubled = [](NormalRows::Run run) { return NormalRows::Run{2 * run.first, 2 * run.count}; };
-    const std::size_t tail = 2 * layout_.x.size();
-    rows_.add({doubled(first), doubled(second), {tail, rows_.columns() - tail}});
+    rows_.add(doubled(first), doubled(second));
   }
   std::fill_n(row_.begin(), place_, Complex(0.0));
 }
@@ -163,18 +167,20 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   complex_ = pays && are_circular(data);
   const std::size_t others = unknowns_ + 1;
   row_.assign(layout_.variables() + others, 0.0);
-  complex_ ? complex_rows_.reset(layout_.variables() + others, layout_.x.size()) : rows_.reset(2 * layout_.variables() + others);
+  complex_ ? complex_rows_.reset(layout_.variables() + others, layout_.x.size())
+           : rows_.reset(2 * layout_.variables() + others, 2 * layout_.x.size());
   correlation_ = data.correlation.get();
   if (correlation_) correlated_rows_.reset(*correlation_, (complex_ ? 1 : 2) * layout_.variables() + others);
   add_priors(data, state);
   add_a(data, joint, state);
   if (!layout_.b.empty()) add_b(data, joint, state);
   add_d(data, joint, state);
-  if (complex_) complex_rows_.finish();
+  complex_ ? complex_rows_.finish() : rows_.finish();
   if (!correlation_) return;
   const auto size = at(rows_.columns());
+  using Strided = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   complex_ ? correlated_rows_.add_to(complex_rows_.normal())
-           : correlated_rows_.add_to(Eigen::Map<Eigen::MatrixXd>(rows_.data(), size, size));
+           : correlated_rows_.add_to(Strided(rows_.values().data(), size, size, Eigen::OuterStride<>(at(rows_.stride()))));
 }
 
 void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight, double size) {
@@ -191,17 +197,17 @@ void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight
     normal(last, last) += used * used * std::norm(residual);
     return;
   }
-  const std::size_t last = rows_.columns() - 1;
-  double* normal = rows_.data();
+  const std::size_t last = rows_.columns() - 1, stride = rows_.stride();
+  double* normal = rows_.values().data();
   for (const auto& [part_weight, part] :
        {std::pair(weight.real(), residual.real()), std::pair(weight.imag(), residual.imag())}) {
     const std::size_t v = prior_weight_.size();
     const double used = part_weight == 0.0 ? guess : part_weight;
     prior_weight_.push_back(used);
-    normal[v * rows_.columns() + v] += used * used;
+    normal[v * stride + v] += used * used;
     if (part_weight == 0.0) continue;
-    normal[v * rows_.columns() + last] += part_weight * part_weight * part;
-    normal[last * rows_.columns() + last] += part_weight * part_weight * part * part;
+    normal[v * stride + last] += part_weight * part_weight * part;
+    normal[last * stride + last] += part_weight * part_weight * part * part;
   }
 }
 
@@ -292,15 +298,15 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
     const double weight = prior_weight_[static_cast<std::size_t>(i)];
     factor_(i, i) += damping * weight * weight;
   }
-  const Eigen::VectorXd scale = factor_.diagonal().real().cwiseSqrt().cwiseInverse();
-  for (Eigen::Index j = 0; j < v; ++j) factor_.col(j).tail(v - j).array() *= scale.tail(v - j).array() * scale[j];
+  scale_ = factor_.diagonal().real().cwiseSqrt().cwiseInverse();
+  for (Eigen::Index j = 0; j < v; ++j) factor_.col(j).tail(v - j).array() *= scale_.tail(v - j).array() * scale_[j];
   if (!dense::cholesky_in_place(factor_)) return std::nullopt;
-  right_ = scale.asDiagonal() * normal.bottomLeftCorner(p + 1, v).adjoint();
+  right_ = scale_.asDiagonal() * normal.bottomLeftCorner(p + 1, v).adjoint();
   dense::solve_lower(factor_, right_);
   Eigen::MatrixXcd schur = normal.bottomRightCorner(p + 1, p + 1);
   schur.triangularView<Eigen::Lower>() -= right_.adjoint() * right_;
   dense::solve_lower_adjoint(factor_, right_);
-  right_ = scale.asDiagonal() * right_;
+  right_ = scale_.asDiagonal() * right_;
   ReducedLine out;
   const Eigen::MatrixXd real = schur.real();
   out.information = real.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();
@@ -311,37 +317,48 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
     parts.row(2 * i) = right_.row(i).real();
     parts.row(2 * i + 1) = right_.row(i).imag();
   }
-  out.back = parts.leftCols(p);
+  out.back = std::make_shared<Eigen::MatrixXd>(parts.leftCols(p));
   out.own = parts.col(p);
   if (!std::isfinite(out.cost)) return std::nullopt;
   return out;
 }
 
 std::optional<ReducedLine> LineModel::reduce_real(double damping) {
-  const auto v = at(2 * layout_.variables()), p = at(unknowns_), size = at(rows_.columns());
-  const Eigen::Map<const Eigen::MatrixXd> normal(rows_.data(), size, size);
-  Eigen::MatrixXd u = normal.topLeftCorner(v, v);
-  for (Eigen::Index i = 0; i < v; ++i) {
-    const double weight = prior_weight_[static_cast<std::size_t>(i)];
-    u(i, i) += damping * weight * weight;
-  }
-  const Eigen::VectorXd scale = u.diagonal().cwiseSqrt().cwiseInverse();
-  for (Eigen::Index j = 0; j < v; ++j) u.col(j).tail(v - j).array() *= scale.tail(v - j).array() * scale[j];
-  if (!dense::cholesky_in_place(u)) return std::nullopt;
-  Eigen::MatrixXd right = scale.asDiagonal() * normal.bottomLeftCorner(p + 1, v).transpose();
-  dense::solve_lower(u, right);
-  Eigen::MatrixXd schur = normal.bottomRightCorner(p + 1, p + 1);
-  schur.selfadjointView<Eigen::Lower>().rankUpdate(right.transpose(), -1.0);
-  dense::solve_lower_transposed(u, right);
-  right = scale.asDiagonal() * right;
+  const std::size_t v = 2 * layout_.variables(), size = rows_.columns(), stride = rows_.stride();
+  real_factor_ = rows_.values();
+  for (std::size_t i = 0; i < v; ++i) real_factor_[i * stride + i] += damping * prior_weight_[i] * prior_weight_[i];
+  if (!eliminate(real_factor_.data(), stride, v, size)) return std::nullopt;
+  const auto p = at(unknowns_);
+  solved_.resize(v * widths_of(size - v));
+  solve_eliminated(real_factor_.data(), stride, v, size, solved_.data());
+  const Eigen::Map<const RowMatrixXd, 0, Eigen::OuterStride<>> solved(solved_.data(), at(v), p + 1,
+                                                                      Eigen::OuterStride<>(at(widths_of(size - v))));
+  const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> schur(real_factor_.data() + v * stride + v, p + 1, p + 1,
+                                                                         Eigen::OuterStride<>(at(stride)));
   ReducedLine out;
   out.information = schur.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();
   out.gradient = schur.bottomLeftCorner(1, p).transpose();
   out.cost = schur(p, p);
-  out.back = right.leftCols(p);
-  out.own = right.col(p);
+  out.back = std::make_shared<Eigen::MatrixXd>(solved.leftCols(p));
+  out.own = solved.col(p);
   if (!std::isfinite(out.cost)) return std::nullopt;
   return out;
+}
+
+LineStep LineModel::own_step(const LineStep& gradient) const {
+  if (!complex_) {
+    LineStep step = gradient;
+    solve_by_factor(real_factor_.data(), rows_.stride(), static_cast<std::size_t>(step.size()), step.data());
+    return step;
+  }
+  LineStep step(gradient.size());
+  const auto v = gradient.size() / 2;
+  const Eigen::Map<const Eigen::VectorXcd> complex_gradient(reinterpret_cast<const Complex*>(gradient.data()), v);
+  Eigen::MatrixXcd parts = scale_.asDiagonal() * complex_gradient;
+  dense::solve_lower(factor_, parts);
+  dense::solve_lower_adjoint(factor_, parts);
+  Eigen::Map<Eigen::VectorXcd>(reinterpret_cast<Complex*>(step.data()), v) = scale_.asDiagonal() * parts.col(0);
+  return step;
 }
 
 void LineModel::advance(const LineStep& step, const ComplexMatrix& dz, LineState& state) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "ident/likelihood/line/complex_rows.hpp"
@@ -14,9 +15,15 @@ namespace jointid::ident {
 struct ReducedLine {
   Eigen::MatrixXd information;  ///< p×p: Σ JᵀJ − WᵀU⁻¹W; p counts systematic errors, too
   Eigen::VectorXd gradient;     ///< p: a step of the unknowns solves information · δθ = gradient
-  Eigen::MatrixXd back;         ///< 2v×p, U⁻¹W
+  std::shared_ptr<const Eigen::MatrixXd> back;  ///< 2v×p, U⁻¹W; shared by copies: the largest part
   LineStep own;                 ///< 2v, U⁻¹g: the step of the FRFs is own − back · δθ
   double cost = 0.0;            ///< χ² of the linearised problem at δθ = 0
+
+  /// The FRFs' part of a step of the joint: −U⁻¹W δθ.
+  LineStep answer(const Eigen::VectorXd& step) const { return -(*back * step); }
+
+  /// Whether there is any information.
+  bool tells() const { return information.trace() > 0.0; }
 
   /// χ² of the linearised problem after a step of the joint.
   double cost_after(const Eigen::VectorXd& step) const { return cost - step.dot(2.0 * gradient - information * step); }
@@ -53,6 +60,9 @@ class LineModel {
   /// Eliminates the FRFs, with damping · weight² added for measured X and Y (relative to a wide guess for those not measured).
   /// Empty when the FRFs are not determined without more damping.
   std::optional<ReducedLine> reduce(double damping);
+
+  /// U⁻¹g for another g, by the factors of the last reduce() that had a result.
+  LineStep own_step(const LineStep& gradient) const;
 
   /// Moves all of the state that linearise() or prepare() got, A and B along the linearised constraint, by a step of X and Y and by δZ.
   void advance(const LineStep& step, const ComplexMatrix& dz, LineState& state) const;
@@ -92,7 +102,9 @@ class LineModel {
   const SystematicTerms* terms_ = nullptr;    ///< of the line, while unknowns are asked for
   std::size_t first_element_ = 0;             ///< of the channel whose rows are written, see Correlation
   CorrelatedRows correlated_rows_;
+  Eigen::VectorXd scale_;         ///< of the FRFs in the complex factors
   ComplexMatrix factor_, right_;  ///< of reduce_complex()
+  std::vector<double> real_factor_, solved_;  ///< of reduce_real()
 };
 
 }  // namespace jointid::ident

@@ -1,0 +1,127 @@
+#include "ident/likelihood/line/normal_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "minimise/linear/kernel.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eight = double __attribute__((vector_size(kernel_width * sizeof(double))));
+
+JOINTID_INLINE void load(const double* from, Eight& to) { std::memcpy(&to, from, sizeof(Eight)); }
+JOINTID_INLINE void store(const Eight& from, double* to) { std::memcpy(to, &from, sizeof(Eight)); }
+
+/// M columns of C, N times eight numbers of each.
+template <std::size_t M, std::size_t N, bool add>
+JOINTID_INLINE void products(double* c, std::size_t stride, ConstRows a, ConstRows b, std::size_t count) {
+  Eight sum[M][N];
+  for (std::size_t i = 0; i < M; ++i) {
+    for (std::size_t j = 0; j < N; ++j) load(c + i * stride + kernel_width * j, sum[i][j]);
+  }
+  for (std::size_t r = 0; r < count; ++r, a.data += a.stride, b.data += b.stride) {
+    Eight right[N];
+    for (std::size_t j = 0; j < N; ++j) load(b.data + kernel_width * j, right[j]);
+    for (std::size_t i = 0; i < M; ++i) {
+      const double left = add ? a.data[i] : -a.data[i];
+      for (std::size_t j = 0; j < N; ++j) sum[i][j] += left * right[j];
+    }
+  }
+  for (std::size_t i = 0; i < M; ++i) {
+    for (std::size_t j = 0; j < N; ++j) store(sum[i][j], c + i * stride + kernel_width * j);
+  }
+}
+
+template <std::size_t M, bool add>
+JOINTID_INLINE void column_products(double* c, std::size_t stride, ConstRows a, ConstRows b, std::size_t n, std::size_t count) {
+  std::size_t j = 0;
+  for (; j + 2 * kernel_width <= n; j += 2 * kernel_width) products<M, 2, add>(c + j, stride, a, {b.data + j, b.stride}, count);
+  if (j < n) products<M, 1, add>(c + j, stride, a, {b.data + j, b.stride}, count);
+}
+
+template <bool add>
+JOINTID_INLINE void all_products(double* c, std::size_t stride, ConstRows a, std::size_t m, ConstRows b, std::size_t n,
+                                 std::size_t count) {
+  std::size_t i = 0;
+  for (; i + 4 <= m; i += 4) column_products<4, add>(c + i * stride, stride, {a.data + i, a.stride}, b, n, count);
+  for (; i < m; ++i) column_products<1, add>(c + i * stride, stride, {a.data + i, a.stride}, b, n, count);
+}
+
+/// A panel of columns, all of whose rows below are divided by its factor.
+JOINTID_INLINE bool factor_panel(double* matrix, std::size_t stride, std::size_t first, std::size_t last, std::size_t size) {
+  for (std::size_t j = first; j < last; ++j) {
+    double* const column = matrix + j * stride;
+    if (!(column[j] > 0.0) || !std::isfinite(column[j])) return false;
+    const double scale = 1.0 / std::sqrt(column[j]);
+#pragma omp simd
+    for (std::size_t i = j; i < size; ++i) column[i] *= scale;
+    for (std::size_t k = j + 1; k < last; ++k) {
+      double* const other = matrix + k * stride;
+      const double by = column[k];
+#pragma omp simd
+      for (std::size_t i = k; i < size; ++i) other[i] -= by * column[i];
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+JOINTID_KERNEL void add_products(double* c, std::size_t stride, ConstRows a, std::size_t m, ConstRows b, std::size_t n,
+                                 std::size_t count) {
+  all_products<true>(c, stride, a, m, b, n, count);
+}
+
+JOINTID_KERNEL bool eliminate(double* matrix, std::size_t stride, std::size_t v, std::size_t size) {
+  const std::size_t panel = v < 128 ? 8 : 32;
+  for (std::size_t first = 0; first < v; first += panel) {
+    const std::size_t last = std::min(v, first + panel);
+    if (!factor_panel(matrix, stride, first, last, size)) return false;
+    for (std::size_t i = last; i < size; i += 4) {
+      const ConstRows rows{matrix + first * stride + i, stride};
+      all_products<false>(matrix + i * stride + i, stride, rows, std::min<std::size_t>(4, size - i), rows, widths_of(size - i),
+                          last - first);
+    }
+  }
+  return true;
+}
+
+JOINTID_KERNEL void solve_eliminated(const double* matrix, std::size_t stride, std::size_t v, std::size_t size, double* out) {
+  const std::size_t right = size - v, width = widths_of(right);
+  for (std::size_t j = v; j-- > 0;) {
+    double* const row = out + j * width;
+    const double* const column = matrix + j * stride;
+    std::memcpy(row, column + v, right * sizeof(double));
+    std::fill(row + right, row + width, 0.0);
+    for (std::size_t k = 0; k < width; k += kernel_width) {
+      Eight sum, other;
+      load(row + k, sum);
+      for (std::size_t i = j + 1; i < v; ++i) {
+        load(out + i * width + k, other);
+        sum -= column[i] * other;
+      }
+      sum *= 1.0 / column[j];
+      store(sum, row + k);
+    }
+  }
+}
+
+JOINTID_KERNEL void solve_by_factor(const double* matrix, std::size_t stride, std::size_t v, double* x) {
+  for (std::size_t j = 0; j < v; ++j) {
+    const double* const column = matrix + j * stride;
+    const double value = x[j] /= column[j];
+#pragma omp simd
+    for (std::size_t i = j + 1; i < v; ++i) x[i] -= value * column[i];
+  }
+  for (std::size_t j = v; j-- > 0;) {
+    const double* const column = matrix + j * stride;
+    double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+    for (std::size_t i = j + 1; i < v; ++i) sum += column[i] * x[i];
+    x[j] = (x[j] - sum) / column[j];
+  }
+}
+
+}  // namespace jointid::ident
