@@ -213,6 +213,11 @@ void place_covariances(const std::vector<Complex>& from, std::size_t line, const
   }
 }
 
+/// The share of a covariance of `responses` that counts: all of it where nothing tells what it comes from.
+double worth(std::size_t responses, double freedom) {
+  return freedom > 0.0 ? freedom / (static_cast<double>(responses) + freedom) : 1.0;
+}
+
 /// The covariances of a coupled line, variances on their diagonal, as a set has them: [pair, reference].
 void put_covariance(const LineVariance& variance, const std::vector<double>& row_sign, Complex* to) {
   const std::size_t rows = row_sign.size(), columns = variance.covariance.size();
@@ -232,9 +237,21 @@ void put_covariance(const LineVariance& variance, const std::vector<double>& row
 
 void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance, std::span<LineRecord> records,
                           std::span<Complex> covariance) {
+  read(block, {.values = values, .variance = variance, .covariance = covariance, .records = records, .errors = {}});
+}
+
+std::vector<frf::ErrorSums> AssemblyReader::read_errors(const frf::Block& block) {
+  std::vector<frf::ErrorSums> out(block.lines.size());
+  std::vector<Complex> values(block.size()), variance(values.size());
+  read(block, {.values = values, .variance = variance, .covariance = {}, .records = {}, .errors = out});
+  return out;
+}
+
+void AssemblyReader::read(const frf::Block& block, const Results& to) {
   Options options = options_;
-  options.uncertainty = !variance.empty();  // nobody asks, nothing is worked out
+  options.uncertainty = !to.variance.empty();  // nobody asks, nothing is worked out
   Work work = plan_block(block, needs_variance(options));
+  work.frame.with_errors = !to.errors.empty();
   const bool with_covariance = options.uncertainty && has_covariance_;
   const std::size_t entries = block.responses.size() * block.references.size();
   const std::size_t pairs = frf::pair_count(block.responses.size()) * block.references.size();
@@ -267,20 +284,26 @@ void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, st
       if (!with_covariance || !part.reader.has_covariance()) continue;
       scratch.resize(part_lines.size() * part.reader.size() * part.rows.size());
       part.reader.read_covariance(part_lines, scratch);
+      const double share = work.frame.with_errors ? worth(part.rows.size(), part.reader.covariance_freedom()) : 1.0;
+      for (Complex& value : scratch) value *= share;  // variances are read for themselves
       for (std::size_t i = 0; i < lines.size(); ++i) place_covariances(scratch, i, part.rows, part.columns, input[i].variance.covariance);
     }
     const auto couple = [&](std::size_t i) {
       CoupledLine line = couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options);
-      std::size_t to = (first + i) * entries;
+      std::size_t entry = (first + i) * entries;
       for (std::size_t r = 0; r < block.responses.size(); ++r) {
-        for (std::size_t c = 0; c < block.references.size(); ++c, ++to) {
+        for (std::size_t c = 0; c < block.references.size(); ++c, ++entry) {
           const auto row = at(r), column = at(c);
-          values[to] = work.row_sign[r] * work.column_sign[c] * line.frf(row, column);
-          if (!variance.empty()) variance[to] = {line.variance.real(row, column), line.variance.imaginary(row, column)};
+          const double sign = work.row_sign[r] * work.column_sign[c];
+          to.values[entry] = sign * line.frf(row, column);
+          if (!to.variance.empty()) to.variance[entry] = {line.variance.real(row, column), line.variance.imaginary(row, column)};
+          if (to.errors.empty()) continue;
+          for (frf::ErrorSums::Term& term : line.errors.terms[r * block.references.size() + c]) term.factor *= sign;
         }
       }
-      if (!covariance.empty()) put_covariance(line.variance, work.row_sign, covariance.data() + (first + i) * pairs);
-      if (!records.empty()) records[first + i] = std::move(line.record);
+      if (!to.covariance.empty()) put_covariance(line.variance, work.row_sign, to.covariance.data() + (first + i) * pairs);
+      if (!to.records.empty()) to.records[first + i] = std::move(line.record);
+      if (!to.errors.empty()) to.errors[first + i] = std::move(line.errors);
     };
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, lines.size(), couple); });
   }

@@ -27,6 +27,10 @@ class AssemblyReader {
   void read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance = {}, std::span<LineRecord> records = {},
             std::span<Complex> covariance = {});
 
+  /// What makes the errors of the FRFs of a block, to first order, line by line. Only with Options::uncertainty. Covariances of files are
+  /// drawn towards their diagonals by n/(n + degrees of freedom), n responses, lest few averages promise what they cannot know.
+  std::vector<frf::ErrorSums> read_errors(const frf::Block& block);
+
  private:
   struct PartBlock;
   struct Work;
@@ -34,6 +38,13 @@ class AssemblyReader {
   void make_header();
   void require_method(const std::string& where) const;
   Work plan_block(const frf::Block& block, bool with_variance) const;
+  /// Where the results of a block go; empty: nobody asks.
+  struct Results {
+    std::span<Complex> values, variance, covariance;
+    std::span<LineRecord> records;
+    std::span<frf::ErrorSums> errors;
+  };
+  void read(const frf::Block& block, const Results& to);
 
   std::vector<Part> parts_;
   Options options_;

@@ -10,7 +10,11 @@ class CoupledSource final : public frf::FrfSource {
  public:
   explicit CoupledSource(std::unique_ptr<AssemblyReader> reader) : reader_(std::move(reader)) { header_ = reader_->header(); }
 
+  bool has_error_sums() const override { return reader_->options().uncertainty; }
+
  private:
+  std::vector<frf::ErrorSums> do_read_error_sums(const frf::Block& block) override { return reader_->read_errors(block); }
+
   void do_read(const frf::Block& block, std::span<Complex> out) override { reader_->read(block, out); }
 
   void do_read_variance(const frf::Block& block, std::span<Complex> out) override {

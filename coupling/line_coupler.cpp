@@ -95,7 +95,11 @@ class Line {
       out.frf = one_step<ComplexMatrix>(joint_.h, conditions_, frame_.wanted,
                                         [&](const ComplexMatrix&, const ComplexMatrix& y) { return ComplexMatrix(inverse * y); });
     }
-    if (options_.uncertainty) out.variance = variance_of(out.frf, inverse);
+    if (!options_.uncertainty) return out;
+    Sensitivity at = sensitivity(joint_.h, conditions_, inverse, frame_.wanted, count_);
+    if (!layout_.joint.at.empty()) at = before(at, parts_, layout_.joint.at, joint_.z, frame_.wanted);
+    out.variance = variance_of(out.frf, at);
+    if (frame_.with_errors) out.errors = error_sums(at, parts_, variance_, frame_.wanted, frame_.twin);
     return out;
   }
 
@@ -111,6 +115,7 @@ class Line {
     CoupledLine out;
     const auto rows = at(frame_.wanted.rows.size()), columns = at(frame_.wanted.columns.size());
     out.frf = ComplexMatrix::Constant(rows, columns, Complex(nan, nan));
+    if (frame_.with_errors) out.errors.terms.resize(static_cast<std::size_t>(rows * columns));
     if (options_.uncertainty) {
       out.variance = {RealMatrix::Constant(rows, columns, nan), RealMatrix::Constant(rows, columns, nan)};
       if (!variance_.covariance.empty()) {
@@ -169,9 +174,7 @@ class Line {
     return propagate(before(identity, parts_, layout_.joint.at, joint_.z, all), parts_, variance_, all, frame_.twin);
   }
 
-  LineVariance variance_of(const ComplexMatrix& frf, const ComplexMatrix& inverse) const {
-    Sensitivity at = sensitivity(joint_.h, conditions_, inverse, frame_.wanted, count_);
-    if (!layout_.joint.at.empty()) at = before(at, parts_, layout_.joint.at, joint_.z, frame_.wanted);
+  LineVariance variance_of(const ComplexMatrix& frf, const Sensitivity& at) const {
     LineVariance out = propagate(at, parts_, variance_, frame_.wanted, frame_.twin);
     // Cancellation may leave a variance of nothing a hair below zero.
     const auto not_negative = [](double v) { return v < 0.0 ? 0.0 : v; };

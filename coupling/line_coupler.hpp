@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "coupling/error_sums.hpp"
 #include "coupling/layout.hpp"
 #include "coupling/options.hpp"
 #include "coupling/propagation.hpp"
@@ -21,11 +24,13 @@ struct LineFrame {
   Wanted wanted;
   std::vector<Index> twin;                              ///< see propagate()
   std::vector<std::size_t> row_body, column_body;       ///< see rc()
+  bool with_errors = false;                             ///< CoupledLine::errors are asked for, with Options::uncertainty
 };
 
 struct CoupledLine {
   ComplexMatrix frf;      ///< at frame.wanted
   LineVariance variance;  ///< with Options::uncertainty
+  frf::ErrorSums errors;  ///< with LineFrame::with_errors; no terms where the line is not usable
   LineRecord record;
 };
 

@@ -102,6 +102,18 @@ bool PartReader::has_covariance() const {
   return any;
 }
 
+double PartReader::covariance_freedom() const {
+  double least = 0.0;
+  for (const frf::BlockPiece& piece : pieces_) {
+    const frf::FrfSource& source = system_->source(piece.source);
+    if (!source.has_covariance()) continue;
+    const frf::FrfHeader& header = source.header();
+    const double freedom = header.repeats > 1 ? static_cast<double>(header.repeats - 1) : header.averages - 1.0;
+    if (freedom > 0.0 && (least == 0.0 || freedom < least)) least = freedom;
+  }
+  return least;
+}
+
 void PartReader::read_covariance(std::span<const std::size_t> lines, std::span<Complex> out) {
   const std::size_t rows = rows_.size(), columns = columns_.size();
   std::fill(out.begin(), out.end(), Complex(0.0));

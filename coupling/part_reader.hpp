@@ -27,6 +27,9 @@ class PartReader {
   /// Whether a file of the part has covariances beside its variances, and no FRF stands in for its transpose.
   bool has_covariance() const;
 
+  /// The least degrees of freedom that covariances of its files come from, averages or repeats − 1; 0 where no file tells.
+  double covariance_freedom() const;
+
   /// Covariances of the rows of each column, out[line, column, row, row]; 0 where independent or not known.
   void read_covariance(std::span<const std::size_t> lines, std::span<Complex> out);
 

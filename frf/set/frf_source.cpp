@@ -151,6 +151,15 @@ void FrfSource::do_read_covariance(const Block&, std::span<Complex>) {
   throw std::logic_error("a source that has covariances must read them");
 }
 
+std::vector<ErrorSums> FrfSource::read_error_sums(const Block& block) {
+  assert(has_error_sums());
+  return do_read_error_sums(block);
+}
+
+std::vector<ErrorSums> FrfSource::do_read_error_sums(const Block&) {
+  throw std::logic_error("a source that has sums of errors must read them");
+}
+
 std::unique_ptr<FrfSource> from_memory(FrfSet set) { return from_shared(std::make_shared<FrfSet>(std::move(set))); }
 
 std::unique_ptr<FrfSource> from_shared(std::shared_ptr<const FrfSet> set) {

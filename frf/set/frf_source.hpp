@@ -28,6 +28,17 @@ struct Block {
   std::size_t size() const { return lines.size() * responses.size() * references.size(); }
 };
 
+/// The errors of the FRFs of a line as sums of independent ones of unit variance, e = Σ factor · ε with E|ε|² = 1: what FRFs that were
+/// worked out of the same ones have in common, those of different references too.
+struct ErrorSums {
+  struct Term {
+    std::size_t error;
+    Complex factor;
+  };
+  std::size_t errors = 0;                ///< how many ε there are
+  std::vector<std::vector<Term>> terms;  ///< [response, reference] of a block; none where an FRF is exact or not measured
+};
+
 /// A file (or a set in memory) from which lines and blocks are read. The header is read on opening, FRFs only when
 /// asked for. Values come as receptance in SI units for the header's DOFs as they stand there (signs included),
 /// NaN where not measured, in the order [line, response, reference] of the block.
@@ -62,6 +73,12 @@ class FrfSource {
   /// All of them of some lines as they are stored, [line, pair, reference], as FrfSet::covariance.
   void read_covariance_pairs(std::span<const std::size_t> lines, std::span<Complex> out);
 
+  /// Whether FRFs are worked out of others and the source says which errors they share: coupled ones, with variances.
+  virtual bool has_error_sums() const { return false; }
+
+  /// Of every line of the block, whose ε have nothing to do with those of another line or call. Only when has_error_sums().
+  std::vector<ErrorSums> read_error_sums(const Block& block);
+
   /// Whether all values lie in memory already.
   virtual bool in_memory() const { return false; }
 
@@ -72,6 +89,7 @@ class FrfSource {
   virtual void do_read_coherence(const Block& block, std::span<double> out) = 0;
   /// `pairs` is a block whose responses are pair indices, each once and ascending.
   virtual void do_read_covariance(const Block& pairs, std::span<Complex> out);
+  virtual std::vector<ErrorSums> do_read_error_sums(const Block& block);
   /// The same of another source, for one that hands it on.
   static void read_pairs(FrfSource& of, const Block& pairs, std::span<Complex> out) { of.do_read_covariance(pairs, out); }
 

@@ -202,7 +202,9 @@ LineRatios ratios_of(const ChiSquare& chi_square) {
 }
 
 /// Errors that several FRFs share are not in the law of χ².
-bool shares_errors(const Plan& plan) { return !plan.regenerated.empty() || !plan.scene.couple_first.pairs.empty(); }
+bool shares_errors(const Plan& plan) {
+  return !plan.regenerated.empty() || (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors());
+}
 
 void tell_chi_square(const Plan& plan, bool hopeless, Solution& out) {
   const ChiSquare& chi_square = *out.fit.chi_square;

@@ -28,6 +28,9 @@ class MethodPlan {
   /// What of its data the scene does not need, one phrase each.
   virtual std::vector<std::string> left_out(const Plan&) const { return {}; }
 
+  /// Whether it knows what errors FRFs of parts that were coupled before have in common.
+  virtual bool carries_shared_errors() const { return false; }
+
   /// Why several processes cannot share the lines of a solution (Control::shares); empty where they can.
   virtual std::string not_shared(const Plan&) const { return "the method works on all lines at once"; }
 };

@@ -165,6 +165,73 @@ TEST(Propagation, CovariancesAreThoseByDifferences) {
   }
 }
 
+/// E[e_i e*_k] of two FRFs of a line.
+Complex common(const frf::ErrorSums& sums, std::size_t i, std::size_t k) {
+  Complex sum = 0.0;
+  for (const frf::ErrorSums::Term& a : sums.terms[i]) {
+    for (const frf::ErrorSums::Term& b : sums.terms[k]) sum += a.error == b.error ? a.factor * std::conj(b.factor) : 0.0;
+  }
+  return sum;
+}
+
+/// Sums of errors make the variances, and with covariances in the files the covariances, that propagate() works out on another way.
+void expect_sums_of(const problems::CouplingProblem& problem, const std::vector<frf::FrfSet>& sets) {
+  AssemblyReader reader(problems::parts_of(problem, sets), problem.declared(), {.uncertainty = true}, "test");
+  const std::size_t rows = reader.header().response.size(), columns = reader.header().reference.size(), line = 0;
+  std::vector<std::size_t> responses(rows), references(columns);
+  for (std::size_t i = 0; i < rows; ++i) responses[i] = i;
+  for (std::size_t i = 0; i < columns; ++i) references[i] = i;
+  const frf::Block block{{&line, 1}, responses, references};
+  std::vector<Complex> values(rows * columns), variance(values), covariance(frf::pair_count(rows) * columns);
+  reader.read(block, values, variance, {}, reader.has_covariance() ? std::span(covariance) : std::span<Complex>());
+  const frf::ErrorSums sums = std::move(reader.read_errors(block).front());
+  ASSERT_EQ(sums.terms.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double total = variance[i].real() + variance[i].imag();
+    EXPECT_NEAR(common(sums, i, i).real(), total, 1e-8 * total) << i;
+  }
+  if (!reader.has_covariance()) return;
+  for (std::size_t c = 0; c < columns; ++c) {
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::size_t s = 0; s < r; ++s) {
+        const Complex expected = covariance[frf::pair_index(r, s) * columns + c];
+        const std::size_t i = r * columns + c, k = s * columns + c;
+        const double size = std::sqrt(common(sums, i, i).real() * common(sums, k, k).real());
+        EXPECT_LT(std::abs(common(sums, i, k) - expected), 1e-8 * size) << r << " " << s << " " << c;
+      }
+    }
+  }
+}
+
+TEST(ErrorSums, AddUpToTheVariances) {
+  for (const bool reciprocal : {false, true}) {
+    const problems::CouplingProblem problem = problems::make_coupling("coupling-B");
+    const frf::NoiseModel noise{.kind = frf::NoiseKind::circular, .level = 1e-2, .reciprocal = reciprocal};
+    std::vector<frf::FrfSet> sets;
+    for (const frf::FrfSet& part : problem.parts) {
+      sets.push_back(frf::polluted(some_lines(part, {60}), noise, 3, 0, sets.size()));
+      frf::FrfSet& set = sets.back();
+      set.header.noise = frf::NoiseRecord::variance;
+      set.coherence.clear();
+      set.variance.clear();
+      for (const Complex& value : set.values) set.variance.emplace_back(5e-5 * std::norm(value), 5e-5 * std::norm(value));
+    }
+    expect_sums_of(problem, sets);
+  }
+}
+
+TEST(ErrorSums, HaveTheCovariancesOfFiles) {
+  const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
+  std::vector<frf::FrfSet> sets;
+  for (const frf::FrfSet& part : problem.parts) {
+    const frf::NoiseModel noise{.kind = frf::NoiseKind::circular, .level = 1e-6, .reciprocal = false};
+    sets.push_back(frf::polluted(some_lines(part, {60}), noise, 3, 0, sets.size()));
+    sets.back().header.averages = 0.0;
+    tell_covariances(sets.back(), sets.size());
+  }
+  expect_sums_of(problem, sets);
+}
+
 TEST(Propagation, AnUnknownVarianceStaysWhereItBelongs) {
   const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
   std::vector<frf::FrfSet> sets;

@@ -33,6 +33,16 @@ std::string listed_names(const std::vector<NamedSystematic>& all) {
   return all.size() > most ? text + " and " + std::to_string(all.size() - most) + " more" : text;
 }
 
+/// Where covariances of all FRFs of all lines would take too much memory, coupled FRFs are taken for independent.
+void limit_error_sums(std::size_t lines, Observations& observations) {
+  constexpr double most = 512e6;  // bytes
+  const LineLayout& layout = observations.layout();
+  const auto elements = static_cast<double>(layout.variables() + layout.d.size());
+  if (observations.has_error_sums() && elements * elements * sizeof(Complex) * static_cast<double>(lines) > most) {
+    observations.forget_error_sums();
+  }
+}
+
 /// Why an equation cannot be used, or empty.
 std::string lacks(const LikelihoodPlan& own, Equation equation, bool joint_on_assembly) {
   if (equation != Equation::jj && own.others.empty()) {
@@ -153,6 +163,7 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   choose_blocks(plan, own, joint_on_assembly);
   own.observations = std::make_unique<Observations>(plan.scene, joined(own.others, joint), own.others.size(), own.blocks,
                                                     *plan.substructures, *plan.assembly);
+  limit_error_sums(plan.lines.size(), *own.observations);
   if (plan.scene.identify.start.empty()) {
     // Method One, else the direct solution.
     own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});

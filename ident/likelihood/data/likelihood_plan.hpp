@@ -17,6 +17,8 @@ class LikelihoodPlan : public MethodPlan {
 
   std::string not_shared(const Plan& plan) const override;
 
+  bool carries_shared_errors() const override { return observations->has_error_sums(); }
+
   void read_first_line(Plan& plan) override;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <map>
 
 #include "base/eigen.hpp"
@@ -13,7 +14,7 @@ namespace {
 struct ElementPart {
   Eigen::Index place;
   std::size_t member;
-  double factor;
+  Complex factor;
 };
 
 /// Elements with terms, and these sorted by the groups of one system.
@@ -21,10 +22,9 @@ class ElementParts {
  public:
   void add(std::size_t element, const LineErrors& errors, std::size_t row, std::size_t column, double factor) {
     for (const ErrorTerm& term : errors.terms.at(row, column)) {
-      const Eigen::MatrixXcd& covariance = errors.covariance[term.group];
-      if (!std::isfinite(covariance(at(term.member), at(term.member)).real())) continue;
+      if (!is_finite(errors, term)) continue;
       if (elements_.empty() || elements_.back() != element) elements_.push_back(element);
-      groups_[&covariance].push_back({at(elements_.size() - 1), term.member, factor * term.factor});
+      groups_[key(errors, term)].push_back({at(elements_.size() - 1), term.member, factor * term.factor});
     }
   }
 
@@ -32,11 +32,11 @@ class ElementParts {
 
   Eigen::MatrixXcd covariance() const {
     Eigen::MatrixXcd out = Eigen::MatrixXcd::Zero(at(elements_.size()), at(elements_.size()));
-    for (const auto& [covariance, parts] : groups_) {
+    for (const auto& [group, parts] : groups_) {
       for (const ElementPart& a : parts) {
         for (const ElementPart& b : parts) {
-          const Complex value = (*covariance)(at(a.member), at(b.member));
-          if (std::isfinite(value.real())) out(a.place, b.place) += a.factor * b.factor * value;
+          const Complex value = group.covariance ? (*group.covariance)(at(a.member), at(b.member)) : Complex(1.0);
+          if (std::isfinite(value.real())) out(a.place, b.place) += a.factor * std::conj(b.factor) * value;
         }
       }
     }
@@ -44,8 +44,25 @@ class ElementParts {
   }
 
  private:
+  /// A covariance, or one of the independent errors of a system.
+  struct Group {
+    const Eigen::MatrixXcd* covariance = nullptr;
+    const LineErrors* system = nullptr;
+    std::size_t member = 0;
+    auto operator<=>(const Group&) const = default;
+  };
+
+  static bool is_finite(const LineErrors& errors, const ErrorTerm& term) {
+    if (term.group == ErrorTerm::independent) return std::isfinite(term.factor.real());
+    return std::isfinite(errors.covariance[term.group](at(term.member), at(term.member)).real());
+  }
+  static Group key(const LineErrors& errors, const ErrorTerm& term) {
+    if (term.group == ErrorTerm::independent) return {.system = &errors, .member = term.member};
+    return {.covariance = &errors.covariance[term.group]};
+  }
+
   std::vector<std::size_t> elements_;
-  std::map<const Eigen::MatrixXcd*, std::vector<ElementPart>> groups_;
+  std::map<Group, std::vector<ElementPart>> groups_;
 };
 
 }  // namespace

@@ -12,8 +12,11 @@ namespace jointid::ident {
 
 /// `factor` times the error of a member of a group whose errors have a covariance.
 struct ErrorTerm {
+  /// The group of errors that are independent of each other and have a variance of 1.
+  static constexpr std::size_t independent = static_cast<std::size_t>(-1);
+
   std::size_t group, member;
-  double factor;
+  Complex factor;
 };
 
 /// What makes the error of a measured FRF; none where it is independent of all others.

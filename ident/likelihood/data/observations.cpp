@@ -71,6 +71,11 @@ std::vector<FileVariances> Observations::origins() const {
   return all;
 }
 
+void Observations::forget_error_sums() {
+  substructures_.forget_error_sums();
+  assembly_.forget_error_sums();
+}
+
 std::size_t Observations::bytes() const {
   std::size_t total = 0;
   const std::size_t size = layout_.coordinates.size();

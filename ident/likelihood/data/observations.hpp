@@ -38,6 +38,10 @@ class Observations final : public LikelihoodData {
 
   std::vector<FileVariances> origins() const;
 
+  /// As SymmetricFrfs, of both systems.
+  bool has_error_sums() const { return substructures_.has_error_sums() || assembly_.has_error_sums(); }
+  void forget_error_sums();
+
   /// What the scene says of systematic errors; nullptr where that is nothing.
   const SystematicPlan* systematic_plan() const { return systematic_lines_ ? &systematic_lines_->plan() : nullptr; }
 

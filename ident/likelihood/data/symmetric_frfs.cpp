@@ -56,6 +56,8 @@ SymmetricFrfs::SymmetricFrfs(frf::FrfSystem& system, const Scene& scene, const D
   for (const auto& [rows, columns] : wanted) rectangles.push_back({rows, columns});
   covariances_ = std::make_unique<FrfCovariances>(system, scene, coordinates, rectangles);
   if (!covariances_->any()) covariances_.reset();
+  sums_ = std::make_unique<FrfErrorSums>(system, coordinates);
+  if (!sums_->any()) sums_.reset();
   for (auto& [rows, columns] : wanted) {
     if (rows.empty() || columns.empty()) continue;
     const Dofs row_dofs = pick(coordinates, rows), column_dofs = pick(coordinates, columns);
@@ -115,6 +117,7 @@ void SymmetricFrfs::read(std::span<const std::size_t> lines) {
     scatter(part, lines.size(), scratch_, values_);
     scatter(part, lines.size(), scratch_variance_, variances_);
   }
+  if (sums_) sums_->read(lines);
   if (!covariances_) return;
   covariances_->read(lines);
   take_variances_of_laws(lines.size());
@@ -141,27 +144,40 @@ SymmetricFrfs::Role SymmetricFrfs::role(const Measured& there, const Measured& b
   return !there.known() || copies(there, back) ? Role::back : Role::both;
 }
 
+/// Of errors that depend on each other to first order: more FRFs than there were before they were coupled. What they do to second
+/// order, and rounding, is left a hundredth of each standard deviation.
+constexpr double first_order = 1.0 - 1e-4;
+
+void SymmetricFrfs::add_terms(std::size_t i, std::size_t row, std::size_t column, double weight, ErrorTerms& out) const {
+  if (weight == 0.0) return;
+  if (sums_) {
+    for (const auto& [error, factor] : sums_->terms(i, row, column)) {
+      out.push_back({ErrorTerm::independent, error, std::sqrt(first_order) * weight * factor});
+    }
+  }
+  if (!covariances_) return;
+  const StoredError error = covariances_->error(i, row, column);
+  if (error.is_known()) out.push_back({error.group, error.member, weight * error.sign});
+}
+
 /// With the weights of averaged_part(); the parts of errors that covariances tell of have the same variance.
 ErrorTerms SymmetricFrfs::terms(std::size_t i, std::size_t row, std::size_t column) const {
   const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
   const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
   const Role of = role(a, b);
   ErrorTerms out;
-  const auto add = [&](std::size_t r, std::size_t c, double weight) {
-    const StoredError error = covariances_->error(i, r, c);
-    if (error.is_known() && weight != 0.0) out.push_back({error.group, error.member, weight * error.sign});
-  };
   const auto total = [](const Measured& m) { return m.variance.real() + m.variance.imag(); };
   double share = of == Role::there ? 1.0 : 0.0;
   if (of == Role::both) share = averaged_part(1.0, total(a), 0.0, total(b));
-  add(row, column, share);
-  add(column, row, 1.0 - share);
+  add_terms(i, row, column, share, out);
+  add_terms(i, column, row, 1.0 - share, out);
   return out;
 }
 
 std::shared_ptr<const LineErrors> SymmetricFrfs::errors(std::size_t i) const {
-  if (!covariances_) return nullptr;
-  auto out = std::make_shared<LineErrors>(LineErrors{covariances_->covariances(i), Symmetric<ErrorTerms>(size_)});
+  if (!covariances_ && !sums_) return nullptr;
+  auto out = std::make_shared<LineErrors>(
+      LineErrors{covariances_ ? covariances_->covariances(i) : std::vector<Eigen::MatrixXcd>(), Symmetric<ErrorTerms>(size_)});
   for (std::size_t row = 0; row < size_; ++row) {
     for (std::size_t column = 0; column <= row; ++column) out->terms.at(column, row) = terms(i, column, row);
   }

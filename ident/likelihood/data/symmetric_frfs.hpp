@@ -9,6 +9,7 @@
 #include "ident/likelihood/line/symmetric.hpp"
 #include "ident/likelihood/data/line_errors.hpp"
 #include "ident/variance/frf_covariances.hpp"
+#include "ident/variance/frf_error_sums.hpp"
 #include "ident/variance/variances.hpp"
 
 namespace jointid::ident {
@@ -57,7 +58,11 @@ class SymmetricFrfs {
   /// The i-th line read, in the role (row, column) or (column, row).
   Measured at(std::size_t i, std::size_t row, std::size_t column) const;
 
-  /// What the errors of at() have in common on the i-th line read; empty without covariances.
+  /// Whether the files say what coupled FRFs have in common; from forget_error_sums() on these are taken for independent.
+  bool has_error_sums() const { return sums_ != nullptr; }
+  void forget_error_sums() { sums_.reset(); }
+
+  /// What the errors of at() have in common on the i-th line read; empty without covariances and sums of errors.
   std::shared_ptr<const LineErrors> errors(std::size_t i) const;
 
   /// Works out the variances that line `line` of the system would have for other values; NaN where not measured.
@@ -78,12 +83,14 @@ class SymmetricFrfs {
   /// Which measurements make at().
   Role role(const Measured& there, const Measured& back) const;
   ErrorTerms terms(std::size_t i, std::size_t row, std::size_t column) const;
+  void add_terms(std::size_t i, std::size_t row, std::size_t column, double weight, ErrorTerms& out) const;
   void take_variances_of_laws(std::size_t lines);
   void scatter(const Part& part, std::size_t lines, const std::vector<Complex>& from, std::vector<Complex>& to) const;
 
   std::size_t size_;
   std::vector<Part> parts_;
   std::unique_ptr<FrfCovariances> covariances_;  ///< where there are any
+  std::unique_ptr<FrfErrorSums> sums_;           ///< the same
   std::vector<Complex> values_, variances_, scratch_, scratch_variance_;
 };
 
