@@ -30,8 +30,9 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
 /// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
-/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations, and at the end of all.
-constexpr double kept_while_rough = 1.0, kept = 0.1, kept_in_the_end = 0.01;
+/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations, and at the end of all,
+/// of large lines, too.
+constexpr double kept_while_rough = 1.0, kept = 0.1, kept_in_the_end = 1e-3, kept_of_large = 0.01;
 constexpr double rough = 0.1;  // while weights may still change; FRFs need not be optimised to the end then
 constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
@@ -227,7 +228,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     }
     if (last > 0.0) shrinks_ = ratio = size / last;
     if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) {
-      if (tolerance < rough && moved_ > kept_in_the_end) {
+      if (tolerance < rough && moved_ > (lines_.layout().is_large() ? kept_of_large : kept_in_the_end)) {
         lines_.linearise(fit.theta);
         sum(fit.theta, fit.information, gradient);
       }

@@ -97,8 +97,8 @@ void take_gradient(const LineData& data, const ComplexMatrix& z, const LineLayou
 }
 
 bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
-  constexpr double near = 0.01;  // of the redundancy: as far the information is that of the place before
   const LineLayout& layout = model.layout();
+  constexpr double near = 0.01;  // of the redundancy: as far the information of a large line is that of the place before
   put_on_constraint(layout, z, line.state);
   line.cost = line_cost(layout, data, z, line.state.x, line.state.y);
   line.reduced = linearised(data, z, model, line);
@@ -106,7 +106,7 @@ bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitt
   const double before = line.cost;
   const auto gain = take(data, z, layout, line.reduced.own, line);
   if (gain && follow_gradient(data, z, model, line, until, *gain)) {
-    if (has_plain_errors(data) && (until == Relaxation::beginning || before - line.cost <= near * line.redundancy)) {
+    if (has_plain_errors(data) && (until == Relaxation::beginning || (layout.is_large() && before - line.cost <= near * line.redundancy))) {
       take_gradient(data, z, layout, line);
       return true;
     }
