@@ -36,6 +36,7 @@ const Hints& hints() {
   static const Hints all = {
       {" title", QT_TRANSLATE_NOOP("Said", "name of the scene")},
       {" nodes", QT_TRANSLATE_NOOP("Said", "positions in m: { \"4\" = [0.9, 0, 0], … }")},
+      {" virtual_points", QT_TRANSLATE_NOOP("Said", "interfaces from the sensors around them, in the text as [[virtual_points]]")},
       {"data substructures", QT_TRANSLATE_NOOP("Said", "files of the parts without the joint")},
       {"data assembly", QT_TRANSLATE_NOOP("Said", "files of the parts with the joint")},
       {"data gains", QT_TRANSLATE_NOOP("Said", "gains and delays of sensors with what is known of them: { gain = 0.01 }")},
@@ -43,7 +44,7 @@ const Hints& hints() {
       {"data reciprocity", QT_TRANSLATE_NOOP("Said", "whether an FRF that is not there is taken from its transpose")},
       {"data regenerate", QT_TRANSLATE_NOOP("Said", "whose FRFs their modal models replace: substructures, assembly")},
       {"data files", QT_TRANSLATE_NOOP("Said", "what files do not say themselves, and what is wrong in them")},
-      {"data.files.* quantity", QT_TRANSLATE_NOOP("Said", "what its FRFs are, whatever the file says")},
+      {"data.files.* quantity", QT_TRANSLATE_NOOP("Said", "receptance, mobility or accelerance, whatever the file says")},
       {"data.files.* dofs", QT_TRANSLATE_NOOP("Said", "of its responses: 4:+Y, 5:+Y")},
       {"data.files.* reference_dofs", QT_TRANSLATE_NOOP("Said", "of its references; without them those of the responses")},
       {"data.files.* variable", QT_TRANSLATE_NOOP("Said", "the variable of a MATLAB file that has the FRFs")},

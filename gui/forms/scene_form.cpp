@@ -23,8 +23,9 @@ const Tables& tables() {
   static const Tables found = [] {
     Tables all = {""};
     for (const std::string& table : all_tables()) {
-      if (table != "data.files") all.push_back(table);
+      if (table != "data.files" && table != "data.files.*") all.push_back(table);
     }
+    all.push_back("data.files.*");  // its many fields stay empty in most scenes
     return all;
   }();
   return found;

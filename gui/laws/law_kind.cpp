@@ -73,7 +73,7 @@ SceneKind law_kind() {
   kind.run_hint = Said::tr("Identify the friction laws of the joints from vibration at several force levels, as `jointid solve` does");
   kind.plots = Said::tr("Stiffness and damping of the joints over their motion");
   kind.plot_hint =
-      Said::tr("With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints' stiffness and damping\n"
+      Said::tr("With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints' stiffness and damping "
                "over their motion stand here, without a law and by the laws that were found.");
   kind.tables = Said::tr("Joints, laws, residuals");
   kind.command = QStringLiteral("jointid solve");

@@ -82,7 +82,7 @@ SceneKind response_kind() {
   kind.run_hint = Said::tr("Find the periodic responses, and what else the scene asks for, as `jointid response` does");
   kind.plots = Said::tr("Responses over frequency and force, loops, motions");
   kind.plot_hint =
-      Said::tr("With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response],\n"
+      Said::tr("With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response], "
                "its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.");
   kind.tables = Said::tr("Peaks, points, curves and remarks");
   kind.command = QStringLiteral("jointid response");

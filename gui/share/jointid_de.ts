@@ -2399,8 +2399,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Fügestellen</translation>
     </message>
     <message>
-        <source>what its FRFs are, whatever the file says</source>
-        <translation>was ihre FRFs sind, was die Datei auch sagt</translation>
+        <source>receptance, mobility or accelerance, whatever the file says</source>
+        <translation>receptance, mobility oder accelerance, was die Datei auch sagt</translation>
     </message>
     <message>
         <source>of its responses: 4:+Y, 5:+Y</source>
@@ -2503,10 +2503,8 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Steifigkeit und Dämpfung der Fügestellen über ihrer Bewegung</translation>
     </message>
     <message>
-        <source>With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints&apos; stiffness and damping
-over their motion stand here, without a law and by the laws that were found.</source>
-        <translation>Mit einer Szene von Reibgesetzen aus Schwingungen, [[joint.friction]] und [[data.levels]], stehen hier Steifigkeit und Dämpfung
-der Fügestellen über ihrer Bewegung, ohne Gesetz und nach den gefundenen Gesetzen.</translation>
+        <source>With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints&apos; stiffness and damping over their motion stand here, without a law and by the laws that were found.</source>
+        <translation>Mit einer Szene von Reibgesetzen aus Schwingungen, [[joint.friction]] und [[data.levels]], stehen hier Steifigkeit und Dämpfung der Fügestellen über ihrer Bewegung, ohne Gesetz und nach den gefundenen Gesetzen.</translation>
     </message>
     <message>
         <source>Joints, laws, residuals</source>
@@ -2581,14 +2579,16 @@ der Fügestellen über ihrer Bewegung, ohne Gesetz und nach den gefundenen Geset
         <translation>Antworten über Frequenz und Kraft, Hysteresen, Bewegungen</translation>
     </message>
     <message>
-        <source>With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response],
-its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.</source>
-        <translation>Mit einer Szene einer Struktur mit Reibfügestellen, [structure] oder [data] parts, [[joints]], [force] und [response],
-stehen hier ihre FRFs bei allen Kraftstufen, Spitzen über der Stufe, Harmonische, Hysteresen der Fügestellen und Bewegungen.</translation>
+        <source>With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response], its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.</source>
+        <translation>Mit einer Szene einer Struktur mit Reibfügestellen, [structure] oder [data] parts, [[joints]], [force] und [response], stehen hier ihre FRFs bei allen Kraftstufen, Spitzen über der Stufe, Harmonische, Hysteresen der Fügestellen und Bewegungen.</translation>
     </message>
     <message>
         <source>Peaks, points, curves and remarks</source>
         <translation>Spitzen, Punkte, Kurven und Bemerkungen</translation>
+    </message>
+    <message>
+        <source>interfaces from the sensors around them, in the text as [[virtual_points]]</source>
+        <translation>Schnittstellen aus den Sensoren um sie herum, im Text als [[virtual_points]]</translation>
     </message>
 </context>
 <context>

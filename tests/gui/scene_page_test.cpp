@@ -175,6 +175,8 @@ TEST(ScenePage, AProjectKnowsItsScenes) {
   write_file(folder.filePath("response.toml"), sliding);
   MainWindow window;
   window.show();
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
   window.open({folder.filePath("response.toml")});
   Project& project = *window.current();
   EXPECT_FALSE(project.checked().error);

@@ -61,7 +61,8 @@ TEST(SceneWords, TheReaderTellsWhatItTakes) {
   for (const char* key : {"level", "floor", "coherence", "averages"}) EXPECT_EQ(kind_of("noise", key), number) << key;
   EXPECT_EQ(kind_of("noise", "reciprocal"), flag);
   EXPECT_EQ(kind_of("joints", "name"), text);
-  EXPECT_EQ(kind_of("data.files.\"x.uff\"", "quantity"), word);
+  EXPECT_EQ(kind_of("data.files.\"x.uff\"", "quantity"), text);
+  EXPECT_EQ(kind_of("data.files.*", "sensors"), word);
   EXPECT_EQ(kind_of("data.files.*", "conjugate"), flag);
   for (const char* key : {"dofs", "flip", "reference_dofs"}) EXPECT_EQ(kind_of("data.files.*", key), dofs) << key;
   for (const char* key : {"mass", "delay"}) EXPECT_EQ(kind_of("data.files.*", key), number) << key;

@@ -69,7 +69,9 @@ TEST(TablePath, ANewTableStandsBehindTheOthersOfItsJoint) {
   std::string wanted = several;
   wanted.insert(wanted.find("\n# of the second"), "\n[joints.mass]\npattern = \"full\"\n");
   EXPECT_EQ(text, wanted);
-  EXPECT_EQ(without_value(text, "joints#1.mass", "pattern"), several);
+  const std::string last = with_value(several, "joints#2.stiffness", "pattern", "\"full\"");
+  EXPECT_EQ(last, several + "\n[joints.stiffness]\npattern = \"full\"\n");
+  EXPECT_EQ(without_value(last, "joints#2.stiffness", "pattern"), several);
 }
 
 TEST(JointsEdit, AddsAndRemoves) {
