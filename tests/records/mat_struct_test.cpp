@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "frf/file/columns.hpp"
+#include "records/file/open_samples.hpp"
 #include "records/file/read_record.hpp"
 #include "tests/test_folder.hpp"
 
@@ -50,6 +51,23 @@ TEST(MatStruct, FieldsAreColumns) {
     EXPECT_THAT(records[0].channels[1].samples, ElementsAre(0, 1, -2));
     EXPECT_EQ(records[0].channels[1].kind, ChannelKind::velocity);
   }
+}
+
+/// What `pod` and `series` read of MATLAB files: the vectors as channels, without that of times, in parts as well.
+TEST(MatStruct, VectorsAreChannelsOfAStream) {
+  const TestFolder folder;
+  write_structs(folder / "a.mat", MAT_COMPRESSION_ZLIB);
+  std::vector<double> rows(8, -1.0);
+  const auto stream = open_samples(folder / "a.mat");
+  ASSERT_EQ(stream->channels().size(), 2u);
+  EXPECT_EQ(stream->channels()[0].name, "run.sensors.hammer");
+  EXPECT_EQ(stream->time_column(), "run.time");
+  EXPECT_EQ(stream->read(rows), 3u);
+  EXPECT_THAT(rows, ElementsAre(0, 0, 5, 1, 1, -2, -1, -1));
+  EXPECT_EQ(stream->read(rows), 0u);
+  const auto part = open_samples(folder / "a.mat", {.channels = {"run.sensors.motion"}, .part = 1, .parts = 2});
+  EXPECT_EQ(part->read(rows), 1u);
+  EXPECT_EQ(rows[0], -2.0);
 }
 
 /// Every seventh byte of both files set to two values: an answer or an InputError.

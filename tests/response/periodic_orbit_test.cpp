@@ -76,6 +76,12 @@ void compare(const json& one, const json& values, double tol) {
   if (free) {
     EXPECT_NEAR(std::abs(orbit.multipliers[0]), 1.0, 1e-10);
   }
+  if (one.contains("events_per_period")) {
+    EXPECT_EQ(orbit.events, one.at("events_per_period").get<std::size_t>());
+  }
+  if (one.contains("state_at_0")) {
+    EXPECT_LT(difference((VectorXd(3) << orbit.x, orbit.v, orbit.f).finished(), vector(one.at("state_at_0"))), tol);
+  }
   if (!values.contains("floquet")) return;
   const VectorXd moduli = vector(values.at("floquet"));
   ASSERT_EQ(orbit.multipliers.size(), moduli.size());
@@ -127,6 +133,15 @@ TEST(PeriodicOrbit, MeetsTheTableOfTheThesissJointTypes) {
       const Eigen::VectorXcd x5 = complex_vector(values.at("X5")), q2 = complex_vector(values.at("Q2"));
       EXPECT_LT(difference(found.x.row(4).head(x5.size()).transpose(), x5), tol);
       EXPECT_LT(difference(found.q.row(1).head(q2.size()).transpose(), q2), tol);
+      for (const std::string joint : {"F1", "F2"}) {
+        if (!values.contains(joint)) continue;
+        const Eigen::VectorXcd f = complex_vector(values.at(joint));
+        EXPECT_LT(difference(found.f.row(joint == "F1" ? 0 : 1).head(f.size()).transpose(), f), tol) << joint;
+      }
+      if (values.contains("dissipated")) {
+        EXPECT_LT(difference(found.loss, numbers(values.at("dissipated"))), tol);
+        EXPECT_EQ(orbit.events, values.at("events_per_period").get<std::size_t>());
+      }
       if (values.contains("floquet")) {
         const VectorXd moduli = vector(values.at("floquet"));
         EXPECT_LT(difference(orbit.multipliers.head(moduli.size()).cwiseAbs(), moduli), tol);
