@@ -29,6 +29,10 @@ ModalModel::ModalModel(Modes modes) : modes_(std::move(modes)) {
       (!modes_.normal.empty() && !modes_.complex.empty() && modes_.normal_shapes.rows() != modes_.complex_shapes.rows())) {
     throw std::invalid_argument("a mode has one shape, and all shapes have as many rows");
   }
+  const Eigen::MatrixXcd& residual = modes_.residual;
+  if (residual.size() > 0 && (residual.rows() != at(modes_.coordinates()) || residual.cols() != residual.rows())) {
+    throw std::invalid_argument("the residual has a row and a column for each coordinate");
+  }
 }
 
 std::optional<Eigen::MatrixXcd> ModalModel::receptance(double omega, std::span<const std::size_t> rows,
@@ -49,6 +53,10 @@ std::optional<Eigen::MatrixXcd> ModalModel::receptance(double omega, std::span<c
     }
     const Eigen::MatrixXcd right = rows_of(modes_.complex_shapes, columns).transpose();
     h += left * right + mirrored * right.conjugate();
+  }
+  if (modes_.residual.size() > 0) {
+    const std::vector<Eigen::Index> r(rows.begin(), rows.end()), c(columns.begin(), columns.end());
+    h += modes_.residual(r, c);
   }
   if (!h.allFinite()) return std::nullopt;
   return h;

@@ -27,14 +27,15 @@ struct Modes {
   std::vector<NormalMode> normal;
   Eigen::MatrixXcd complex_shapes;
   std::vector<ComplexMode> complex;
+  Eigen::MatrixXcd residual{};  ///< [coordinate, coordinate], m/N: flexibility of modes above those that are there; empty: none
 
   std::size_t coordinates() const { return static_cast<std::size_t>(std::max(normal_shapes.rows(), complex_shapes.rows())); }
 };
 
-/// H as the sum over modes; modes that are left out are not made up for by residuals.
+/// H as the sum over modes and the residual, by which those above are as flexible as at rest.
 class ModalModel final : public Model {
  public:
-  /// Throws std::invalid_argument where shapes and modes are not as many.
+  /// Throws std::invalid_argument where shapes and modes are not as many, or the residual has another size.
   explicit ModalModel(Modes modes);
 
   std::size_t size() const override { return modes_.coordinates(); }

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "base/eigen.hpp"
 #include "models/matrix_model.hpp"
 #include "models/matrix_value.hpp"
 #include "models/modes_file.hpp"
@@ -16,8 +17,8 @@ using Path = std::filesystem::path;
 /// What holds the structure: matrices, modes of a universal file, or modes in arrays. Each key begins one of them.
 constexpr std::array structure_keys = {"mass", "modes", "shapes"};
 /// Keys whose text names a file.
-constexpr std::array file_keys = {
-    "mass", "stiffness", "viscous_damping", "hysteretic_damping", "modes", "shapes", "frequencies", "modal_masses", "dofs"};
+constexpr std::array file_keys = {"mass",        "stiffness",    "viscous_damping",      "hysteretic_damping", "modes", "shapes",
+                                  "frequencies", "modal_masses", "residual_flexibility", "dofs"};
 
 /// Keeps what its tables refer to.
 class ModelFile {
@@ -83,13 +84,22 @@ class ModelFile {
 
   NamedModel read_arrays() {
     const scene::Table table =
-        root_.table({"shapes", "frequencies", "modal_masses", "damping_ratio", "loss_factor", "dofs", "keep", "noise"});
+        root_.table({"shapes", "frequencies", "modal_masses", "residual_flexibility", "damping_ratio", "loss_factor", "dofs", "keep",
+                     "noise"});
     FileVariable masses;
     if (const auto item = table.find("modal_masses")) masses = read_file_variable(*item, folder());
     Modes modes = read_mode_arrays(read_file_variable(table.require("shapes"), folder()),
                                    read_file_variable(table.require("frequencies"), folder()), masses);
     damp(table, modes);
+    if (const auto item = table.find("residual_flexibility")) read_residual(table, *item, modes);
     return named(table, std::make_unique<ModalModel>(std::move(modes)), {}, {});
+  }
+
+  /// Stiffness that is lossy makes the flexibility of what is left out R/(1 + iη).
+  void read_residual(const scene::Table& table, const scene::Item& item, Modes& modes) const {
+    const Eigen::SparseMatrix<double> residual = read_matrix_value(item, folder(), at(modes.coordinates()));
+    const auto loss = table.find("loss_factor");
+    modes.residual = Eigen::MatrixXd(residual).cast<Complex>() / Complex(1.0, loss ? loss->not_negative() : 0.0);
   }
 
   /// The damping of all normal modes, in place of what the file says.

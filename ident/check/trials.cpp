@@ -186,6 +186,16 @@ MistakeTrial both_swapped_trial(const Files& files, std::size_t file, const frf:
           }};
 }
 
+/// Where a factor is a matter of calibration: the section that lets method "likelihood" find it, as comments for whoever prefers that to
+/// the number. Its prior is twice as wide as the factor is off.
+std::string gain_as_unknown(const std::string& file, const MeasuredChannel& c, double factor) {
+  constexpr double calibration = 0.1;
+  const double off = std::abs(factor - 1.0);
+  if (off > calibration) return "";
+  return "\n# or, as an unknown of method \"likelihood\":\n# [[data.gains]]\n# dofs = [" + quoted_dof(c.dof) + "]\n# files = [\"" + file +
+         "\"]\n" + (c.role == Role::reference ? "# role = \"reference\"\n" : "") + "# gain = " + digits(2.0 * off, "%.1g");
+}
+
 MistakeTrial gain_trial(const Files& files, const MeasuredChannel& c, double factor) {
   return {.kind = SuspectKind::gain,
           .files = {c.file},
@@ -193,7 +203,8 @@ MistakeTrial gain_trial(const Files& files, const MeasuredChannel& c, double fac
           .what = "the " + channel_word(c.role) + " at " + c.dof.name() + " reads " + digits(1.0 / factor, "%.4g") +
                   " times what it should",
           .remedy = remedy_in(files[c.file].name,
-                              role_key("gain", c.role) + " = { " + quoted_dof(c.dof) + " = " + digits(factor, "%.5g") + " }"),
+                              role_key("gain", c.role) + " = { " + quoted_dof(c.dof) + " = " + digits(factor, "%.5g") + " }" +
+                                  gain_as_unknown(files[c.file].name, c, factor)),
           .undo = [c, factor](Files& all) { scale_channel(all[c.file], c.role, c.dof, factor); }};
 }
 

@@ -5,7 +5,9 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "dense/blas.hpp"
 #include "ident/plan/coordinates.hpp"
+#include "ident/variance/frf_covariances.hpp"
 #include "ident/variance/variances.hpp"
 
 namespace jointid::ident {
@@ -34,6 +36,80 @@ MeasuredRectangle read_rectangle(frf::FrfSystem& system, const Dofs& rows, const
   variances.read(lines, out.values, out.variances);
   return out;
 }
+
+/// Covariances of the columns of a rectangle of the substructures, where files have them.
+class ColumnErrors {
+ public:
+  ColumnErrors(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns, const Scene& scene, const std::vector<std::size_t>& lines)
+      : coordinates_(rows), columns_(join(columns)), covariances_(system, scene, coordinates_, {rectangle(rows.size())}) {
+    if (!covariances_.any()) return;
+    covariances_.prepare(lines);
+    covariances_.read(lines);
+  }
+
+  /// F of the covariance F Fᴴ of some rows of a column; empty where the file has none.
+  Eigen::MatrixXcd factor(std::size_t line, const std::vector<std::size_t>& rows, std::size_t column, const MeasuredRectangle& of) const {
+    if (!covariances_.any()) return {};
+    const auto n = at(rows.size());
+    Eigen::MatrixXcd s = Eigen::MatrixXcd::Zero(n, n);
+    bool shared = false;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const std::size_t row = rows[static_cast<std::size_t>(i)];
+      s(i, i) = of.variance(line, row, column);
+      const StoredError one = covariances_.error(line, row, columns_[column]);
+      if (!one.is_known()) continue;
+      const Eigen::MatrixXcd& stored = covariances_.covariances(line)[one.group];
+      const auto value = [&](std::size_t a, std::size_t b) { return stored(at(a), at(b)); };
+      if (!std::isfinite(value(one.member, one.member).real())) continue;
+      s(i, i) = value(one.member, one.member);
+      for (Eigen::Index k = 0; k < i; ++k) {
+        const StoredError other = covariances_.error(line, rows[static_cast<std::size_t>(k)], columns_[column]);
+        if (other.group != one.group || !std::isfinite(value(other.member, other.member).real())) continue;
+        s(i, k) = one.sign * other.sign * value(one.member, other.member);
+        shared = true;
+      }
+    }
+    return shared ? factor_of(s) : Eigen::MatrixXcd();
+  }
+
+ private:
+  /// L of L Lᴴ, the lower triangle of s but for rounding; empty where there is none. Exact FRFs, and those not measured, have a row of 0.
+  static Eigen::MatrixXcd factor_of(Eigen::MatrixXcd s) {
+    std::vector<Eigen::Index> exact;
+    for (Eigen::Index i = 0; i < s.rows(); ++i) {
+      if (s(i, i).real() > 0.0 && std::isfinite(s(i, i).real())) continue;
+      exact.push_back(i);
+      s.row(i).setZero();
+      s.col(i).setZero();
+      s(i, i) = 1.0;
+    }
+    s.diagonal() *= 1.0 + 1e-9;
+    if (!dense::cholesky_in_place(s)) return {};
+    Eigen::MatrixXcd out = s.triangularView<Eigen::Lower>();
+    for (const Eigen::Index i : exact) out(i, i) = 0.0;
+    return out;
+  }
+
+  /// Adds the columns to the coordinates; their places there.
+  std::vector<std::size_t> join(const Dofs& columns) {
+    std::vector<std::size_t> out;
+    for (const frf::Dof& dof : columns) {
+      const std::size_t found = frf::find_coordinate(coordinates_, dof);
+      out.push_back(found == frf::npos ? coordinates_.size() : found);
+      if (found == frf::npos) coordinates_.push_back(dof);
+    }
+    return out;
+  }
+  FrfCovariances::Rectangle rectangle(std::size_t rows) const {
+    FrfCovariances::Rectangle out{{}, columns_};
+    for (std::size_t r = 0; r < rows; ++r) out.rows.push_back(r);
+    return out;
+  }
+
+  Dofs coordinates_;                  ///< the rows, then columns that are none
+  std::vector<std::size_t> columns_;  ///< among them
+  FrfCovariances covariances_;
+};
 
 /// The lines of one system that some lines of the plan are.
 std::vector<std::size_t> lines_of(const std::vector<Line>& lines, std::size_t Line::*which) {
@@ -112,8 +188,8 @@ std::vector<Eigen::Index> joint_numbers(std::size_t others, std::size_t all) {
 }
 
 /// One line: the rows of the substructures' rectangle are those of A's rows that are no joint coordinates, then all joint ones.
-NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const MeasuredRectangle& whole, std::size_t line,
-                  std::size_t joint) {
+NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const ColumnErrors& errors, const MeasuredRectangle& whole,
+                  std::size_t line, std::size_t joint) {
   const std::size_t m = form.rows.size(), l = form.columns.size(), others = whole.columns - joint, n_rows = sub.rows - joint;
   NoisyLine out;
   out.a = Eigen::MatrixXcd(at(m), at(joint));
@@ -132,9 +208,13 @@ NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const Me
       out.b_variance(at(j), at(c)) = sub.variance(line, n_rows + j, c);
     }
   }
+  std::vector<std::size_t> part_rows;  // of the substructures' rectangle
+  for (std::size_t j = 0; j < joint; ++j) part_rows.push_back(n_rows + j);
+  for (std::size_t r = 0; r < n_rows; ++r) part_rows.push_back(r);
+  for (std::size_t c = 0; c < l; ++c) out.part_errors.push_back(errors.factor(line, part_rows, c, sub));
   for (std::size_t r = 0; r < m; ++r) {
     for (std::size_t c = 0; c < l; ++c) {
-      const bool of_b = form.row_joint[r] >= 0, of_a = form.column_joint[c] >= 0;
+      const bool of_b = form.row_joint[r] >= 0 || out.part_errors[c].size() > 0, of_a = form.column_joint[c] >= 0;
       out.c(at(r), at(c)) = sub.value(line, r, c) - whole.value(line, r, c);
       out.c_variance(at(r), at(c)) = (of_b ? 0.0 : sub.variance(line, r, c)) + (of_a ? 0.0 : whole.variance(line, r, c));
     }
@@ -179,10 +259,12 @@ std::optional<NoisyLines> read_form(Plan& plan, std::size_t most) {
   out.wanted[1][0] = reads.use.jn;
   out.wanted[1][1] = reads.use.jj;
   out.from_knowledge = !has_scatter(*plan.substructures, plan.scene) && !has_scatter(*plan.assembly, plan.scene);
-  const MeasuredRectangle sub = read_rectangle(*plan.substructures, joined(reads.n_rows, joint), reads.columns, *scene, sub_lines);
+  const Dofs sub_rows = joined(reads.n_rows, joint);
+  const MeasuredRectangle sub = read_rectangle(*plan.substructures, sub_rows, reads.columns, *scene, sub_lines);
+  const ColumnErrors errors(*plan.substructures, sub_rows, reads.columns, *scene, sub_lines);
   const MeasuredRectangle whole = read_rectangle(*plan.assembly, reads.rows, joined(reads.n_columns, joint), *scene, asm_lines);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    out.lines.push_back(line_of(out, sub, whole, i, joint.size()));
+    out.lines.push_back(line_of(out, sub, errors, whole, i, joint.size()));
     out.lines.back().frequency_hz = chosen[i].frequency_hz;
   }
   return out;

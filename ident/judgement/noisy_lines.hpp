@@ -15,7 +15,10 @@ struct NoisyLine {
   double frequency_hz = 0.0;
   Eigen::MatrixXcd a, b, c;  ///< [M×N], [N×L], [M×L]
   Eigen::MatrixXd a_variance, b_variance;
-  Eigen::MatrixXd c_variance;  ///< of the FRFs of C that are not elements of A or B as well
+  Eigen::MatrixXd c_variance;  ///< of the FRFs of C that are not elements of A or B as well, nor in part_errors
+  /// Of each column, where the substructures' file has covariances: F of the covariance F Fᴴ of the column's FRFs, those of B and then
+  /// those of C's rows that are no joint coordinates. Else empty.
+  std::vector<Eigen::MatrixXcd> part_errors;
 };
 
 /// Some lines of a plan with what is known of their noise.

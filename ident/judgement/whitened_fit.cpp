@@ -78,6 +78,27 @@ MatrixXcd shifted_q(const NoisyLines& data, MatrixXcd q) {
   return q;
 }
 
+/// Whether the errors of a column of the substructures depend on each other, and what an equation makes of them: q F of B's part, and
+/// the row of C that is no joint coordinate.
+bool has_part_errors(const NoisyLine& line, Index column) { return line.part_errors[static_cast<std::size_t>(column)].size() > 0; }
+
+Eigen::RowVectorXcd part_error(const NoisyLines& data, const NoisyLine& line, const MatrixXcd& q, Index row, Index column, bool with_c) {
+  const MatrixXcd& factor = line.part_errors[static_cast<std::size_t>(column)];
+  Eigen::RowVectorXcd out = q.row(row) * factor.topRows(q.cols());
+  if (with_c && data.row_joint[static_cast<std::size_t>(row)] < 0) out -= factor.row(q.cols() + row);
+  return out;
+}
+
+/// E|·|² that the errors of B, and those of C that depend on them, make of the equations.
+MatrixXd part_variance(const NoisyLines& data, const NoisyLine& line, const MatrixXcd& q) {
+  MatrixXd out = q.cwiseAbs2() * line.b_variance;
+  for (Index m = 0; m < out.cols(); ++m) {
+    if (!has_part_errors(line, m)) continue;
+    for (Index r = 0; r < out.rows(); ++r) out(r, m) = part_error(data, line, q, r, m, true).squaredNorm();
+  }
+  return out;
+}
+
 /// NaN of a single FRF must not spread over the sums of its row where the equation does not need it: it does need all of A's row.
 LineResidual residual_of(const NoisyLines& data, const NoisyLine& line, const MatrixXcd& z) {
   LineResidual out;
@@ -86,7 +107,7 @@ LineResidual residual_of(const NoisyLines& data, const NoisyLine& line, const Ma
   out.p = shifted_p(data, z * line.b);
   out.q = shifted_q(data, za);
   out.r = za * line.b - line.c;
-  const MatrixXd variance = line.a_variance * out.p.cwiseAbs2() + out.q.cwiseAbs2() * line.b_variance + line.c_variance +
+  const MatrixXd variance = line.a_variance * out.p.cwiseAbs2() + part_variance(data, line, out.q) + line.c_variance +
                             line.a_variance * z.cwiseAbs2() * line.b_variance +
                             least_relative_error * least_relative_error * line.c.cwiseAbs2();
   out.weight = MatrixXd::Zero(out.r.rows(), out.r.cols());
@@ -135,15 +156,43 @@ double or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
 
 MatrixXd known_only(const MatrixXd& values) { return values.unaryExpr(&or_zero); }
 
+/// The part of noise_of() of columns whose errors depend on each other; `q`: of the derivatives, and of what is known.
+MatrixXd shared_noise_of(const NoisyLines& data, const NoisyLine& line, const LineResidual& now, const std::vector<MatrixXcd>& q) {
+  const Index p = at(q.size()) - 1;
+  MatrixXd out = MatrixXd::Zero(p + 1, p + 1);
+  for (Index m = 0; m < now.r.cols(); ++m) {
+    if (!has_part_errors(line, m)) continue;
+    const Index n = line.part_errors[static_cast<std::size_t>(m)].cols();
+    MatrixXd rows = MatrixXd::Zero(2 * n * now.r.rows(), p + 1);
+    for (Index r = 0; r < now.r.rows(); ++r) {
+      if (!(now.weight(r, m) > 0.0)) continue;
+      const double root = std::sqrt(now.weight(r, m));
+      for (Index k = 0; k <= p; ++k) {
+        const Eigen::VectorXcd error = root * part_error(data, line, q[static_cast<std::size_t>(k)], r, m, k == p).transpose();
+        rows.col(k).segment(2 * n * r, n) = error.real();
+        rows.col(k).segment(2 * n * r + n, n) = error.imag();
+      }
+    }
+    out += gram(rows);
+  }
+  return out;
+}
+
 /// What the errors of the FRFs add to normal_of() on average.
 MatrixXd noise_of(const NoisyLines& data, const NoisyLine& line, const LineJoint& joint, const LineResidual& now) {
   const Index p = at(joint.unknowns.size()), n = line.b.rows();
   const MatrixXd va = known_only(line.a_variance), vb = known_only(line.b_variance);
   const MatrixXd of_b = (va.transpose() * now.weight).cwiseSqrt();  // [N×L]
-  const MatrixXd of_a = (now.weight * vb.transpose()).cwiseSqrt();  // [M×N]
+  MatrixXd alone = vb;  // errors that depend on nothing
+  for (Index m = 0; m < alone.cols(); ++m) {
+    if (has_part_errors(line, m)) alone.col(m).setZero();
+  }
+  const MatrixXd of_a = (now.weight * alone.transpose()).cwiseSqrt();  // [M×N]
   const MatrixXd of_both = (va.transpose() * now.weight * vb.transpose()).cwiseSqrt();
   MatrixXd rows_b(2 * of_b.size(), p + 1), rows_a(2 * of_a.size(), p + 1), rows_both(2 * of_both.size(), p + 1);
+  std::vector<MatrixXcd> q;
   const auto add = [&](const MatrixXcd& matrix, const MatrixXcd& tb, const MatrixXcd& at_, Index k) {
+    q.push_back(at_);
     put(tb, of_b, k, rows_b);
     put(at_, of_a, k, rows_a);
     put(matrix, of_both, k, rows_both);
@@ -158,7 +207,7 @@ MatrixXd noise_of(const NoisyLines& data, const NoisyLine& line, const LineJoint
     add(matrix, tb, a_t, k);
   }
   add(joint.known, shifted_p(data, joint.known * line.b), shifted_q(data, line.a * joint.known), p);
-  return gram(rows_b) + gram(rows_a) + gram(rows_both);
+  return gram(rows_b) + gram(rows_a) + gram(rows_both) + shared_noise_of(data, line, now, q);
 }
 
 /// Sums of lines over all unknowns of the problem, the right-hand side last.

@@ -11,10 +11,11 @@ namespace jointid::ident {
 /// The joint that the equations of Method One tell when each is weighed by what the errors of its FRFs make of it, and how well
 /// they agree with it. With r = A Z B − C, P = Z B and Q = A Z,
 ///   var r = Σ_j var(A_rj)|P_jm + [m is j]|² + Σ_j var(B_jm)|Q_rj − [r is j]|² + var(C_rm) + Σ_jk var(A_rj)|Z_jk|²var(B_km),
-/// where C has A_rj and B_jm in its joint columns and rows. The weighted normal equations are corrected by what the same errors
-/// add to them on average (E[Σ w Re conj(∂r/∂y_k) r] at the truth, errors in variables), which makes the estimate free of bias to
-/// first order; where the residuals are smaller than the assumed noise would make them, by that much less of it. Correlations
-/// between equations are left out: it is no estimate of least variance.
+/// where C has A_rj and B_jm in its joint columns and rows. Where a file of the substructures has covariances, the errors of a column of
+/// B and C count with them: ‖(q_r F_B − [r is no joint coordinate] F_C,r)‖² with C = F Fᴴ, q_r = Q_r − [r is j].
+/// The weighted normal equations are corrected by what the same errors add to them on average (E[Σ w Re conj(∂r/∂y_k) r] at the truth,
+/// errors in variables), which makes the estimate free of bias to first order; where the residuals are smaller than the assumed noise would
+/// make them, by that much less of it. Correlations between equations are left out: it is no estimate of least variance.
 struct WhitenedFit {
   std::vector<double> theta;   ///< scaled unknowns, as LinearSolution::y
   Eigen::MatrixXd covariance;  ///< of theta, from the scatter of the lines' gradients (sandwich)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "base/error.hpp"
 #include "ident/check/axis_shift.hpp"
@@ -14,6 +15,7 @@
 #include "ident/check/file_tests.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/span_test.hpp"
+#include "ident/scene/read_scene.hpp"
 #include "problems/case/in_memory.hpp"
 #include "problems/planted.hpp"
 #include "problems/problem.hpp"
@@ -75,6 +77,29 @@ TEST(check, remedy_names_file_channel_and_key) {
   ASSERT_FALSE(result.suspects.empty());
   EXPECT_EQ(result.suspects.front().remedy,
             "[data.files.\"" + planted.files.front() + "\"]\nflip = [\"" + planted.dofs.front().name() + "\"]");
+}
+
+/// The lines of a remedy that are comments, but for those in prose.
+std::string uncommented(const std::string& remedy) {
+  std::string out;
+  std::istringstream lines(remedy);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("# ") && !line.starts_with("# or")) out += line.substr(2) + "\n";
+  }
+  return out;
+}
+
+TEST(check, a_gain_of_a_few_percent_may_be_an_unknown) {
+  const problems::Problem& problem = problem_named("rig1");
+  const problems::Planted planted = problems::plant(problem, SuspectKind::gain, separate_errors(0.01), 1);
+  const ident::CheckResult result = checked(problem, planted.data);
+  ASSERT_FALSE(result.suspects.empty());
+  ASSERT_EQ(result.suspects.front().kind, SuspectKind::gain);
+  const ident::Scene scene = ident::parse_scene(problem.scene + "\n" + uncommented(result.suspects.front().remedy), "rig1.toml");
+  ASSERT_EQ(scene.data.gains.size(), 1u);
+  EXPECT_EQ(frf::names(scene.data.gains.front().dofs), frf::names(planted.dofs));
+  EXPECT_GT(scene.data.gains.front().gain, 0.01);
+  EXPECT_LT(scene.data.gains.front().gain, 0.1);
 }
 
 TEST(check, clean_scenes_are_clean) {

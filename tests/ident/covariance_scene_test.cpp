@@ -1,11 +1,14 @@
 // Scenes whose files have covariances: studies, bounds, intervals.
 #include <gmock/gmock.h>
 
+#include <numeric>
+
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "hammer_sets.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "problems/case/in_memory.hpp"
+#include "study/recorded_noise.hpp"
 #include "study/trial_data.hpp"
 #include "study/trial_loop.hpp"
 #include "tasks/bound.hpp"
@@ -88,6 +91,48 @@ TEST(CovarianceScene, BoundsKnowThatResponsesShareTheHammersNoise) {
   for (frf::FrfSet& set : diagonal.substructures) make_diagonal(set);
   make_diagonal(diagonal.assembly);
   EXPECT_EQ(bound_of(scene, problem, diagonal), own);
+}
+
+/// With errors as its covariances say.
+frf::FrfSet drawn(const frf::FrfSet& set, const RandomStream& stream) {
+  std::vector<std::size_t> lines(set.header.lines()), responses(set.header.response.size()), references(set.header.reference.size());
+  for (std::vector<std::size_t>* all : {&lines, &responses, &references}) std::iota(all->begin(), all->end(), std::size_t{0});
+  const auto source = frf::from_memory(set);
+  const frf::Block block{lines, responses, references};
+  frf::Excerpt excerpt = frf::excerpt(*source, block);
+  excerpt.set.covariance = study::covariance_of(*source, block);
+  frf::FrfSet out = set;
+  study::RecordedNoise(excerpt).pollute(out, stream);
+  return out;
+}
+
+/// What the status takes the residuals of Method One for: about what noise explains, where it knows which noise the FRFs share.
+double mean_misfit(const problems::Problem& problem, bool with_covariances) {
+  Scene scene = scene_of(problem);
+  scene.identify.method = Method::one;
+  Control control;
+  control.judgement = Judgement::data;
+  constexpr std::uint64_t seeds = 8;
+  double sum = 0.0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    problems::Measurement data = with_hammer_noise(problem);
+    std::uint64_t number = 0;
+    for (frf::FrfSet& set : data.substructures) set = drawn(set, {seed, 0, number++});
+    data.assembly = drawn(data.assembly, {seed, 0, number});
+    if (!with_covariances) {
+      for (frf::FrfSet& set : data.substructures) set.covariance.clear();
+      data.assembly.covariance.clear();
+    }
+    sum += solve(*problems::plan(scene, data), control).fit.misfit.value();
+  }
+  return sum / static_cast<double>(seeds);
+}
+
+TEST(CovarianceScene, TheStatusKnowsWhatResponsesShare) {
+  const problems::Problem problem = problems::make("A1");
+  const double with = mean_misfit(problem, true), alone = mean_misfit(problem, false);
+  EXPECT_NEAR(with, 1.0, 0.25);
+  EXPECT_LT(std::abs(std::log(with)), std::abs(std::log(alone)));
 }
 
 }  // namespace

@@ -101,6 +101,18 @@ TEST_F(ModelFile, ReadsModesOfHdf5) {
   EXPECT_LE(error("shapes = \"phi.h5:rows\"\nfrequencies = \"f.h5:rows\"\nloss_factor = 0.001\ndofs = " + dof_list(part_.dofs()),
                   part_),
             1e-9);
+  // A residual is added to what the modes give, divided by 1 + iη.
+  std::vector<double> flexibility(modes.count() * modes.count(), 0.0);
+  flexibility[0] = 1e-7;
+  write_table("r.h5", numbered(modes.count()), flexibility);
+  const std::string with =
+      "shapes = \"phi.h5:rows\"\nfrequencies = \"f.h5:rows\"\nloss_factor = 0.001\ndofs = " + dof_list(part_.dofs());
+  const frf::FrfSet plain = frf::load(*open_model(written(with), lines));
+  const frf::FrfSet more = frf::load(*open_model(written(with + "\nresidual_flexibility = \"r.h5:rows\""), lines));
+  for (std::size_t i = 0; i < plain.values.size(); ++i) {
+    const Complex expected = i % plain.header.entries() == 0 ? 1e-7 / Complex(1.0, 0.001) : Complex(0.0);
+    EXPECT_LT(std::abs(more.values[i] - plain.values[i] - expected), 1e-12 * std::abs(plain.values[i]) + 1e-20) << i;
+  }
   EXPECT_THAT(error_of("shapes = \"phi.h5:rows\"\nfrequencies = \"phi.h5:rows\"\ndofs = [\"1:+X\"]"),
               HasSubstr("give one number for each mode"));
   EXPECT_THAT(error_of("shapes = \"phi.h5:x\"\nfrequencies = \"f.h5:rows\"\ndofs = [\"1:+X\"]"), HasSubstr("there are "));

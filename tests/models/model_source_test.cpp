@@ -136,6 +136,34 @@ TEST(ModalModel, OfAllModesIsTheMatrixModel) {
   EXPECT_FALSE(modal.receptance(0.0, coordinates, coordinates));  // rigid-body modes
 }
 
+/// The six lowest modes of a beam, and what all others do at rest.
+TEST(ModalModel, AResidualStandsForTheModesThatAreLeftOut) {
+  const problems::Structure part = problems::substructure_a();
+  const Indices coordinates = all(part.size());
+  const Modes whole = modes_of(part);
+  ASSERT_GT(whole.normal.size(), 6u);
+  Modes few = whole;
+  few.normal.resize(6);
+  few.normal_shapes = whole.normal_shapes.leftCols(6);
+  Modes with = few;
+  with.residual = Eigen::MatrixXcd::Zero(at(part.size()), at(part.size()));
+  for (std::size_t k = 6; k < whole.normal.size(); ++k) {
+    const NormalMode& mode = whole.normal[k];
+    const Eigen::VectorXcd shape = whole.normal_shapes.col(at(k)).cast<Complex>();
+    const double stiffness = mode.modal_mass * mode.angular_frequency * mode.angular_frequency;
+    with.residual += shape * shape.transpose() / (stiffness * Complex(1.0, mode.loss_factor));
+  }
+  const double omega = 0.2 * whole.normal[6].angular_frequency;
+  const auto error = [&](const Modes& modes) {
+    return difference(*ModalModel(modes).receptance(omega, coordinates, coordinates),
+                      *ModalModel(whole).receptance(omega, coordinates, coordinates));
+  };
+  EXPECT_LT(error(with), 0.05 * error(few));  // (ω/ω_7)² of it is left
+  EXPECT_GT(error(few), 1e-6);
+  with.residual.resize(2, 2);
+  EXPECT_THROW(ModalModel{with}, std::invalid_argument);
+}
+
 TEST(ModalModel, AComplexModeIsTheNormalOneOfTheSameDamping) {
   const double omega = 300.0, ratio = 0.02, mass = 2.5;
   Eigen::MatrixXd shape(3, 1);
