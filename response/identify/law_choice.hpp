@@ -23,7 +23,8 @@ std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const st
                                            const LawConstraints& constraints = {});
 
 /// fit_laws from each start, with the measured harmonics alone where harmonics are added, until the data do not contradict one;
-/// or two end in one minimum; then, from the one with the smallest AIC of those that converged, as the options say. Several starts, as parameters of a law
+/// or two end in one
+/// minimum; then, from the one with the smallest AIC of those that converged, as the options say. Several starts, as parameters of a law
 /// can run to where nothing depends on them (Iwan's β to 0) and stay there.
 LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                 const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options = {},
