@@ -67,8 +67,7 @@ TEST(ResponseScene, SaysInOneLineWhatIsWrong) {
 TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
   const std::string ren = "law = \"ren\"\nparameters = { a = 0.004, b = 1.5, k = 150.0 }";
   const auto run_with = [&](const std::string& law) {
-    Progress progress;
-    return run_response(parse_response_scene(replaced(chain + rest, ren, law), "scene.toml"), progress);
+    return run_response(parse_response_scene(replaced(chain + rest, ren, law), "scene.toml"), {});
   };
   const ResponseRun slider = run_with("law = \"bilinear\"\nparameters = { a = 0.004, k = 150.0 }");
   const std::vector<std::string> same = {

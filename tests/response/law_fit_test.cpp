@@ -85,7 +85,7 @@ TEST(LawFit, PredictsTheGoldenResponsesAndTheirDerivatives) {
           << each["id"] << " parameter " << k;
     }
 
-    const Information bound(value->jacobian * slopes.cwiseInverse().asDiagonal());
+    const Information bound(value->linearised.jacobian * slopes.cwiseInverse().asDiagonal());
     const Eigen::VectorXd deviation = bound.covariance().diagonal().cwiseSqrt();
     const double tolerance = golden::tolerance(each["trusted_digits"]["bound_std"]);
     EXPECT_LE(relative(deviation, numbers(each["bound_std"])), tolerance) << each["id"];

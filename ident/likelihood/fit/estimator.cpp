@@ -30,9 +30,8 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
 /// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
-/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations, and at the end of all,
-/// of large lines, too.
-constexpr double kept_while_rough = 1.0, kept = 0.1, kept_in_the_end = 1e-3, kept_of_large = 0.01;
+/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations; not at the end.
+constexpr double kept_while_rough = 1.0, kept = 0.1;
 constexpr double rough = 0.1;  // while weights may still change; FRFs need not be optimised to the end then
 constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
@@ -228,7 +227,8 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     }
     if (last > 0.0) shrinks_ = ratio = size / last;
     if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) {
-      if (tolerance < rough && moved_ > (lines_.layout().is_large() ? kept_of_large : kept_in_the_end)) {
+      if (tolerance < rough) {
+        lines_.relax(fit.theta);
         lines_.linearise(fit.theta);
         sum(fit.theta, fit.information, gradient);
       }
@@ -419,7 +419,8 @@ Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit&
   };
   const auto exact = [&](const Eigen::VectorXd& offset) { return gradient_at(offset, true); };
   const auto quick = [&](const Eigen::VectorXd& offset) { return gradient_at(offset, false); };
-  Eigen::MatrixXd curvature = godambe_information(exact, fit.information, quick);
+  const bool saves = lines_.layout().is_large();
+  Eigen::MatrixXd curvature = godambe_information(exact, fit.information, saves ? GradientAt(quick) : GradientAt());
   lines_.go_back(there);
   return curvature;
 }
