@@ -227,16 +227,31 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     }
     if (last > 0.0) shrinks_ = ratio = size / last;
     if (left_after(size, std::max(ratio, least_ratio)) < misfit_of(loss) * tolerance) {
-      if (tolerance < rough) {
-        lines_.relax(fit.theta);
-        lines_.linearise(fit.theta);
-        sum(fit.theta, fit.information, gradient);
-      }
+      if (tolerance < rough) finish_exactly(fit, until);
       return true;
     }
     last = size;
   }
   return false;
+}
+
+/// A full step with all lines at their minimum and linearised there: steps before may have had information and FRFs that were
+/// near, which leaves errors of first order in how near.
+void LikelihoodEstimator::finish_exactly(LikelihoodFit& fit, Relaxation until) {
+  lines_.relax(fit.theta);
+  lines_.linearise(fit.theta);
+  Eigen::VectorXd gradient;
+  sum(fit.theta, fit.information, gradient);
+  const double loss = total(fit.theta);
+  const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
+  const std::vector<FittedLine> before = lines_.places();
+  const std::vector<double> next = added(fit.theta, step, 1.0);
+  lines_.follow(before, next, step, until);
+  if (total(next) <= loss * (1.0 + 1e-9)) {
+    fit.theta = next;
+  } else {
+    lines_.go_back(before);
+  }
 }
 
 LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch) {

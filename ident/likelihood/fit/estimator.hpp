@@ -133,6 +133,7 @@ class LikelihoodEstimator {
     anywhere,     ///< lines are put on the constraint and linearised
     last_project  ///< only weights have changed since
   };
+  void finish_exactly(LikelihoodFit& fit, Relaxation until);
   bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from = From::anywhere);
   Relaxation relaxation(double tolerance) const;
   bool far_from_fitting() const;
