@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
@@ -208,7 +207,8 @@ std::string list_text(const std::vector<frf::Dof>& dofs) {
 }
 
 std::string springs_text(const std::vector<frf::Dof>& dofs) {
-  return "springs = [" + comma_list(std::views::iota(0U, 6U), [&](unsigned i) { return list_text({dofs[i], dofs[i + 6]}); }) + "]\n";
+  const auto spring = [&](unsigned i) { return list_text({dofs[i], dofs[i + 6]}); };
+  return "springs = [" + comma_list(std::array{0U, 1U, 2U, 3U, 4U, 5U}, spring) + "]\n";
 }
 
 std::string matrix_text(const Matrix& matrix) {
