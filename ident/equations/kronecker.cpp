@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "minimise/linear/kernel.hpp"
+#include "base/kernel.hpp"
 #include "minimise/linear/split_column.hpp"
 #include "minimise/linear/thin_qr.hpp"
 

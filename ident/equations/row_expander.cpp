@@ -4,7 +4,7 @@
 #include <map>
 
 #include "ident/plan/scaling.hpp"
-#include "minimise/linear/kernel.hpp"
+#include "base/kernel.hpp"
 
 namespace jointid::ident {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "minimise/linear/kernel.hpp"
+#include "base/kernel.hpp"
 
 namespace jointid::ident {
 namespace {

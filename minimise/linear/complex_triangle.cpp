@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "minimise/linear/kernel.hpp"
+#include "base/kernel.hpp"
 
 namespace jointid::minimise {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "minimise/linear/kernel.hpp"
+#include "base/kernel.hpp"
 
 namespace jointid::minimise {
 

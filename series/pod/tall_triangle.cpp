@@ -3,13 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Hot loops without Eigen, compiled for several instruction sets and chosen at load time.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define JOINTID_SERIES_KERNEL __attribute__((target_clones("default", "arch=haswell", "avx512f")))
-#else
-#define JOINTID_SERIES_KERNEL
-#endif
-#define JOINTID_SERIES_INLINE inline __attribute__((always_inline))
+#include "base/kernel.hpp"
 
 namespace jointid::series {
 namespace {
@@ -23,14 +17,14 @@ using Square = double[panel][panel];
 struct Reflection {
   double beta, scale, tau;
 };
-JOINTID_SERIES_INLINE Reflection reflection(double alpha, double below) {
+JOINTID_INLINE Reflection reflection(double alpha, double below) {
   if (below == 0.0) return {alpha, 1.0, 0.0};
   const double beta = -std::copysign(std::sqrt(alpha * alpha + below), alpha);
   return {beta, 1.0 / (alpha - beta), (beta - alpha) / beta};
 }
 
 /// sum += AᵀB of two panels.
-JOINTID_SERIES_INLINE void add_product(const double* a, const double* b, std::size_t rows, Square& sum) {
+JOINTID_INLINE void add_product(const double* a, const double* b, std::size_t rows, Square& sum) {
   for (std::size_t i = 0; i < rows; ++i) {
     const double *left = a + i * panel, *right = b + i * panel;
 #pragma GCC unroll 8
@@ -42,7 +36,7 @@ JOINTID_SERIES_INLINE void add_product(const double* a, const double* b, std::si
 }
 
 /// B −= AW.
-JOINTID_SERIES_INLINE void subtract_product(const double* a, double* b, std::size_t rows, const Square& w) {
+JOINTID_INLINE void subtract_product(const double* a, double* b, std::size_t rows, const Square& w) {
   for (std::size_t i = 0; i < rows; ++i) {
     const double* left = a + i * panel;
     double* row = b + i * panel;
@@ -60,7 +54,7 @@ JOINTID_SERIES_INLINE void subtract_product(const double* a, double* b, std::siz
 }
 
 /// row ← row · factor − scale · row_k · w for all rows of a panel; returns in `sums` the products of the column `next` with all.
-JOINTID_SERIES_INLINE void update_panel(double* x, std::size_t rows, std::size_t k, double scale, const double (&factor)[panel],
+JOINTID_INLINE void update_panel(double* x, std::size_t rows, std::size_t k, double scale, const double (&factor)[panel],
                                         const double (&w)[panel], std::size_t next, double (&sums)[panel]) {
   constexpr std::size_t chains = 4;  // side by side: one addition need not wait for the last
   double sum[chains][panel] = {};
@@ -85,7 +79,7 @@ JOINTID_SERIES_INLINE void update_panel(double* x, std::size_t rows, std::size_t
 
 /// Reflects the columns of a panel x below the diagonal square r of the triangle one after another: x becomes the lower part of V,
 /// whose upper part is the identity; t of I − VTVᵀ, their product.
-JOINTID_SERIES_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std::size_t rows, Square& t) {
+JOINTID_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std::size_t rows, Square& t) {
   constexpr double zeros[panel] = {}, unit[panel] = {1, 1, 1, 1, 1, 1, 1, 1};
   double sums[panel], taus[panel];
   update_panel(x, rows, 0, 0.0, unit, zeros, 0, sums);
@@ -114,7 +108,7 @@ JOINTID_SERIES_INLINE void reflect_panel(double* r, std::size_t stride, double* 
 }
 
 /// Applies (I − VTVᵀ)ᵀ to a square of the triangle and the panel x below it.
-JOINTID_SERIES_INLINE void apply(const double* v, const Square& t, double* r, std::size_t stride, double* x, std::size_t rows) {
+JOINTID_INLINE void apply(const double* v, const Square& t, double* r, std::size_t stride, double* x, std::size_t rows) {
   Square product, w = {};
   for (std::size_t i = 0; i < panel; ++i) {
     for (std::size_t j = 0; j < panel; ++j) product[i][j] = r[i * stride + j];
@@ -131,7 +125,7 @@ JOINTID_SERIES_INLINE void apply(const double* v, const Square& t, double* r, st
 }
 
 /// R of [R; X], R [width, width], X in panels, which are destroyed.
-JOINTID_SERIES_KERNEL void take_in(double* r, double* x, std::size_t rows, std::size_t width) {
+JOINTID_KERNEL void take_in(double* r, double* x, std::size_t rows, std::size_t width) {
   Square t;
   for (std::size_t k = 0; k < width; k += panel) {
     double* v = x + k * rows;
@@ -141,7 +135,7 @@ JOINTID_SERIES_KERNEL void take_in(double* r, double* x, std::size_t rows, std::
 }
 
 /// Reflects the column of ones onto the corner and applies that to the row `top` and the panels.
-JOINTID_SERIES_KERNEL void take_ones_in(double& corner, double* top, const double* ones, double* x, std::size_t rows,
+JOINTID_KERNEL void take_ones_in(double& corner, double* top, const double* ones, double* x, std::size_t rows,
                                         std::size_t width) {
   double below = 0.0;
   for (std::size_t i = 0; i < rows; ++i) below += ones[i] * ones[i];
@@ -167,7 +161,7 @@ JOINTID_SERIES_KERNEL void take_ones_in(double& corner, double* top, const doubl
 }
 
 /// Products with 0 are 0, or not a number.
-JOINTID_SERIES_KERNEL bool finite(const double* row, std::size_t count) {
+JOINTID_KERNEL bool finite(const double* row, std::size_t count) {
   double sum = 0.0;
 #pragma omp simd reduction(+ : sum)
   for (std::size_t j = 0; j < count; ++j) sum += row[j] * 0.0;

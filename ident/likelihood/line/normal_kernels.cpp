@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "minimise/linear/kernel.hpp"
+#include "base/kernel.hpp"
 
 namespace jointid::ident {
 namespace {
