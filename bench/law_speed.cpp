@@ -67,7 +67,7 @@ void measure_fit(const problems::LawProblem& problem, std::size_t threads, doubl
   const Clock::time_point start = Clock::now();
   const double before = bench::processor_seconds();
   response::LawFitOptions options;
-  options.threads = threads;
+  options.work.threads = threads;
   const response::LawFit fit =
       response::fit_from(data.structure, data.states, response::law_starts(*data.structure, data.states, laws, beside), options);
   const double processor = bench::processor_seconds() - before, error = worst_error(problem, fit);

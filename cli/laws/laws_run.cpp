@@ -3,13 +3,15 @@
 #include "cli/laws/law_parts.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
+#include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 
 namespace jointid::cli {
 
-ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std::ostream& out) {
+ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std::size_t threads, std::ostream& out) {
   check_targets(laws::files_of(scene), {{"--json", targets.json}, {"--csv", targets.csv}, {"--report", targets.report}});
-  const laws::LawIdentification found = with_progress("fitting friction laws", [&] { return laws::identify_laws(scene); });
+  const response::FitWork work = {.threads = threads, .interrupted = interrupted};
+  const laws::LawIdentification found = with_progress("fitting friction laws", [&] { return laws::identify_laws(scene, work); });
   if (targets.json) write_target(*targets.json, law_json(scene, found), out);
   if (targets.csv) write_target(*targets.csv, law_csv(scene, found), out);
   if (targets.report) write_target(*targets.report, law_page(scene, found), out);

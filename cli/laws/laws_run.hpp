@@ -14,7 +14,8 @@ struct LawTargets {
   Target report{};  ///< HTML
 };
 
-/// Identifies the laws of a scene: `jointid solve`. The report goes to `out`. Bad input throws InputError.
-ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std::ostream& out);
+/// Identifies the laws of a scene: `jointid solve`. The report goes to `out`. Bad input throws InputError, an end that was asked
+/// for Interrupted.
+ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std::size_t threads, std::ostream& out);
 
 }  // namespace jointid::cli

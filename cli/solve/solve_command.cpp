@@ -102,7 +102,9 @@ ExitCode solve_law_scene(const SolveArguments& arguments, const std::string& tex
                       "the scene is one of friction laws: there is no FRF of an assembly",
                       "leave --plot out"});
   }
-  return solve_laws(laws::parse_law_scene(text, arguments.scene), {arguments.json, arguments.csv, arguments.report}, out);
+  const std::size_t threads = arguments.threads > 0 ? arguments.threads : std::max(1u, std::thread::hardware_concurrency());
+  return solve_laws(laws::parse_law_scene(text, arguments.scene), {arguments.json, arguments.csv, arguments.report}, threads,
+                    out);
 }
 
 }  // namespace

@@ -58,7 +58,8 @@ SceneTask read_laws(const std::string& text, const std::filesystem::path& file) 
   for (const ident::NamedFile& named : laws::files_of(scene)) task.inputs.push_back(named.path);
   task.run = [scene](const Worker::Watch& watch) {
     watch.progress("fitting friction laws", 0, 0);
-    return findings_of(std::make_shared<const Identified>(Identified{scene, laws::identify_laws(scene)}));
+    return findings_of(
+        std::make_shared<const Identified>(Identified{scene, laws::identify_laws(scene, {.interrupted = watch.interrupted})}));
   };
   return task;
 }

@@ -2,6 +2,7 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -119,6 +120,20 @@ void share_range(QCPAxis& one, QCPAxis& other) {
                    qOverload<const QCPRange&>(&QCPAxis::setRange));
 }
 
+/// One axis with numbers below those that share it, and as many numbers at the left as there is room for.
+void leave_room(const QCustomPlot& plot, const std::vector<QCPAxisRect*>& rects) {
+  constexpr int of_a_number = 24, above_and_below = 30, most = 5;  // pixels; numbers
+  for (std::size_t i = 0; i < rects.size(); ++i) {
+    QCPAxis* const x = rects[i]->axis(QCPAxis::atBottom);
+    QCPAxis* const y = rects[i]->axis(QCPAxis::atLeft);
+    const int height = plot.height() / static_cast<int>(rects.size()) - above_and_below;
+    if (y->scaleType() == QCPAxis::stLinear) y->ticker()->setTickCount(std::clamp(height / of_a_number, 1, most));
+    if (i + 1 == rects.size() || rects[i + 1]->axis(QCPAxis::atBottom)->label() != x->label()) continue;
+    x->setLabel(QString());
+    x->setTickLabels(false);
+  }
+}
+
 }  // namespace
 
 void set_axis(QCPAxis& axis, const report::Axis& wanted) {
@@ -147,6 +162,7 @@ void draw_curves(QCustomPlot& plot, const std::vector<report::CurvePlot>& plots,
     }
     rects.push_back(rect);
   }
+  leave_room(plot, rects);
 }
 
 void draw_backdrop(QCustomPlot& plot, QCPAxisRect& rect, const report::Backdrop& backdrop, Theme theme) {

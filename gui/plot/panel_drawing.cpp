@@ -102,7 +102,7 @@ void draw_hint(QCustomPlot& plot, const QString& hint, Theme theme) {
   auto* text = new QCPTextElement(&plot, hint, QFont(plot.font().family(), 11));
   text->setTextColor(colours(theme).weak_text);
   text->setTextFlags(Qt::AlignCenter | Qt::TextWordWrap);
-  text->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);  // else it stands at the top
+  text->setMaximumSize(QWIDGETSIZE_MAX / 2, QWIDGETSIZE_MAX / 2);  // all of the plot: the default is the size of the text
   plot.plotLayout()->addElement(0, 0, text);
 }
 

@@ -137,12 +137,12 @@ std::vector<response::DirectStep> direct_steps(const LevelStates& data) {
   return steps;
 }
 
-LawIdentification identify_laws(const LawScene& scene) {
+LawIdentification identify_laws(const LawScene& scene, const response::FitWork& work) {
   require_measured(scene);
-  return identify_states(scene, read_level_states(scene));
+  return identify_states(scene, read_level_states(scene), work);
 }
 
-LawIdentification identify_states(const LawScene& scene, LevelStates data) {
+LawIdentification identify_states(const LawScene& scene, LevelStates data, const response::FitWork& work) {
   LawIdentification found;
   found.data = std::move(data);
   found.notes = found.data.notes;
@@ -151,7 +151,7 @@ LawIdentification identify_states(const LawScene& scene, LevelStates data) {
   std::vector<response::Joint> beside;
   for (const FrictionJoint& joint : scene.joints) beside.push_back(joint.beside);
   found.compared = response::compare_laws(found.data.structure, found.data.states, combinations(scene), beside,
-                                          {.harmonics = scene.harmonics}, scene.constraints);
+                                          {.harmonics = scene.harmonics, .work = work}, scene.constraints);
   found.chosen = response::chosen_law(found.compared);
   judge_fit(found);
   judge_data(scene, found);

@@ -41,10 +41,11 @@ std::vector<std::string> unseen(const LawScene& scene, const std::vector<respons
 std::vector<response::DirectStep> direct_steps(const LevelStates& data);
 
 /// Reads the files of the scene, fits every combination of its laws and chooses one. Throws InputError where read_level_states or
-/// the fits do, and (data) for a level that is only planned; what the numbers are worth is the status.
-LawIdentification identify_laws(const LawScene& scene);
+/// the fits do, and (data) for a level that is only planned, Interrupted where `work` is; what the numbers are worth is the
+/// status.
+LawIdentification identify_laws(const LawScene& scene, const response::FitWork& work = {});
 
 /// The same of states that are there.
-LawIdentification identify_states(const LawScene& scene, LevelStates data);
+LawIdentification identify_states(const LawScene& scene, LevelStates data, const response::FitWork& work = {});
 
 }  // namespace jointid::laws

@@ -9,8 +9,8 @@
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "friction/fit/fit_start.hpp"
+#include "minimise/gauss_newton.hpp"
 #include "response/fourier/joint_force.hpp"
-#include "response/identify/gauss_newton.hpp"
 #include "response/identify/law_unknowns.hpp"
 
 namespace jointid::response {
@@ -32,12 +32,12 @@ class ForceResiduals {
 
   Eigen::Index rows() const { return rows_; }
 
-  std::optional<Linearised> evaluate(const LawUnknowns& unknowns, const Eigen::VectorXd& numbers) const {
+  std::optional<minimise::Linearised> evaluate(const LawUnknowns& unknowns, const Eigen::VectorXd& numbers) const {
     const auto joints = unknowns.at_numbers(numbers);
     if (!joints) return std::nullopt;
     const JointForce force(joints->front());
     const Eigen::VectorXd slopes = unknowns.slopes(numbers);
-    Linearised out = {Eigen::VectorXd(rows_), Eigen::MatrixXd(rows_, unknowns.size())};
+    minimise::Linearised out = {Eigen::VectorXd(rows_), Eigen::MatrixXd(rows_, unknowns.size())};
     Eigen::Index row = 0;
     for (const Point& point : points_) {
       const Harmonics& harmonics = point.motion.harmonics();
@@ -148,7 +148,8 @@ ForceFit fit_forces(const std::vector<DirectStep>& steps, std::size_t index, con
     const LawUnknowns& unknowns = ranked[i].unknowns;
     best.family.push_back(unknowns.joints().front());
     const auto evaluate = [&](const Eigen::VectorXd& numbers) { return residuals.evaluate(unknowns, numbers); };
-    const GaussNewtonResult found = gauss_newton(evaluate, unknowns.start(), {.most_steps = 40, .tolerance = 1e-6});
+    const minimise::GaussNewtonResult found =
+        minimise::gauss_newton(evaluate, unknowns.start(), {.most_steps = 40, .tolerance = 1e-6});
     const double chi_square = found.at.residual.squaredNorm();
     if (!(chi_square < best.chi_square)) continue;
     best.chi_square = chi_square;

@@ -30,21 +30,21 @@ HarmonicsFits::HarmonicsFits(std::shared_ptr<const Receptance> structure, const 
                              const LawUnknowns& unknowns, const FitWays& ways)
     : structure_(std::move(structure)), states_(states), unknowns_(unknowns), ways_(ways) {}
 
-GaussNewtonOptions HarmonicsFits::steps(double enough) const {
-  GaussNewtonOptions options = ways_.steps;
+minimise::GaussNewtonOptions HarmonicsFits::steps(double enough) const {
+  minimise::GaussNewtonOptions options = ways_.steps;
   options.enough = std::max(options.enough, enough);
   return options;
 }
 
 FitOfHarmonics HarmonicsFits::at(const std::vector<int>& harmonics, const Eigen::VectorXd& numbers) const {
   FitOfHarmonics fit;
-  std::optional<Linearised> found;
+  std::optional<minimise::Linearised> found;
   if (ways_.nuisance) {
-    NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+    NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.work);
     found = residuals.evaluate(numbers);
     fit.states = residuals.states();
   } else {
-    const ResponseResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+    const ResponseResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.work);
     auto value = residuals.evaluate(numbers);
     if (value) {
       found = std::move(value->linearised);
@@ -57,15 +57,15 @@ FitOfHarmonics HarmonicsFits::at(const std::vector<int>& harmonics, const Eigen:
 
 FitOfHarmonics HarmonicsFits::plain(const std::vector<int>& harmonics, const Eigen::VectorXd& start,
                                     std::vector<StatePrediction> from, double enough) const {
-  const ResponseResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+  const ResponseResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.work);
   FitOfHarmonics fit;
-  const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<Linearised> {
+  const auto linearise = [&](const Eigen::VectorXd& numbers) -> std::optional<minimise::Linearised> {
     auto value = residuals.evaluate(numbers, from);
     if (!value) return std::nullopt;
     from = std::move(value->states);
     return std::move(value->linearised);
   };
-  fit.result = gauss_newton(linearise, start, steps(enough));
+  fit.result = minimise::gauss_newton(linearise, start, steps(enough));
   if (!fit.result.defined) return fit;
   auto last = residuals.evaluate(fit.result.unknowns, from);
   if (last) fit.states = std::move(last->states);
@@ -73,7 +73,7 @@ FitOfHarmonics HarmonicsFits::plain(const std::vector<int>& harmonics, const Eig
 }
 
 FitOfHarmonics HarmonicsFits::with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const {
-  NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.threads);
+  NuisanceResiduals residuals(structure_, states_, unknowns_, harmonics, ways_.work);
   if (before.layout) residuals.begin_with(carried(*before.layout, before.errors, residuals.layout()));
   FitOfHarmonics fit;
   fit.result = residuals.fit(before.result.unknowns, before.states, steps(enough));
@@ -103,16 +103,16 @@ FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitO
   if (fit.result.converged || !ways_.nuisance) return fit;
   const LiftedFit start = {before.result.unknowns, *before.layout, before.errors, before.states, 0.0, 0};
   return better(std::move(fit),
-                from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, start, ways_.threads), enough));
+                from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, start, ways_.work), enough));
 }
 
 FitOfHarmonics HarmonicsFits::first(const std::vector<int>& harmonics, double enough) const {
-  const auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics, ways_.threads);
+  const auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics, ways_.work);
   FitOfHarmonics fit = from_lifted(harmonics, lifted, enough);
   if (fit.result.converged) return fit;
   if (lifted) {
     fit = better(std::move(fit),
-                 from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, *lifted, ways_.threads), enough));
+                 from_lifted(harmonics, fit_lifted(structure_, states_, unknowns_, harmonics, *lifted, ways_.work), enough));
     if (fit.result.converged) return fit;
   }
   FitOfHarmonics other = plain(harmonics, unknowns_.start(), {}, enough);

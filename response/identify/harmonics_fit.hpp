@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "response/identify/gauss_newton.hpp"
+#include "minimise/gauss_newton.hpp"
+#include "response/identify/fit_work.hpp"
 #include "response/identify/law_unknowns.hpp"
 #include "response/identify/lifted_fit.hpp"
 #include "response/identify/line_correlation.hpp"
@@ -13,7 +14,7 @@ namespace jointid::response {
 
 /// A fit with the harmonics of one model.
 struct FitOfHarmonics {
-  GaussNewtonResult result;
+  minimise::GaussNewtonResult result;
   std::vector<StatePrediction> states;
   /// Of the receptances where they are unknown, too, and their layout.
   std::optional<LineLayout> layout{};
@@ -23,8 +24,8 @@ struct FitOfHarmonics {
 /// How fits are made.
 struct FitWays {
   bool nuisance = false;     ///< the receptances are unknowns of their own
-  std::size_t threads = 1;
-  GaussNewtonOptions steps{};
+  FitWork work{};
+  minimise::GaussNewtonOptions steps{};
 };
 
 /// Fits of the same states with one model after the other.
@@ -47,7 +48,7 @@ class HarmonicsFits {
   FitOfHarmonics from_lifted(const std::vector<int>& harmonics, std::optional<LiftedFit> lifted, double enough) const;
   FitOfHarmonics from(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const;
   FitOfHarmonics with_nuisance(const std::vector<int>& harmonics, const FitOfHarmonics& before, double enough) const;
-  GaussNewtonOptions steps(double enough) const;
+  minimise::GaussNewtonOptions steps(double enough) const;
 
   std::shared_ptr<const Receptance> structure_;
   const std::vector<MeasuredState>& states_;

@@ -19,7 +19,7 @@ constexpr double rough = 0.1;  ///< of the deviations by which harmonics that ar
 
 constexpr double finest = 1e-6;  ///< deviations: unknown receptances make the steps shrink by a factor alone
 
-LawFitStatus status_of(const GaussNewtonResult& result) {
+LawFitStatus status_of(const minimise::GaussNewtonResult& result) {
   if (!result.defined) return LawFitStatus::no_response;
   return result.converged ? LawFitStatus::converged : LawFitStatus::not_converged;
 }
@@ -27,7 +27,7 @@ LawFitStatus status_of(const GaussNewtonResult& result) {
 /// Joints with values and deviations, from the numbers of a minimum.
 class FittedJoints {
  public:
-  FittedJoints(const LawUnknowns& unknowns, const GaussNewtonResult& result)
+  FittedJoints(const LawUnknowns& unknowns, const minimise::GaussNewtonResult& result)
       : unknowns_(unknowns), information_(result.at.jacobian), numbers_(result.unknowns) {}
 
   Eigen::MatrixXd covariance() const {
@@ -151,8 +151,7 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
   const HarmonicsToAdd add(*structure, states, options.largest);
   const bool adds = options.harmonics.empty();
   const bool nuisance = options.receptance_errors && knows_errors(*structure, states);
-  const HarmonicsFits fits(structure, states, unknowns,
-                           {.nuisance = nuisance, .threads = options.threads, .steps = options.steps});
+  const HarmonicsFits fits(structure, states, unknowns, {.nuisance = nuisance, .work = options.work, .steps = options.steps});
   const double enough = adds ? rough * options.settled : 0.0;
   FitOfHarmonics fit;
   if (options.from) fit = *options.from;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "friction/fit/fitted_value.hpp"
+#include "response/identify/fit_work.hpp"
 #include "response/identify/response_residuals.hpp"
 
 namespace jointid::response {
@@ -18,8 +19,8 @@ struct LawFitOptions {
   /// Whether the receptances are unknowns of their own (NuisanceResiduals), where the structure knows their errors.
   bool receptance_errors = true;
   std::shared_ptr<const FitOfHarmonics> from{};  ///< LawFit::end of a fit of the same unknowns, instead of their values
-  std::size_t threads = 1;
-  GaussNewtonOptions steps{};
+  FitWork work{};
+  minimise::GaussNewtonOptions steps{};
 };
 
 enum class LawFitStatus {

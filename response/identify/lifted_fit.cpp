@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "response/identify/corrected_models.hpp"
@@ -32,12 +33,12 @@ struct Point {
 class LiftedProblem {
  public:
   LiftedProblem(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                const LawUnknowns& unknowns, const std::vector<int>& harmonics, std::size_t threads)
+                const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work)
       : structure_(structure),
         states_(states),
         unknowns_(unknowns),
         harmonics_(harmonics),
-        threads_(threads),
+        work_(work),
         layout_(ResponseResiduals(structure, states, unknowns, harmonics).models(), *structure),
         tolerance_(states.size(), Eigen::VectorXd::Zero(structure->joints())) {
     for (const StateModel& model : models(layout_.no_errors())) harmonics_of_.push_back(model.harmonics());
@@ -71,12 +72,13 @@ class LiftedProblem {
   }
 
   std::optional<double> cost(const Point& point) const {
+    stop_if(work_.interrupted);
     const auto joints = unknowns_.at_numbers(point.numbers);
     if (!joints) return std::nullopt;
     const std::vector<StateModel> models = this->models(point.errors);
     const std::vector<JointForce> forces = joint_forces(*joints);
     std::vector<double> squares(models.size());
-    for_each_index(models.size(), threads_, [&](std::size_t i) {
+    for_each_index(models.size(), work_.threads, [&](std::size_t i) {
       squares[i] = LiftedState(models[i], forces, point.force[i], tolerance_[i], false).residual().squaredNorm();
     });
     double sum = squared_norm(point.errors) + prior_residuals(unknowns_, point.numbers).residual.squaredNorm();
@@ -90,7 +92,7 @@ class LiftedProblem {
     int steps = 0;
     for (; steps < most_lifted_steps; ++steps) {
       const LiftedLines lines = linearise(point);
-      const double gain = now - lines.least(damped_step(lines.reduced(), 0.0));
+      const double gain = now - lines.least(minimise::damped_step(lines.reduced(), 0.0));
       if (!(gain > least_gain + least_share_gained * now)) break;
       if (!move(lines, point, now, damping)) break;
     }
@@ -141,12 +143,12 @@ class LiftedProblem {
   }
 
   LiftedLines linearise(const Point& point) const {
-    return {layout_, models(point.errors), unknowns_, point.numbers, point.force, point.errors, tolerance_, threads_};
+    return {layout_, models(point.errors), unknowns_, point.numbers, point.force, point.errors, tolerance_, work_.threads};
   }
 
   bool move(const LiftedLines& lines, Point& point, double& now, double& damping) const {
     for (; damping <= most_lifted_damping; damping = std::max(10.0 * damping, 1e-9)) {
-      const Eigen::VectorXd step = damped_step(lines.reduced(), damping);
+      const Eigen::VectorXd step = minimise::damped_step(lines.reduced(), damping);
       const LiftedChange change = lines.change(step);
       for (const double share : shares) {
         Point tried = point;
@@ -168,7 +170,7 @@ class LiftedProblem {
   const std::vector<MeasuredState>& states_;
   const LawUnknowns& unknowns_;
   const std::vector<int>& harmonics_;
-  std::size_t threads_;
+  const FitWork& work_;
   LineLayout layout_;
   std::vector<Harmonics> harmonics_of_{};             ///< of each state
   std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
@@ -188,15 +190,15 @@ std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point,
 }  // namespace
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, std::size_t threads) {
-  LiftedProblem problem(structure, states, unknowns, harmonics, threads);
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work) {
+  LiftedProblem problem(structure, states, unknowns, harmonics, work);
   return fit(problem, problem.start(), tolerances);
 }
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from,
-                                    std::size_t threads) {
-  LiftedProblem problem(structure, states, unknowns, harmonics, threads);
+                                    const FitWork& work) {
+  LiftedProblem problem(structure, states, unknowns, harmonics, work);
   return fit(problem, problem.start(from), last_tolerances);
 }
 

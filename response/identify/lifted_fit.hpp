@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "response/identify/fit_work.hpp"
 #include "response/identify/law_unknowns.hpp"
 #include "response/identify/line_correlation.hpp"
 
@@ -25,12 +26,12 @@ struct LiftedFit {
 /// direct step. τ falls from a third of the joint's force to a hundredth of it, each minimum the start of the next; with τ → 0 it is the
 /// likelihood. Gauss–Newton steps, the unknowns of a line eliminated from its rows. Nothing when direct_step cannot start it.
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, std::size_t threads = 1);
+                                    const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work = {});
 
 /// The same from where a fit ended, perhaps with other harmonics: tolerances from 1e-2 to 1e-4; forces of new harmonics begin as the
 /// law's.
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics, const LiftedFit& from,
-                                    std::size_t threads = 1);
+                                    const FitWork& work = {});
 
 }  // namespace jointid::response

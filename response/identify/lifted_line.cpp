@@ -22,9 +22,9 @@ LiftedLines::LiftedLines(const LineLayout& layout, const std::vector<StateModel>
     lines_[l] = eliminated(layout.lines()[l], states, unknowns, slopes, errors[l]);
     reduced[l] = lines_[l].errors->left(lines_[l].left);
   });
-  const Linearised priors = prior_residuals(unknowns, numbers);
+  const minimise::Linearised priors = prior_residuals(unknowns, numbers);
   reduced.emplace_back(priors.residual.size(), slopes.size() + 1) << priors.jacobian, priors.residual;
-  reduced_ = stacked(reduced);
+  reduced_ = minimise::stacked(reduced);
 }
 
 LiftedLines::Line LiftedLines::eliminated(const LineLayout::Line& own, const std::vector<LiftedState>& states,

@@ -6,7 +6,7 @@
 
 #include "dense/qr.hpp"
 #include "dense/ridge.hpp"
-#include "response/identify/gauss_newton.hpp"
+#include "minimise/gauss_newton.hpp"
 #include "response/identify/lifted_state.hpp"
 #include "response/identify/line_correlation.hpp"
 
@@ -28,7 +28,7 @@ class LiftedLines {
               const std::vector<Eigen::VectorXd>& tolerance, std::size_t threads);
 
   /// Residuals over the numbers of the laws alone, priors last: what is left when forces and errors do their best.
-  const Linearised& reduced() const { return reduced_; }
+  const minimise::Linearised& reduced() const { return reduced_; }
   /// Their sum of squares after a step of the numbers.
   double least(const Eigen::VectorXd& step) const { return (reduced_.residual + reduced_.jacobian * step).squaredNorm(); }
   /// What forces and errors do best after it.
@@ -48,7 +48,7 @@ class LiftedLines {
   std::vector<Line> lines_;
   std::vector<Harmonics> harmonics_;  ///< of each state
   Eigen::Index joints_ = 0;
-  Linearised reduced_;
+  minimise::Linearised reduced_;
 };
 
 }  // namespace jointid::response

@@ -63,7 +63,7 @@ Eigen::VectorXd LineCorrelation::without(const LineErrors& errors, const Eigen::
   return left;
 }
 
-Linearised LineCorrelation::whitened(const Eigen::VectorXd& without, const Eigen::MatrixXd& jacobian) const {
+minimise::Linearised LineCorrelation::whitened(const Eigen::VectorXd& without, const Eigen::MatrixXd& jacobian) const {
   std::vector<Eigen::MatrixXd> left(by_errors_.size());
   for_each_index(left.size(), threads_, [&](std::size_t l) {
     const std::vector<Eigen::Index>& rows = layout_->lines()[l].rows;
@@ -79,7 +79,7 @@ Linearised LineCorrelation::whitened(const Eigen::VectorXd& without, const Eigen
     if (is_of_line[static_cast<std::size_t>(row)]) continue;
     left.emplace_back(1, jacobian.cols() + 1) << jacobian.row(row), without(row);
   }
-  return stacked(left);
+  return minimise::stacked(left);
 }
 
 LineErrors LineCorrelation::best_errors(const Eigen::VectorXd& without) const {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dense/ridge.hpp"
-#include "response/identify/gauss_newton.hpp"
+#include "minimise/gauss_newton.hpp"
 #include "response/identify/state_model.hpp"
 
 namespace jointid::response {
@@ -52,7 +52,7 @@ class LineCorrelation {
 
   /// L⁻¹(r − Bu) and L⁻¹J of each line, LLᵀ = S, up to a rotation that leaves as few rows as there are numbers; then the rows that
   /// belong to no line.
-  Linearised whitened(const Eigen::VectorXd& without, const Eigen::MatrixXd& jacobian) const;
+  minimise::Linearised whitened(const Eigen::VectorXd& without, const Eigen::MatrixXd& jacobian) const;
 
   /// The errors v that minimise ‖r − Bu + Bv‖² + ‖v‖²: v = −BᵀS⁻¹(r − Bu), from r − Bu.
   LineErrors best_errors(const Eigen::VectorXd& without) const;

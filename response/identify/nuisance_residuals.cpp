@@ -24,18 +24,18 @@ double largest_change(const LineErrors& from, const LineErrors& to) {
 }  // namespace
 
 NuisanceResiduals::NuisanceResiduals(std::shared_ptr<const Receptance> structure, std::vector<MeasuredState> states,
-                                     LawUnknowns unknowns, std::vector<int> harmonics, std::size_t threads)
+                                     LawUnknowns unknowns, std::vector<int> harmonics, FitWork work)
     : structure_(std::move(structure)),
       states_(std::move(states)),
       unknowns_(std::move(unknowns)),
       harmonics_(std::move(harmonics)),
-      threads_(threads),
+      work_(std::move(work)),
       layout_(ResponseResiduals(structure_, states_, unknowns_, harmonics_).models(), *structure_),
       errors_(layout_.no_errors()) {}
 
 std::optional<NuisanceResiduals::Trial> NuisanceResiduals::tried(LineErrors errors, const Eigen::VectorXd& numbers,
                                                                  const std::vector<StatePrediction>& last) const {
-  ResponseResiduals residuals(corrected_models(structure_, states_, layout_, errors, harmonics_), unknowns_, threads_);
+  ResponseResiduals residuals(corrected_models(structure_, states_, layout_, errors, harmonics_), unknowns_, work_);
   auto value = residuals.evaluate(numbers, last);
   if (!value) return std::nullopt;
   const double cost = value->linearised.residual.squaredNorm() + squared_norm(errors);
@@ -44,7 +44,7 @@ std::optional<NuisanceResiduals::Trial> NuisanceResiduals::tried(LineErrors erro
 
 NuisanceResiduals::FirstOrder NuisanceResiduals::linearised(const Trial& trial) const {
   const std::vector<JointForce> joints = joint_forces(*unknowns_.at_numbers(trial.numbers));
-  FirstOrder at = {{layout_, trial.residuals.models(), trial.value.states, joints, threads_}, {}, {}};
+  FirstOrder at = {{layout_, trial.residuals.models(), trial.value.states, joints, work_.threads}, {}, {}};
   at.without = at.correlation.without(trial.errors, trial.value.linearised.residual);
   at.reduced = at.correlation.whitened(at.without, trial.value.linearised.jacobian);
   return at;
@@ -78,7 +78,8 @@ void NuisanceResiduals::keep(Trial&& trial) {
   states_found_ = std::move(trial.value.states);
 }
 
-std::optional<Linearised> NuisanceResiduals::evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last) {
+std::optional<minimise::Linearised> NuisanceResiduals::evaluate(const Eigen::VectorXd& numbers,
+                                                                const std::vector<StatePrediction>& last) {
   auto trial = tried(errors_, numbers, last);
   if (!trial) return std::nullopt;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(numbers.size());
@@ -93,7 +94,7 @@ std::optional<Linearised> NuisanceResiduals::evaluate(const Eigen::VectorXd& num
 
 bool NuisanceResiduals::descend(const FirstOrder& at, Trial& trial, double& damping) const {
   for (; damping <= most_step_damping; damping = std::max(10.0 * damping, least_step_damping)) {
-    const Eigen::VectorXd step = damped_step(at.reduced, damping);
+    const Eigen::VectorXd step = minimise::damped_step(at.reduced, damping);
     const LineErrors best = best_errors(at, trial, step);
     for (const double share : step_shares) {
       auto next = moved(trial, step, best, share);
@@ -106,25 +107,25 @@ bool NuisanceResiduals::descend(const FirstOrder& at, Trial& trial, double& damp
   return false;
 }
 
-GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start, const std::vector<StatePrediction>& last,
-                                         const GaussNewtonOptions& options) {
-  GaussNewtonResult result;
+minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start, const std::vector<StatePrediction>& last,
+                                                   const minimise::GaussNewtonOptions& options) {
+  minimise::GaussNewtonResult result;
   result.unknowns = start;
   auto trial = tried(errors_, start, last);
   if (!trial) return result;
   result.defined = true;
-  GaussNewtonEnd end(options);
+  minimise::GaussNewtonEnd end(options);
   double damping = first_step_damping;
   FirstOrder at = linearised(*trial);
   for (; result.steps < options.most_steps; ++result.steps) {
-    const Eigen::VectorXd full = damped_step(at.reduced, 0.0);
+    const Eigen::VectorXd full = minimise::damped_step(at.reduced, 0.0);
     const double least = (at.reduced.residual + at.reduced.jacobian * full).squaredNorm();
     const auto what = end.judge(full, (at.reduced.jacobian * full).norm(), trial->cost, trial->cost - least);
-    if (what == GaussNewtonEnd::What::here) {
+    if (what == minimise::GaussNewtonEnd::What::here) {
       result.converged = true;
       break;
     }
-    if (what == GaussNewtonEnd::What::descend) {
+    if (what == minimise::GaussNewtonEnd::What::descend) {
       if (!descend(at, *trial, damping)) {
         result.converged = end.at_rounding();
         break;

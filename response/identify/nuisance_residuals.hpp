@@ -14,9 +14,8 @@ namespace jointid::response {
 /// ‖L⁻¹(r − Bu)‖², LLᵀ = S, and L⁻¹J has the derivative of the cost by θ (variable projection). Rows are turned (LineCorrelation).
 class NuisanceResiduals {
  public:
-  /// On as many threads.
   NuisanceResiduals(std::shared_ptr<const Receptance> structure, std::vector<MeasuredState> states, LawUnknowns unknowns,
-                    std::vector<int> harmonics, std::size_t threads = 1);
+                    std::vector<int> harmonics, FitWork work = {});
 
   const LineLayout& layout() const { return layout_; }
   /// Those found last, where the next evaluation begins; none at first.
@@ -27,10 +26,11 @@ class NuisanceResiduals {
 
   /// The cost of these numbers. Nothing where a law makes no sense or harmonic balance does not converge. Begins with the errors found
   /// last.
-  std::optional<Linearised> evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last = {});
+  std::optional<minimise::Linearised> evaluate(const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last = {});
 
   /// Its minimum over the numbers: Gauss–Newton steps of numbers and errors together, as gauss_newton takes them.
-  GaussNewtonResult fit(const Eigen::VectorXd& start, const std::vector<StatePrediction>& last, const GaussNewtonOptions& options);
+  minimise::GaussNewtonResult fit(const Eigen::VectorXd& start, const std::vector<StatePrediction>& last,
+                                  const minimise::GaussNewtonOptions& options);
 
  private:
   /// Models, residuals and cost of some numbers and errors.
@@ -45,7 +45,7 @@ class NuisanceResiduals {
   struct FirstOrder {
     LineCorrelation correlation;
     Eigen::VectorXd without;  ///< r − Bu
-    Linearised reduced;       ///< over the numbers
+    minimise::Linearised reduced;  ///< over the numbers
   };
   std::optional<Trial> tried(LineErrors errors, const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last) const;
   FirstOrder linearised(const Trial& trial) const;
@@ -62,7 +62,7 @@ class NuisanceResiduals {
   std::vector<MeasuredState> states_;
   LawUnknowns unknowns_;
   std::vector<int> harmonics_;
-  std::size_t threads_;
+  FitWork work_;
   LineLayout layout_;
   LineErrors errors_;
   std::vector<StatePrediction> states_found_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/control.hpp"
 #include "base/statistics.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "problems/vibration/law_problem_cases.hpp"
@@ -31,6 +32,20 @@ TEST(IdentifyLaws, FindsTheIwanJointOfAMass) {
   EXPECT_LT(std::abs(joint.stiffness.value - 4e5), 4.0 * *joint.stiffness.std_error);
   EXPECT_LT(std::abs(joint.limit.value - 10.0), 4.0 * *joint.limit.std_error);
   EXPECT_EQ(found.steps.size(), found.data.states.size());
+}
+
+/// Asked to end at the first, the tenth or the hundredth time that it asks, it ends there; and threads change no bit.
+TEST(IdentifyLaws, EndsWhenAskedToAndDoesNotDependOnThreads) {
+  const TestFolder folder;
+  const LawScene scene = written("sdof-iwan", folder, false);
+  for (const int wanted : {1, 10, 100}) {
+    int asked = 0;
+    EXPECT_THROW(identify_laws(scene, {.interrupted = [&] { return ++asked >= wanted; }}), Interrupted);
+    EXPECT_EQ(asked, wanted);
+  }
+  const response::LawFit one = identify_laws(scene).fit(), three = identify_laws(scene, {.threads = 3}).fit();
+  EXPECT_EQ(one.values, three.values);
+  EXPECT_EQ(one.covariance, three.covariance);
 }
 
 TEST(IdentifyLaws, FindsTheLawsOfAFrameWithoutNoise) {

@@ -1,4 +1,4 @@
-#include "response/identify/gauss_newton.hpp"
+#include "minimise/gauss_newton.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "dense/minimum_norm.hpp"
 
-namespace jointid::response {
+namespace jointid::minimise {
 namespace {
 
 constexpr double longest_step = 1.0;  ///< as GaussNewtonEnd begins with
@@ -106,4 +106,4 @@ GaussNewtonResult gauss_newton(const Residuals& residuals, const Eigen::VectorXd
   return result;
 }
 
-}  // namespace jointid::response
+}  // namespace jointid::minimise

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace jointid::response {
+namespace jointid::minimise {
 
 /// Residuals in standard deviations, and their derivatives by the unknowns.
 struct Linearised {
@@ -37,8 +37,8 @@ class GaussNewtonEnd {
 
   /// What follows at unknowns with this full step, J times it, and Σr² now and by how much it would fall.
   What judge(const Eigen::VectorXd& full, double deviations, double cost, double gain);
-  /// Of the step judged last: whether it is shorter than the one before, whether it is the last one, and whether a Σr² that does not
-  /// fall along it is at rounding.
+  /// Of the step judged last: whether it is shorter than the one before, whether it is the last one, and whether a Σr² that does
+  /// not fall along it is at rounding.
   bool shrinks() const { return shrinks_; }
   bool is_last() const { return is_last_; }
   bool at_rounding() const;
@@ -65,4 +65,4 @@ Eigen::VectorXd damped_step(const Linearised& at, double damping);
 /// 1e-10 of it, full steps are taken as long as they become shorter.
 GaussNewtonResult gauss_newton(const Residuals& residuals, const Eigen::VectorXd& start, const GaussNewtonOptions& options = {});
 
-}  // namespace jointid::response
+}  // namespace jointid::minimise
