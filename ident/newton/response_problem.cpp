@@ -10,6 +10,8 @@
 namespace jointid::ident {
 namespace {
 
+constexpr std::size_t most_kept = 8'000'000;  // numbers
+
 double square_sum(std::span<const double> values) {
   return std::transform_reduce(values.begin(), values.end(), 0.0, std::plus<>(), [](double each) { return each * each; });
 }
@@ -58,6 +60,27 @@ std::vector<double> ResponseProblem::theta(std::span<const double> q) const {
 
 /// F, and the Jacobian by θ, of a line into f_ and jacobian_.
 bool ResponseProblem::line_rows(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const {
+  if (theta != kept_at_ || !kept_[line].defined) return work_out(line, theta, with_jacobian);
+  f_ = kept_[line].f;
+  if (with_jacobian) jacobian_ = kept_[line].jacobian;
+  return true;
+}
+
+void ResponseProblem::keep(const std::vector<double>& theta) {
+  kept_at_.clear();
+  std::size_t numbers = 0;
+  for (const ResponseLine& line : lines_) numbers += line.rows() * (line.columns().size() + 1);
+  if (numbers > most_kept || theta.empty()) return;
+  kept_.resize(lines_.size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    kept_[i].defined = work_out(i, theta, true);
+    kept_[i].f = f_;
+    kept_[i].jacobian = jacobian_;
+  }
+  kept_at_ = theta;
+}
+
+bool ResponseProblem::work_out(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const {
   const ResponseLine& own = lines_[line];
   f_.resize(own.rows());
   if (own.rows() == 0) return false;
@@ -73,8 +96,8 @@ bool ResponseProblem::each_line(std::span<const double> q, bool with_jacobian, c
     if (!line_rows(i, at, with_jacobian)) return false;
     const auto& columns = lines_[i].columns();
     for (double& each : f_) each *= weight_[i];
-    if (with_jacobian) {
-      for (std::size_t k = 0; k < jacobian_.size(); ++k) jacobian_[k] *= weight_[i] * scale_[columns[k % columns.size()]];
+    for (std::size_t k = 0; with_jacobian && k < jacobian_.size(); k += columns.size()) {
+      for (std::size_t t = 0; t < columns.size(); ++t) jacobian_[k + t] *= weight_[i] * scale_[columns[t]];
     }
     visit(f_, with_jacobian ? std::span<const double>(jacobian_) : std::span<const double>(), columns);
   }
@@ -95,22 +118,18 @@ bool ResponseProblem::evaluate(std::span<const double> q, std::span<double> r, s
   });
 }
 
-double ResponseProblem::jacobian_norm(std::size_t line, const std::vector<double>& theta) const {
-  if (!line_rows(line, theta, true)) return 0.0;
-  const auto& columns = lines_[line].columns();
-  double sum = 0.0;
-  for (std::size_t k = 0; k < jacobian_.size(); ++k) {
-    const double each = jacobian_[k] * scale_[columns[k % columns.size()]];
-    sum += each * each;
-  }
-  return std::sqrt(sum);
-}
-
 void ResponseProblem::weigh_at(std::span<const double> q) {
   const std::vector<double> at = theta(q);
+  keep(at);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const double norm = jacobian_norm(i, at);
-    weight_[i] = norm > 0.0 ? 1.0 / norm : 0.0;
+    weight_[i] = 0.0;
+    if (!line_rows(i, at, true)) continue;
+    const auto& columns = lines_[i].columns();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < jacobian_.size(); k += columns.size()) {
+      for (std::size_t t = 0; t < columns.size(); ++t) sum += std::pow(jacobian_[k + t] * scale_[columns[t]], 2);
+    }
+    if (sum > 0.0) weight_[i] = 1.0 / std::sqrt(sum);
   }
 }
 
@@ -130,7 +149,7 @@ void ResponseProblem::distrust_outliers(std::span<const double> q) {
 
 void ResponseProblem::select_at(std::span<const double> q, const std::function<bool()>& draw) {
   const std::vector<double> at = theta(q);
-  for (std::size_t i = 0; i < lines_.size(); ++i) used_[i] = lines_[i].rows() > 0 && lines_[i].correlation(at) > 0.0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) used_[i] = line_rows(i, at, false) && lines_[i].correlation(f_.data()) > 0.0;
   const std::size_t least = 2 * unknowns();
   if (selected() < least) select_all();
   if (!draw) return;

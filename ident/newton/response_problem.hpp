@@ -24,7 +24,8 @@ class ResponseProblem final : public minimise::LeastSquares {
   std::vector<double> theta(std::span<const double> q) const;
   const std::vector<double>& scale() const { return scale_; }
 
-  /// α_i = 1/‖J(ω_i)‖ at q (6.93): every line counts the same, however near it is to a resonance.
+  /// α_i = 1/‖J(ω_i)‖ at q (6.93): every line counts the same, however near it is to a resonance. Keeps all lines as they are there for
+  /// who asks next, where they are not too large.
   void weigh_at(std::span<const double> q);
 
   /// Lines that fit worse than 2.25 times the median count for less, by Huber's weight; after weigh_at().
@@ -37,7 +38,7 @@ class ResponseProblem final : public minimise::LeastSquares {
   std::size_t selected() const;
 
   /// Calls `visit` with the weighted residuals and Jacobian of every line used: rows [count × unknowns + 1], the last column F,
-  /// and which columns they are in. False where one is not defined. Memory: one line.
+  /// and which columns they are in. False where one is not defined. Memory: one line, beside those that are kept.
   using RowVisitor =
       std::function<void(std::span<const double> f, std::span<const double> jacobian, const std::vector<std::size_t>& columns)>;
   bool each_line(std::span<const double> q, bool with_jacobian, const RowVisitor& visit) const;
@@ -50,12 +51,20 @@ class ResponseProblem final : public minimise::LeastSquares {
 
  private:
   bool line_rows(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const;
-  double jacobian_norm(std::size_t line, const std::vector<double>& theta) const;
+  bool work_out(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const;
+  void keep(const std::vector<double>& theta);
 
   std::vector<ResponseLine> lines_;
   std::vector<double> weight_, scale_;
   std::vector<char> used_;
   mutable std::vector<double> f_, jacobian_;  ///< of the line at hand
+  /// F and the Jacobian by θ of a line where it was worked out last for all.
+  struct Kept {
+    bool defined = false;
+    std::vector<double> f, jacobian;
+  };
+  std::vector<double> kept_at_;  ///< θ; empty: nowhere
+  std::vector<Kept> kept_;
 };
 
 }  // namespace jointid::ident
