@@ -3,8 +3,12 @@
 #include <functional>
 
 #include "ident/newton/response_problem.hpp"
+#include "minimise/linear/triangle.hpp"
 
 namespace jointid::ident {
+
+/// The rows J s ≈ −F of a line, weighted.
+void append(const ResponseProblem::Rows& rows, minimise::Triangle& triangle);
 
 /// Where an iteration of method "newton" ended, in the scaled unknowns of its problem.
 struct NewtonFit {

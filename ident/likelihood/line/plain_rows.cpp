@@ -13,6 +13,9 @@ std::uint32_t small(std::size_t i) { return static_cast<std::uint32_t>(i); }
 /// Room for rows that are added up together, such that they stay in the cache.
 constexpr std::size_t usual_rows = 512;
 
+/// Columns of so many rows, not a power of two apart: these share the sets of a cache.
+std::size_t apart(std::size_t rows) { return rows / kernel_width % 2 == 0 ? rows + kernel_width : rows; }
+
 }  // namespace
 
 PlainRows::PlainRows(const LineLayout& layout) : layout_(layout) {
@@ -32,7 +35,9 @@ PlainRows::PlainRows(const LineLayout& layout) : layout_(layout) {
     most_own_ = std::max(most_own_, group.own);
     most_more_ = std::max(most_more_, group.more);
   }
-  stride_ = std::max(usual_rows, 2 * most_own_);
+  stride_ = apart(std::max(usual_rows, 2 * most_own_));
+  own_stride_ = apart(2 * most_own_);
+  more_stride_ = apart(2 * most_more_);
 }
 
 /// Left numbers: rows of A, rows of B, columns of hᵀ; right ones: columns of X, columns of B.
@@ -146,8 +151,8 @@ std::span<const std::uint32_t> PlainRows::rows_of(std::uint32_t run) const {
 void PlainRows::add_runs(const Group& group, const RowShape& shape, const ElementTables& tables, NormalRows& normal) {
   const std::span<const std::uint32_t> run = rows_of(group.run);
   const std::size_t tail = 2 * layout_.x.size(), columns = 2 * run.size(), stride = normal.stride();
-  const RowColumns own{tails_.data() + rows_, stride_}, more{more_tails_.data(), 2 * most_more_};
-  const RowColumns own_heads{heads_.data(), 2 * most_own_}, more_heads{more_heads_.data(), 2 * most_more_};
+  const RowColumns own{tails_.data() + rows_, stride_}, more{more_tails_.data(), more_stride_};
+  const RowColumns own_heads{heads_.data(), own_stride_}, more_heads{more_heads_.data(), more_stride_};
   write_rows(shape, tables, group_of(group.first, group.own), run, own, own_heads, room_.data());
   rows_ += 2 * group.own;
   if (columns == 0) return;
@@ -177,9 +182,9 @@ void PlainRows::add_to(NormalRows& normal, const LineData& data, const LineState
   for (std::size_t k = 0; k < layout_.others; ++k) longest = std::max(longest, layout_.x_first[k + 1] - layout_.x_first[k]);
   room_.resize(2 * kernel_width * tables.numbers());
   tails_.resize(shape.tail() * stride_);
-  more_tails_.resize(shape.tail() * 2 * most_more_);
-  heads_.resize(2 * longest * 2 * most_own_);
-  more_heads_.resize(2 * longest * 2 * most_more_);
+  more_tails_.resize(shape.tail() * more_stride_);
+  heads_.resize(2 * longest * own_stride_);
+  more_heads_.resize(2 * longest * more_stride_);
   rows_ = 0;
   for (const Group& group : groups_) {
     if (rows_ + 2 * group.own > stride_) flush(shape.tail(), normal);

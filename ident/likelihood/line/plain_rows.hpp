@@ -60,7 +60,8 @@ class PlainRows {
   std::vector<Complex> weight_, base_;  ///< of every element
   std::vector<double> weight_re_, weight_im_, base_re_, base_im_;  ///< of every slot
   std::vector<double> tails_, heads_, more_tails_, more_heads_;
-  std::size_t stride_ = 0, rows_ = 0;  ///< of tails_, and how many of these there are since they were added up
+  std::size_t stride_ = 0, own_stride_ = 0, more_stride_ = 0;  ///< of tails_, heads_ and the others
+  std::size_t rows_ = 0;                                       ///< in tails_ since they were added up
 };
 
 }  // namespace jointid::ident
