@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "base/eigen.hpp"
@@ -126,11 +127,17 @@ bool is_tiny(const Eigen::VectorXd& step, const std::vector<double>& q, double s
 /// Both schemes: weights and lines where the step begins, `advance` takes it; it says whether it could.
 NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options,
                   const std::function<std::optional<Eigen::VectorXd>(const std::vector<double>& q, Linearised& lines)>& advance) {
+  constexpr double gain = 0.01;
   NewtonFit fit{std::move(start), 0, false};
-  while (fit.iterations < options.most_iterations) {
+  double misfit = std::numeric_limits<double>::infinity();
+  std::size_t since = 0;  // it was that much more
+  while (fit.iterations < options.most_iterations && since < options.patience) {
     if (options.watch) options.watch(fit.q);
     ++fit.iterations;
     problem.weigh_at(fit.q);
+    const double here = problem.misfit(fit.q);
+    since = here < (1.0 - gain) * misfit ? 0 : since + 1;
+    if (since == 0) misfit = here;
     problem.select_at(fit.q, options.draw);
     Linearised lines(problem, fit.q);
     if (!lines.defined || !std::isfinite(lines.cost())) break;

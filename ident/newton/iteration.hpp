@@ -19,6 +19,7 @@ struct NewtonFit {
 
 struct NewtonOptions {
   std::size_t most_iterations = 100;
+  std::size_t patience = 100;  ///< it ends where so many iterations together do not take a hundredth off the misfit
   std::function<bool()> draw{};          ///< chooses lines anew in every iteration; empty: all that may be used
   std::function<void(const std::vector<double>& q)> watch{};  ///< called where every iteration begins, may throw to stop it
 };
