@@ -49,7 +49,7 @@ std::vector<double> predicted_start(const Plan& plan, const LikelihoodData& data
   }
   ResponseProblem problem(std::move(lines), theta.size());
   NewtonOptions options;
-  options.patience = 8;  // where it does not settle it goes about the place from which the likelihood does
+  options.patience = 20;  // where it does not settle it goes about the place from which the likelihood does
   const NewtonFit fit = damped_newton(problem, problem.scaled(theta), options);
   std::vector<double> end = problem.theta(fit.q);
   for (const double value : end) {
