@@ -398,7 +398,7 @@ double LikelihoodEstimator::misfit_at(std::vector<double> theta) {
   theta.resize(unknowns_, 0.0);
   lines_.take_variances_as_measured();
   lines_.begin(theta);
-  if (lines_.layout().is_large()) {
+  if (lines_.layout().is_large() || !lines_.layout().a.empty()) {  // the fit mostly begins at the first start that is looked at
     lines_.linearise(theta);
     linearised_at_ = std::move(theta);
   } else {
