@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
+#include <numeric>
 
 #include "base/eigen.hpp"
 #include "dense/pivoted_qr.hpp"
-#include "minimise/linear/triangle.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -21,13 +23,7 @@ class Linearised {
  public:
   Linearised(const ResponseProblem& problem, std::span<const double> q) : unknowns_(at(problem.unknowns())) {
     minimise::Triangle triangle(problem.unknowns());
-    defined = problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
-      double* row = triangle.append(f.size());
-      for (std::size_t i = 0; i < f.size(); ++i, row += triangle.stride()) {
-        for (std::size_t t = 0; t < columns.size(); ++t) row[columns[t]] = jacobian[i * columns.size() + t];
-        row[problem.unknowns()] = -f[i];
-      }
-    });
+    defined = problem.each_line(q, true, [&](const ResponseProblem::Rows& rows) { append(rows, triangle); });
     triangle.flush();
     free_ = static_cast<double>(triangle.rows_pushed()) - static_cast<double>(problem.unknowns());
     r_ = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
@@ -89,19 +85,25 @@ class Linearised {
 std::optional<Eigen::VectorXd> curvature(const ResponseProblem& problem, const std::vector<double>& q, const Eigen::VectorXd& step) {
   constexpr double way = 0.1;
   std::vector<double> ahead;
-  if (!problem.each_line(added(q, way * step), false, [&](auto f, auto, const auto&) { ahead.insert(ahead.end(), f.begin(), f.end()); })) {
-    return std::nullopt;
-  }
+  const auto note = [&](const ResponseProblem::Rows& rows) {
+    std::ranges::transform(rows.f, std::back_inserter(ahead), [&](double f) { return rows.weight * f; });
+  };
+  if (!problem.each_line(added(q, way * step), false, note)) return std::nullopt;
   Eigen::VectorXd out = Eigen::VectorXd::Zero(at(q.size()));
   auto there = ahead.begin();
-  const bool defined = problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      const double* row = jacobian.data() + i * columns.size();
-      double slope = 0.0;
-      for (std::size_t t = 0; t < columns.size(); ++t) slope += row[t] * step[at(columns[t])];
-      const double second = 2.0 / way * ((*there++ - f[i]) / way - slope);
-      for (std::size_t t = 0; t < columns.size(); ++t) out[at(columns[t])] += row[t] * second;
+  std::vector<double> along, sum;  // of the line's own unknowns
+  const bool defined = problem.each_line(q, true, [&](const ResponseProblem::Rows& rows) {
+    const std::size_t count = rows.columns.size();
+    along.clear();
+    for (std::size_t t = 0; t < count; ++t) along.push_back(rows.factor[t] * step[at(rows.columns[t])]);
+    sum.assign(count, 0.0);
+    for (std::size_t i = 0; i < rows.f.size(); ++i) {
+      const double* row = rows.jacobian.data() + i * count;
+      const double slope = std::inner_product(along.begin(), along.end(), row, 0.0);
+      const double second = 2.0 / way * ((*there++ - rows.weight * rows.f[i]) / way - slope);
+      for (std::size_t t = 0; t < count; ++t) sum[t] += row[t] * second;
     }
+    for (std::size_t t = 0; t < count; ++t) out[at(rows.columns[t])] += rows.factor[t] * sum[t];
   });
   if (!defined || !out.allFinite()) return std::nullopt;
   return out;
@@ -125,11 +127,17 @@ bool is_tiny(const Eigen::VectorXd& step, const std::vector<double>& q, double s
 /// Both schemes: weights and lines where the step begins, `advance` takes it; it says whether it could.
 NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options,
                   const std::function<std::optional<Eigen::VectorXd>(const std::vector<double>& q, Linearised& lines)>& advance) {
+  constexpr double gain = 0.01;
   NewtonFit fit{std::move(start), 0, false};
-  while (fit.iterations < options.most_iterations) {
+  double misfit = std::numeric_limits<double>::infinity();
+  std::size_t since = 0;  // it was that much more
+  while (fit.iterations < options.most_iterations && since < options.patience) {
     if (options.watch) options.watch(fit.q);
     ++fit.iterations;
     problem.weigh_at(fit.q);
+    const double here = problem.misfit(fit.q);
+    since = here < (1.0 - gain) * misfit ? 0 : since + 1;
+    if (since == 0) misfit = here;
     problem.select_at(fit.q, options.draw);
     Linearised lines(problem, fit.q);
     if (!lines.defined || !std::isfinite(lines.cost())) break;
@@ -154,6 +162,15 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
 }
 
 }  // namespace
+
+void append(const ResponseProblem::Rows& rows, minimise::Triangle& triangle) {
+  const std::size_t count = rows.columns.size();
+  double* row = triangle.append(rows.f.size());
+  for (std::size_t i = 0; i < rows.f.size(); ++i, row += triangle.stride()) {
+    for (std::size_t t = 0; t < count; ++t) row[rows.columns[t]] = rows.factor[t] * rows.jacobian[i * count + t];
+    row[triangle.unknowns()] = -rows.weight * rows.f[i];
+  }
+}
 
 NewtonFit damped_newton(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options) {
   double lambda = 1e-2;

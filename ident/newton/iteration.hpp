@@ -3,8 +3,12 @@
 #include <functional>
 
 #include "ident/newton/response_problem.hpp"
+#include "minimise/linear/triangle.hpp"
 
 namespace jointid::ident {
+
+/// The rows J s ≈ −F of a line, weighted.
+void append(const ResponseProblem::Rows& rows, minimise::Triangle& triangle);
 
 /// Where an iteration of method "newton" ended, in the scaled unknowns of its problem.
 struct NewtonFit {
@@ -15,6 +19,7 @@ struct NewtonFit {
 
 struct NewtonOptions {
   std::size_t most_iterations = 100;
+  std::size_t patience = 100;  ///< it ends where so many iterations together do not take a hundredth off the misfit
   std::function<bool()> draw{};          ///< chooses lines anew in every iteration; empty: all that may be used
   std::function<void(const std::vector<double>& q)> watch{};  ///< called where every iteration begins, may throw to stop it
 };

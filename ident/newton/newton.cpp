@@ -200,13 +200,7 @@ minimise::LinearSolution linearised(ResponseProblem& problem, const Point& q) {
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
   problem.weigh_at(q);
   minimise::Triangle& triangle = accumulator.triangle(all);
-  problem.each_line(q, true, [&](std::span<const double> f, std::span<const double> jacobian, const auto& columns) {
-    double* row = triangle.append(f.size());
-    for (std::size_t i = 0; i < f.size(); ++i, row += triangle.stride()) {
-      for (std::size_t t = 0; t < columns.size(); ++t) row[columns[t]] = jacobian[i * columns.size() + t];
-      row[problem.unknowns()] = -f[i];
-    }
-  });
+  problem.each_line(q, true, [&](const ResponseProblem::Rows& rows) { append(rows, triangle); });
   accumulator.flush();
   minimise::LinearSolution linear = minimise::solve_dense(accumulator);
   linear.y = problem.theta(q);

@@ -13,6 +13,7 @@ bool finite(Complex value) { return std::isfinite(value.real()) && std::isfinite
 
 ResponseLine::ResponseLine(ReachableFrfs frfs, JointImpedance joint) : frfs_(std::move(frfs)), joint_(std::move(joint)) {
   if (joint_.columns().empty() || !frfs_.bb.allFinite()) return;
+  reciprocal_ = frfs_.bb == frfs_.bb.transpose() && frfs_.ab.rows() == frfs_.ba.cols() && frfs_.ab.transpose() == frfs_.ba;
   for (Eigen::Index row = 0; row < frfs_.nn.rows(); ++row) {
     const bool to_joint = frfs_.ab.row(row).allFinite();
     for (Eigen::Index column = 0; column < frfs_.nn.cols(); ++column) {
@@ -30,9 +31,8 @@ Eigen::MatrixXcd ResponseLine::to_joint(const Eigen::MatrixXcd& z) const {
   return dense::solve(Eigen::MatrixXcd::Identity(n, n) + frfs_.bb * z, frfs_.ba);
 }
 
-bool ResponseLine::residual(const std::vector<double>& theta, double* f) const {
-  const Eigen::MatrixXcd z = joint_.at(theta);
-  const Eigen::MatrixXcd change = frfs_.ab * (z * to_joint(z));
+bool ResponseLine::residual_of(const Eigen::MatrixXcd& z, const Eigen::MatrixXcd& h_jn, double* f) const {
+  const Eigen::MatrixXcd change = frfs_.ab * (z * h_jn);
   bool defined = true;
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const auto [row, column] = entries_[e];
@@ -44,15 +44,24 @@ bool ResponseLine::residual(const std::vector<double>& theta, double* f) const {
   return defined;
 }
 
+bool ResponseLine::residual(const std::vector<double>& theta, double* f) const {
+  const Eigen::MatrixXcd z = joint_.at(theta);
+  return residual_of(z, to_joint(z), f);
+}
+
 bool ResponseLine::linearise(const std::vector<double>& theta, double* f, double* jacobian) const {
-  if (!residual(theta, f)) return false;
   const Eigen::MatrixXcd z = joint_.at(theta), h_jn = to_joint(z);
-  const Eigen::MatrixXcd left = (Eigen::MatrixXcd::Identity(z.rows(), z.rows()) + z * frfs_.bb).transpose();
-  const Eigen::MatrixXcd h_nj = dense::solve(left, frfs_.ab.transpose());  // transposed: a column per response
+  if (!residual_of(z, h_jn, f)) return false;
+  Eigen::MatrixXcd h_nj;  // transposed: a column per response
+  if (!reciprocal_) {
+    const Eigen::MatrixXcd left = (Eigen::MatrixXcd::Identity(z.rows(), z.rows()) + z * frfs_.bb).transpose();
+    h_nj = dense::solve(left, frfs_.ab.transpose());
+  }
+  const Eigen::MatrixXcd& from_joint = reciprocal_ ? h_jn : h_nj;
   const std::size_t count = columns().size();
   std::vector<Complex> derivative(count);
   for (std::size_t e = 0; e < entries_.size(); ++e) {
-    joint_.sensitivity(h_nj.col(entries_[e].row).data(), h_jn.col(entries_[e].column).data(), derivative.data());
+    joint_.sensitivity(from_joint.col(entries_[e].row).data(), h_jn.col(entries_[e].column).data(), derivative.data());
     for (std::size_t t = 0; t < count; ++t) {
       if (!finite(derivative[t])) return false;
       jacobian[e * count + t] = derivative[t].real();
@@ -62,9 +71,7 @@ bool ResponseLine::linearise(const std::vector<double>& theta, double* f, double
   return true;
 }
 
-double ResponseLine::correlation(const std::vector<double>& theta) const {
-  std::vector<double> f(rows());
-  if (!residual(theta, f.data())) return 0.0;
+double ResponseLine::correlation(const double* f) const {
   double product = 0.0, predicted = 0.0, measured = 0.0;
   for (std::size_t e = 0; e < entries_.size(); ++e) {
     const Complex there = frfs_.nn(entries_[e].row, entries_[e].column);

@@ -36,9 +36,9 @@ class ResponseLine {
   /// The same and ∂F/∂θ of the line's own columns, [rows × columns] row by row.
   bool linearise(const std::vector<double>& theta, double* f, double* jacobian) const;
 
-  /// How alike predicted and measured assembly FRFs are, −1 to 1: Re⟨H_pred, H_nn⟩ over both norms. Between a resonance of the
-  /// prediction and the matching one of the measurement the prevailing mode has changed its sign in one of them only.
-  double correlation(const std::vector<double>& theta) const;
+  /// How alike predicted and measured assembly FRFs are, −1 to 1: Re⟨H_pred, H_nn⟩ over both norms, for residuals `f`. Between a resonance
+  /// of the prediction and the matching one of the measurement the prevailing mode has changed its sign in one of them only.
+  double correlation(const double* f) const;
 
   /// ‖H_aa − H_nn‖² over the entries used: F of the free joint.
   double change() const { return change_; }
@@ -49,10 +49,12 @@ class ResponseLine {
   };
 
   Eigen::MatrixXcd to_joint(const Eigen::MatrixXcd& z) const;
+  bool residual_of(const Eigen::MatrixXcd& z, const Eigen::MatrixXcd& h_jn, double* f) const;
 
   ReachableFrfs frfs_;
   JointImpedance joint_;
   std::vector<Entry> entries_;
+  bool reciprocal_ = false;  ///< H_ba is the transpose of H_ab, and H_bb symmetric
   double change_ = 0.0;
 };
 

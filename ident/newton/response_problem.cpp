@@ -10,6 +10,8 @@
 namespace jointid::ident {
 namespace {
 
+constexpr std::size_t most_kept = 8'000'000;  // numbers
+
 double square_sum(std::span<const double> values) {
   return std::transform_reduce(values.begin(), values.end(), 0.0, std::plus<>(), [](double each) { return each * each; });
 }
@@ -22,12 +24,13 @@ ResponseProblem::ResponseProblem(std::vector<ResponseLine> lines, std::size_t un
   std::vector<std::vector<double>> norms(unknowns);
   std::vector<double> changes;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (!line_rows(i, free, true)) continue;
+    const Line* const line = line_at(i, free, true);
+    if (!line) continue;
     changes.push_back(std::sqrt(lines_[i].change()));
     const std::size_t count = lines_[i].columns().size();
     for (std::size_t t = 0; t < count; ++t) {
       double sum = 0.0;
-      for (std::size_t row = 0; row < lines_[i].rows(); ++row) sum += jacobian_[row * count + t] * jacobian_[row * count + t];
+      for (std::size_t row = 0; row < lines_[i].rows(); ++row) sum += std::pow(line->jacobian[row * count + t], 2);
       norms[lines_[i].columns()[t]].push_back(std::sqrt(sum));
     }
   }
@@ -56,27 +59,42 @@ std::vector<double> ResponseProblem::theta(std::span<const double> q) const {
   return theta;
 }
 
-/// F, and the Jacobian by θ, of a line into f_ and jacobian_.
-bool ResponseProblem::line_rows(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const {
+void ResponseProblem::work_out(std::size_t line, const std::vector<double>& theta, bool with_jacobian, Line& to) const {
   const ResponseLine& own = lines_[line];
-  f_.resize(own.rows());
-  if (own.rows() == 0) return false;
-  if (!with_jacobian) return own.residual(theta, f_.data());
-  jacobian_.resize(own.rows() * own.columns().size());
-  return own.linearise(theta, f_.data(), jacobian_.data());
+  to.f.resize(own.rows());
+  if (with_jacobian) to.jacobian.resize(own.rows() * own.columns().size());
+  to.defined = own.rows() > 0 &&
+               (with_jacobian ? own.linearise(theta, to.f.data(), to.jacobian.data()) : own.residual(theta, to.f.data()));
+}
+
+/// Null where the line is not defined.
+const ResponseProblem::Line* ResponseProblem::line_at(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const {
+  if (!kept_.empty() && theta == kept_at_ && kept_[line].defined) return &kept_[line];
+  work_out(line, theta, with_jacobian, at_hand_);
+  return at_hand_.defined ? &at_hand_ : nullptr;
+}
+
+void ResponseProblem::keep(const std::vector<double>& theta) {
+  kept_at_.clear();
+  std::size_t numbers = 0;
+  for (const ResponseLine& line : lines_) numbers += line.rows() * (line.columns().size() + 1);
+  if (numbers > most_kept) return;
+  kept_.resize(lines_.size());
+  for (std::size_t i = 0; i < lines_.size(); ++i) work_out(i, theta, true, kept_[i]);
+  kept_at_ = theta;
 }
 
 bool ResponseProblem::each_line(std::span<const double> q, bool with_jacobian, const RowVisitor& visit) const {
   const std::vector<double> at = theta(q);
+  std::vector<double> factor;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     if (!used_[i] || lines_[i].rows() == 0) continue;
-    if (!line_rows(i, at, with_jacobian)) return false;
+    const Line* const line = line_at(i, at, with_jacobian);
+    if (!line) return false;
     const auto& columns = lines_[i].columns();
-    for (double& each : f_) each *= weight_[i];
-    if (with_jacobian) {
-      for (std::size_t k = 0; k < jacobian_.size(); ++k) jacobian_[k] *= weight_[i] * scale_[columns[k % columns.size()]];
-    }
-    visit(f_, with_jacobian ? std::span<const double>(jacobian_) : std::span<const double>(), columns);
+    factor.clear();
+    for (const std::size_t column : columns) factor.push_back(weight_[i] * scale_[column]);
+    visit({line->f, with_jacobian ? std::span<const double>(line->jacobian) : std::span<const double>(), weight_[i], factor, columns});
   }
   return true;
 }
@@ -85,32 +103,30 @@ bool ResponseProblem::evaluate(std::span<const double> q, std::span<double> r, s
   std::ranges::fill(r, 0.0);
   std::ranges::fill(jacobian, 0.0);
   std::size_t row = 0;
-  return each_line(q, !jacobian.empty(), [&](std::span<const double> f, std::span<const double> own, const auto& columns) {
-    for (std::size_t i = 0; i < f.size(); ++i, ++row) {
-      r[row] = f[i];
-      for (std::size_t t = 0; t < columns.size() && !own.empty(); ++t) {
-        jacobian[row * unknowns() + columns[t]] = own[i * columns.size() + t];
+  return each_line(q, !jacobian.empty(), [&](const Rows& rows) {
+    const std::size_t count = rows.columns.size();
+    for (std::size_t i = 0; i < rows.f.size(); ++i, ++row) {
+      r[row] = rows.weight * rows.f[i];
+      for (std::size_t t = 0; t < count && !rows.jacobian.empty(); ++t) {
+        jacobian[row * unknowns() + rows.columns[t]] = rows.factor[t] * rows.jacobian[i * count + t];
       }
     }
   });
 }
 
-double ResponseProblem::jacobian_norm(std::size_t line, const std::vector<double>& theta) const {
-  if (!line_rows(line, theta, true)) return 0.0;
-  const auto& columns = lines_[line].columns();
-  double sum = 0.0;
-  for (std::size_t k = 0; k < jacobian_.size(); ++k) {
-    const double each = jacobian_[k] * scale_[columns[k % columns.size()]];
-    sum += each * each;
-  }
-  return std::sqrt(sum);
-}
-
 void ResponseProblem::weigh_at(std::span<const double> q) {
   const std::vector<double> at = theta(q);
+  keep(at);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const double norm = jacobian_norm(i, at);
-    weight_[i] = norm > 0.0 ? 1.0 / norm : 0.0;
+    weight_[i] = 0.0;
+    const Line* const line = line_at(i, at, true);
+    if (!line) continue;
+    const auto& columns = lines_[i].columns();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < line->jacobian.size(); k += columns.size()) {
+      for (std::size_t t = 0; t < columns.size(); ++t) sum += std::pow(line->jacobian[k + t] * scale_[columns[t]], 2);
+    }
+    if (sum > 0.0) weight_[i] = 1.0 / std::sqrt(sum);
   }
 }
 
@@ -118,8 +134,9 @@ void ResponseProblem::distrust_outliers(std::span<const double> q) {
   const std::vector<double> at = theta(q);
   std::vector<double> sizes(lines_.size(), 0.0), known;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (!line_rows(i, at, false)) continue;
-    sizes[i] = weight_[i] * std::sqrt(square_sum(f_) / static_cast<double>(f_.size()));
+    const Line* const line = line_at(i, at, false);
+    if (!line) continue;
+    sizes[i] = weight_[i] * std::sqrt(square_sum(line->f) / static_cast<double>(line->f.size()));
     known.push_back(sizes[i]);
   }
   const double limit = 2.25 * median(std::move(known));
@@ -130,7 +147,10 @@ void ResponseProblem::distrust_outliers(std::span<const double> q) {
 
 void ResponseProblem::select_at(std::span<const double> q, const std::function<bool()>& draw) {
   const std::vector<double> at = theta(q);
-  for (std::size_t i = 0; i < lines_.size(); ++i) used_[i] = lines_[i].rows() > 0 && lines_[i].correlation(at) > 0.0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const Line* const line = line_at(i, at, false);
+    used_[i] = line && lines_[i].correlation(line->f.data()) > 0.0;
+  }
   const std::size_t least = 2 * unknowns();
   if (selected() < least) select_all();
   if (!draw) return;
@@ -145,7 +165,7 @@ std::size_t ResponseProblem::selected() const { return static_cast<std::size_t>(
 
 double ResponseProblem::cost(std::span<const double> q) const {
   double sum = 0.0;
-  const bool defined = each_line(q, false, [&](std::span<const double> f, auto, const auto&) { sum += square_sum(f); });
+  const bool defined = each_line(q, false, [&](const Rows& rows) { sum += rows.weight * rows.weight * square_sum(rows.f); });
   return defined ? sum : std::numeric_limits<double>::infinity();
 }
 
@@ -155,7 +175,8 @@ double ResponseProblem::misfit(std::span<const double> q) const {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     if (lines_[i].rows() == 0 || !(lines_[i].change() > 0.0)) continue;
     lines += 1.0;
-    sum += line_rows(i, at, false) ? std::log1p(square_sum(f_) / lines_[i].change()) : std::numeric_limits<double>::infinity();
+    const Line* const line = line_at(i, at, false);
+    sum += line ? std::log1p(square_sum(line->f) / lines_[i].change()) : std::numeric_limits<double>::infinity();
   }
   return lines > 0.0 ? sum / lines : std::numeric_limits<double>::infinity();
 }

@@ -24,7 +24,8 @@ class ResponseProblem final : public minimise::LeastSquares {
   std::vector<double> theta(std::span<const double> q) const;
   const std::vector<double>& scale() const { return scale_; }
 
-  /// α_i = 1/‖J(ω_i)‖ at q (6.93): every line counts the same, however near it is to a resonance.
+  /// α_i = 1/‖J(ω_i)‖ at q (6.93): every line counts the same, however near it is to a resonance. Keeps all lines as they are there for
+  /// who asks next, where they are not too large.
   void weigh_at(std::span<const double> q);
 
   /// Lines that fit worse than 2.25 times the median count for less, by Huber's weight; after weigh_at().
@@ -36,10 +37,16 @@ class ResponseProblem final : public minimise::LeastSquares {
   void select_all();
   std::size_t selected() const;
 
-  /// Calls `visit` with the weighted residuals and Jacobian of every line used: rows [count × unknowns + 1], the last column F,
-  /// and which columns they are in. False where one is not defined. Memory: one line.
-  using RowVisitor =
-      std::function<void(std::span<const double> f, std::span<const double> jacobian, const std::vector<std::size_t>& columns)>;
+  /// F of a line and its Jacobian by θ, and by what they are multiplied in the weighted problem in q.
+  struct Rows {
+    std::span<const double> f, jacobian;         ///< [count], [count × columns]
+    double weight;                               ///< of F
+    std::span<const double> factor;              ///< of every column of the Jacobian
+    const std::vector<std::size_t>& columns;
+  };
+
+  /// Calls `visit` with every line used. False where one is not defined. Memory: one line, beside those that are kept.
+  using RowVisitor = std::function<void(const Rows& rows)>;
   bool each_line(std::span<const double> q, bool with_jacobian, const RowVisitor& visit) const;
 
   /// Σ α²‖F‖² of the lines used.
@@ -49,13 +56,22 @@ class ResponseProblem final : public minimise::LeastSquares {
   double misfit(std::span<const double> q) const;
 
  private:
-  bool line_rows(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const;
-  double jacobian_norm(std::size_t line, const std::vector<double>& theta) const;
+  /// F and the Jacobian by θ of a line.
+  struct Line {
+    bool defined = false;
+    std::vector<double> f, jacobian;
+  };
+
+  void work_out(std::size_t line, const std::vector<double>& theta, bool with_jacobian, Line& to) const;
+  const Line* line_at(std::size_t line, const std::vector<double>& theta, bool with_jacobian) const;
+  void keep(const std::vector<double>& theta);
 
   std::vector<ResponseLine> lines_;
   std::vector<double> weight_, scale_;
   std::vector<char> used_;
-  mutable std::vector<double> f_, jacobian_;  ///< of the line at hand
+  std::vector<double> kept_at_;  ///< θ where all lines were worked out last; empty: nowhere
+  std::vector<Line> kept_;
+  mutable Line at_hand_;
 };
 
 }  // namespace jointid::ident

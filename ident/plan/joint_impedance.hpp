@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "ident/plan/impedance_terms.hpp"
 #include "ident/plan/unknown_columns.hpp"
 #include "minimise/linear/line_product.hpp"
 #include "restrictions/restriction.hpp"
@@ -33,19 +34,16 @@ class JointImpedance {
   /// Re Σ_pq conj(∂Z(p,q)/∂θ_t) Q(p,q) for every unknown t of this line.
   Eigen::VectorXd along(const ComplexMatrix& q) const;
 
- private:
-  struct Term {
-    std::size_t row, column;
-    double coefficient;
-  };
-  struct Part {
-    Complex factor;
-    std::size_t first_term, last_term;
-  };
+  /// Terms by shapes, and the unknowns that have each: numbers of columns().
+  std::span<const ImpedanceTerm> terms() const { return terms_; }
+  std::span<const ImpedanceShape> shapes() const { return shapes_; }
+  std::span<const ImpedancePart> parts() const { return parts_; }
 
+ private:
   std::vector<std::size_t> columns_;
-  std::vector<Part> parts_;  ///< one per unknown
-  std::vector<Term> terms_;
+  std::vector<ImpedanceTerm> terms_;
+  std::vector<ImpedanceShape> shapes_;
+  std::vector<ImpedancePart> parts_;  ///< one per unknown
   ComplexMatrix known_;
 };
 

@@ -119,6 +119,30 @@ TEST_F(Automatic, PlansTheCostOfWhatIterates) {
   EXPECT_EQ(expected_seconds(plan()->cost), 0.0);
 }
 
+/// What is planned, at so many times the flops that an iteration takes.
+TEST_F(Automatic, TakesMethodOneWhereTheLikelihoodWouldTakeTooLong) {
+  const auto given = plan();
+  const auto chosen = [&](double times) {
+    return plan_automatically(scene, *given->substructures, *given->assembly, [&](const Scene& asked) {
+      auto planned = problems::plan(asked, problems::polluted(problem, 1, 0));
+      planned->cost.iteration.flops *= times;
+      return planned;
+    });
+  };
+  EXPECT_EQ(chosen(1.0)->scene.identify.method, Method::likelihood);
+  const auto slow = chosen(1e9);
+  EXPECT_EQ(slow->scene.identify.method, Method::one);
+  EXPECT_THAT(slow->chosen, HasSubstr("would take about"));
+}
+
+/// 56 s of a slow machine, half a Gflop a second: it is not measured how fast this one is.
+TEST_F(Automatic, ExpectsEightFactorisationsOfALine) {
+  Cost cost = plan()->cost;
+  EXPECT_EQ(cost.iteration.expected, 8u);
+  cost.iteration.flops = 3.5e9;
+  EXPECT_TRUE(are_expected_within(60.0, cost));
+}
+
 TEST_F(Automatic, TimesOfThePhasesAddUpToTheTotal) {
   const RunTime time = solution().runtime_s;
   double sum = 0.0;

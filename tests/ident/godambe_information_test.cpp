@@ -45,7 +45,7 @@ struct RandomInformation {
 RC_GTEST_PROP(GodambeInformation, IsThatOfAQuadraticFunction, (unsigned seed)) {
   RandomInformation sample(seed);
   const MatrixXd curvature = sample.curvature(0.3, 0.9);
-  const MatrixXd found = godambe_information([&](const VectorXd& offset) { return VectorXd(-curvature * offset); }, sample.information);
+  const MatrixXd found = godambe_information(one_by_one([&](const VectorXd& offset) { return VectorXd(-curvature * offset); }), sample.information);
   const MatrixXd expected = curvature * dense::solve_positive(sample.information, curvature);
   RC_ASSERT((found - expected).norm() <= 1e-6 * expected.norm());
 }
@@ -75,7 +75,7 @@ TEST(GodambeInformation, GivesTheVarianceOfALineThroughPointsWithErrorsInBothCoo
     const VectorXd fitted = (x + estimate * y) / (1.0 + estimate * estimate);
     const MatrixXd information = MatrixXd::Constant(1, 1, fitted.squaredNorm() / ((1.0 + estimate * estimate) * sigma * sigma));
     squares += (estimate - slope) * (estimate - slope);
-    predicted += 1.0 / godambe_information(gradient, information)(0, 0);
+    predicted += 1.0 / godambe_information(one_by_one(gradient), information)(0, 0);
     promised += 1.0 / information(0, 0);
   }
   EXPECT_NEAR(predicted / squares, 1.0, 0.15);
@@ -89,7 +89,7 @@ RC_GTEST_PROP(GodambeInformation, CostsSixGradientsWhereItIsTheInformation, (uns
     ++gradients;
     return VectorXd(-sample.information * offset);
   };
-  RC_ASSERT(godambe_information(gradient, sample.information) == sample.information);
+  RC_ASSERT(godambe_information(one_by_one(gradient), sample.information) == sample.information);
   RC_ASSERT(gradients == 6);
 }
 
@@ -97,14 +97,14 @@ RC_GTEST_PROP(GodambeInformation, IsTheInformationWhereDifferencesTellNoCurvatur
   RandomInformation sample(seed);
   for (const double share : {-1.0, 5.0}) {
     const auto gradient = [&](const VectorXd& offset) { return VectorXd(-share * (sample.information * offset)); };
-    RC_ASSERT(godambe_information(gradient, sample.information) == sample.information);
+    RC_ASSERT(godambe_information(one_by_one(gradient), sample.information) == sample.information);
   }
 }
 
 TEST(GodambeInformation, IsTheInformationWhereThatSaysNothingOfAnUnknown) {
   const MatrixXd information = Eigen::Vector2d(1.0, 0.0).asDiagonal();
   const auto gradient = [&](const VectorXd& offset) { return VectorXd(-0.5 * (information * offset)); };
-  EXPECT_EQ(godambe_information(gradient, information), information);
+  EXPECT_EQ(godambe_information(one_by_one(gradient), information), information);
 }
 
 }  // namespace

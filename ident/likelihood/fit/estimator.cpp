@@ -398,7 +398,7 @@ double LikelihoodEstimator::misfit_at(std::vector<double> theta) {
   theta.resize(unknowns_, 0.0);
   lines_.take_variances_as_measured();
   lines_.begin(theta);
-  if (lines_.layout().is_large()) {
+  if (lines_.layout().is_large() || !lines_.layout().a.empty()) {  // the fit mostly begins at the first start that is looked at
     lines_.linearise(theta);
     linearised_at_ = std::move(theta);
   } else {
@@ -422,18 +422,26 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(std::vector<double> theta) {
 
 Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit& fit) {
   const std::vector<FittedLine> there = lines_.places();
-  const auto gradient_at = [&](const Eigen::VectorXd& offset, bool relaxed) {
+  const auto exact = [&](const std::vector<Eigen::VectorXd>& offsets) {
+    const Eigen::MatrixXd sums = lines_.gradients_nearby(there, fit.theta, offsets);
+    std::vector<Eigen::VectorXd> out;
+    for (std::size_t k = 0; k < offsets.size(); ++k) {
+      out.emplace_back(sums.col(at(k)));
+      for (const auto& [column, value, weight] : priors_) {
+        out.back()[at(column)] += weight * weight * (value - fit.theta[column] - offsets[k][at(column)]);
+      }
+    }
+    return out;
+  };
+  const auto quick = [&](const Eigen::VectorXd& offset) {
     const std::vector<double> theta = added(fit.theta, offset, 1.0);
     lines_.answer(there, theta, offset);
-    if (relaxed) lines_.relax(theta);
     lines_.take_gradients(theta);
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;
     sum(theta, information, gradient);
     return gradient;
   };
-  const auto exact = [&](const Eigen::VectorXd& offset) { return gradient_at(offset, true); };
-  const auto quick = [&](const Eigen::VectorXd& offset) { return gradient_at(offset, false); };
   const bool saves = lines_.layout().is_large();
   Eigen::MatrixXd curvature = godambe_information(exact, fit.information, saves ? GradientAt(quick) : GradientAt());
   lines_.go_back(there);

@@ -174,6 +174,51 @@ void FittedLines::answer(const std::vector<FittedLine>& before, const std::vecto
   });
 }
 
+Eigen::MatrixXd FittedLines::gradients_nearby(const std::vector<FittedLine>& before, const std::vector<double>& theta,
+                                              const std::vector<Eigen::VectorXd>& offsets) {
+  std::vector<std::vector<double>> nearby;
+  for (const Eigen::VectorXd& offset : offsets) {
+    nearby.push_back(theta);
+    for (std::size_t i = 0; i < theta.size(); ++i) nearby.back()[i] += offset[at(i)];
+  }
+  std::vector<Eigen::MatrixXd> gradients(lines_.size());
+  for_all([&](std::size_t i, LineModel& model) {
+    const FittedLine& line = before[i];
+    if (!line.reduced.tells()) return;
+    const LineData& data = data_at(i, theta);
+    if (!has_plain_errors(data)) {
+      gradients[i] = relaxed_gradients(i, before[i], nearby, offsets, model);
+      return;
+    }
+    std::vector<JointNearby> joints;
+    for (std::size_t k = 0; k < offsets.size(); ++k) joints.push_back({line.joint.at(nearby[k]), pick(offsets[k], line.columns)});
+    gradients[i] = ident::gradients_nearby(data, line.joint.at(theta), model, line, joints);
+  });
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(at(theta.size()), at(offsets.size()));
+  for (std::size_t l = own_.first; l < own_.last; ++l) {
+    for (Eigen::Index i = 0; i < gradients[l].rows(); ++i) {
+      sums.row(at(lines_[l].columns[static_cast<std::size_t>(i)])) += lines_[l].weight * gradients[l].row(i);
+    }
+  }
+  data_->shares().sum({sums.data(), static_cast<std::size_t>(sums.size())});
+  return sums;
+}
+
+/// Of a line whose errors are not plain.
+Eigen::MatrixXd FittedLines::relaxed_gradients(std::size_t i, const FittedLine& before, const std::vector<std::vector<double>>& nearby,
+                                               const std::vector<Eigen::VectorXd>& offsets, LineModel& model) {
+  Eigen::MatrixXd out(at(before.columns.size()), at(nearby.size()));
+  for (std::size_t k = 0; k < nearby.size(); ++k) {
+    FittedLine line = before;
+    const ComplexMatrix z = line.joint.at(nearby[k]);
+    move(layout(), before.reduced.answer(pick(offsets[k], line.columns)), 1.0, line.state.x, line.state.y);
+    const LineData& data = data_at(i, nearby[k]);
+    ident::relax(data, z, model, line);
+    out.col(at(k)) = linearised(data, z, model, line).gradient;
+  }
+  return out;
+}
+
 void FittedLines::follow(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step,
                          Relaxation until) {
   std::atomic<bool> relaxed = false;

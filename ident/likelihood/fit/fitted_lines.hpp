@@ -58,6 +58,11 @@ class FittedLines {
   /// lines that did not follow the last step as predicted are linearised again, and all that have not plain errors.
   void take_gradients(const std::vector<double>& theta);
 
+  /// Σ weight · gradient of the lines, their FRFs optimised, at joints nearby, a column each: `theta` plus the offsets, from `before`, where
+  /// they are linearised. Where these lines stand is not defined afterwards.
+  Eigen::MatrixXd gradients_nearby(const std::vector<FittedLine>& before, const std::vector<double>& theta,
+                                   const std::vector<Eigen::VectorXd>& offsets);
+
   /// From `before`, where lines are linearised, with the FRFs as they answer to a step of the joint to `theta`.
   void answer(const std::vector<FittedLine>& before, const std::vector<double>& theta, const Eigen::VectorXd& step);
 
@@ -102,6 +107,8 @@ class FittedLines {
  private:
   /// A few lines that are far from fitting once more from other starts; whether there were any.
   bool relax_stuck(const std::vector<double>& theta);
+  Eigen::MatrixXd relaxed_gradients(std::size_t line, const FittedLine& before, const std::vector<std::vector<double>>& nearby,
+                                    const std::vector<Eigen::VectorXd>& offsets, LineModel& model);
   /// For this process's lines; then costs are known of all.
   void for_all(const std::function<void(std::size_t, LineModel&)>& work);
   void exchange_costs();

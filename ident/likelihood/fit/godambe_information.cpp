@@ -1,9 +1,9 @@
 #include "ident/likelihood/fit/godambe_information.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "dense/cholesky.hpp"
@@ -19,18 +19,30 @@ constexpr double least_curvature = 0.1, most_curvature = 3.0;  // of the informa
 
 }  // namespace
 
-Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::MatrixXd& information, const GradientAt& quick) {
+GradientsAt one_by_one(GradientAt gradient) {
+  return [gradient = std::move(gradient)](const std::vector<Eigen::VectorXd>& offsets) {
+    std::vector<Eigen::VectorXd> out;
+    for (const Eigen::VectorXd& offset : offsets) out.push_back(gradient(offset));
+    return out;
+  };
+}
+
+Eigen::MatrixXd godambe_information(const GradientsAt& gradients, const Eigen::MatrixXd& information, const GradientAt& quick) {
   if (minimise::null_space_of(information).cols() > 0) return information;
   const auto root = dense::cholesky(minimise::covariance_of(information));
   if (!root) return information;
   const Eigen::MatrixXd& unit = *root;  // offsets of one standard deviation: the information is the identity there
-  const auto by_differences = [&unit](const GradientAt& of) {
-    return [&unit, &of](const Eigen::VectorXd& direction) {
-      const Eigen::VectorXd offset = unit * (way * direction);
-      return Eigen::VectorXd(unit.transpose() * (of(-offset) - of(offset)) / (2.0 * way));
-    };
+  const auto by_differences = [&unit](const GradientsAt& of, const std::vector<Eigen::VectorXd>& directions) {
+    std::vector<Eigen::VectorXd> offsets, out;
+    for (const Eigen::VectorXd& direction : directions) {
+      for (const double side : {-1.0, 1.0}) offsets.emplace_back(unit * (side * way * direction));
+    }
+    const std::vector<Eigen::VectorXd> there = of(offsets);
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      out.emplace_back(unit.transpose() * (there[2 * k] - there[2 * k + 1]) / (2.0 * way));
+    }
+    return out;
   };
-  const auto along = by_differences(gradient);
   const Eigen::Index size = information.rows();
   std::mt19937_64 random(static_cast<std::uint64_t>(size));
   std::vector<Eigen::VectorXd> probes(3, Eigen::VectorXd(size));
@@ -38,20 +50,25 @@ Eigen::MatrixXd godambe_information(const GradientAt& gradient, const Eigen::Mat
     for (double& value : direction) value = (random() & 1u) != 0 ? 1.0 : -1.0;
     direction /= std::sqrt(static_cast<double>(size));
   }
-  const auto differs = [&probes](double least, const auto& difference) {
-    return std::ranges::any_of(
-        probes, [&](const Eigen::VectorXd& probe) { return !(std::abs(probe.dot(difference(probe)) - 1.0) < least); });
+  const auto differs = [&probes](double least, const std::vector<Eigen::VectorXd>& differences) {
+    for (std::size_t k = 0; k < probes.size(); ++k) {
+      if (!(std::abs(probes[k].dot(differences[k]) - 1.0) < least)) return true;
+    }
+    return false;
   };
+  const GradientsAt quick_ones = one_by_one(quick);
   if (quick) {
     const Eigen::VectorXd here = quick(Eigen::VectorXd::Zero(size));
-    const auto to_one_side = [&](const Eigen::VectorXd& direction) {
-      return Eigen::VectorXd(unit.transpose() * (here - quick(unit * (way * direction))) / way);
-    };
+    std::vector<Eigen::VectorXd> to_one_side;
+    for (const Eigen::VectorXd& probe : probes) to_one_side.emplace_back(unit.transpose() * (here - quick(unit * (way * probe))) / way);
     if (!differs(0.25 * noticed, to_one_side)) return information;
   }
-  if (!differs(noticed, by_differences(quick ? quick : gradient))) return information;
+  if (!differs(noticed, by_differences(quick ? quick_ones : gradients, probes))) return information;
+  std::vector<Eigen::VectorXd> units;
+  for (Eigen::Index c = 0; c < size; ++c) units.emplace_back(Eigen::VectorXd::Unit(size, c));
+  const std::vector<Eigen::VectorXd> columns = by_differences(gradients, units);
   Eigen::MatrixXd curvature(size, size);
-  for (Eigen::Index c = 0; c < size; ++c) curvature.col(c) = along(Eigen::VectorXd::Unit(size, c));
+  for (Eigen::Index c = 0; c < size; ++c) curvature.col(c) = columns[static_cast<std::size_t>(c)];
   if (!curvature.allFinite()) return information;
   curvature = 0.5 * (curvature + curvature.transpose()).eval();
   const Eigen::VectorXd values = dense::symmetric_eigenvalues(curvature);

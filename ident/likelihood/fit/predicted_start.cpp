@@ -48,7 +48,9 @@ std::vector<double> predicted_start(const Plan& plan, const LikelihoodData& data
                        JointImpedance(plan.restriction, *plan.columns, plan.omega0, line.omega));
   }
   ResponseProblem problem(std::move(lines), theta.size());
-  const NewtonFit fit = damped_newton(problem, problem.scaled(theta));
+  NewtonOptions options;
+  options.patience = 20;  // where it does not settle it goes about the place from which the likelihood does
+  const NewtonFit fit = damped_newton(problem, problem.scaled(theta), options);
   std::vector<double> end = problem.theta(fit.q);
   for (const double value : end) {
     if (!std::isfinite(value)) return theta;

@@ -1,6 +1,7 @@
 #include "ident/likelihood/line/fitted_line.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/eigen.hpp"
@@ -65,6 +66,24 @@ bool follow_gradient(const LineData& data, const ComplexMatrix& z, const LineMod
   return true;
 }
 
+/// The gradient with the FRFs optimised, by steps of the model's factors; empty where these do not get there.
+std::optional<Eigen::VectorXd> followed_gradient(const LineData& data, const ComplexMatrix& z, const LineModel& model, FittedLine& line) {
+  constexpr double shrinks = 0.1, negligible = 1e-9;
+  double last = std::numeric_limits<double>::infinity(), cost = last;
+  for (;;) {
+    put_on_constraint(model.layout(), z, line.state);
+    const LineGradient gradient = gradient_of(model.layout(), data, line.joint, z, line.state);
+    const LineStep step = model.own_step(gradient.own);
+    const double promised = gradient.own.dot(step);
+    if (!(gradient.cost <= cost)) return std::nullopt;
+    if (promised <= negligible * std::max(gradient.cost, 1.0)) return gradient.joint - line.reduced.back->transpose() * gradient.own;
+    if (!(promised <= shrinks * last)) return std::nullopt;
+    last = promised;
+    cost = gradient.cost;
+    move(model.layout(), step, 1.0, line.state.x, line.state.y);
+  }
+}
+
 }  // namespace
 
 LineState first_state(const LineLayout& layout, const LineData& data, const ComplexMatrix& z) {
@@ -94,6 +113,33 @@ void take_gradient(const LineData& data, const ComplexMatrix& z, const LineLayou
   line.reduced.gradient = gradient.joint - line.reduced.back->transpose() * gradient.own;
   line.reduced.own.setZero();
   line.cost = line.reduced.cost = gradient.cost;
+}
+
+Eigen::MatrixXd gradients_nearby(const LineData& data, const ComplexMatrix& here, LineModel& model, const FittedLine& line,
+                                 const std::vector<JointNearby>& joints) {
+  Eigen::MatrixXd out(at(line.columns.size()), at(joints.size()));
+  bool has_factors = false;  // of the line where it stands
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    FittedLine moved = line;
+    move(model.layout(), line.reduced.answer(joints[k].offset), 1.0, moved.state.x, moved.state.y);
+    if (!has_factors) {
+      model.linearise(data, line.joint, here, line.state, false);
+      has_factors = model.reduce(0.0).has_value();
+    }
+    if (has_factors) {
+      const LineState answered = moved.state;
+      if (const auto gradient = followed_gradient(data, joints[k].z, model, moved)) {
+        out.col(at(k)) = *gradient;
+        continue;
+      }
+      moved.state = answered;
+    }
+    relax(data, joints[k].z, model, moved);
+    take_gradient(data, joints[k].z, model.layout(), moved);
+    out.col(at(k)) = moved.reduced.gradient;
+    has_factors = false;
+  }
+  return out;
 }
 
 bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {

@@ -20,7 +20,7 @@ Complex product(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : matrix.cwiseAbs().maxCoeff(); }
+double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : std::sqrt(matrix.cwiseAbs2().maxCoeff()); }
 
 }  // namespace
 
@@ -152,7 +152,8 @@ void LineModel::prepare(const ComplexMatrix& z, const LineState& state) {
   pr_ = p_ * r_;
   if (layout_.b.empty()) return;
   c_ = identity - z * state.b;
-  pr_b_ = p_ * (state.y * c_ - state.b);
+  rest_b_ = state.y * c_ - state.b;
+  pr_b_ = p_ * rest_b_;
 }
 
 void LineModel::linearise(const LineData& data, const JointImpedance& joint, const ComplexMatrix& z, const LineState& state,
@@ -172,6 +173,10 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   correlation_ = data.correlation.get();
   if (correlation_) correlated_rows_.reset(*correlation_, (complex_ ? 1 : 2) * layout_.variables() + others);
   add_priors(data, state);
+  if (!complex_ && !correlation_ && !terms_) {
+    plain_rows_.add_to(rows_, data, state, {p_, py_, za_, h_, yh_, r_, c_, rest_b_}, with_joint ? &joint : nullptr);
+    return;
+  }
   add_a(data, joint, state);
   if (!layout_.b.empty()) add_b(data, joint, state);
   add_d(data, joint, state);
@@ -325,7 +330,11 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
 
 std::optional<ReducedLine> LineModel::reduce_real(double damping) {
   const std::size_t v = 2 * layout_.variables(), size = rows_.columns(), stride = rows_.stride();
-  real_factor_ = rows_.values();
+  real_factor_.resize(rows_.values().size());
+  for (std::size_t j = 0; j < size; ++j) {
+    const std::size_t from = j * stride + lower_part(j);
+    std::copy_n(rows_.values().data() + from, stride - lower_part(j), real_factor_.data() + from);
+  }
   for (std::size_t i = 0; i < v; ++i) real_factor_[i * stride + i] += damping * prior_weight_[i] * prior_weight_[i];
   if (!eliminate(real_factor_.data(), stride, v, size)) return std::nullopt;
   const auto p = at(unknowns_);

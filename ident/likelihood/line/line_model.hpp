@@ -7,6 +7,7 @@
 #include "ident/likelihood/line/correlated_rows.hpp"
 #include "ident/likelihood/line/line_state.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
+#include "ident/likelihood/line/plain_rows.hpp"
 
 namespace jointid::ident {
 
@@ -45,7 +46,8 @@ class LineModel {
     complex  ///< where errors are circular
   };
 
-  explicit LineModel(const LineLayout& layout, Numbers numbers = Numbers::chosen) : layout_(layout), numbers_(numbers) {}
+  explicit LineModel(const LineLayout& layout, Numbers numbers = Numbers::chosen)
+      : layout_(layout), numbers_(numbers), plain_rows_(layout) {}
 
   const LineLayout& layout() const { return layout_; }
 
@@ -94,9 +96,10 @@ class LineModel {
   std::size_t place_ = 0;     ///< in the row that is being written
   std::vector<Complex> row_;  ///< FRFs that it touches, the joint's unknowns, those of systematic errors, residual
   ComplexMatrix p_, py_, za_, h_, yh_, r_, pr_;
-  ComplexMatrix c_, pr_b_;  ///< where B is measured: I − Z B, P·(Y − B − Y Z B)
+  ComplexMatrix c_, rest_b_, pr_b_;  ///< where B is measured: I − Z B, Y − B − Y Z B, and P times that
   std::vector<double> prior_weight_;  ///< 2v, v of complex equations
   NormalRows rows_;
+  PlainRows plain_rows_;
   ComplexRows complex_rows_;
   const minimise::Correlation* correlation_ = nullptr;  ///< of the line's errors
   const SystematicTerms* terms_ = nullptr;    ///< of the line, while unknowns are asked for

@@ -83,11 +83,17 @@ LineState measured_start(const LineLayout& layout, const LineData& data) {
 }
 
 void put_on_constraint(const LineLayout& layout, const ComplexMatrix& z, LineState& state) {
-  const auto n = at(layout.joint);
-  const dense::ComplexLu factors(ComplexMatrix::Identity(n, n) + state.y * z);
-  state.a = state.x;  // without columns (equation jj alone) there is nothing to solve
-  if (state.x.cols() > 0) state.a = factors.solve(state.x);
-  if (!layout.b.empty()) state.b = factors.solve(state.y);
+  const auto n = at(layout.joint), others = state.x.cols();
+  const ComplexMatrix factor = ComplexMatrix::Identity(n, n) + state.y * z;
+  if (layout.b.empty()) {
+    state.a = others > 0 ? dense::solve(factor, state.x) : state.x;  // without columns there is nothing to solve
+    return;
+  }
+  ComplexMatrix both(n, others + n);
+  both << state.x, state.y;
+  both = dense::solve(factor, both);
+  state.a = both.leftCols(others);
+  state.b = both.rightCols(n);
 }
 
 Complex predicted_difference(const LineState& state, const ComplexMatrix& za, Element e) {

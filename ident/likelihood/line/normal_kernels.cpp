@@ -67,6 +67,24 @@ JOINTID_INLINE bool factor_panel(double* matrix, std::size_t stride, std::size_t
   return true;
 }
 
+/// U⁻¹W of M rows from `first` on, eight columns of those after them being there.
+template <std::size_t M>
+JOINTID_INLINE void subtract_solved(const double* matrix, std::size_t stride, std::size_t v, std::size_t first, std::size_t width,
+                                    double* out) {
+  Eight sum[M], other;
+  for (std::size_t m = 0; m < M; ++m) load(out + (first + m) * width, sum[m]);
+  for (std::size_t i = first + M; i < v; ++i) {
+    load(out + i * width, other);
+    for (std::size_t m = 0; m < M; ++m) sum[m] -= matrix[(first + m) * stride + i] * other;
+  }
+  for (std::size_t m = M; m-- > 0;) {
+    const double* const column = matrix + (first + m) * stride;
+    for (std::size_t i = m + 1; i < M; ++i) sum[m] -= column[first + i] * sum[i];
+    sum[m] *= 1.0 / column[first + m];
+    store(sum[m], out + (first + m) * width);
+  }
+}
+
 }  // namespace
 
 JOINTID_KERNEL void add_products(double* c, std::size_t stride, ConstRows a, std::size_t m, ConstRows b, std::size_t n,
@@ -90,21 +108,20 @@ JOINTID_KERNEL bool eliminate(double* matrix, std::size_t stride, std::size_t v,
 
 JOINTID_KERNEL void solve_eliminated(const double* matrix, std::size_t stride, std::size_t v, std::size_t size, double* out) {
   const std::size_t right = size - v, width = widths_of(right);
-  for (std::size_t j = v; j-- > 0;) {
-    double* const row = out + j * width;
-    const double* const column = matrix + j * stride;
-    std::memcpy(row, column + v, right * sizeof(double));
-    std::fill(row + right, row + width, 0.0);
+  for (std::size_t j = 0; j < v; ++j) {
+    std::memcpy(out + j * width, matrix + j * stride + v, right * sizeof(double));
+    std::fill(out + j * width + right, out + (j + 1) * width, 0.0);
+  }
+  for (std::size_t last = v; last > 0;) {
+    const std::size_t count = last % 4 == 0 ? 4 : last % 4, first = last - count;
     for (std::size_t k = 0; k < width; k += kernel_width) {
-      Eight sum, other;
-      load(row + k, sum);
-      for (std::size_t i = j + 1; i < v; ++i) {
-        load(out + i * width + k, other);
-        sum -= column[i] * other;
+      if (count == 4) {
+        subtract_solved<4>(matrix, stride, v, first, width, out + k);
+      } else {
+        for (std::size_t j = last; j-- > first;) subtract_solved<1>(matrix, stride, v, j, width, out + k);
       }
-      sum *= 1.0 / column[j];
-      store(sum, row + k);
     }
+    last = first;
   }
 }
 

@@ -10,6 +10,9 @@ inline constexpr std::size_t kernel_width = 8;
 /// The next multiple of kernel_width: what the kernels take for so many numbers.
 constexpr std::size_t widths_of(std::size_t count) { return (count + kernel_width - 1) / kernel_width * kernel_width; }
 
+/// From where on the kernels read a column of a lower triangle.
+constexpr std::size_t lower_part(std::size_t column) { return column / kernel_width * kernel_width; }
+
 /// Rows of numbers `stride` apart.
 struct ConstRows {
   const double* data;

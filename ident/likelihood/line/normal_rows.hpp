@@ -21,6 +21,7 @@ class NormalRows {
 
   /// The matrix, as eliminate() takes it; of the rows that were added once finish() was called.
   std::size_t stride() const { return stride_; }
+  double* block(std::size_t row, std::size_t column) { return values_.data() + column * stride_ + row; }
   std::vector<double>& values() { return values_; }
   const std::vector<double>& values() const { return values_; }
 
@@ -56,8 +57,6 @@ class NormalRows {
 
   Touching& touching(Run run);
   void add_square(const Pile& rows, std::size_t at, std::size_t count);
-  double* block(std::size_t row, std::size_t column) { return values_.data() + column * stride_ + row; }
-
   std::size_t columns_ = 0, tail_ = 0, stride_ = 0;
   std::vector<double> values_, real_, imaginary_;
   Pile tails_;  ///< of all rows
