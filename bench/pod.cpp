@@ -196,7 +196,7 @@ void measure_memory(std::size_t most, bench::Promises& promises) {
   fmt::print("{:>12}  peak memory, MB\n", "samples");
   for (const std::size_t part : {64, 16, 4, 1}) {
     const std::size_t samples = std::max(most / part, least_of_a_full_block);
-    with_files(samples, [](const char*, const Record& record, double) { decomposed(record, 2); });
+    with_files(samples, [](const char*w, const Record& record, double) { fmt::print("{} {}",w,bench::peak_megabytes());decomposed(record, 2); fmt::print(" {}\n",bench::peak_megabytes()); });
     peaks.push_back(bench::peak_megabytes());
     fmt::print("{:>12}{:>17.1f}\n", samples, peaks.back());
   }

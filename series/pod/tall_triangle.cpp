@@ -58,78 +58,81 @@ JOINTID_INLINE void subtract_product(const double* a, double* b, std::size_t row
   }
 }
 
+/// A row of a panel.
+using Lanes = double __attribute__((vector_size(panel * sizeof(double)), aligned(sizeof(double)), may_alias));
+
 /// Calls one(row, sum) for all rows of a panel with sums side by side, since one addition need not wait for the last, and adds these.
 template <class One>
 JOINTID_INLINE void sum_rows(double* x, std::size_t rows, const One& one, double (&sums)[panel]) {
   constexpr std::size_t chains = 4;
-  double sum[chains][panel] = {};
+  Lanes sum[chains] = {};
   std::size_t i = 0;
   for (; i + chains <= rows; i += chains) {
 #pragma GCC unroll 4
-    for (std::size_t c = 0; c < chains; ++c) one(x + (i + c) * panel, sum[c]);
+    for (std::size_t c = 0; c < chains; ++c) one(reinterpret_cast<Lanes*>(x + (i + c) * panel), sum[c]);
   }
-  for (; i < rows; ++i) one(x + i * panel, sum[0]);
-  for (std::size_t j = 0; j < panel; ++j) sums[j] = (sum[0][j] + sum[1][j]) + (sum[2][j] + sum[3][j]);
+  for (; i < rows; ++i) one(reinterpret_cast<Lanes*>(x + i * panel), sum[0]);
+  *reinterpret_cast<Lanes*>(sums) = (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
 /// sums ← products of the first column of a panel with all.
 JOINTID_INLINE void first_sums(double* x, std::size_t rows, double (&sums)[panel]) {
-  const auto one = [](const double* row, double(&to)[panel]) {
-#pragma omp simd
-    for (std::size_t j = 0; j < panel; ++j) to[j] += row[0] * row[j];
-  };
-  sum_rows(x, rows, one, sums);
+  sum_rows(x, rows, [](const Lanes* row, Lanes& to) { to += (*row)[0] * *row; }, sums);
 }
 
 /// row ← row − row_k w for all rows of a panel; sums ← products of the column k + 1 of what comes out with all.
-template <std::size_t k>
+template <int k>
 JOINTID_INLINE void update_panel(double* x, std::size_t rows, const double (&w)[panel], double (&sums)[panel]) {
-  const auto one = [&](double* row, double(&to)[panel]) {
-    const double left = row[k], next = row[k + 1] - left * w[k + 1];
-#pragma omp simd
-    for (std::size_t j = 0; j < panel; ++j) {
-      const double value = row[j] - left * w[j];
-      row[j] = value;
-      to[j] += next * value;
-    }
+  const Lanes step = *reinterpret_cast<const Lanes*>(w);
+  const auto one = [&](Lanes* row, Lanes& to) {
+    constexpr int n = k + 1;
+    const Lanes value = *row - (*row)[k] * step;
+    *row = value;
+    to += __builtin_shufflevector(value, value, n, n, n, n, n, n, n, n) * value;
   };
   sum_rows(x, rows, one, sums);
 }
 
-/// The columns k and behind it, whose products with column k are `sums`; w = γuᵀ[R; X] of each.
-template <std::size_t k>
+/// What the reflections of a panel are made of: V has the diagonal `heads` above the panel, `gammas` of each, and above the diagonal
+/// of `products` the products of the panel's columns.
+struct Reflections {
+  double heads[panel], gammas[panel];
+  Square products;
+};
+
+/// Reflects the columns k and behind it, whose products with column k are `sums`; w = γuᵀ[R; X] of each. Columns before k stay as
+/// they are, so that the sums are their products with column k, too.
+template <int k>
 JOINTID_INLINE void reflect_columns(double* r, std::size_t stride, double* x, std::size_t rows, double (&sums)[panel],
-                                    double (&heads)[panel], double (&gammas)[panel]) {
+                                    Reflections& out) {
   double* top = r + k * stride;
   const Reflection h = reflection(top[k], sums[k]);
   double w[panel] = {};
+  for (std::size_t j = 0; j < k; ++j) out.products[j][k] = sums[j];
   for (std::size_t j = k + 1; j < panel; ++j) {
     w[j] = h.gamma * (h.head * top[j] + sums[j]);
     top[j] -= h.head * w[j];
   }
   top[k] = h.beta;
-  heads[k] = h.head;
-  gammas[k] = h.gamma;
+  out.heads[k] = h.head;
+  out.gammas[k] = h.gamma;
   if constexpr (k + 1 < panel) {
     update_panel<k>(x, rows, w, sums);
-    reflect_columns<k + 1>(r, stride, x, rows, sums, heads, gammas);
+    reflect_columns<k + 1>(r, stride, x, rows, sums, out);
   }
 }
 
 /// Reflects the columns of a panel x below the diagonal square r of the triangle one after another: x becomes the lower part of V,
 /// whose upper part is the diagonal `heads`; t of I − VTVᵀ, their product.
-JOINTID_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std::size_t rows, double (&heads)[panel],
-                                  Square& t) {
-  double sums[panel], gammas[panel];
+JOINTID_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std::size_t rows, Reflections& out, Square& t) {
+  double sums[panel];
   first_sums(x, rows, sums);
-  reflect_columns<0>(r, stride, x, rows, sums, heads, gammas);
-  Square products = {};
-  add_product(x, x, rows, products);
+  reflect_columns<0>(r, stride, x, rows, sums, out);
   for (std::size_t j = 0; j < panel; ++j) {
     for (std::size_t i = 0; i < panel; ++i) {
       double sum = 0.0;
-      for (std::size_t k = i; k < j; ++k) sum += t[i][k] * products[k][j];
-      t[i][j] = i < j ? -gammas[j] * sum : i == j ? gammas[j] : 0.0;
+      for (std::size_t k = i; k < j; ++k) sum += t[i][k] * out.products[k][j];
+      t[i][j] = i < j ? -out.gammas[j] * sum : i == j ? out.gammas[j] : 0.0;
     }
   }
 }
@@ -155,11 +158,11 @@ JOINTID_INLINE void apply(const double* v, const double (&heads)[panel], const S
 /// R of [R; X], R [width, width], X in panels, which are destroyed.
 JOINTID_KERNEL void take_in(double* r, double* x, std::size_t rows, std::size_t width) {
   Square t;
-  double heads[panel];
+  Reflections made;
   for (std::size_t k = 0; k < width; k += panel) {
     double* v = x + k / panel * panel_size;
-    reflect_panel(r + k * width + k, width, v, rows, heads, t);
-    for (std::size_t c = k + panel; c < width; c += panel) apply(v, heads, t, r + k * width + c, width, x + c / panel * panel_size, rows);
+    reflect_panel(r + k * width + k, width, v, rows, made, t);
+    for (std::size_t c = k + panel; c < width; c += panel) apply(v, made.heads, t, r + k * width + c, width, x + c / panel * panel_size, rows);
   }
 }
 
