@@ -1,9 +1,11 @@
 // Proper orthogonal decomposition of a record of 64 channels, 1,000,000 samples (quick: 20,000), by the streamed QR: from text,
 // binary UFF 58 and HDF5, beside reading it alone. Promised: values to 1e-12 of those that the record was made of, at most 1.5
-// times the time of reading from text and 2 times from UFF and HDF5, memory below 100 MB and the same for 64 times as many samples.
+// times the time of reading from text and 2 times from UFF and HDF5, memory below 50 MB and the same for 61 times as many samples.
 #include "series/pod/pod.hpp"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include <memory>
 #include <numbers>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include "base/temporary_file.hpp"
@@ -169,22 +172,38 @@ void measure_file(const std::string& what, const Record& record, std::size_t sam
   promises.speed_at_most(what + ": reading and decomposing, times reading", alone / reading, most);
 }
 
+/// Runs `work` in a process of its own, whose memory does not count.
+template <class Work>
+void elsewhere(const Work& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    try {
+      work();
+    } catch (...) {
+      _exit(1);
+    }
+    _exit(0);
+  }
+  int status = 1;
+  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) throw std::runtime_error("cannot write a record");
+}
+
 /// Calls visit(what, record, most times reading) with the record as text, UFF and HDF5. None is ever committed.
 template <class Visit>
 void with_files(std::size_t samples, const Visit& visit) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
   {
     const TemporaryFile text(folder / "jointid-bench-pod.csv");
-    write_text_record(text.path(), samples);
+    elsewhere([&] { write_text_record(text.path(), samples); });
     visit("text", Record{text.path()}, 1.5);
   }
   {
     const TemporaryFile uff(folder / "jointid-bench-pod.uff");
-    write_uff_record(uff.path(), samples);
+    elsewhere([&] { write_uff_record(uff.path(), samples); });
     visit("UFF 58b", Record{uff.path()}, 2.0);
   }
   const TemporaryFile hdf5(folder / "jointid-bench-pod.h5");
-  write_hdf5_record(hdf5.path(), samples);
+  elsewhere([&] { write_hdf5_record(hdf5.path(), samples); });
   Record rows{hdf5.path()};
   for (std::size_t k = 1; k <= channels; ++k) rows.names.push_back(fmt::format("rows({})", k));
   visit("HDF5", rows, 2.0);
@@ -193,15 +212,15 @@ void with_files(std::size_t samples, const Visit& visit) {
 /// Peaks of this process after records of more and more samples of all formats, on two threads.
 void measure_memory(std::size_t most, bench::Promises& promises) {
   std::vector<double> peaks;
-  fmt::print("{:>12}  peak memory, MB\n", "samples");
+  fmt::print("{:>12}{:>18}\n", "samples", "peak memory, MB");
   for (const std::size_t part : {64, 16, 4, 1}) {
     const std::size_t samples = std::max(most / part, least_of_a_full_block);
-    with_files(samples, [](const char*w, const Record& record, double) { fmt::print("{} {}",w,bench::peak_megabytes());decomposed(record, 2); fmt::print(" {}\n",bench::peak_megabytes()); });
+    with_files(samples, [](const char*, const Record& record, double) { decomposed(record, 2); });
     peaks.push_back(bench::peak_megabytes());
-    fmt::print("{:>12}{:>17.1f}\n", samples, peaks.back());
+    fmt::print("{:>12}{:>18.1f}\n", samples, peaks.back());
   }
-  promises.at_most("memory of the longest record, MB", peaks.back(), 100.0);
-  promises.at_most("growth of memory from the shortest record to the longest, MB", peaks.back() - peaks.front(), 5.0);
+  promises.at_most("memory of the longest record, MB", peaks.back(), 50.0);
+  promises.at_most("growth of memory from the shortest record to the longest, MB", peaks.back() - peaks.front(), 2.0);
 }
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {
