@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace jointid::records {
 struct UffChannel {
   std::string name;
   frf::Dof dof;
-  ChannelKind kind = ChannelKind::force;
+  std::optional<ChannelKind> kind = {};  ///< none: no force or motion of a coordinate
   double to_si = 1.0;
+  std::string unit = {};  ///< in SI; of what is no force or motion the file's own, with to_si = 1
   frf::uff::Dataset dataset;
 
   /// Samples per second; `abscissa`: the first two of an uneven one, or more, in the file's unit. Throws InputError for another
@@ -21,9 +23,12 @@ struct UffChannel {
   double rate_hz(const std::string& file, const std::vector<double>& abscissa) const;
 };
 
-/// The time responses run by run: a channel (DOF and kind) that is there already begins the next one. Records with other
-/// functions are passed over. Throws InputError for a channel that is no force or motion, complex values, responses without
-/// direction, and where there is no time response.
-std::vector<std::vector<UffChannel>> uff_runs(frf::uff::ByteFile& file);
+enum class UffQuantities { forces_and_motions, any };
+
+/// The time responses run by run: a channel (DOF and kind; of other quantities name and unit) that is there already begins the next
+/// one. Records with other functions are passed over. Throws InputError for complex values, where there is no time response, and,
+/// unless any quantity will do, for a channel that is no force or motion and responses without direction. What has no direction
+/// bears the record's first identification line as name.
+std::vector<std::vector<UffChannel>> uff_runs(frf::uff::ByteFile& file, UffQuantities quantities);
 
 }  // namespace jointid::records

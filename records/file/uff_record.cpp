@@ -15,7 +15,7 @@ namespace {
 /// Adds the samples of a channel to a run, all of whose channels have one rate and length.
 void add(frf::uff::ByteFile& file, const UffChannel& found, Record& run) {
   const frf::uff::Points points = frf::uff::read_points(file, found.dataset);
-  Channel channel{found.name, found.dof, found.kind, std::vector<double>(points.values.size())};
+  Channel channel{found.name, found.dof, found.kind.value(), std::vector<double>(points.values.size())};
   std::ranges::transform(points.values, channel.samples.begin(), [&](Complex value) { return found.to_si * value.real(); });
   const double rate_hz = found.rate_hz(file.name(), points.abscissa);
   if (run.channels.empty()) run.rate_hz = rate_hz;
@@ -35,7 +35,7 @@ std::vector<Record> read_uff_records(const std::filesystem::path& path) {
   frf::uff::ByteFile file(path);
   std::vector<Record> records;
   std::uint64_t numbers = 0;
-  for (const std::vector<UffChannel>& run : uff_runs(file)) {
+  for (const std::vector<UffChannel>& run : uff_runs(file, UffQuantities::forces_and_motions)) {
     records.push_back({file.name(), 0.0});
     for (const UffChannel& channel : run) {
       numbers += channel.dataset.function->points;

@@ -13,21 +13,6 @@
 namespace jointid::records {
 namespace {
 
-std::string unit_of(const UffChannel& channel) {
-  const bool rotation = channel.dof.is_rotation();
-  switch (channel.kind) {
-    case ChannelKind::force:
-      return rotation ? "N m" : "N";
-    case ChannelKind::displacement:
-      return rotation ? "rad" : "m";
-    case ChannelKind::velocity:
-      return rotation ? "rad/s" : "m/s";
-    case ChannelKind::acceleration:
-      break;
-  }
-  return rotation ? "rad/s^2" : "m/s^2";
-}
-
 /// Numbers of the channels of text, one channel behind the other, in a file that vanishes with us.
 class Spool {
  public:
@@ -65,9 +50,9 @@ class UffSamples final : public SampleStream {
  public:
   UffSamples(const std::filesystem::path& path, const StreamOptions& options)
       : SampleStream(path.string()), bytes_(path), spool_(file_) {
-    const std::vector<std::vector<UffChannel>> runs = uff_runs(bytes_);
+    const std::vector<std::vector<UffChannel>> runs = uff_runs(bytes_, UffQuantities::any);
     frf::Columns titles{file_, {}};
-    for (const UffChannel& channel : runs.front()) titles.columns.push_back({channel.name, unit_of(channel), {}});
+    for (const UffChannel& channel : runs.front()) titles.columns.push_back({channel.name, channel.unit, {}});
     const std::vector<std::size_t> chosen = chosen_columns(titles, options.channels);
     for (const std::size_t k : chosen) channels_.push_back({titles.columns[k].name, titles.columns[k].unit});
     for (const std::vector<UffChannel>& run : runs) runs_.push_back(prepared(run, chosen, titles, options));
@@ -108,7 +93,7 @@ class UffSamples final : public SampleStream {
     std::size_t shortest = static_cast<std::size_t>(-1);
     for (const std::size_t k : chosen) {
       const auto found = std::ranges::find_if(run, [&](const UffChannel& channel) {
-        return channel.name == titles.columns[k].name && unit_of(channel) == titles.columns[k].unit;
+        return channel.name == titles.columns[k].name && channel.unit == titles.columns[k].unit;
       });
       if (found == run.end()) {
         throw InputError({ErrorKind::data, file_, "",

@@ -8,6 +8,12 @@
 namespace jointid::response {
 namespace {
 
+/// A power of two near the largest response: in its units squares of changes neither overflow nor vanish, and no digit changes.
+double unit_of(const HarmonicSolution& solution) {
+  const double largest = solution.response.size() == 0 ? 0.0 : solution.response.cwiseAbs().maxCoeff();
+  return largest > 0.0 ? std::exp2(std::ilogb(largest)) : 1.0;
+}
+
 /// The linearised problem at a solution.
 class Sensitivity {
  public:
@@ -19,6 +25,7 @@ class Sensitivity {
         motion_(embedded(equations_, solution.harmonics, solution.joint_motion)),
         jacobian_(equations_.evaluate(line_, solution.level, motion_).by_motion),
         slopes_(equations_.forces_by_motion(solution.omega, motion_)),
+        unit_(unit_of(solution)),
         variance_(Eigen::MatrixXcd::Zero(solution.response.rows(), solution.response.cols())),
         amplitude_variance_(Eigen::MatrixXd::Zero(variance_.rows(), variance_.cols())) {}
 
@@ -40,7 +47,7 @@ class Sensitivity {
 
   ResponseDeviations deviations() const {
     const auto roots = [](Complex v) { return Complex(std::sqrt(v.real()), std::sqrt(v.imag())); };
-    return {variance_.unaryExpr(roots), amplitude_variance_.cwiseSqrt()};
+    return {unit_ * variance_.unaryExpr(roots), unit_ * amplitude_variance_.cwiseSqrt()};
   }
 
  private:
@@ -73,7 +80,8 @@ class Sensitivity {
   void add_change(const Eigen::VectorXd& motion, const Eigen::MatrixXcd& own, double variance) {
     for (Eigen::Index n = 0; n < variance_.rows(); ++n) {
       const std::size_t at_n = static_cast<std::size_t>(n);
-      const Eigen::VectorXcd change = own.row(n).transpose() - line_.harmonics[at_n].to_joints * (slopes_[at_n] * motion);
+      const Eigen::VectorXcd change =
+          (own.row(n).transpose() - line_.harmonics[at_n].to_joints * (slopes_[at_n] * motion)) / unit_;
       for (Eigen::Index r = 0; r < change.size(); ++r) {
         const bool mean = equations_.harmonics()[n] == 0;
         const Complex x = solution_.response(n, r), along = x == 0.0 ? 1.0 : x / std::abs(x);
@@ -90,7 +98,8 @@ class Sensitivity {
   Eigen::VectorXd motion_;
   dense::RealLu jacobian_;
   std::vector<Eigen::MatrixXcd> slopes_;
-  Eigen::MatrixXcd variance_;
+  double unit_;
+  Eigen::MatrixXcd variance_;  ///< in its squares, as the next
   Eigen::MatrixXd amplitude_variance_;
 };
 

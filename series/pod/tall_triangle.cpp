@@ -8,19 +8,24 @@
 namespace jointid::series {
 namespace {
 
-constexpr std::size_t panel = 8;       ///< columns
+constexpr std::size_t panel = 8;        ///< columns
 constexpr std::size_t most_rows = 256;  ///< gathered before they are taken in: the panels of 64 columns lie near the processor
+constexpr std::size_t panel_size = (most_rows + 8) * panel;  ///< rows of different panels do not fall on the same places of a cache
 
 using Square = double[panel][panel];
 
-/// H = I − τvvᵀ, v = (1, scale · x), that takes a column (alpha, x) with |x|² = below to (beta, 0).
+/// Squares below it have lost digits: what is so small is nothing.
+constexpr double least_square = 1e-290;
+
+/// H = I − γuuᵀ, u = (head, x), that takes a column (alpha, x) with |x|² = below to (beta, 0). u is not scaled to a head of 1, so
+/// that the column x stays as it is.
 struct Reflection {
-  double beta, scale, tau;
+  double beta, head, gamma;
 };
 JOINTID_INLINE Reflection reflection(double alpha, double below) {
-  if (below == 0.0) return {alpha, 1.0, 0.0};
-  const double beta = -std::copysign(std::sqrt(alpha * alpha + below), alpha);
-  return {beta, 1.0 / (alpha - beta), (beta - alpha) / beta};
+  if (below < least_square) return {alpha, 1.0, 0.0};
+  const double beta = -std::copysign(std::sqrt(alpha * alpha + below), alpha), head = alpha - beta;
+  return {beta, head, -1.0 / (beta * head)};
 }
 
 /// sum += AᵀB of two panels.
@@ -53,65 +58,91 @@ JOINTID_INLINE void subtract_product(const double* a, double* b, std::size_t row
   }
 }
 
-/// row ← row · factor − scale · row_k · w for all rows of a panel; returns in `sums` the products of the column `next` with all.
-JOINTID_INLINE void update_panel(double* x, std::size_t rows, std::size_t k, double scale, const double (&factor)[panel],
-                                        const double (&w)[panel], std::size_t next, double (&sums)[panel]) {
-  constexpr std::size_t chains = 4;  // side by side: one addition need not wait for the last
-  double sum[chains][panel] = {};
-  const double next_factor = factor[next], next_w = w[next];
-  const auto one = [&](double* row, double(&to)[panel]) {
-    const double v = row[k] * scale, left = row[next] * next_factor - v * next_w;
-#pragma omp simd
-    for (std::size_t j = 0; j < panel; ++j) {
-      const double value = row[j] * factor[j] - v * w[j];
-      row[j] = value;
-      to[j] += left * value;
-    }
-  };
+/// A row of a panel.
+using Lanes = double __attribute__((vector_size(panel * sizeof(double)), aligned(sizeof(double)), may_alias));
+
+/// Calls one(row, sum) for all rows of a panel with sums side by side, since one addition need not wait for the last, and adds these.
+template <class One>
+JOINTID_INLINE void sum_rows(double* x, std::size_t rows, const One& one, double (&sums)[panel]) {
+  constexpr std::size_t chains = 4;
+  Lanes sum[chains] = {};
   std::size_t i = 0;
   for (; i + chains <= rows; i += chains) {
 #pragma GCC unroll 4
-    for (std::size_t c = 0; c < chains; ++c) one(x + (i + c) * panel, sum[c]);
+    for (std::size_t c = 0; c < chains; ++c) one(reinterpret_cast<Lanes*>(x + (i + c) * panel), sum[c]);
   }
-  for (; i < rows; ++i) one(x + i * panel, sum[0]);
-  for (std::size_t j = 0; j < panel; ++j) sums[j] = (sum[0][j] + sum[1][j]) + (sum[2][j] + sum[3][j]);
+  for (; i < rows; ++i) one(reinterpret_cast<Lanes*>(x + i * panel), sum[0]);
+  *reinterpret_cast<Lanes*>(sums) = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/// sums ← products of the first column of a panel with all.
+JOINTID_INLINE void first_sums(double* x, std::size_t rows, double (&sums)[panel]) {
+  sum_rows(x, rows, [](const Lanes* row, Lanes& to) { to += (*row)[0] * *row; }, sums);
+}
+
+/// row ← row − row_k w for all rows of a panel; sums ← products of the column k + 1 of what comes out with all.
+template <int k>
+JOINTID_INLINE void update_panel(double* x, std::size_t rows, const double (&w)[panel], double (&sums)[panel]) {
+  const Lanes step = *reinterpret_cast<const Lanes*>(w);
+  const auto one = [&](Lanes* row, Lanes& to) {
+    constexpr int n = k + 1;
+    const Lanes value = *row - (*row)[k] * step;
+    *row = value;
+    to += __builtin_shufflevector(value, value, n, n, n, n, n, n, n, n) * value;
+  };
+  sum_rows(x, rows, one, sums);
+}
+
+/// What the reflections of a panel are made of: V has the diagonal `heads` above the panel, `gammas` of each, and above the diagonal
+/// of `products` the products of the panel's columns.
+struct Reflections {
+  double heads[panel], gammas[panel];
+  Square products;
+};
+
+/// Reflects the columns k and behind it, whose products with column k are `sums`; w = γuᵀ[R; X] of each. Columns before k stay as
+/// they are, so that the sums are their products with column k, too.
+template <int k>
+JOINTID_INLINE void reflect_columns(double* r, std::size_t stride, double* x, std::size_t rows, double (&sums)[panel],
+                                    Reflections& out) {
+  double* top = r + k * stride;
+  const Reflection h = reflection(top[k], sums[k]);
+  double w[panel] = {};
+  for (std::size_t j = 0; j < k; ++j) out.products[j][k] = sums[j];
+  for (std::size_t j = k + 1; j < panel; ++j) {
+    w[j] = h.gamma * (h.head * top[j] + sums[j]);
+    top[j] -= h.head * w[j];
+  }
+  top[k] = h.beta;
+  out.heads[k] = h.head;
+  out.gammas[k] = h.gamma;
+  if constexpr (k + 1 < panel) {
+    update_panel<k>(x, rows, w, sums);
+    reflect_columns<k + 1>(r, stride, x, rows, sums, out);
+  }
 }
 
 /// Reflects the columns of a panel x below the diagonal square r of the triangle one after another: x becomes the lower part of V,
-/// whose upper part is the identity; t of I − VTVᵀ, their product.
-JOINTID_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std::size_t rows, Square& t) {
-  constexpr double zeros[panel] = {}, unit[panel] = {1, 1, 1, 1, 1, 1, 1, 1};
-  double sums[panel], taus[panel];
-  update_panel(x, rows, 0, 0.0, unit, zeros, 0, sums);
-  for (std::size_t k = 0; k < panel; ++k) {
-    double* top = r + k * stride;
-    const Reflection h = reflection(top[k], sums[k]);
-    double factor[panel], w[panel];
-    for (std::size_t j = 0; j < panel; ++j) {
-      factor[j] = j == k ? h.scale : 1.0;
-      w[j] = j > k ? h.tau * (top[j] + h.scale * sums[j]) : 0.0;
-      if (j > k) top[j] -= w[j];
-    }
-    top[k] = h.beta;
-    taus[k] = h.tau;
-    update_panel(x, rows, k, h.scale, factor, w, std::min(k + 1, panel - 1), sums);
-  }
-  Square products = {};
-  add_product(x, x, rows, products);
+/// whose upper part is the diagonal `heads`; t of I − VTVᵀ, their product.
+JOINTID_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std::size_t rows, Reflections& out, Square& t) {
+  double sums[panel];
+  first_sums(x, rows, sums);
+  reflect_columns<0>(r, stride, x, rows, sums, out);
   for (std::size_t j = 0; j < panel; ++j) {
     for (std::size_t i = 0; i < panel; ++i) {
       double sum = 0.0;
-      for (std::size_t k = i; k < j; ++k) sum += t[i][k] * products[k][j];
-      t[i][j] = i < j ? -taus[j] * sum : i == j ? taus[j] : 0.0;
+      for (std::size_t k = i; k < j; ++k) sum += t[i][k] * out.products[k][j];
+      t[i][j] = i < j ? -out.gammas[j] * sum : i == j ? out.gammas[j] : 0.0;
     }
   }
 }
 
 /// Applies (I − VTVᵀ)ᵀ to a square of the triangle and the panel x below it.
-JOINTID_INLINE void apply(const double* v, const Square& t, double* r, std::size_t stride, double* x, std::size_t rows) {
+JOINTID_INLINE void apply(const double* v, const double (&heads)[panel], const Square& t, double* r, std::size_t stride, double* x,
+                          std::size_t rows) {
   Square product, w = {};
   for (std::size_t i = 0; i < panel; ++i) {
-    for (std::size_t j = 0; j < panel; ++j) product[i][j] = r[i * stride + j];
+    for (std::size_t j = 0; j < panel; ++j) product[i][j] = heads[i] * r[i * stride + j];
   }
   add_product(v, x, rows, product);
   for (std::size_t i = 0; i < panel; ++i) {
@@ -119,7 +150,7 @@ JOINTID_INLINE void apply(const double* v, const Square& t, double* r, std::size
 #pragma omp simd
       for (std::size_t j = 0; j < panel; ++j) w[i][j] += t[k][i] * product[k][j];
     }
-    for (std::size_t j = 0; j < panel; ++j) r[i * stride + j] -= w[i][j];
+    for (std::size_t j = 0; j < panel; ++j) r[i * stride + j] -= heads[i] * w[i][j];
   }
   subtract_product(v, x, rows, w);
 }
@@ -127,10 +158,11 @@ JOINTID_INLINE void apply(const double* v, const Square& t, double* r, std::size
 /// R of [R; X], R [width, width], X in panels, which are destroyed.
 JOINTID_KERNEL void take_in(double* r, double* x, std::size_t rows, std::size_t width) {
   Square t;
+  Reflections made;
   for (std::size_t k = 0; k < width; k += panel) {
-    double* v = x + k * rows;
-    reflect_panel(r + k * width + k, width, v, rows, t);
-    for (std::size_t c = k + panel; c < width; c += panel) apply(v, t, r + k * width + c, width, x + c * rows, rows);
+    double* v = x + k / panel * panel_size;
+    reflect_panel(r + k * width + k, width, v, rows, made, t);
+    for (std::size_t c = k + panel; c < width; c += panel) apply(v, made.heads, t, r + k * width + c, width, x + c / panel * panel_size, rows);
   }
 }
 
@@ -143,28 +175,39 @@ JOINTID_KERNEL void take_ones_in(double& corner, double* top, const double* ones
   corner = h.beta;
   for (std::size_t k = 0; k < width; k += panel) {
     double sums[panel] = {}, w[panel];
-    double* block = x + k * rows;
+    double* block = x + k / panel * panel_size;
     for (std::size_t i = 0; i < rows; ++i) {
 #pragma omp simd
       for (std::size_t j = 0; j < panel; ++j) sums[j] += ones[i] * block[i * panel + j];
     }
     for (std::size_t j = 0; j < panel; ++j) {
-      w[j] = h.tau * (top[k + j] + h.scale * sums[j]);
-      top[k + j] -= w[j];
+      w[j] = h.gamma * (h.head * top[k + j] + sums[j]);
+      top[k + j] -= h.head * w[j];
     }
     for (std::size_t i = 0; i < rows; ++i) {
-      const double v = h.scale * ones[i];
+      const double v = ones[i];
 #pragma omp simd
       for (std::size_t j = 0; j < panel; ++j) block[i * panel + j] -= v * w[j];
     }
   }
 }
 
-/// Products with 0 are 0, or not a number.
-JOINTID_KERNEL bool finite(const double* row, std::size_t count) {
+/// Copies a row into its places in the panels and says whether its numbers are finite: products with 0 are 0, or not a number.
+JOINTID_KERNEL bool copy_finite(const double* row, std::size_t columns, double* to) {
+  double sums[panel] = {};
+  const auto number = [&](std::size_t k, std::size_t j) {
+    const double value = row[k + j];
+    to[k / panel * panel_size + j] = value;
+    sums[j] += value * 0.0;
+  };
+  std::size_t k = 0;
+  for (; k + panel <= columns; k += panel) {
+#pragma omp simd
+    for (std::size_t j = 0; j < panel; ++j) number(k, j);
+  }
+  for (std::size_t j = 0; k + j < columns; ++j) number(k, j);
   double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t j = 0; j < count; ++j) sum += row[j] * 0.0;
+  for (const double each : sums) sum += each;
   return sum == 0.0;
 }
 
@@ -176,25 +219,18 @@ TallTriangle::TallTriangle(std::size_t columns)
       top_(width_, 0.0),
       triangle_(width_ * width_, 0.0),
       ones_(most_rows, 0.0),
-      panels_(most_rows * width_, 0.0) {}
+      panels_(width_ / panel * panel_size, 0.0) {}
 
 bool TallTriangle::push(double one, const double* row) {
-  if (!finite(row, columns_)) return false;
   if (count_ == most_rows) flush();
+  if (!copy_finite(row, columns_, panels_.data() + count_ * panel)) return false;
   ones_[count_] = one;
-  for (std::size_t k = 0; k < columns_; k += panel) {
-    double* to = panels_.data() + k * most_rows + count_ * panel;
-    std::copy_n(row + k, std::min(panel, columns_ - k), to);
-  }
   ++count_;
   return true;
 }
 
 void TallTriangle::flush() {
   if (count_ == 0) return;
-  // The panels of a block that is not full move together.
-  for (std::size_t k = panel; k < width_ && count_ < most_rows; k += panel)
-    std::copy_n(panels_.data() + k * most_rows, count_ * panel, panels_.data() + k * count_);
   take_ones_in(corner_, top_.data(), ones_.data(), panels_.data(), count_, width_);
   take_in(triangle_.data(), panels_.data(), count_, width_);
   if (width_ > columns_) std::fill(panels_.begin(), panels_.end(), 0.0);  // columns that pad the last panel stay zero

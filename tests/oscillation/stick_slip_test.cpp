@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "oscillation/integrate/first_root.hpp"
 #include "oscillation/orbit/return_map.hpp"
+#include "series/measurement/beam_shapes.hpp"
 #include "tests/oscillation/golden_systems.hpp"
 
 namespace jointid::oscillation {
@@ -50,6 +51,7 @@ TEST(OneMass, WithAFallingLawMeetsTheGoldenEvents) {
   ASSERT_GE(motion.events.size(), events.size());
   for (std::size_t k = 0; k < events.size(); ++k) {
     EXPECT_NEAR(motion.events[k].time, events[k]["t"], 1e-9);
+    EXPECT_EQ(static_cast<int>(motion.events[k].from), events[k]["from"]);
     EXPECT_EQ(static_cast<int>(motion.events[k].to), events[k]["to"]);
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(motion.events[k].state(i), events[k]["state"][static_cast<std::size_t>(i)], 1e-9);
   }
@@ -163,6 +165,7 @@ TEST(Beam, MeetsTheGoldenEventsOfBothContacts) {
     const Eigen::VectorXd p = mechanics(beam_of(golden["input"])).contact;
     for (std::size_t k = 0; k < events.size(); ++k) {
       EXPECT_NEAR(motion.events[k].time, events[k]["t"], 1e-8) << name << k;
+      EXPECT_EQ(static_cast<int>(motion.events[k].from), events[k]["from"]);
       EXPECT_EQ(static_cast<int>(motion.events[k].to), events[k]["to"]);
       EXPECT_NEAR(p.dot(motion.events[k].state.head(system.degrees())), events[k]["nub"], 1e-8);
       EXPECT_NEAR(motion.events[k].force, events[k]["force"], 1e-8) << name << k;
@@ -182,6 +185,8 @@ TEST(Beam, MatricesAndFrequenciesMeetTheGoldenOnes) {
     EXPECT_LT((found.stiffness.row(i).transpose() - vector_of(expected["K"][row])).cwiseAbs().maxCoeff(), 1e-9);
   }
   EXPECT_LT((found.contact - vector_of(expected["P"])).cwiseAbs().maxCoeff(), 1e-9);
+  const std::vector<double> roots = series::clamped_free_roots(beam.modes);
+  EXPECT_LT((vector_of(roots) - vector_of(expected["roots_clamped_free"])).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((natural_frequencies(beam) - vector_of(expected["ritz_frequency_hz"])).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_LT((tip_mass_frequencies(beam) - vector_of(expected["exact_tip_mass_frequency_hz"])).cwiseAbs().maxCoeff(), 1e-9);
   Cantilever bare = beam;

@@ -127,6 +127,27 @@ std::string uff58(int node, int type, const std::string& unit, const std::vector
   return text + (binary ? "\n" : "") + "    -1\n";
 }
 
+/// The same of a channel without direction, with a first identification line.
+std::string scalar58(const std::string& title, const std::string& unit, const std::vector<double>& samples) {
+  std::string text = uff58(0, 3, unit, samples, false);
+  text.replace(text.find("NONE"), 4, title);
+  return text.replace(text.find("         0   3"), 14, "         0   0");
+}
+
+/// Proper orthogonal modes and strain gauges take any quantity, in its own unit.
+TEST(SampleStream, ReadsStrainsAndPressuresOfUff) {
+  const TestFolder folder;
+  const std::string run = scalar58("gauge 1", "um/m", {1, 2}) + scalar58("gauge 2", "um/m", {3, 4}) +
+                          uff58(4, 15, "Pa", {5, 6}, true) + uff58(4, 8, "mm", {7, 8}, true);
+  const auto path = write(folder / "a.uff", run);
+  expect_rows(path, {}, {1, 3, 5, 0.007, 2, 4, 6, 0.008});
+  expect_rows(path, {"gauge 2"}, {3, 4});
+  const auto stream = open_samples(write(folder / "b.uff", run + run));
+  EXPECT_EQ(rows_of(*stream, 2), (std::vector<double>{1, 3, 5, 0.007, 2, 4, 6, 0.008, 1, 3, 5, 0.007, 2, 4, 6, 0.008}));
+  const char* units[] = {"um/m", "um/m", "Pa", "m"};
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(stream->channels()[k].unit, units[k]);
+}
+
 TEST(SampleStream, ReadsTimeDataOfUffInSiUnitsRunAfterRun) {
   const TestFolder folder;
   for (const bool binary : {false, true}) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/complex.hpp"
 #include "base/error.hpp"
 #include "golden_motions.hpp"
 #include "response/orbit/orbit_figures.hpp"
@@ -54,6 +55,22 @@ TEST(Condensation, OfAFreeStructureHoldsItsStaticDeflection) {
   EXPECT_NEAR(flexibility, 1.0 / 50.0 + 1.0 / 100.0 + 1.0 / 150.0, 1e-13);
   EXPECT_EQ(free_and_attachment_modes(chain, 4).attachments, 0);
   EXPECT_THROW(free_modes(chain, 5), InputError);
+}
+
+/// Columns are M-orthonormal, so that their Rayleigh quotients are ω².
+TEST(Condensation, ModesHaveTheFrequenciesOfTheThesissBeams) {
+  for_each_golden("thesis_18dof", [](const json& one) {
+    JointedStructure beams = jointed(one);
+    beams.laws.assign(2, golden::element(one.at("joint_types").at("A")));
+    const Eigen::MatrixXd &free = beams.matrices.stiffness,
+                          locked = free + 1e6 * beams.incidence * beams.incidence.transpose();
+    const auto hertz_of = [](const Basis& basis, const Eigen::MatrixXd& stiffness) {
+      return Eigen::VectorXd((basis.columns.transpose() * stiffness * basis.columns).diagonal().cwiseSqrt() / angular(1.0));
+    };
+    const json& expected = one.at("modes_hz");
+    EXPECT_LT(difference(hertz_of(free_modes(beams, 6), free), vector(expected.at("free"))), 1e-10);
+    EXPECT_LT(difference(hertz_of(lock_modes(beams, 6, Eigen::Vector2d(1e6, 1e6)), locked), vector(expected.at("lock_1e6"))), 1e-10);
+  });
 }
 
 }  // namespace

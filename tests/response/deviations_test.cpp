@@ -139,6 +139,18 @@ TEST(Deviations, OfParametersAreThoseOfDifferences) {
   }
 }
 
+/// A linear joint: deviations go with the force, however small or large.
+TEST(Deviations, NeitherOverflowNorVanish) {
+  const Joint spring{.name = "joint", .friction = friction::make_element("spring", std::vector{150.0})};
+  const HarmonicBalance balance = balance_of(parts(1e-2), spring);
+  const ResponseDeviations one = deviations(balance, balance.solve(omega), {{{0, 0}, 5.0}});
+  for (const double level : {1e-250, 1e-170, 1e70, 1e170, 1e250}) {
+    const ResponseDeviations found = deviations(balance, balance.solve(omega, level), {{{0, 0}, 5.0}});
+    EXPECT_LT((found.parts / level - one.parts).cwiseAbs().maxCoeff(), 1e-9 * one.parts.cwiseAbs().maxCoeff()) << level;
+    EXPECT_LT((found.amplitude / level - one.amplitude).cwiseAbs().maxCoeff(), 1e-9 * one.amplitude.maxCoeff()) << level;
+  }
+}
+
 /// A file that copies H_ij to H_ji has one error for both.
 TEST(Deviations, CopiesShareTheirError) {
   auto sets = parts(2e-3);

@@ -37,6 +37,9 @@ TEST(PeriodicPoint, OfHenonMeetsTheGoldenPoints) {
   const PeriodicPoint two = periodic_point(step, Eigen::Vector2d(-0.5, 0.3), 2);
   ASSERT_TRUE(two.converged);
   EXPECT_NEAR(two.state(0), expected["period2_x"][0], 1e-10);
+  const PeriodicPoint other = periodic_point(step, Eigen::Vector2d(1.0, -0.1), 2);
+  ASSERT_TRUE(other.converged);
+  EXPECT_NEAR(other.state(0), expected["period2_x"][1], 1e-10);
 }
 
 TEST(Spectrum, OfLorenzMeetsTheGoldenExponents) {

@@ -73,6 +73,14 @@ TEST(TallTriangle, TakesPoorMatrices) {
   EXPECT_EQ(triangle(MatrixXd::Zero(20, 18)).cwiseAbs().maxCoeff(), 0.0);
 }
 
+/// From the smallest numbers to the largest whose squares are numbers, the triangle only changes its size.
+TEST(TallTriangle, HasNoUnit) {
+  const MatrixXd a = random_matrix(300, 20, 9), r = triangle(a);
+  for (const double unit : {1e-140, 1e-30, 1e30, 1e140})
+    EXPECT_LT((triangle(unit * a) / unit - r).cwiseAbs().maxCoeff(), 1e-12 * a.norm()) << unit;
+  EXPECT_TRUE(triangle(1e-200 * a).allFinite());
+}
+
 TEST(TallTriangle, LeavesRowsOutThatAreNotFinite) {
   TallTriangle rows(3);
   for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
