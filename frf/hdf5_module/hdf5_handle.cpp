@@ -21,8 +21,7 @@ Silence::Silence() {
 
 Silence::~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
 
-void limit_metadata(const Handle& file) {
-  constexpr std::size_t most_bytes = std::size_t{64} << 10;
+void limit_metadata(const Handle& file, std::size_t most_bytes) {
   H5AC_cache_config_t config{};
   config.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   if (H5Fget_mdc_config(file.get(), &config) < 0) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -44,10 +45,9 @@ class Silence {
   void* data_ = nullptr;
 };
 
-/// Keeps of the metadata of an open file, such as the places of its chunks, no more than some hundred kilobytes in memory. HDF5
-/// lets them grow to 32 MB of their size in the file, several times as much in memory. For long tables, whose chunks are gone
-/// through in order.
-void limit_metadata(const Handle& file);
+/// Keeps of the metadata of an open file, such as the places of its chunks, no more than `most_bytes` of their size in the file,
+/// several times as much in memory. HDF5 lets them grow to 32 MB. For long tables, whose chunks are gone through in order.
+void limit_metadata(const Handle& file, std::size_t most_bytes = std::size_t{64} << 10);
 
 /// HDF5's own words for the last failure on this thread, innermost cause first, or empty.
 std::string last_failure();

@@ -125,7 +125,7 @@ class MatV73 final : public MatFile {
   explicit MatV73(const std::filesystem::path& path) : MatFile(path.string()) {
     const hdf5::Silence silence;
     hdf5_ = hdf5::open_file(path);
-    hdf5::limit_metadata(hdf5_.id);  // or the places of chunks of a long record take up to 32 MB
+    hdf5::limit_metadata(hdf5_.id, std::size_t{2} << 20);  // enough for reading fast, however long the record
     Paths paths;
     add_paths(hdf5_.id.get(), paths);
     for (const std::string& path_inside : paths.found) {
