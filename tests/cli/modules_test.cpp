@@ -38,6 +38,7 @@ std::vector<std::string> loaded_by(const InputFolder& folder, const std::vector<
       if (at == std::string::npos) continue;
       any = true;
       const std::string library = std::filesystem::path(line.substr(at + 14)).filename();
+      if (library.starts_with("libjointid_")) continue;  // a folder's, where libraries are shared
       for (const std::string& name : optional_libraries) {
         if (library.find(name) != std::string::npos) loaded.push_back(library);
       }

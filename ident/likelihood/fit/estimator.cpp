@@ -196,11 +196,11 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
     if (taken.size() > 0) secants_.note(taken, before_taken - gradient, fit.information);
     const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
     const double size = norm_of(step, fit.information) / std::sqrt(lines_.tolerance());
-    const std::vector<FittedLine> before = lines_.places();
+    const std::vector<FittedLine> before = lines_.snapshot();
     double scale = 1.0;
     for (int attempt = 0;; ++attempt, scale *= 0.25) {
       if (attempt == 8) {
-        lines_.go_back(before);
+        lines_.restore(before);
         return size < tolerance;
       }
       const std::vector<double> next = added(fit.theta, step, scale);
@@ -244,13 +244,13 @@ void LikelihoodEstimator::finish_exactly(LikelihoodFit& fit, Relaxation until) {
   sum(fit.theta, fit.information, gradient);
   const double loss = total(fit.theta);
   const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
-  const std::vector<FittedLine> before = lines_.places();
+  const std::vector<FittedLine> before = lines_.snapshot();
   const std::vector<double> next = added(fit.theta, step, 1.0);
   lines_.follow(before, next, step, until);
   if (total(next) <= loss * (1.0 + 1e-9)) {
     fit.theta = next;
   } else {
-    lines_.go_back(before);
+    lines_.restore(before);
   }
 }
 
@@ -302,7 +302,7 @@ LikelihoodFit LikelihoodEstimator::begun(std::vector<double> start) {
 
 void LikelihoodEstimator::finish(LikelihoodFit& fit) const {
   fit.loss = total(fit.theta);
-  for (const FittedLine& line : lines_.places()) {
+  for (const FittedLine& line : lines_.snapshot()) {
     fit.line_cost.push_back(line.cost);
     fit.line_weight.push_back(line.weight);
   }
@@ -362,7 +362,7 @@ std::ptrdiff_t times_reached(double loss, const std::vector<LikelihoodFit::End>&
 LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& watch, Follow follow, const Doubt& doubtful) {
   LikelihoodFit best;
   std::vector<LikelihoodFit::End> ends;
-  std::vector<FittedLine> places;  // of the best
+  std::vector<FittedLine> lines;  // of the best
   std::vector<double> far;         // losses of ends far from fitting
   beyond_any_joint_.reset();
   const std::ptrdiff_t enough = lines_.layout().a.empty() ? 4 : 2;
@@ -376,7 +376,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     if (!any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged)) {
       best = std::move(fit);
       fits = best.converged && lines_.fit(unknowns_);
-      places = lines_.places();
+      lines = lines_.snapshot();
     }
     any = true;
     best.starts = k + 1;
@@ -389,7 +389,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     if (follow == Follow::until_reached_twice ? times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best))) break;
   }
   best.ends = std::move(ends);
-  lines_.go_back(std::move(places));
+  lines_.restore(std::move(lines));
   lines_.take_variances_here(best.theta);
   return best;
 }
@@ -421,7 +421,7 @@ Eigen::MatrixXd LikelihoodEstimator::information_at(std::vector<double> theta) {
 }
 
 Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit& fit) {
-  const std::vector<FittedLine> there = lines_.places();
+  const std::vector<FittedLine> there = lines_.snapshot();
   const auto exact = [&](const std::vector<Eigen::VectorXd>& offsets) {
     const Eigen::MatrixXd sums = lines_.gradients_nearby(there, fit.theta, offsets);
     std::vector<Eigen::VectorXd> out;
@@ -444,7 +444,7 @@ Eigen::MatrixXd LikelihoodEstimator::godambe_information_at(const LikelihoodFit&
   };
   const bool saves = lines_.layout().is_large();
   Eigen::MatrixXd curvature = godambe_information(exact, fit.information, saves ? GradientAt(quick) : GradientAt());
-  lines_.go_back(there);
+  lines_.restore(there);
   return curvature;
 }
 

@@ -26,8 +26,8 @@ class FittedLines {
   ComplexMatrix impedance(std::size_t line, const std::vector<double>& theta) const { return lines_[line].joint.at(theta); }
 
   /// Where all lines stand, to come back to.
-  const std::vector<FittedLine>& places() const { return lines_; }
-  void go_back(std::vector<FittedLine> places) { lines_ = std::move(places); }
+  const std::vector<FittedLine>& snapshot() const { return lines_; }
+  void restore(std::vector<FittedLine> snapshot) { lines_ = std::move(snapshot); }
 
   /// first_state() of every line.
   void begin(const std::vector<double>& theta);
