@@ -45,7 +45,8 @@ struct RandomInformation {
 RC_GTEST_PROP(GodambeInformation, IsThatOfAQuadraticFunction, (unsigned seed)) {
   RandomInformation sample(seed);
   const MatrixXd curvature = sample.curvature(0.3, 0.9);
-  const MatrixXd found = godambe_information(one_by_one([&](const VectorXd& offset) { return VectorXd(-curvature * offset); }), sample.information);
+  const auto gradient = [&](const VectorXd& offset) { return VectorXd(-curvature * offset); };
+  const MatrixXd found = godambe_information(one_by_one(gradient), sample.information);
   const MatrixXd expected = curvature * dense::solve_positive(sample.information, curvature);
   RC_ASSERT((found - expected).norm() <= 1e-6 * expected.norm());
 }

@@ -58,8 +58,8 @@ class FittedLines {
   /// lines that did not follow the last step as predicted are linearised again, and all that have not plain errors.
   void take_gradients(const std::vector<double>& theta);
 
-  /// Σ weight · gradient of the lines, their FRFs optimised, at joints nearby, a column each: `theta` plus the offsets, from `before`, where
-  /// they are linearised. Where these lines stand is not defined afterwards.
+  /// Σ weight · gradient of the lines, their FRFs optimised, at joints nearby, a column each: `theta` plus the offsets, from `before`,
+  /// where they are linearised. The lines stay where they are.
   Eigen::MatrixXd gradients_nearby(const std::vector<FittedLine>& before, const std::vector<double>& theta,
                                    const std::vector<Eigen::VectorXd>& offsets);
 
