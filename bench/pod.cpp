@@ -213,7 +213,7 @@ void with_files(std::size_t samples, const Visit& visit) {
 void measure_memory(std::size_t most, bench::Promises& promises) {
   std::vector<double> peaks;
   fmt::print("{:>12}{:>18}\n", "samples", "peak memory, MB");
-  for (const std::size_t part : {64, 16, 4, 1}) {
+  for (const std::size_t part : {64u, 16u, 4u, 1u}) {
     const std::size_t samples = std::max(most / part, least_of_a_full_block);
     with_files(samples, [](const char*, const Record& record, double) { decomposed(record, 2); });
     peaks.push_back(bench::peak_megabytes());

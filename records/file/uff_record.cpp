@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/complex.hpp"
 #include "frf/uff/uff58_data.hpp"
 #include "records/file/limits.hpp"
 #include "records/file/uff_channels.hpp"

@@ -162,7 +162,8 @@ JOINTID_KERNEL void take_in(double* r, double* x, std::size_t rows, std::size_t 
   for (std::size_t k = 0; k < width; k += panel) {
     double* v = x + k / panel * panel_size;
     reflect_panel(r + k * width + k, width, v, rows, made, t);
-    for (std::size_t c = k + panel; c < width; c += panel) apply(v, made.heads, t, r + k * width + c, width, x + c / panel * panel_size, rows);
+    for (std::size_t c = k + panel; c < width; c += panel)
+      apply(v, made.heads, t, r + k * width + c, width, x + c / panel * panel_size, rows);
   }
 }
 
