@@ -39,7 +39,7 @@ set(CMAKE_SHARED_LINKER_FLAGS_ASAN "-fsanitize=address,undefined")
 set(JOINTID_LIBRARY_KIND STATIC)
 if(CMAKE_BUILD_TYPE MATCHES "^(Dev|Asan)$")
   set(JOINTID_LIBRARY_KIND SHARED)
-  set(CMAKE_INSTALL_RPATH "\$ORIGIN") # of installed libraries
+  set(CMAKE_INSTALL_RPATH "\$ORIGIN;\$ORIGIN/jointid;\$ORIGIN/..") # of installed libraries to each other and to modules, and back
   string(APPEND CMAKE_SHARED_LINKER_FLAGS " -Wl,-Bsymbolic-functions")
 endif()
 

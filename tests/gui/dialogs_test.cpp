@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <QApplication>
-#include <QLineEdit>
 #include <QMessageBox>
 #include <QPointer>
 #include <QTest>
@@ -61,51 +60,12 @@ struct Keys {
   }
 };
 
-/// Into the field of a file dialog, which has the focus.
-void type_name(QWidget& dialog, const QString& name) {
-  auto* const field = dialog.findChild<QLineEdit*>("fileNameEdit");
-  ASSERT_NE(field, nullptr);
-  EXPECT_EQ(QApplication::focusWidget(), field);
-  QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
-  QTest::keyClicks(field, name);
-  QTest::keyClick(field, Qt::Key_Return);
-}
-
 TEST(Dialogs, EscapeOpensNothing) {
   Keys keys;
   keys.next([](QWidget& dialog) { QTest::keyClick(&dialog, Qt::Key_Escape); });
   keys.press(Qt::Key_O, Qt::ControlModifier);
   EXPECT_EQ(keys.answered, 1);
   EXPECT_EQ(keys.window.count(), 0);
-}
-
-TEST(Dialogs, AFileIsOpenedByItsName) {
-  Keys keys;
-  write_file(keys.file("scene.toml"), small_scene);
-  keys.next([&](QWidget& dialog) { type_name(dialog, keys.file("scene.toml")); });
-  keys.press(Qt::Key_O, Qt::ControlModifier);
-  EXPECT_EQ(keys.answered, 1);
-  ASSERT_EQ(keys.window.count(), 1);
-  EXPECT_EQ(keys.window.current()->file(), keys.file("scene.toml"));
-}
-
-/// The ending is added where the name has none, and a file that is there is replaced only by a yes.
-TEST(Dialogs, ASceneIsSavedUnderANameThatIsTyped) {
-  Keys keys;
-  Project& project = keys.open();
-  keys.next([&](QWidget& dialog) { type_name(dialog, keys.file("other")); });
-  keys.press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(project.file(), keys.file("other.toml"));
-  EXPECT_EQ(read_file(keys.file("other.toml")), small_scene);
-  write_file(keys.file("kept.toml"), "# kept");
-  keys.next([&](QWidget& dialog) {
-    keys.next([](QWidget& question) { QTest::keyClick(&question, Qt::Key_N); });
-    type_name(dialog, keys.file("kept.toml"));
-  });
-  keys.press(Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(keys.answered, 3);
-  EXPECT_EQ(project.file(), keys.file("other.toml"));
-  EXPECT_EQ(read_file(keys.file("kept.toml")), "# kept");
 }
 
 /// Enter saves, Escape stays.
