@@ -34,11 +34,13 @@ TEST(IdentifyLaws, FindsTheIwanJointOfAMass) {
   EXPECT_EQ(found.steps.size(), found.data.states.size());
 }
 
-/// Asked to end at the first, the tenth or the hundredth time that it asks, it ends there; and threads change no bit.
+/// Asked to end at the first or the tenth time that it asks, it ends there; and threads change no bit.
 TEST(IdentifyLaws, EndsWhenAskedToAndDoesNotDependOnThreads) {
   const TestFolder folder;
-  const LawScene scene = written("sdof-iwan", folder, false);
-  for (const int wanted : {1, 10, 100}) {
+  LawScene scene = written("sdof-iwan", folder, false);
+  scene.joints[0].laws = {"bilinear"};
+  scene.harmonics = {1};
+  for (const int wanted : {1, 10}) {
     int asked = 0;
     EXPECT_THROW(identify_laws(scene, {.interrupted = [&] { return ++asked >= wanted; }}), Interrupted);
     EXPECT_EQ(asked, wanted);
