@@ -33,7 +33,7 @@ TEST(OneMass, OnABeltMeetsItsClosedForm) {
   ASSERT_GT(events.size(), 6u);
   std::size_t k = events[2].to == Mode::forward ? 2 : 3;
   ASSERT_EQ(events[k].to, Mode::forward);
-  const double tolerance = 2e-13;
+  const double tolerance = 1e-14;
   EXPECT_NEAR(events[k + 1].time - events[k].time, expected["slip_time"], tolerance);
   EXPECT_NEAR(events[k + 2].time - events[k + 1].time, expected["stick_time"], tolerance);
   EXPECT_NEAR(events[k + 2].time - events[k].time, expected["period"], tolerance);
