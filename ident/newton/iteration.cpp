@@ -131,13 +131,15 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
   NewtonFit fit{std::move(start), 0, false};
   double misfit = std::numeric_limits<double>::infinity();
   std::size_t since = 0;  // it was that much more
-  while (fit.iterations < options.most_iterations && since < options.patience) {
+  while (fit.iterations < options.most_iterations && !(options.patience && since >= *options.patience)) {
     if (options.watch) options.watch(fit.q);
     ++fit.iterations;
     problem.weigh_at(fit.q);
-    const double here = problem.misfit(fit.q);
-    since = here < (1.0 - gain) * misfit ? 0 : since + 1;
-    if (since == 0) misfit = here;
+    if (options.patience) {
+      const double here = problem.misfit(fit.q);
+      since = here < (1.0 - gain) * misfit ? 0 : since + 1;
+      if (since == 0) misfit = here;
+    }
     problem.select_at(fit.q, options.draw);
     Linearised lines(problem, fit.q);
     if (!lines.defined || !std::isfinite(lines.cost())) break;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "ident/newton/response_problem.hpp"
 #include "minimise/linear/triangle.hpp"
@@ -19,7 +20,8 @@ struct NewtonFit {
 
 struct NewtonOptions {
   std::size_t most_iterations = 100;
-  std::size_t patience = 100;  ///< it ends where so many iterations together do not take a hundredth off the misfit
+  /// Ends where so many iterations together do not take a hundredth off the misfit; without it that is not asked.
+  std::optional<std::size_t> patience{};
   std::function<bool()> draw{};          ///< chooses lines anew in every iteration; empty: all that may be used
   std::function<void(const std::vector<double>& q)> watch{};  ///< called where every iteration begins, may throw to stop it
 };

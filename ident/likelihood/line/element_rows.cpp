@@ -4,16 +4,12 @@
 #include <cstring>
 
 #include "base/kernel.hpp"
-#include "ident/likelihood/line/normal_kernels.hpp"
+#include "ident/likelihood/line/eight.hpp"
 
 namespace jointid::ident {
 namespace {
 
-using Eight = double __attribute__((vector_size(kernel_width * sizeof(double))));
 using Four = double __attribute__((vector_size(kernel_width / 2 * sizeof(double))));
-
-JOINTID_INLINE void load(const double* from, Eight& to) { std::memcpy(&to, from, sizeof(Eight)); }
-JOINTID_INLINE void store(const Eight& from, double* to) { std::memcpy(to, &from, sizeof(Eight)); }
 
 /// Of eight elements.
 struct Numbers {

@@ -9,11 +9,6 @@
 namespace jointid::ident {
 namespace {
 
-using Eight = double __attribute__((vector_size(kernel_width * sizeof(double))));
-
-JOINTID_INLINE void load(const double* from, Eight& to) { std::memcpy(&to, from, sizeof(Eight)); }
-JOINTID_INLINE void store(const Eight& from, double* to) { std::memcpy(to, &from, sizeof(Eight)); }
-
 /// M columns of C, N times eight numbers of each.
 template <std::size_t M, std::size_t N, bool add>
 JOINTID_INLINE void products(double* c, std::size_t stride, ConstRows a, ConstRows b, std::size_t count) {
