@@ -110,6 +110,13 @@ function(jointid_library name)
           FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/jointid")
 endfunction()
 
+# jointid_installed_program(jointid): installed, it finds modules, and libraries where these are shared.
+function(jointid_installed_program target)
+  file(RELATIVE_PATH libraries "${CMAKE_INSTALL_FULL_BINDIR}" "${CMAKE_INSTALL_FULL_LIBDIR}")
+  set_target_properties(${target} PROPERTIES INSTALL_RPATH "\$ORIGIN/${libraries}/jointid;\$ORIGIN/${libraries}")
+  install(TARGETS ${target} RUNTIME)
+endfunction()
+
 # jointid_module(ceres SOURCES … LINK …): what calls a library that most runs do not need; loaded when it is (base/module.hpp). The targets
 # `modules` are built with the command, the tests and the benchmarks.
 add_custom_target(modules)
