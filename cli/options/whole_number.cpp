@@ -64,4 +64,8 @@ WholeNumbers counts_of_threads() {
   return {.least = 0, .most = std::max(always, 4 * cores), .remedy = "0 takes all " + std::to_string(cores) + " cores"};
 }
 
+std::size_t threads_for(std::size_t asked, std::size_t processes) {
+  return asked > 0 ? asked : std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes);
+}
+
 }  // namespace jointid::cli

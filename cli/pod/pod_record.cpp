@@ -4,9 +4,9 @@
 
 #include <optional>
 #include <span>
-#include <thread>
 
 #include "base/error.hpp"
+#include "cli/options/whole_number.hpp"
 #include "cli/text/interrupt.hpp"
 #include "frf/file/columns.hpp"
 #include "records/file/open_samples.hpp"
@@ -34,12 +34,6 @@ void check_same(const PodRecord& record, const SampleStream& stream) {
   }
 }
 
-/// All threads that were asked for; of all cores this process's part.
-std::size_t own_threads(const PodArguments& arguments, const ident::Team& team) {
-  if (arguments.threads > 0) return arguments.threads;
-  return std::max<std::size_t>(1, std::thread::hardware_concurrency() / team.size());
-}
-
 /// This process's part of the files.
 PodRecord own_part(const PodArguments& arguments, const ident::Team& team, const std::function<void(std::size_t)>& read) {
   std::optional<PodRecord> out;
@@ -59,7 +53,7 @@ PodRecord own_part(const PodArguments& arguments, const ident::Team& team, const
       read(samples += count);
       return count;
     };
-    out->triangle.join(series::record_triangle(channels, next, own_threads(arguments, team)));
+    out->triangle.join(series::record_triangle(channels, next, threads_for(arguments.threads, team.size())));
   }
   return std::move(*out);
 }

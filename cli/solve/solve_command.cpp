@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <thread>
 
 #include "base/error.hpp"
 #include "cli/laws/laws_run.hpp"
@@ -48,8 +46,7 @@ std::string save(const SolveArguments& arguments, std::optional<ident::Solution>
 
 /// All threads of this process: of all cores, its part of them where mpirun started several.
 std::size_t own_threads(const SolveArguments& arguments, const ident::Team& team) {
-  if (arguments.threads > 0 || team.size() == 1) return arguments.threads;
-  return std::max<std::size_t>(1, std::thread::hardware_concurrency() / team.size());
+  return team.size() == 1 ? arguments.threads : threads_for(arguments.threads, team.size());
 }
 
 ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, ident::Team& team, std::ostream& out) {
@@ -102,9 +99,8 @@ ExitCode solve_law_scene(const SolveArguments& arguments, const std::string& tex
                       "the scene is one of friction laws: there is no FRF of an assembly",
                       "leave --plot out"});
   }
-  const std::size_t threads = arguments.threads > 0 ? arguments.threads : std::max(1u, std::thread::hardware_concurrency());
-  return solve_laws(laws::parse_law_scene(text, arguments.scene), {arguments.json, arguments.csv, arguments.report}, threads,
-                    out);
+  return solve_laws(laws::parse_law_scene(text, arguments.scene), {arguments.json, arguments.csv, arguments.report},
+                    threads_for(arguments.threads), out);
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <chrono>
 #include <optional>
-#include <thread>
 
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
@@ -44,10 +43,7 @@ void check_outputs(const StudyArguments& arguments, const ident::Scene& scene) {
                                          {"--out (while it runs)", study::journal_path(result).string()}});
 }
 
-std::size_t threads_of(const StudyArguments& arguments) {
-  if (arguments.threads > 0) return arguments.threads;
-  return std::max<std::size_t>(1, std::thread::hardware_concurrency() / ident::processes_started());
-}
+std::size_t threads_of(const StudyArguments& arguments) { return threads_for(arguments.threads, ident::processes_started()); }
 
 study::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
   study::StudyOptions options;
