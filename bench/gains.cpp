@@ -147,6 +147,7 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
   measure_coverage("A1", false, trials, promises);
   measure_coverage("A1", true, trials, promises);
   measure_coverage("rig1", false, std::max<std::size_t>(2, trials / 4), promises);
+  measure_coverage("rig1", true, std::max<std::size_t>(2, trials / 4), promises);
   measure_one_off(std::min<std::size_t>(10, std::max<std::size_t>(2, trials / 5)), promises);
 }
 

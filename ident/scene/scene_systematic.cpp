@@ -40,7 +40,7 @@ ErrorFiles read_error_files(const scene::Item& list, const std::vector<PlacedFil
 }
 
 GainPrior read_gain_prior(const scene::Item& item, const std::vector<PlacedFile>& files) {
-  const scene::Table table = item.table({"dofs", "files", "role", "gain", "delay", "shared"});
+  const scene::Table table = item.table({"dofs", "files", "role", "gain", "delay", "angle", "shared"});
   GainPrior prior;
   if (const auto dofs = table.find("dofs")) prior.dofs = dofs->dofs();
   const auto named = table.find("files");
@@ -48,9 +48,10 @@ GainPrior read_gain_prior(const scene::Item& item, const std::vector<PlacedFile>
   if (const auto role = table.find("role")) prior.of_reference = role->word(role_words) == role_words[1];
   if (const auto gain = table.find("gain")) prior.gain = gain->positive();
   if (const auto delay = table.find("delay")) prior.delay = delay->positive();
-  if (prior.gain == 0.0 && prior.delay == 0.0) {
-    item.fail("neither gain nor delay is given",
-              "write gain = 0.01 for gains of 1 ± 0.01, delay = 1e-6 for delays of 0 ± 1e-6 s");
+  if (const auto angle = table.find("angle")) prior.angle = angle->positive();
+  if (prior.gain == 0.0 && prior.delay == 0.0 && prior.angle == 0.0) {
+    item.fail("neither gain nor delay nor angle is given",
+              "write gain = 0.01 for gains of 1 ± 0.01, delay = 1e-6 for delays of 0 ± 1e-6 s, angle = 0.02 for angles of 0 ± 0.02 rad");
   }
   prior.shared = read_sharing(table);
   return prior;

@@ -19,13 +19,15 @@ struct ErrorFiles {
   std::vector<std::size_t> substructures, assembly;
 };
 
-/// Normal priors of gains, or of delays, of sensors: true FRF = gain · e^{iωτ} · FRF of the file.
+/// Normal priors of gains, delays or angles of sensors: true FRF = gain · e^{iωτ} · (FRF of the file − Σ α · that of another direction at
+/// the node).
 struct GainPrior {
   std::vector<frf::Dof> dofs;  ///< empty: all of the files
   ErrorFiles files;
   bool of_reference = false;  ///< of hammer or shaker
   double gain = 0.0;          ///< standard deviation about 1; 0: known
   double delay = 0.0;         ///< s, about 0; 0: known
+  double angle = 0.0;         ///< rad, about 0, towards every other translation at the node; 0: known
   Sharing shared = Sharing::files;
 };
 

@@ -120,5 +120,70 @@ TEST(SystematicLine, MassIsRemovedExactly) {
   EXPECT_NEAR(std::abs(corrected_line(sample.data, one, phi).a.value[0] - free), 0.0, 1e-12 * std::abs(loaded(free)));
 }
 
+TEST(SystematicLine, AnAngleTakesOffTheOtherAxisAndLeavesTheError) {
+  std::mt19937_64 random(6);
+  LineSample sample({}, random);
+  const std::size_t element = sample.layout.variables();
+  const Complex measured = sample.data.a.value[0], other = sample.any();
+  sample.data.systematic =
+      std::make_shared<SystematicFrfs>(SystematicFrfs{{element, 1.0, measured, 1.0, {{1.0, {{0, other / measured}}}}}});
+  const std::vector<SystematicUnknown> one = {{Systematic::angle, 0.1}};
+  const std::vector<double> phi = {0.7};
+  const LineData corrected = corrected_line(sample.data, one, phi);
+  EXPECT_NEAR(std::abs(corrected.a.value[0] - (measured - 0.07 * other)), 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(corrected.a.weight[0] - sample.data.a.weight[0]), 0.0, 1e-12 * std::abs(sample.data.a.weight[0]));
+  ASSERT_EQ(corrected.terms->terms.size(), 1U);
+  EXPECT_NEAR(std::abs(corrected.terms->terms[0].derivative(sample.any()) + 0.1 * other), 0.0, 1e-12);
+}
+
+/// Two FRFs of a row and its driving point: the covariance of the corrected ones against what differences by the measured ones make of
+/// their independent errors.
+TEST(SystematicLine, TheNoiseOfADrivingPointIsSharedByItsRow) {
+  std::mt19937_64 random(7);
+  LineSample sample({}, random);
+  make_circular(sample.data);
+  ASSERT_GE(sample.data.a.value.size(), 2U);
+  const std::vector<SystematicUnknown> one = {{Systematic::mass, 0.5}};
+  const std::vector<double> phi = {0.8};
+  const std::size_t first = sample.layout.variables();
+  const double omega = sample.data.omega, driving_deviation = 0.3;
+  const Complex driving = sample.any() / (omega * omega);
+  std::vector<Complex> measured = {sample.data.a.value[0], sample.data.a.value[1], driving};
+  const auto data = [&] {
+    LineData out = sample.data;
+    const SystematicFactor mass{0, measured[2], 4, driving_deviation * driving_deviation};
+    SystematicFrfs frfs;
+    for (std::size_t i = 0; i < 2; ++i) {
+      out.a.value[i] = measured[i];
+      frfs.push_back({first + i, 1.0, measured[i], 1.0, {{1.0, {mass}}}});
+    }
+    out.systematic = std::make_shared<SystematicFrfs>(frfs);
+    return corrected_line(out, one, phi);
+  };
+  const LineData corrected = data();
+  const double own[] = {1.0 / sample.data.a.weight[0].real(), 1.0 / sample.data.a.weight[1].real()};
+  const double variance[] = {2.0 * own[0] * own[0], 2.0 * own[1] * own[1], driving_deviation * driving_deviation};
+  Eigen::Matrix2cd expected = Eigen::Matrix2cd::Zero();
+  for (std::size_t m = 0; m < 3; ++m) {
+    const Complex kept = measured[m], step = 1e-6 * kept;
+    measured[m] = kept + step;
+    const LineData moved = data();
+    measured[m] = kept;
+    Eigen::Vector2cd by;
+    for (std::size_t i = 0; i < 2; ++i) by[static_cast<Eigen::Index>(i)] = (moved.a.value[i] - corrected.a.value[i]) / step;
+    expected += variance[m] * by * by.adjoint();
+  }
+  ASSERT_TRUE(corrected.correlation);
+  ASSERT_EQ(corrected.correlation->groups().size(), 1U);
+  const Correlation::Group& group = corrected.correlation->groups().front();
+  EXPECT_EQ(group.elements, (std::vector<std::size_t>{first, first + 1}));
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    const double weight = corrected.a.weight[static_cast<std::size_t>(i)].real();
+    EXPECT_NEAR(2.0 / (weight * weight) / expected(i, i).real(), 1.0, 1e-5);
+  }
+  const Complex rho = (group.factor.row(0) * group.factor.row(1).adjoint()).value();
+  EXPECT_NEAR(std::abs(rho - expected(0, 1) / std::sqrt(expected(0, 0).real() * expected(1, 1).real())), 0.0, 1e-5);
+}
+
 }  // namespace
 }  // namespace jointid::ident

@@ -119,6 +119,53 @@ TEST(SystematicScene, IntervalsHoldWithPriors) {
   EXPECT_LT(inside_without, inside);
 }
 
+/// A coordinate is called another direction of another one's node, so that there is another axis.
+void rename(frf::FrfSet& set, const frf::Dof& from, const frf::Dof& to) {
+  for (std::vector<frf::Dof>* dofs : {&set.header.response, &set.header.reference}) {
+    for (frf::Dof& dof : *dofs) {
+      if (dof.same_coordinate(from)) dof = to;
+    }
+  }
+}
+
+TEST(SystematicScene, AnAngleTowardsAnotherAxisIsFound) {
+  LikelihoodCase a1("A1", 0.01);
+  constexpr double angle = 0.05;
+  const frf::Dof sensor = a1.problem.assembly.header.response[0];
+  const auto& responses = a1.problem.assembly.header.response;
+  const auto is_other = [&](const frf::Dof& dof) { return !dof.is_rotation() && dof.node != sensor.node; };
+  const frf::Dof other = *std::ranges::find_if(responses, is_other);
+  const frf::Dof turned{sensor.node, frf::Direction::z};
+  for (frf::FrfSet& set : a1.problem.substructures) rename(set, other, turned);
+  rename(a1.problem.assembly, other, turned);
+  problems::Measurement data = measured(a1, 3);
+  frf::FrfSet& set = data.assembly;
+  const std::size_t row = frf::find_coordinate(set.header.response, sensor), along = frf::find_coordinate(set.header.response, turned);
+  ASSERT_FALSE(sensor.is_rotation());
+  for (std::size_t line = 0; line < set.header.lines(); ++line) {
+    for (std::size_t c = 0; c < set.header.reference.size(); ++c) {
+      set.values[set.index(line, row, c)] += angle * set.values[set.index(line, along, c)];
+    }
+  }
+  a1.scene.data.gains = {{.dofs = {sensor}, .files = {{}, {0}}, .angle = 0.1}};
+  const Solution found = solved(a1.scene, std::move(data));
+  ASSERT_EQ(found.systematic.size(), 1U);
+  EXPECT_EQ(found.systematic[0].name, "angle towards Z of " + sensor.name());
+  EXPECT_NEAR(found.systematic[0].value, angle, 4.0 * *found.systematic[0].std_error);
+  EXPECT_LT(*found.systematic[0].std_error, 0.2 * angle);
+}
+
+TEST(SystematicScene, AnAngleNeedsAnotherAxis) {
+  LikelihoodCase a1("A1", 0.01);
+  a1.scene.data.gains = {{.dofs = {}, .files = {{0, 1}, {0}}, .angle = 0.1}};
+  try {
+    (void)a1.clean();
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no sensor of the table has another direction"));
+  }
+}
+
 TEST(SystematicScene, ASensorThatIsOffIsNamed) {
   const LikelihoodCase rig("rig1");
   problems::Measurement data = problems::polluted(rig.problem, 1, 0);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/statistics.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -35,6 +37,49 @@ SystematicLines::SystematicLines(SystematicPlan plan, frf::FrfSystem& substructu
       origins_{origins_of(substructures, coordinates), origins_of(assembly, coordinates)} {
   plan_driving_points(substructures, false);
   plan_driving_points(assembly, true);
+  plan_other_axes(substructures, false);
+  plan_other_axes(assembly, true);
+}
+
+void SystematicLines::plan_other_axes(frf::FrfSystem& system, bool of_assembly) {
+  for (const frf::Dof& coordinate : coordinates_) {
+    for (std::size_t file = 0; file < system.source_count(); ++file) {
+      for (const bool is_reference : {false, true}) {
+        for (const std::size_t u : plan_.of({of_assembly, file, is_reference, coordinate})) {
+          if (unknowns_[u].kind != Systematic::angle) continue;
+          const Dofs other = {{coordinate.node, plan_.all()[u].towards}};
+          const bool is_there = std::ranges::any_of(axes_, [&](const OtherAxis& axis) {
+            return axis.of_assembly == of_assembly && axis.is_reference == is_reference && axis.dof == other.front();
+          });
+          if (is_there) continue;
+          auto reader = is_reference ? std::make_unique<frf::BlockReader>(system, coordinates_, other)
+                                     : std::make_unique<frf::BlockReader>(system, other, coordinates_);
+          axes_.push_back({of_assembly, is_reference, other.front(), std::move(reader)});
+        }
+      }
+    }
+  }
+}
+
+void SystematicLines::read_other_axes(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines) {
+  const std::size_t before = other_axes_.size(), count = substructure_lines.size(), size = coordinates_.size();
+  other_axes_.resize(before + count, std::vector<Complex>(axes_.size() * size));
+  std::vector<Complex> values(count * size);
+  for (std::size_t a = 0; a < axes_.size(); ++a) {
+    axes_[a].reader->read(axes_[a].of_assembly ? assembly_lines : substructure_lines, values);
+    for (std::size_t i = 0; i < count; ++i) std::copy_n(&values[i * size], size, &other_axes_[before + i][a * size]);
+  }
+}
+
+/// Towards the positive axis, of the positive axis of the sensor.
+Complex SystematicLines::along_other_axis(std::size_t i, const SensorRole& sensor, std::size_t unknown, std::size_t coordinate) const {
+  const frf::Dof other{sensor.dof.node, plan_.all()[unknown].towards};
+  const auto axis = std::ranges::find_if(axes_, [&](const OtherAxis& each) {
+    return each.of_assembly == sensor.of_assembly && each.is_reference == sensor.is_reference && each.dof == other;
+  });
+  if (axis == axes_.end()) return 0.0;
+  const auto a = static_cast<std::size_t>(axis - axes_.begin());
+  return static_cast<double>(sensor.dof.sign) * other_axes_[i][a * coordinates_.size() + coordinate];
 }
 
 void SystematicLines::plan_driving_points(frf::FrfSystem& system, bool of_assembly) {
@@ -54,35 +99,55 @@ void SystematicLines::read(std::span<const std::size_t> substructure_lines, std:
     driving_points_[d].reader->read(driving_points_[d].of_assembly ? assembly_lines : substructure_lines, values);
     for (std::size_t i = 0; i < count; ++i) driving_[before + i][d] = values[i];
   }
+  read_other_axes(substructure_lines, assembly_lines);
 }
 
-SystematicWay SystematicLines::way(std::size_t i, bool of_assembly, std::size_t row, std::size_t column) const {
-  const auto [file, transposed] = origin(of_assembly, row, column);
-  const std::size_t response = transposed ? column : row, reference = transposed ? row : column;
-  SystematicWay out;
-  for (const std::size_t u : plan_.of({of_assembly, file, false, coordinates_[response]})) {
-    SystematicFactor factor{u, {}};
-    if (unknowns_[u].kind == Systematic::mass) {
-      const auto found = std::ranges::find_if(driving_points_, [&](const DrivingPoint& point) {
-        return point.of_assembly == of_assembly && point.coordinate == response;
-      });
-      if (found == driving_points_.end()) continue;
-      factor.driving = driving_[i][static_cast<std::size_t>(found - driving_points_.begin())];
-      if (!std::isfinite(factor.driving.real())) continue;
-    }
-    out.factors.push_back(factor);
+SystematicFactor SystematicLines::mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor,
+                                              const Symmetric<Measured>& measured) const {
+  SystematicFactor out{unknown, nan};
+  for (std::size_t d = 0; d < driving_points_.size(); ++d) {
+    const std::size_t coordinate = driving_points_[d].coordinate;
+    if (driving_points_[d].of_assembly != sensor.of_assembly || !coordinates_[coordinate].same_coordinate(sensor.dof)) continue;
+    out.point = d;
+    out.driving = driving_[i][d];
+    const Measured& driving = measured.at(coordinate, coordinate);
+    if (driving.known()) out.driving_variance = total(driving.variance);
   }
-  for (const std::size_t u : plan_.of({of_assembly, file, true, coordinates_[reference]})) out.factors.push_back({u, {}});
+  return out;
+}
+
+/// Of a sensor that measured an FRF `value` with the coordinate `other`.
+void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::size_t other, const Symmetric<Measured>& measured,
+                                  Complex value, SystematicWay& out) const {
+  for (const std::size_t u : plan_.of(sensor)) {
+    SystematicFactor factor{u, {}};
+    if (unknowns_[u].kind == Systematic::mass) factor = mass_factor(i, u, sensor, measured);
+    if (unknowns_[u].kind == Systematic::angle) factor.driving = along_other_axis(i, sensor, u, other) / value;
+    if (!std::isfinite(factor.driving.real())) continue;
+    out.factors.push_back(factor);
+    if (unknowns_[u].kind == Systematic::mass && coordinates_[other].same_coordinate(sensor.dof)) out.measures = factor.point;
+  }
+}
+
+SystematicWay SystematicLines::way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const {
+  const auto [file, transposed] = origin(of_assembly, at.row, at.column);
+  const std::size_t response = transposed ? at.column : at.row, reference = transposed ? at.row : at.column;
+  const Complex value = measured.at(at.row, at.column).value;
+  SystematicWay out;
+  add_factors(i, {of_assembly, file, false, coordinates_[response]}, reference, measured, value, out);
+  add_factors(i, {of_assembly, file, true, coordinates_[reference]}, response, measured, value, out);
   return out;
 }
 
 /// As SymmetricFrfs averages: an average has both ways, and of copies the FRF back is taken.
-std::vector<SystematicWay> SystematicLines::ways(std::size_t i, bool of_assembly, const Measured& measured, Element at) const {
+std::vector<SystematicWay> SystematicLines::ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const {
+  const Element mirrored{at.column, at.row};
   const bool there = origin(of_assembly, at.row, at.column).file != frf::npos;
   const bool back = origin(of_assembly, at.column, at.row).file != frf::npos;
-  if (!measured.known() || (!there && !back)) return {};
-  if (!measured.averaged) return {back ? way(i, of_assembly, at.column, at.row) : way(i, of_assembly, at.row, at.column)};
-  std::vector<SystematicWay> both = {way(i, of_assembly, at.row, at.column), way(i, of_assembly, at.column, at.row)};
+  const Measured& own = measured.at(at.row, at.column);
+  if (!own.known() || (!there && !back)) return {};
+  if (!own.averaged) return {way(i, of_assembly, measured, back ? mirrored : at)};
+  std::vector<SystematicWay> both = {way(i, of_assembly, measured, at), way(i, of_assembly, measured, mirrored)};
   for (SystematicWay& each : both) each.share = 0.5;
   return both;
 }
@@ -92,9 +157,9 @@ std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const L
   auto out = std::make_shared<SystematicFrfs>();
   std::size_t element = 0;
   const auto add = [&](bool of_assembly, Element at, double sign, double share) {
-    const Measured& m = (of_assembly ? measured.assembly : measured.substructures).at(at.row, at.column);
-    std::vector<SystematicWay> by = ways(i, of_assembly, m, at);
-    if (has_factors(by)) out->push_back({element, sign, m.value, share, std::move(by)});
+    const Symmetric<Measured>& frfs = of_assembly ? measured.assembly : measured.substructures;
+    std::vector<SystematicWay> by = ways(i, of_assembly, frfs, at);
+    if (has_factors(by)) out->push_back({element, sign, frfs.at(at.row, at.column).value, share, std::move(by)});
   };
   for_each_element(layout, [&](ElementOf of, Element at) {
     if (of != ElementOf::difference) {

@@ -22,9 +22,13 @@ class SystematicLines {
 
   const SystematicPlan& plan() const { return plan_; }
 
-  /// Reads the driving points of masses on common lines of both systems, which are added to those read before.
+  /// Reads the driving points of masses, and the FRFs along the axes that angles are towards, on common lines of both systems, which are
+  /// added to those read before.
   void read(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
-  void clear() { driving_.clear(); }
+  void clear() {
+    driving_.clear();
+    other_axes_.clear();
+  }
 
   /// Of the i-th line read.
   std::shared_ptr<const SystematicFrfs> of(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured) const;
@@ -36,12 +40,25 @@ class SystematicLines {
     std::unique_ptr<frf::BlockReader> reader;
   };
 
+  /// The FRFs along another axis of a sensor: with all coordinates in the other role.
+  struct OtherAxis {
+    bool of_assembly, is_reference;
+    frf::Dof dof;
+    std::unique_ptr<frf::BlockReader> reader;
+  };
+
   const FrfOrigin& origin(bool of_assembly, std::size_t row, std::size_t column) const {
     return origins_[of_assembly ? 1 : 0][row * coordinates_.size() + column];
   }
-  SystematicWay way(std::size_t i, bool of_assembly, std::size_t row, std::size_t column) const;
-  std::vector<SystematicWay> ways(std::size_t i, bool of_assembly, const Measured& measured, Element at) const;
+  SystematicWay way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const;
+  std::vector<SystematicWay> ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const;
   void plan_driving_points(frf::FrfSystem& system, bool of_assembly);
+  void plan_other_axes(frf::FrfSystem& system, bool of_assembly);
+  void read_other_axes(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
+  Complex along_other_axis(std::size_t i, const SensorRole& sensor, std::size_t unknown, std::size_t coordinate) const;
+  void add_factors(std::size_t i, const SensorRole& sensor, std::size_t other, const Symmetric<Measured>& measured, Complex value,
+                   SystematicWay& out) const;
+  SystematicFactor mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor, const Symmetric<Measured>& measured) const;
 
   SystematicPlan plan_;
   std::vector<SystematicUnknown> unknowns_;
@@ -49,6 +66,8 @@ class SystematicLines {
   std::array<std::vector<FrfOrigin>, 2> origins_;
   std::vector<DrivingPoint> driving_points_;
   std::vector<std::vector<Complex>> driving_;  ///< [line][driving point]
+  std::vector<OtherAxis> axes_;
+  std::vector<std::vector<Complex>> other_axes_;  ///< [line][axis, coordinate]
 };
 
 }  // namespace jointid::ident

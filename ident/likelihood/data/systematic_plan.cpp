@@ -101,6 +101,28 @@ void SystematicPlan::add_gains(const Scene& scene, const GainPrior& prior, const
   const std::string whose = prior.of_reference ? "reference " : "";
   if (prior.gain > 0.0) add_shared(scene, prior.shared, {{Systematic::gain, prior.gain}, "gain of " + whose, ""}, roles);
   if (prior.delay > 0.0) add_shared(scene, prior.shared, {{Systematic::delay, prior.delay}, "delay of " + whose, "s"}, roles);
+  if (prior.angle > 0.0) add_angles(scene, prior, substructures, assembly, roles);
+}
+
+/// Those towards directions that are measured at the same node in the same role of the file.
+void SystematicPlan::add_angles(const Scene& scene, const GainPrior& prior, const frf::FrfSystem& substructures,
+                                const frf::FrfSystem& assembly, const std::vector<SensorRole>& roles) {
+  const std::size_t before = all_.size();
+  for (const frf::Direction towards : {frf::Direction::x, frf::Direction::y, frf::Direction::z}) {
+    std::vector<SensorRole> turned;
+    for (const SensorRole& role : roles) {
+      const frf::FrfHeader& header = (role.of_assembly ? assembly : substructures).source(role.file).header();
+      const frf::Dof other{role.dof.node, towards};
+      const bool is_turned = !role.dof.is_rotation() && role.dof.direction != towards;
+      if (is_turned && frf::has(role.is_reference ? header.reference : header.response, other)) turned.push_back(role);
+    }
+    const std::string axis(1, "XYZ"[static_cast<int>(towards) - 1]);
+    const std::string name = "angle towards " + axis + " of " + (prior.of_reference ? "reference " : "");
+    add_shared(scene, prior.shared, {{Systematic::angle, prior.angle}, name, "rad", 0.0, towards}, turned);
+  }
+  if (all_.size() > before) return;
+  fail(scene, "[[data.gains]] angle", "no sensor of the table has another direction that was measured at its node",
+       "measure it, or leave angle out: FRFs along other axes tell what an angle does");
 }
 
 void SystematicPlan::add_masses(const Scene& scene, const MassPrior& prior, const frf::FrfSystem& substructures,
@@ -115,7 +137,7 @@ void SystematicPlan::add_shared(const Scene& scene, Sharing shared, const NamedS
                                 const std::vector<SensorRole>& roles) {
   for (const SensorRole& role : roles) {
     for (const std::size_t u : of(role)) {
-      if (all_[u].unknown.kind != systematic.unknown.kind) continue;
+      if (all_[u].unknown.kind != systematic.unknown.kind || all_[u].towards != systematic.towards) continue;
       fail(scene, "[data]", "two tables name the " + all_[u].name, "name a sensor of a file in one table");
     }
   }

@@ -23,6 +23,7 @@ struct NamedSystematic {
   SystematicUnknown unknown;
   std::string name, unit;
   double known = 0.0;  ///< what is removed already (mass)
+  frf::Direction towards{};  ///< of an angle: at the sensor's node
 };
 
 /// Which FRFs have which systematic errors.
@@ -45,6 +46,8 @@ class SystematicPlan {
   using Key = std::tuple<bool, std::size_t, bool, std::int64_t>;
   static Key key(const SensorRole& role) { return {role.of_assembly, role.file, role.is_reference, coordinate_key(role.dof)}; }
   void add_gains(const Scene& scene, const GainPrior& prior, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly);
+  void add_angles(const Scene& scene, const GainPrior& prior, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly,
+                  const std::vector<SensorRole>& roles);
   void add_masses(const Scene& scene, const MassPrior& prior, const frf::FrfSystem& substructures,
                   const frf::FrfSystem& assembly);
   void add_shared(const Scene& scene, Sharing shared, const NamedSystematic& systematic, const std::vector<SensorRole>& roles);

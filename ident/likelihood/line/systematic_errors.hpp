@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "base/complex.hpp"
@@ -10,6 +11,7 @@ namespace jointid::ident {
 enum class Systematic {
   gain,   ///< e^{σφ}: true FRF = gain · measured
   delay,  ///< σφ in s by which the responses lag: e^{iωσφ}
+  angle,  ///< σφ in rad by which the axis of a sensor is turned towards another one: measured − σφ · that other FRF
   mass  ///< σφ in kg that the structure carries at the response p, with p: 1/(1 + ω²σφ H(p,p)), free of what is removed as known
 };
 
@@ -21,13 +23,18 @@ struct SystematicUnknown {
 /// An unknown in what a measured FRF is multiplied by.
 struct SystematicFactor {
   std::size_t unknown = 0;
-  Complex driving{};  ///< of a mass: H(p,p)
+  Complex driving{};              ///< of a mass: H(p,p) as measured; of an angle: the FRF along the other axis over this one
+  std::size_t point = 0;          ///< which driving point of the line that is
+  double driving_variance = 0.0;  ///< E|e|² of it; 0: not known, or exact
 };
 
 /// A way in which an FRF was measured, there or back.
 struct SystematicWay {
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
   double share = 1.0;  ///< in the average
   std::vector<SystematicFactor> factors;
+  std::size_t measures = none;  ///< the driving point that this FRF is itself
 };
 
 /// The measured FRF of one system in the value of an element.
