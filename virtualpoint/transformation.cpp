@@ -20,19 +20,32 @@ constexpr double smallest_singular_value = 1e-6;
 
 const char* word(Side side) { return side == Side::sensors ? "sensors" : "impacts"; }
 
-/// Unit vector of a channel as the scene names its DOF.
-Vector direction_of(const Channel& channel) {
+const frf::Node* node_of(const Channel& channel, const frf::FrfHeader& header) {
+  const auto node = std::ranges::find_if(header.nodes, [&](const frf::Node& n) { return n.id == channel.dof.node; });
+  return node == header.nodes.end() ? nullptr : &*node;
+}
+
+/// Unit vector of a channel as the scene names its DOF, along the axes that its file has for the node.
+Vector direction_of(const VirtualPoint& point, const Channel& channel, const frf::FrfHeader& header) {
   if (channel.direction) return *channel.direction;
+  const std::size_t axis = (static_cast<std::size_t>(channel.dof.direction) - 1) % 3;
   Vector unit{};
-  unit[(static_cast<std::size_t>(channel.dof.direction) - 1) % 3] = channel.dof.sign;
+  unit[axis] = 1.0;
+  const frf::Node* node = node_of(channel, header);
+  if (node != nullptr && node->axes) unit = (*node->axes)[axis];
+  if (std::isnan(unit[0])) {
+    fail(header, name(point),
+         "node " + std::to_string(channel.dof.node) + " measures in a coordinate system that the file does not define",
+         "add its dataset 2420, or give directions = { \"" + channel.dof.name() + "\" = [x, y, z] }");
+  }
+  for (double& component : unit) component *= channel.dof.sign;
   return unit;
 }
 
 Vector position_of(const VirtualPoint& point, const Channel& channel, const frf::FrfHeader& header) {
   const auto given = point.positions.find(channel.dof.node);
   if (given != point.positions.end()) return given->second;
-  const auto node = std::ranges::find_if(header.nodes, [&](const frf::Node& n) { return n.id == channel.dof.node; });
-  if (node != header.nodes.end()) return node->position;
+  if (const frf::Node* node = node_of(channel, header)) return node->position;
   const std::string number = std::to_string(channel.dof.node);
   fail(header, name(point), "node " + number + " of " + channel.dof.name() + " has no position",
        "give it in the scene, [nodes] \"" + number + "\" = [x, y, z], or use a file with nodes");
@@ -104,7 +117,7 @@ Transformation transformation(const VirtualPoint& point, Side side, const frf::F
   out.signs.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Channel& channel = *channels[static_cast<std::size_t>(i)];
-    const Vector direction = direction_of(channel);
+    const Vector direction = direction_of(point, channel, header);
     Vector r = position_of(point, channel, header);
     for (std::size_t k = 0; k < 3; ++k) r[k] -= point.position[k];
     out.signs[i] = channel.dof.sign * of_file[out.channels[static_cast<std::size_t>(i)]].sign;

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace jointid::frf::hdf5 {
@@ -62,15 +63,18 @@ bool write_dofs(const Handle& file, const char* name, const std::vector<Dof>& do
 bool write_nodes(const Handle& file, const std::vector<Node>& nodes) {
   if (nodes.empty()) return true;
   std::vector<std::int64_t> ids;
-  std::vector<double> positions;
+  std::vector<double> positions, axes;
   for (const Node& node : nodes) {
     ids.push_back(node.id);
     positions.insert(positions.end(), node.position.begin(), node.position.end());
+    for (const auto& axis : node.axes.value_or(global_axes)) axes.insert(axes.end(), axis.begin(), axis.end());
   }
+  const bool own_axes = std::ranges::any_of(nodes, [](const Node& node) { return node.axes.has_value(); });
   const Handle integer(H5Tcopy(H5T_NATIVE_INT64));
   const Handle real(H5Tcopy(H5T_NATIVE_DOUBLE));
   return write_dataset(file, "node_id", integer, {ids.size()}, ids.data()).is_open() &&
-         write_dataset(file, "node_position", real, {ids.size(), 3}, positions.data()).is_open();
+         write_dataset(file, "node_position", real, {ids.size(), 3}, positions.data()).is_open() &&
+         (!own_axes || write_dataset(file, "node_axes", real, {ids.size(), 3, 3}, axes.data()).is_open());
 }
 
 Handle create_lines(const Handle& file, const char* name, const Handle& type,

@@ -56,6 +56,16 @@ std::vector<Dof> read_dofs(const Object& file, const char* name) {
   return dofs;
 }
 
+/// Of all nodes; empty where the file has none.
+std::vector<double> read_axes(const Object& file, std::size_t nodes) {
+  if (!hdf5::has(file, "node_axes")) return {};
+  const Dataset dataset = open_dataset(file, "node_axes");
+  if (dataset.dims != std::vector<std::size_t>{nodes, 3, 3}) {
+    fail(dataset, "is not [" + std::to_string(nodes) + ",3,3] as node_id asks");
+  }
+  return hdf5::read_doubles(dataset);
+}
+
 std::vector<Node> read_nodes(const Object& file) {
   if (!hdf5::has(file, "node_id")) return {};
   const Dataset id_dataset = open_dataset(file, "node_id");
@@ -66,13 +76,17 @@ std::vector<Node> read_nodes(const Object& file) {
   }
   const std::vector<double> ids = hdf5::read_doubles(id_dataset);
   const std::vector<double> positions = hdf5::read_doubles(position_dataset);
+  const std::vector<double> axes = read_axes(file, ids.size());
   std::vector<Node> nodes;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!(ids[i] >= 0.0 && ids[i] <= 9'999'999'999.0) || ids[i] != std::floor(ids[i])) {
       fail(id_dataset, fmt::format("{}", ids[i]) + " is not a node number");
     }
-    nodes.push_back(
-        {static_cast<std::int64_t>(ids[i]), {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}});
+    nodes.push_back({static_cast<std::int64_t>(ids[i]), {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}, {}});
+    if (axes.empty()) continue;
+    Axes own{};
+    for (std::size_t k = 0; k < 9; ++k) own[k / 3][k % 3] = axes[9 * i + k];
+    if (own != global_axes) nodes.back().axes = own;
   }
   return nodes;
 }

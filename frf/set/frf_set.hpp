@@ -4,6 +4,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,15 @@
 
 namespace jointid::frf {
 
+/// Unit vectors along X, Y and Z of a local system, in global axes.
+using Axes = std::array<std::array<double, 3>, 3>;
+
+inline constexpr Axes global_axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
 struct Node {
   std::int64_t id = 0;
   std::array<double, 3> position{};  ///< m, global axes
+  std::optional<Axes> axes{};        ///< along which the X, Y and Z of its DOFs are; empty: the global ones. NaN: not known
 };
 
 /// What a file says about the noise of its FRFs.

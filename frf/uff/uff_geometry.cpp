@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "frf/uff/uff_coordinate_systems.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
@@ -35,7 +36,8 @@ UnitFactors parse_factors(ByteFile& file, const Dataset& dataset) {
 
 class NodeReader {
  public:
-  NodeReader(std::vector<Node>& nodes, std::set<std::int64_t>& known) : nodes_(nodes), known_(known) {}
+  NodeReader(const CoordinateSystems& systems, std::vector<Node>& nodes, std::set<std::int64_t>& known)
+      : systems_(systems), nodes_(nodes), known_(known) {}
 
   void use(const Dataset& dataset, std::string_view line, double length) {
     if (dataset.number == 15) {
@@ -53,21 +55,23 @@ class NodeReader {
  private:
   void begin(const Dataset& dataset, std::string_view line) {
     const auto id = parse_integer(column(line, 0, 10));
-    const auto system = parse_integer(column(line, 10, 10));
-    if (!id || !system || column(line, 0, 10).empty()) fail(dataset, line);
+    const auto defined_in = parse_integer(column(line, 10, 10)), displaced_in = parse_integer(column(line, 20, 10));
+    if (!id || !defined_in || !displaced_in || column(line, 0, 10).empty()) fail(dataset, line);
     id_ = *id;
-    global_ = *system == 0 || *system == 1;
+    defined_in_ = *defined_in;
+    displaced_in_ = *displaced_in;
   }
 
   void finish(const Dataset& dataset, std::string_view line, std::size_t begin, std::size_t width,
               double length) {
-    Node node{.id = id_, .position = {}};
+    std::array<double, 3> local{};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto value = parse_real(column(line, begin + i * width, width));
       if (!value) fail(dataset, line);
-      node.position[i] = *value / length;
+      local[i] = systems_.is_angle(defined_in_, i) ? *value : *value / length;
     }
-    if (global_ && known_.insert(id_).second) nodes_.push_back(node);
+    const auto position = systems_.global(defined_in_, local);
+    if (position && known_.insert(id_).second) nodes_.push_back({id_, *position, systems_.axes(displaced_in_, *position)});
   }
 
   [[noreturn]] static void fail(const Dataset& dataset, std::string_view line) {
@@ -75,10 +79,10 @@ class NodeReader {
                        "correct the line or leave the geometry out");
   }
 
+  const CoordinateSystems& systems_;
   std::vector<Node>& nodes_;
   std::set<std::int64_t>& known_;
-  std::int64_t id_ = 0;
-  bool global_ = true;
+  std::int64_t id_ = 0, defined_in_ = 0, displaced_in_ = 0;
   bool open_ = false;
 };
 
@@ -99,12 +103,13 @@ UnitFactors UnitTable::at(const Dataset& dataset) const {
 }
 
 std::vector<Node> read_nodes(ByteFile& file, const std::vector<Dataset>& datasets, const UnitTable& units) {
+  const CoordinateSystems systems(file, datasets, units);
   std::vector<Node> nodes;
   std::set<std::int64_t> known;
   for (const Dataset& dataset : datasets) {
     if ((dataset.number != 15 && dataset.number != 2411) || dataset.binary) continue;
     const double length = units.at(dataset).length;
-    NodeReader reader(nodes, known);
+    NodeReader reader(systems, nodes, known);
     for_each_line(file, dataset, [&](std::string_view line) { reader.use(dataset, line, length); });
   }
   return nodes;

@@ -25,8 +25,9 @@ class UnitTable {
   std::vector<Entry> entries_;  ///< in the order of the file
 };
 
-/// Node positions in m of datasets 15 and 2411; the first position given for a node counts. Nodes defined in
-/// a coordinate system other than 0 and 1, which are global Cartesian, are left out.
+/// Nodes of datasets 15 and 2411, positions in m; the first position given for a node counts. Those that are defined in a
+/// coordinate system which no dataset 2420 of the file describes are left out; axes of DOFs are those of the displacement system
+/// (CoordinateSystems).
 std::vector<Node> read_nodes(ByteFile& file, const std::vector<Dataset>& datasets, const UnitTable& units);
 
 }  // namespace jointid::frf::uff

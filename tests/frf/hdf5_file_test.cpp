@@ -52,6 +52,16 @@ void expect_blocks_of(const FrfSet& set, FrfSource& source, std::mt19937& random
   }
 }
 
+TEST_F(Hdf5File, KeepsTheAxesOfNodes) {
+  std::mt19937 random(3);
+  FrfSet set = random_set(random, Quantity::receptance, NoiseRecord::none);
+  set.header.nodes[0].axes = Axes{{{0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}}};
+  write_hdf5(set, path("a.h5"));
+  const FrfSet read = load(*open_hdf5(path("a.h5")));
+  EXPECT_EQ(read.header.nodes[0].axes, set.header.nodes[0].axes);
+  EXPECT_FALSE(read.header.nodes[1].axes);
+}
+
 TEST_F(Hdf5File, RoundTripsEveryQuantityAndNoiseRecord) {
   std::mt19937 random(1);
   for (int trial = 0; trial < 5; ++trial) {

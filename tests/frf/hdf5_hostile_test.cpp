@@ -238,6 +238,13 @@ TEST_F(Hdf5Layout, DofsAreChecked) {
               HasSubstr("dataset response_dof: does not hold text"));
 }
 
+TEST_F(Hdf5Layout, AxesOfNodesAreChecked) {
+  EXPECT_THAT(message_after([](hid_t f) {
+                replace_doubles(f, "node_axes", {2, 3}, std::vector<double>(6));
+              }),
+              HasSubstr("dataset node_axes: is not [2,3,3] as node_id asks"));
+}
+
 TEST_F(Hdf5Layout, NodesAreChecked) {
   EXPECT_THAT(message_after([](hid_t f) {
                 replace_doubles(f, "node_position", {2, 2}, {1.0, 2.0, 3.0, 4.0});

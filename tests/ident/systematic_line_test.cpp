@@ -175,7 +175,7 @@ TEST(SystematicLine, TheNoiseOfADrivingPointIsSharedByItsRow) {
   }
   ASSERT_TRUE(corrected.correlation);
   ASSERT_EQ(corrected.correlation->groups().size(), 1U);
-  const Correlation::Group& group = corrected.correlation->groups().front();
+  const minimise::Correlation::Group& group = corrected.correlation->groups().front();
   EXPECT_EQ(group.elements, (std::vector<std::size_t>{first, first + 1}));
   for (Eigen::Index i = 0; i < 2; ++i) {
     const double weight = corrected.a.weight[static_cast<std::size_t>(i)].real();

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
+
 #include "base/error.hpp"
 #include "frf/noise/noise.hpp"
 #include "frf/set/h1.hpp"
@@ -74,6 +76,33 @@ TEST(VirtualSource, AFlippedFileIsTheSame) {
   const frf::FrfSet one = load(*virtual_source(frf::from_memory(in.set), {in.point}));
   const frf::FrfSet two = load(*virtual_source(frf::from_memory(flipped), {in.point}));
   for (std::size_t i = 0; i < one.values.size(); ++i) EXPECT_LT(std::abs(one.values[i] - two.values[i]), 1e-11);
+}
+
+/// Sensors along axes that the file has for their nodes are those that the scene says the directions of.
+TEST(VirtualSource, DirectionsAreThoseOfTheFilesAxes) {
+  const Interface in(5);
+  frf::FrfSet turned = in.set;
+  VirtualPoint told = in.point;
+  const double c = 0.6, s = 0.8;
+  const frf::Axes axes{{{c, s, 0.0}, {-s, c, 0.0}, {0.0, 0.0, 1.0}}};
+  for (frf::Node& node : turned.header.nodes) node.axes = axes;
+  for (Channel& sensor : told.sensors) {
+    Vector d = axes[static_cast<std::size_t>(sensor.dof.direction) - 1];
+    for (double& component : d) component *= sensor.dof.sign;
+    sensor.direction = d;
+  }
+  const frf::FrfSet one = load(*virtual_source(frf::from_memory(turned), {in.point}));
+  const frf::FrfSet two = load(*virtual_source(frf::from_memory(in.set), {told}));
+  const frf::FrfSet plain = load(*virtual_source(frf::from_memory(in.set), {in.point}));
+  EXPECT_EQ(one.values, two.values);
+  EXPECT_NE(one.values, plain.values);
+  turned.header.nodes[2].axes->fill({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
+  try {
+    (void)virtual_source(frf::from_memory(turned), {in.point});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("node 3 measures in a coordinate system that the file does not define"));
+  }
 }
 
 /// Variances and covariances of the source against those of the Kronecker product of both sides.

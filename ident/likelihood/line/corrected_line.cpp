@@ -147,8 +147,8 @@ class DrivingNoise {
       const std::size_t element = some[static_cast<std::size_t>(i)];
       elements_.weight(element) *= std::sqrt(elements_.variance(element) / total[i]);
     }
-    Correlation out = Correlation::of(elements_.size(), some, covariance, total);
-    line_.correlation = out.groups().empty() ? nullptr : std::make_shared<const Correlation>(std::move(out));
+    minimise::Correlation out = minimise::Correlation::of(elements_.size(), some, covariance, total);
+    line_.correlation = out.groups().empty() ? nullptr : std::make_shared<const minimise::Correlation>(std::move(out));
   }
 
  private:
@@ -163,7 +163,7 @@ class DrivingNoise {
     std::vector<std::size_t> some;
     for (const auto& [element, of] : shared_) some.push_back(element);
     if (!line_.correlation) return some;
-    for (const Correlation::Group& group : line_.correlation->groups()) {
+    for (const minimise::Correlation::Group& group : line_.correlation->groups()) {
       for (const std::size_t element : group.elements) {
         if (!shared_.contains(element)) some.push_back(element);
       }
@@ -175,10 +175,10 @@ class DrivingNoise {
   /// Adds the covariances that the line has told, but for the diagonal.
   void add_told(const std::vector<std::size_t>& some, Eigen::MatrixXcd& covariance) {
     for (std::size_t i = 0; i < some.size(); ++i) {
-      const Correlation::Place one = line_.correlation->place(some[i]);
+      const minimise::Correlation::Place one = line_.correlation->place(some[i]);
       for (std::size_t k = 0; k < some.size(); ++k) {
-        const Correlation::Place other = line_.correlation->place(some[k]);
-        if (i == k || one.group == Correlation::none || one.group != other.group) continue;
+        const minimise::Correlation::Place other = line_.correlation->place(some[k]);
+        if (i == k || one.group == minimise::Correlation::none || one.group != other.group) continue;
         const Eigen::MatrixXcd& factor = line_.correlation->groups()[one.group].factor;
         const Complex rho = (factor.row(at(one.row)) * factor.row(at(other.row)).adjoint()).value();
         covariance(at(i), at(k)) += rho * std::sqrt(elements_.variance(some[i]) * elements_.variance(some[k]));

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "frf/set/frf_set.hpp"
+#include "frf/uff/uff_geometry.hpp"
+#include "frf/uff/uff_scan.hpp"
+
+namespace jointid::frf::uff {
+
+/// The coordinate systems of the datasets 2420 of a file, by their labels. A matrix of four rows is the axes of the system and
+/// its origin in global axes: global = Σ local_i · row_i + row_4. Of cylindrical ones (r, θ, z) and spherical ones (r, θ from Z,
+/// φ round Z) angles are in degrees, and the axes of a node are along its r, θ and z or φ. Labels 0 and, where no dataset defines
+/// it, 1 are the global Cartesian system.
+class CoordinateSystems {
+ public:
+  using Vector = std::array<double, 3>;
+
+  /// Throws InputError where a dataset does not hold what it should, or axes are not orthonormal to 1e-3.
+  CoordinateSystems(ByteFile& file, const std::vector<Dataset>& datasets, const UnitTable& units);
+
+  /// Whether the i-th coordinate of a point in the system is an angle.
+  bool is_angle(std::int64_t label, std::size_t i) const;
+
+  /// Of a point given in the system, lengths in m; empty where the file does not define the system.
+  std::optional<Vector> global(std::int64_t label, const Vector& local) const;
+
+  /// Of a node at a global position; empty: the global ones. NaN where the file does not define the system.
+  std::optional<Axes> axes(std::int64_t label, const Vector& position) const;
+
+ private:
+  enum class Kind : std::uint8_t { cartesian, cylindrical, spherical };
+
+  struct System {
+    Kind kind = Kind::cartesian;
+    Axes axes{};
+    Vector origin{};  ///< m
+  };
+
+  /// Null for the global system and for those that the file does not define.
+  const System* find(std::int64_t label) const;
+  bool is_global(std::int64_t label) const { return label == 0 || (label == 1 && find(label) == nullptr); }
+  static Axes local_axes(Kind kind, const Vector& local);
+  void read(ByteFile& file, const Dataset& dataset, double length);
+
+  std::map<std::int64_t, System> systems_;
+};
+
+}  // namespace jointid::frf::uff
