@@ -141,6 +141,8 @@ TEST(PeriodicOrbit, MeetsTheTableOfTheThesissJointTypes) {
       if (values.contains("dissipated")) {
         EXPECT_LT(difference(found.loss, numbers(values.at("dissipated"))), tol);
         EXPECT_EQ(orbit.events, values.at("events_per_period").get<std::size_t>());
+        EXPECT_NEAR(found.work / values.at("work_in").get<double>(), 1.0, tol);
+        EXPECT_NEAR(found.largest[4] / values.at("x5_max").get<double>(), 1.0, tol);
       }
       if (values.contains("floquet")) {
         const VectorXd moduli = vector(values.at("floquet"));
