@@ -130,8 +130,19 @@ void add_further_problems(const ResponseScene& scene, const ResponseRun& run, st
   }
 }
 
+/// A resonance that is narrower than the distance of the files' lines: its peak stands between them.
+void add_narrow_peak(const LevelResponse& level, std::vector<std::string>& remarks) {
+  if (!level.peak || !level.peak_mode || level.points.size() < 3) return;
+  const double width = 2.0 * level.peak_mode->ratio * hertz(level.peak_mode->omega), at = level.peak->omega;
+  if (width >= level.line_spacing_hz || at == level.points.front().omega || at == level.points.back().omega) return;
+  remarks.push_back(fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide where the lines of the files stand {:.2g} Hz apart: how "
+                                "high it is between them is not known; `modal_model = true` goes between lines",
+                                level.level, hertz(at), width, level.line_spacing_hz));
+}
+
 void add_problems(const ResponseRun& run, std::vector<std::string>& remarks) {
   for (const LevelResponse& level : run.levels) {
+    add_narrow_peak(level, remarks);
     const auto lost = std::ranges::count(level.points, false, &HarmonicSolution::converged);
     if (lost > 0) {
       remarks.push_back(fmt::format(

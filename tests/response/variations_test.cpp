@@ -208,8 +208,8 @@ RC_GTEST_PROP(Variations, EquivalentModesSolveTheirEigenproblem, ()) {
   const AnyAssembly assembly(2);
   RC_LOG() << assembly.text();
   const double amplitude = any_decade(1e-3, 0.3);
-  const EquivalentMode found =
-      equivalent_mode(assembly.matrices, assembly.w, assembly.joints(), at(any_of(static_cast<std::size_t>(assembly.size()))), 0, amplitude);
+  const Eigen::Index mode = at(any_of(static_cast<std::size_t>(assembly.size())));
+  const EquivalentMode found = equivalent_mode(assembly.matrices, assembly.w, assembly.joints(), mode, 0, amplitude);
   RC_PRE(found.converged);
   const VectorXd q = assembly.w.transpose() * found.motion;
   RC_ASSERT(std::abs(q[0] - amplitude) <= 1e-10 * amplitude);
@@ -291,7 +291,8 @@ RC_GTEST_PROP(Variations, FoldsAreThoseOfTheClosedForm, ()) {
   RC_ASSERT(curve.turning_points.size() % 2 == 0U);
   const auto square = [&](double x, double omega) {
     const double cosine = 1.0 - 2.0 * std::min(a / x, 1.0), angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-    const double k_e = k / std::numbers::pi * (angle - 0.5 * std::sin(2.0 * angle)), d_e = k / std::numbers::pi * std::pow(std::sin(angle), 2);
+    const double k_e = k / std::numbers::pi * (angle - 0.5 * std::sin(2.0 * angle));
+    const double d_e = k / std::numbers::pi * std::pow(std::sin(angle), 2);
     return x * x * (std::pow(1.0 + 0.75 * cubic * x * x + k_e - omega * omega, 2) + std::pow(c * omega + d_e, 2));
   };
   for (std::size_t i = 0; i < curve.turning_points.size(); ++i) {
