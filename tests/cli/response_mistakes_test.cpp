@@ -100,6 +100,20 @@ TEST(ResponseMistakes, StatedNoiseIsNoMistake) {
   }
 }
 
+/// A joint that is as good as none (its law in units a billion times too small), and one that all but sticks.
+TEST(ResponseMistakes, SaysWhatAJointDoesThatIsNone) {
+  const TestFolder folder;
+  write_parts(folder);
+  const auto told = [&](const std::string& parameters) {
+    const std::string text = replaced(parts_scene("values = [2.0, 3.0]\n", "[1, 3]"), "[0.01, 150.0]", parameters);
+    const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
+    return response_text(scene, run_response(scene, {}));
+  };
+  EXPECT_THAT(told("[0.01, 1.5e-9]"), HasSubstr("joint 2:+X–3:+X takes all the motion"));
+  EXPECT_THAT(told("[0.01, 1.5]"), testing::Not(HasSubstr("takes all the motion")));
+  EXPECT_THAT(told("[1e-14, 1e14]"), HasSubstr("may be softened until the response changes"));
+}
+
 /// Lines further apart than a resonance is wide: its height is not known, and that is said.
 TEST(ResponseMistakes, SaysWhereAPeakIsNarrowerThanTheLines) {
   const TestFolder folder;
