@@ -102,6 +102,7 @@ void describe_peak(const response::HarmonicBalance& balance, const Prepared& pre
   const int harmonic = peak.harmonics[static_cast<std::size_t>(first_row(peak))];
   if (const auto beside = prepared.beside(harmonic * peak.omega)) {
     level.peak_mode = response::peak_mode(balance, peak, 0, harmonic, *beside);
+    if (!prepared.between_lines) level.line_spacing_hz = 0.5 * hertz((*beside)[1] - (*beside)[0]);
   }
   for (std::size_t j = 0; j < balance.joints().size(); ++j) {
     const response::Motion motion(response::Harmonics(peak.harmonics), peak.joint_motion.col(at(j)));

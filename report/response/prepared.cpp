@@ -6,10 +6,10 @@
 
 #include "base/complex.hpp"
 #include "base/error.hpp"
-#include "report/response/modal_parts.hpp"
-#include "dense/eigen.hpp"
 #include "frf/set/frf_system.hpp"
 #include "ident/plan/data_source.hpp"
+#include "report/response/modal_parts.hpp"
+#include "report/response/part_doubts.hpp"
 #include "response/condensation/condensation.hpp"
 #include "response/structure/frf_receptance.hpp"
 #include "response/structure/matrix_receptance.hpp"
@@ -17,9 +17,7 @@
 namespace jointid::report {
 namespace {
 
-constexpr double active = 0.02;         ///< share of |G| by which −Im G may be negative before it is told
-constexpr double most_asymmetry = 0.1;  ///< rms of H − Hᵀ over that of H: what noise of 7 % makes
-constexpr int looked_ahead = 6;         ///< harmonics beyond the last one that tell what it leaves out
+constexpr int looked_ahead = 6;  ///< harmonics beyond the last one that tell what it leaves out
 constexpr double between_lines = 1e-4;  ///< of ω: a neighbour where the structure is known everywhere
 
 /// The scene's values, or points over its range.
@@ -96,33 +94,6 @@ Prepared from_matrices(const ResponseScene& scene) {
   return prepared;
 }
 
-/// Reciprocity and passivity of what was measured at the joints, a phrase each where it is doubtful: FRFs and their transposes
-/// differ; the parts would feed a joint with energy, as −Im WᵀHW has a negative eigenvalue.
-std::vector<std::string> measurement_doubts(const response::FrfReceptance& structure) {
-  std::vector<std::string> doubts;
-  if (structure.asymmetry() > most_asymmetry) {
-    doubts.push_back(
-        fmt::format("the FRFs at the joints are not reciprocal: FRFs and their transposes differ by {:.2g} of their size (rms); "
-                    "`jointid check` finds which",
-                    structure.asymmetry()));
-  }
-  std::size_t lines = 0;
-  double first = 0.0;
-  for (const double hz : structure.frequency_hz()) {
-    const Eigen::MatrixXcd g = structure.at(angular(hz)).topLeftCorner(structure.joints(), structure.joints());
-    const Eigen::MatrixXd lost = -0.5 * (g.imag() + g.imag().transpose());
-    if (hz == 0.0 || dense::symmetric_eigenvalues(lost).minCoeff() >= -active * g.cwiseAbs().maxCoeff()) continue;
-    if (lines++ == 0) first = hz;
-  }
-  if (lines > 0) {
-    doubts.push_back(
-        fmt::format("the FRFs at the joints are not passive on {} of {} lines (−Im H < 0), first at {:.6g} Hz: `jointid check` "
-                    "finds flipped or late channels",
-                    lines, structure.frequency_hz().size(), first));
-  }
-  return doubts;
-}
-
 Prepared from_files(const ResponseScene& scene, const ident::Control& control) {
   Prepared prepared;
   std::unique_ptr<frf::FrfSystem> parts;
@@ -142,6 +113,7 @@ Prepared from_files(const ResponseScene& scene, const ident::Control& control) {
       std::make_shared<response::FrfReceptance>(*parts, joints, responses, std::vector<frf::Dof>{scene.force_dof.dof});
   prepared.structure = structure;
   prepared.lines_hz = structure->frequency_hz();
+  prepared.between_lines = scene.modal_model;
   prepared.frequency_hz = scene.values_hz;
   if (scene.modal_model) {
     prepared.frequency_hz = asked_hz(scene);
@@ -159,7 +131,7 @@ Prepared from_files(const ResponseScene& scene, const ident::Control& control) {
                       .problem = "the files have no line in it; they have " + frf::range_text(structure->frequency_hz()),
                       .remedy = "choose another range"});
   }
-  for (const std::string& doubt : measurement_doubts(*structure)) prepared.doubts.push_back(doubt);
+  for (const std::string& doubt : part_doubts(*structure, *parts)) prepared.doubts.push_back(doubt);
   return prepared;
 }
 

@@ -35,6 +35,7 @@ struct LevelResponse {
   std::optional<response::HarmonicSolution> peak{};        ///< largest |X| of the first response and lowest harmonic above 0
   bool refined = false;                                    ///< the peak lies between points
   std::optional<response::PeakMode> peak_mode{};
+  double line_spacing_hz = 0.0;  ///< at the peak, of FRFs that are known at lines only; 0 where they are known between
   std::vector<PointStability> stability{};  ///< of the points; none when not asked for, or there are many
   std::optional<PointStability> peak_stability{};
   std::vector<response::JointLoop> loops{};  ///< of the joints at the peak

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/complex.hpp"
+#include "base/eigen.hpp"
 #include "report/response/response_tables.hpp"
 
 namespace jointid::report {
@@ -130,13 +131,50 @@ void add_further_problems(const ResponseScene& scene, const ResponseRun& run, st
   }
 }
 
-void add_problems(const ResponseRun& run, std::vector<std::string>& remarks) {
+/// A resonance that is narrower than the distance of the files' lines: its peak stands between them.
+void add_narrow_peak(const LevelResponse& level, std::vector<std::string>& remarks) {
+  if (!level.peak || !level.peak_mode || level.points.size() < 3) return;
+  const double width = 2.0 * level.peak_mode->ratio * hertz(level.peak_mode->omega), at = level.peak->omega;
+  if (width >= level.line_spacing_hz || at == level.points.front().omega || at == level.points.back().omega) return;
+  remarks.push_back(fmt::format("{:.6g} N: the peak at {:.6g} Hz is {:.2g} Hz wide where the lines of the files stand {:.2g} Hz apart: how "
+                                "high it is between them is not known; `modal_model = true` goes between lines",
+                                level.level, hertz(at), width, level.line_spacing_hz));
+}
+
+constexpr double no_force = 1e-9;   ///< of the force on the structure: a joint with less does nothing
+constexpr double no_motion = 1e-6;  ///< of the largest |X|: a joint that moves less is where the structure does not open it
+
+/// Joints so loose that the parts respond as without them.
+void add_loose_joints(const ResponseRun& run, std::vector<std::string>& remarks) {
+  for (std::size_t j = 0; j < run.joints.size(); ++j) {
+    bool any = false, loose = true;
+    for (const LevelResponse& level : run.levels) {
+      for (const HarmonicSolution& point : level.points) {
+        if (!point.converged) continue;
+        any = true;
+        const auto largest = [](const auto& values) { return values.cwiseAbs().maxCoeff(); };
+        loose = loose && largest(point.joint_force.col(at(j))) <= no_force * level.level &&
+                largest(point.joint_motion.col(at(j))) >= no_motion * largest(point.response);
+      }
+    }
+    if (!any || !loose) continue;
+    remarks.push_back(fmt::format(
+        "joint {} takes all the motion: its force stays below {:.0e} of that on the structure, whose parts respond as without "
+        "it; look at the units of its law",
+        run.joints[j], no_force));
+  }
+}
+
+void add_problems(const ResponseScene& scene, const ResponseRun& run, std::vector<std::string>& remarks) {
+  add_loose_joints(run, remarks);
   for (const LevelResponse& level : run.levels) {
+    add_narrow_peak(level, remarks);
     const auto lost = std::ranges::count(level.points, false, &HarmonicSolution::converged);
     if (lost > 0) {
       remarks.push_back(fmt::format(
-          "{:.6g} N: harmonic balance did not converge at {} of {} frequencies; marching in time may find a response there",
-          level.level, lost, level.points.size()));
+          "{:.6g} N: harmonic balance did not converge at {} of {} frequencies; {}", level.level, lost, level.points.size(),
+          scene.parts.empty() ? "marching in time may find a response there"
+                              : "a joint far stiffer than the parts may be softened until the response changes"));
     } else if (!level.complete) {
       remarks.push_back(fmt::format("{:.6g} N: the curve could not be followed to its end", level.level));
     }
@@ -156,7 +194,7 @@ std::vector<std::string> response_remarks(const ResponseScene& scene, const Resp
   std::vector<std::string> remarks;
   add_truncation(scene, run, remarks);
   add_stability(run, remarks);
-  add_problems(run, remarks);
+  add_problems(scene, run, remarks);
   add_further_problems(scene, run, remarks);
   return remarks;
 }

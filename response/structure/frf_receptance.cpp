@@ -88,8 +88,6 @@ FrfReceptance::FrfReceptance(frf::FrfSystem& parts, const std::vector<JointEnds>
   RowMatrixXc block(jointid::at(rows_.dofs.size()), jointid::at(columns_.dofs.size()));
   const std::span<Complex> values(block.data(), static_cast<std::size_t>(block.size()));
   twin_ = transposes(rows_.dofs, columns_.dofs);
-  const std::vector<Eigen::Index> transposed = twin_;
-  double difference = 0.0, size = 0.0;
   for (std::size_t line = 0; line < frequency_hz_.size(); ++line) {
     reader.read(std::span(&line, 1), values);
     if (!block.allFinite()) {
@@ -97,19 +95,12 @@ FrfReceptance::FrfReceptance(frf::FrfSystem& parts, const std::vector<JointEnds>
            "an FRF between a joint, response or force coordinate is not measured",
            "measure the joint's rows and columns of every part, or leave the line out");
     }
-    lines_.emplace_back(rows_.weights.transpose() * block * columns_.weights);
-    const Eigen::MatrixXcd by_column = block;
+    const Eigen::MatrixXcd& by_column = lines_.emplace_back(block);
     for (Eigen::Index i = 0; i < by_column.size(); ++i) {
-      const Eigen::Index other = transposed[static_cast<std::size_t>(i)];
-      if (other > i) {
-        difference += std::norm(by_column(i) - by_column(other));
-        size += 0.5 * (std::norm(by_column(i)) + std::norm(by_column(other)));
-      }
       Eigen::Index& twin = twin_[static_cast<std::size_t>(i)];
       if (twin >= 0 && by_column(i) != by_column(twin)) twin = -1;
     }
   }
-  if (size > 0.0) asymmetry_ = std::sqrt(difference / size);
   variances_ = read_variances(parts, rows_.dofs, columns_.dofs);
 }
 
@@ -151,7 +142,7 @@ bool FrfReceptance::covers(double omega) const {
 }
 
 Eigen::MatrixXcd FrfReceptance::at(double omega) const {
-  if (covers(omega)) return lines_[nearest_line(omega)];
+  if (covers(omega)) return rows_.weights.transpose() * lines_[nearest_line(omega)] * columns_.weights;
   const std::size_t line = nearest_line(omega);
   throw InputError({.kind = ErrorKind::data,
                     .file = "",

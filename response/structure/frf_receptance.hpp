@@ -43,18 +43,20 @@ class FrfReceptance final : public Receptance {
   /// Whether every file says how exact it is.
   bool knows_errors() const { return !variances_.empty(); }
 
-  /// rms of H_rc − H_cr over that of both, of FRFs that were measured in both roles; 0 where none was.
-  double asymmetry() const { return asymmetry_; }
-
   const std::vector<double>& frequency_hz() const { return frequency_hz_; }
+
+  /// What was read: FRFs row_dofs() × column_dofs() of a line, and their variances (none when a file has none).
+  const std::vector<frf::Dof>& row_dofs() const { return rows_.dofs; }
+  const std::vector<frf::Dof>& column_dofs() const { return columns_.dofs; }
+  const Eigen::MatrixXcd& measured(std::size_t line) const { return lines_[line]; }
+  const std::vector<Eigen::MatrixXcd>& variances() const { return variances_; }
 
  private:
   std::size_t nearest_line(double omega) const;
 
-  double asymmetry_ = 0.0;
   Eigen::Index joints_, responses_, forces_;
   std::vector<double> frequency_hz_;
-  std::vector<Eigen::MatrixXcd> lines_;
+  std::vector<Eigen::MatrixXcd> lines_;  ///< of the FRFs between the DOFs of rows_ and columns_
   FrfCombination rows_, columns_;
   std::vector<Eigen::MatrixXcd>
       variances_;                   ///< [line] of the FRFs between the DOFs of rows_ and columns_; none when a file has none

@@ -9,7 +9,6 @@
 #include "cli/response/response_command.hpp"
 #include "report/response/response_text.hpp"
 #include "report/response/run_response.hpp"
-#include "response/structure/modal_damping.hpp"
 #include "response_sample.hpp"
 
 namespace jointid::cli {
@@ -17,36 +16,15 @@ namespace {
 
 using testing::HasSubstr;
 
-void write_parts(const TestFolder& folder) {
-  Eigen::MatrixXd k1(2, 2), k2(1, 1);
-  k1 << 500.0, -200.0, -200.0, 210.0;
-  k2 << 90.0;
-  const Eigen::MatrixXd m1 = Eigen::MatrixXd::Identity(2, 2), m2 = Eigen::MatrixXd::Identity(1, 1);
-  write_part(folder / "one.csv", {m1, response::modal_damping(m1, k1, 0.02), k1}, 1);
-  write_part(folder / "two.csv", {m2, response::modal_damping(m2, k2, 0.02), k2}, 3);
-}
-
-const std::string joint = "law = \"bilinear\"\nparameters = [0.01, 150.0]\n";
-
-std::string parts_scene(const std::string& frequency, const std::string& harmonics) {
-  return "[data]\nparts = [\"one.csv\", \"two.csv\"]\n[[joints]]\ndofs = [\"2:+X\", \"3:+X\"]\n" + joint +
-         "[force]\ndof = \"1:+X\"\namplitudes = [8.0]\n[frequency]\n" + frequency +
-         "[response]\ndofs = [\"1:+X\", \"3:+X\"]\nharmonics = " + harmonics + "\n";
-}
-
-ResponseRun run_of(const std::string& text, const TestFolder& folder) {
-  return run_response(parse_response_scene(text, folder / "scene.toml"), {});
-}
-
 /// Frequencies that are no lines: the response of the matrices to the accuracy of the models.
 TEST(ResponseModal, ModelsOfPartsAnswerBetweenLines) {
   const TestFolder folder;
   write_parts(folder);
-  const ResponseRun modal = run_of(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 9\n", "[1, 3]"), folder);
-  const ResponseRun exact = run_of(
+  const ResponseRun modal = run_parts(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 9\n", "[1, 3]"), folder);
+  const ResponseRun exact = run_parts(
       "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
       "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
-          joint +
+          sample_joint +
           "[force]\ndof = 1\namplitudes = [8.0]\n[frequency]\nrange = [2.013, 3.987]\npoints = 9\n"
           "[response]\ndofs = [1, 3]\nharmonics = [1, 3]\n",
       folder);
@@ -65,7 +43,7 @@ TEST(ResponseModal, HarmonicsBeyondTheBandAreErrorBars) {
   const TestFolder folder;
   write_parts(folder);
   const std::string text = parts_scene("modal_model = true\nvalues = [3.3333]\n", "[1, 3, 5, 7, 9]");
-  const ResponseRun run = run_of(text, folder);
+  const ResponseRun run = run_parts(text, folder);
   ASSERT_EQ(run.levels[0].left_out.size(), 1u);
   EXPECT_EQ(run.levels[0].points[0].harmonics, (std::vector<int>{1, 3, 5}));
   EXPECT_GT(run.levels[0].left_out[0](0, 0), 0.0);
@@ -78,7 +56,7 @@ TEST(ResponseModal, HarmonicsBeyondTheBandAreErrorBars) {
 TEST(ResponseModal, SaysWhereThereIsNoModel) {
   const TestFolder folder;
   write_parts(folder);
-  EXPECT_THROW(run_of(parts_scene("modal_model = true\nvalues = [50.0]\n", "[1]"), folder), InputError);
+  EXPECT_THROW(run_parts(parts_scene("modal_model = true\nvalues = [50.0]\n", "[1]"), folder), InputError);
   EXPECT_THAT(error_of(parts_scene("modal_model = true\n", "[1]")), HasSubstr("neither range nor values"));
   EXPECT_THAT(error_of(chain + replaced(rest, "points = 41", "modal_model = true")), HasSubstr("matrices need no modal model"));
   EXPECT_THAT(error_of(parts_scene("range = [2.0, 3.0]\npoints = 5\n", "[1]")), HasSubstr("points stand in a range"));
@@ -95,7 +73,7 @@ TEST(ResponseModal, DoubtsFrfsThatNoStructureHas) {
   }
   frf::write(set, folder / "one.csv");
   const std::string text = replaced(parts_scene("values = [3.0]\n", "[1]"), "[\"2:+X\", \"3:+X\"]", "[\"1:+X\", \"2:+X\"]");
-  const ResponseRun run = run_of(text, folder);
+  const ResponseRun run = run_parts(text, folder);
   ASSERT_EQ(run.doubts.size(), 2u);
   EXPECT_THAT(run.doubts[0], HasSubstr("not reciprocal"));
   EXPECT_THAT(run.doubts[1], HasSubstr("not passive"));

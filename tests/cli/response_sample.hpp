@@ -7,7 +7,9 @@
 #include "base/error.hpp"
 #include "cli/response/response_parts.hpp"
 #include "frf/file/write.hpp"
+#include "report/response/run_response.hpp"
 #include "response/structure/matrix_receptance.hpp"
+#include "response/structure/modal_damping.hpp"
 #include "tests/test_folder.hpp"
 
 /// A scene of `response` with matrices, and parts written as files.
@@ -70,6 +72,28 @@ inline void write_part(const std::filesystem::path& path, const response::Matrix
     }
   }
   frf::write(set, path);
+}
+
+/// The two parts of the scene below: two masses, nodes 1 and 2, and one, node 3.
+inline void write_parts(const TestFolder& folder) {
+  Eigen::MatrixXd k1(2, 2), k2(1, 1);
+  k1 << 500.0, -200.0, -200.0, 210.0;
+  k2 << 90.0;
+  const Eigen::MatrixXd m1 = Eigen::MatrixXd::Identity(2, 2), m2 = Eigen::MatrixXd::Identity(1, 1);
+  write_part(folder / "one.csv", {m1, response::modal_damping(m1, k1, 0.02), k1}, 1);
+  write_part(folder / "two.csv", {m2, response::modal_damping(m2, k2, 0.02), k2}, 3);
+}
+
+inline const std::string sample_joint = "law = \"bilinear\"\nparameters = [0.01, 150.0]\n";
+
+inline std::string parts_scene(const std::string& frequency, const std::string& harmonics) {
+  return "[data]\nparts = [\"one.csv\", \"two.csv\"]\n[[joints]]\ndofs = [\"2:+X\", \"3:+X\"]\n" + sample_joint +
+         "[force]\ndof = \"1:+X\"\namplitudes = [8.0]\n[frequency]\n" + frequency +
+         "[response]\ndofs = [\"1:+X\", \"3:+X\"]\nharmonics = " + harmonics + "\n";
+}
+
+inline ResponseRun run_parts(const std::string& text, const TestFolder& folder) {
+  return run_response(parse_response_scene(text, folder / "scene.toml"), {});
 }
 
 }  // namespace jointid::cli

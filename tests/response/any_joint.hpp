@@ -2,7 +2,9 @@
 
 #include <rapidcheck.h>
 
+#include <cstdlib>
 #include <memory>
+#include <string>
 
 #include "friction/path/parallel.hpp"
 #include "tests/friction/random_element.hpp"
@@ -33,6 +35,14 @@ inline std::shared_ptr<const friction::Element> any_joint() {
           friction::Parts{friction::make_element("bilinear", std::vector<double>{slip, stiffness}),
                           friction::make_element("ren", std::vector<double>{0.3 * slip, 1.0, 0.5 * stiffness})});
   }
+}
+
+/// As many draws as RC_PARAMS=max_success asks for: of properties that take long, so that they have few draws, always the same.
+inline std::uint64_t draws(std::uint64_t otherwise) {
+  const char* parameters = std::getenv("RC_PARAMS");
+  const std::string text = parameters != nullptr ? parameters : "", key = "max_success=";
+  const std::size_t place = text.find(key);
+  return place == std::string::npos ? otherwise : std::stoull(text.substr(place + key.size()));
 }
 
 }  // namespace jointid::response

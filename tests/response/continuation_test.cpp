@@ -67,6 +67,8 @@ TEST(Continuation, FindsResonancePeaks) {
     EXPECT_NEAR(best.omega, each["omega_peak"].get<double>(),
                 golden::tolerance(each["trusted_digits"]["omega_peak"]) * best.omega);
     EXPECT_NEAR(size(best), each["X_peak"].get<double>(), golden::tolerance(each["trusted_digits"]["X_peak"]) * size(best));
+    // The motion turns as fast as the peak's frequency is known.
+    EXPECT_LE(golden::difference(Eigen::VectorXcd(best.joint_motion.col(0)), golden::complex_vector(each["Q"])), 1e-5);
     // Followed over levels and back, the peak is the same.
     const auto peaks = follow_peak(balance, best, {1.05 * level, 1.1 * level, 1.05 * level, level}, 0);
     ASSERT_EQ(peaks.size(), 4u) << each["id"];

@@ -39,6 +39,8 @@ TEST(ExactMarch, MeetsTheGoldenTransients) {
     EXPECT_LT(difference(x, matrix(one.at("x"))), tolerance(one));
     EXPECT_LT(difference(v, matrix(one.at("v"))), tolerance(one));
     if (one.contains("joint_at_end")) {
+      const VectorXd q = matrix(one.at("W")).transpose() * march.motion().x;
+      EXPECT_LT(difference(q, vector(one.at("joint_at_end").at("q"))), 10.0 * tolerance(one));
       EXPECT_LT(difference(march.motion().f, vector(one.at("joint_at_end").at("F"))), 10.0 * tolerance(one));
     }
   });

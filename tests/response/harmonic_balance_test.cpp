@@ -189,6 +189,41 @@ void expect_beams(const HarmonicSolution& found, const json& expected, double to
   }
 }
 
+/// Largest |x₅| of a period, near the largest of 2,000 samples by the parabola through three.
+double largest_of_coordinate_5(const HarmonicSolution& found) {
+  constexpr int samples = 2000;
+  const Motion motion(Harmonics(found.harmonics), found.response.col(4));
+  const auto size = [&](int i) { return std::abs(motion.value(2.0 * std::numbers::pi * i / samples)); };
+  int best = 0;
+  for (int i = 1; i < samples; ++i) best = size(i) > size(best) ? i : best;
+  const double before = size(best - 1), at = size(best), after = size(best + 1);
+  return at - 0.125 * (after - before) * (after - before) / (before - 2.0 * at + after);
+}
+
+/// What is told beside a solution: decibels of X over p and F over p, the errors against the exact orbit (three digits).
+void expect_figures(const HarmonicSolution& found, const json& expected, const json& steady, double p, const std::string& id) {
+  const auto decibels = [&](const Eigen::VectorXcd& values, const char* key) {
+    if (!expected.contains(key)) return;
+    for (std::size_t n = 0; n < expected[key].size(); ++n) {
+      const double level = std::abs(values(at(n))) / p;
+      if (std::abs(values(at(n))) > 1e-12 * std::abs(values(0))) {
+        EXPECT_NEAR(20.0 * std::log10(level), expected[key][n].get<double>(), 2e-5) << id << key;
+      } else {
+        EXPECT_LT(expected[key][n], -250.0) << id << key;
+      }
+    }
+  };
+  decibels(found.response.col(4), "X5_dB");
+  decibels(found.joint_force.col(1), "F2_dB");
+  EXPECT_EQ(expected.value("converged", true), found.converged) << id;
+  if (!expected.contains("x5_max")) return;
+  const double largest = largest_of_coordinate_5(found), exact = steady["x5_max"];
+  EXPECT_NEAR(largest / expected["x5_max"].get<double>(), 1.0, 1e-7) << id;
+  EXPECT_NEAR(std::abs(largest / exact - 1.0) / expected["error_x5_max"].get<double>(), 1.0, 6e-3) << id;
+  const Complex first = golden::complex(steady["X5"][0]);
+  EXPECT_NEAR(std::abs(found.response(0, 4) - first) / std::abs(first) / expected["error_X5_first"].get<double>(), 1.0, 6e-3) << id;
+}
+
 TEST(HarmonicBalance, MeetsTheBeamsOfTheThesis) {
   const auto cases = golden::cases("thesis_18dof");
   if (cases.empty()) JOINTID_SKIP("no reference file " << golden::file());
@@ -201,13 +236,17 @@ TEST(HarmonicBalance, MeetsTheBeamsOfTheThesis) {
     if (!each.contains(key) || !each[key].contains("hb")) continue;
     for (const auto& [largest, expected] : each[key]["hb"].items()) {
       const HarmonicBalance balance = beams(each, type, golden::integers(expected["harmonics"]), sine);
-      expect_beams(balance.solve(omega), expected, golden::tolerance(each[key]["trusted_digits"]["hb"]), type + " to " + largest);
+      const HarmonicSolution found = balance.solve(omega);
+      expect_beams(found, expected, golden::tolerance(each[key]["trusted_digits"]["hb"]), type + " to " + largest);
+      expect_figures(found, expected, each[key]["steady"], 1.0, type + " to " + largest);
     }
   }
   const json& levels = each["levels_50Hz_B"];
   const HarmonicBalance balance = beams(each, "B", golden::integers(levels["harmonics"]), sine);
   for (const auto& level : levels["values"]) {
-    expect_beams(balance.solve(omega, level["p"]), level, golden::tolerance(levels["trusted_digits"]), "level");
+    const HarmonicSolution found = balance.solve(omega, level["p"]);
+    expect_beams(found, level, golden::tolerance(levels["trusted_digits"]), "level");
+    expect_figures(found, level, {}, level["p"], "level");
   }
 }
 

@@ -4,7 +4,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <string>
 
@@ -141,6 +140,8 @@ TEST(PeriodicOrbit, MeetsTheTableOfTheThesissJointTypes) {
       if (values.contains("dissipated")) {
         EXPECT_LT(difference(found.loss, numbers(values.at("dissipated"))), tol);
         EXPECT_EQ(orbit.events, values.at("events_per_period").get<std::size_t>());
+        EXPECT_NEAR(found.work / values.at("work_in").get<double>(), 1.0, tol);
+        EXPECT_NEAR(found.largest[4] / values.at("x5_max").get<double>(), 1.0, tol);
       }
       if (values.contains("floquet")) {
         const VectorXd moduli = vector(values.at("floquet"));
@@ -193,14 +194,6 @@ PeriodicProblem any_problem() {
     }
   }
   return problem;
-}
-
-/// As many draws as RC_PARAMS=max_success asks for.
-std::uint64_t draws(std::uint64_t otherwise) {
-  const char* parameters = std::getenv("RC_PARAMS");
-  const std::string text = parameters != nullptr ? parameters : "", key = "max_success=";
-  const std::size_t place = text.find(key);
-  return place == std::string::npos ? otherwise : std::stoull(text.substr(place + key.size()));
 }
 
 /// Some orbits take seconds, so that there are few of them, always the same.
