@@ -30,13 +30,13 @@ ChoiceRow::ChoiceRow(const char* name, const QString& title, bool with_buttons, 
   row->addStretch(1);
 }
 
-void ChoiceRow::show_names(const QStringList& names) {
+void ChoiceRow::show_names(const QStringList& names, int fewest) {
   const QSignalBlocker quiet(choice_);
   const int before = choice_->currentIndex();
   choice_->clear();
   choice_->addItems(names);
   choice_->setCurrentIndex(names.isEmpty() ? -1 : std::clamp(before, 0, static_cast<int>(names.size()) - 1));
-  if (remove_ != nullptr) remove_->setEnabled(names.size() > 1);
+  if (remove_ != nullptr) remove_->setEnabled(names.size() > fewest);
 }
 
 void ChoiceRow::choose(int number) { choice_->setCurrentIndex(number); }
