@@ -103,6 +103,10 @@
         <source>solver</source>
         <translation>Löser</translation>
     </message>
+    <message>
+        <source>by modes</source>
+        <translation>aus Moden</translation>
+    </message>
 </context>
 <context>
     <name>ComparePage</name>
@@ -1714,8 +1718,16 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>Friction laws</source>
-        <translation>Reibgesetze</translation>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Gesetze</translation>
     </message>
 </context>
 <context>
