@@ -23,7 +23,7 @@ constexpr int least_width_px = 200, least_height_px = 140;
 /// So that axes below each other, and the legend above them, can be read.
 int least_height(const QCustomPlot& plot) {
   const int legend = plot.legend == nullptr ? 0 : plot.legend->rowCount(), panels = plot.plotLayout()->rowCount() - (legend > 0 ? 1 : 0);
-  return std::max(least_height_px, 70 + 18 * legend + 60 * panels);
+  return std::max(least_height_px, 70 + 20 * legend + 60 * panels);
 }
 
 }  // namespace

@@ -602,6 +602,22 @@ Joint: %1</source>
         <translation>
 Fügestelle: %1</translation>
     </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the nodes for a spreadsheet, and the picture</source>
+        <translation>Die Knoten für eine Tabellenkalkulation kopieren, und das Bild</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG, PDF or CSV</source>
+        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
+    </message>
 </context>
 <context>
     <name>JobLine</name>

@@ -126,6 +126,7 @@ class Photographer {
     project.editor()->replace_text(text.replace("pattern = \"symmetric\"", "patern = \"symmetric\"").toStdString());
     keep("workbench-error");
     project.editor()->undo();
+    wait_for([&] { return !project.editor()->error(); });
   }
 
   void take_planned(Project& project) {
