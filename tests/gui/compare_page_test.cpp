@@ -130,7 +130,8 @@ TEST(ComparePage, TheCommandNamesTheSameWays) {
   find<ChoiceButton>(comparing.page, "compare_regenerated")->choose({"none", "substructures"});
   find<QPushButton>(comparing.page, "compare_command")->click();
   EXPECT_EQ(QApplication::clipboard()->text().toStdString(),
-            "jointid compare '/a b/c.toml' --trials 4 --seed 1 --equations 'nn;nn nj' --weightings WA,WB --deltas 0,0.1 --regenerate none,substructures");
+            "jointid compare '/a b/c.toml' --trials 4 --seed 1 --equations 'nn;nn nj' "
+            "--weightings WA,WB --deltas 0,0.1 --regenerate none,substructures");
 }
 
 }  // namespace

@@ -260,7 +260,8 @@ TEST(SceneForm, GainsAreAddedFilledInAndRemoved) {
   QTest::keyClick(&form.choice("data.gains", "shared"), Qt::Key_N);
   std::string wanted = commented;
   wanted.insert(wanted.find("\n[joint]"),
-                "\n[[data.gains]]\ngain = 0.01\n\n[[data.gains]]\ngain = 0.01\ndofs = [\"1:+Y\"]\nfiles = [\"a.uff\", \"c.uff\"]\nshared = \"none\"\n");
+                "\n[[data.gains]]\ngain = 0.01\n\n[[data.gains]]\ngain = 0.01\n"
+                "dofs = [\"1:+Y\"]\nfiles = [\"a.uff\", \"c.uff\"]\nshared = \"none\"\n");
   EXPECT_EQ(form.text(), wanted);
   ASSERT_TRUE(form.window.current()->checked().scene) << form.window.current()->checked().error->problem;
   EXPECT_EQ(form.window.current()->checked().scene->data.gains.size(), 2U);
@@ -270,7 +271,8 @@ TEST(SceneForm, GainsAreAddedFilledInAndRemoved) {
 
 TEST(SceneForm, WhatIsWrongInOneOfSeveralIsShownThere) {
   const std::string masses =
-      "\n[[data.masses]]\ndofs = [\"1:+Y\"]\nfiles = [\"a.uff\"]\nmass = 0.003\n\n[[data.masses]]\ndofs = [\"2:+Y\"]\nfiles = [\"none\"]\nmass = 0.1\n";
+      "\n[[data.masses]]\ndofs = [\"1:+Y\"]\nfiles = [\"a.uff\"]\nmass = 0.003\n"
+      "\n[[data.masses]]\ndofs = [\"2:+Y\"]\nfiles = [\"none\"]\nmass = 0.1\n";
   Form form(commented + masses);
   EXPECT_EQ(find<QComboBox>(*form.window.current()->form(), "data.masses_choice")->currentText(), "2: 2:+Y");
   EXPECT_THAT(form.field("data.masses", "files").error().toStdString(), testing::HasSubstr("none"));

@@ -89,7 +89,8 @@ TEST(JointsEdit, AddsAndRemoves) {
 TEST(SeveralEdit, OneMoreStandsBehindTheOthersOrTheTableAbove) {
   const std::string text = "[data]\nassembly = [\"c\"]\n[data.files.c]\nmass = 1\n\n[joint]\ndofs = []\n";
   const std::string one = with_one_more(text, "data.gains", "gain = 1\n");
-  EXPECT_EQ(one, "[data]\nassembly = [\"c\"]\n[data.files.c]\nmass = 1\n\n[[data.gains]]\ngain = 1\n\n[joint]\ndofs = []\n");
+  EXPECT_EQ(one, "[data]\nassembly = [\"c\"]\n[data.files.c]\nmass = 1\n\n"
+                 "[[data.gains]]\ngain = 1\n\n[joint]\ndofs = []\n");
   const std::string two = with_one_more(one, "data.gains", "gain = 2\n");
   EXPECT_EQ(several_in(two, "data.gains"), 2);
   EXPECT_EQ(value_of(two, one_of_several("data.gains", 2), "gain"), "2");
