@@ -13,6 +13,7 @@
 #include "gui/forms/field.hpp"
 #include "gui/forms/scene_form.hpp"
 #include "gui/geometry/geometry_page.hpp"
+#include "gui/laws/law_kind.hpp"
 #include "gui/loading_curve/loading_curve_page.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
@@ -20,6 +21,7 @@
 #include "gui/modal/modal_page.hpp"
 #include "gui/page/scene_page.hpp"
 #include "gui/plan/plan_page.hpp"
+#include "gui/response/response_kind.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/scene_edit.hpp"
 #include "gui/scene/scene_editor.hpp"
@@ -103,14 +105,8 @@ bool Project::is_modified() const { return editor_->document()->isModified(); }
 
 void Project::check() {
   const std::string text = editor_->text();
-  const QString saved = is_modified() ? QString() : file_;
   checked_ = check_scene(text, path());
-  const auto wrong_couple = couple_page_->set_scene(text, path(), saved);
-  if (is_couple_scene(text)) checked_ = {{}, wrong_couple};
-  for (ScenePage* page : {response_page_, laws_page_}) {
-    const auto wrong = page->set_scene(text, path(), saved);
-    if (page->is_of(text)) checked_ = {{}, wrong};
-  }
+  check_other_kinds(text);
   editor_->set_error(checked_.error);
   show_problem();
   show_form();
@@ -118,16 +114,36 @@ void Project::check() {
   Q_EMIT scene_checked();
 }
 
+/// Scenes of other kinds are checked by their pages.
+void Project::check_other_kinds(const std::string& text) {
+  const QString saved = is_modified() ? QString() : file_;
+  if (is_couple_scene(text)) couple_page_.get();
+  if (CouplePage* const page = couple_page_.made()) {
+    const auto wrong = page->set_scene(text, path(), saved);
+    if (is_couple_scene(text)) checked_ = {{}, wrong};
+  }
+  if (response_kind().is_of(text)) response_page_.get();
+  if (law_kind().is_of(text)) laws_page_.get();
+  for (const Later<ScenePage>* later : {&response_page_, &laws_page_}) {
+    ScenePage* const page = later->made();
+    if (page == nullptr) continue;
+    const auto wrong = page->set_scene(text, path(), saved);
+    if (page->is_of(text)) checked_ = {{}, wrong};
+  }
+}
+
+void Project::protect_inputs(QWidget& page) const {
+  for (CellTable* table : page.findChildren<CellTable*>()) table->protect(inputs_of(checked_.scene));
+}
+
 void Project::show_scene() {
-  for (CellTable* table : pages_->findChildren<CellTable*>()) table->protect(inputs_of(checked_.scene));
+  protect_inputs(*pages_);
   solve_page_->set_file(file_);
   solve_page_->set_scene(checked_.scene);
-  compare_page_->set_file(file_);
-  compare_page_->set_scene(checked_.scene);
-  plan_page_->set_file(file_);
-  plan_page_->set_scene(checked_.scene);
-  study_page_->set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
-  modal_page_->set_scene(checked_.scene);
+  compare_page_.tell();
+  plan_page_.tell();
+  study_page_.tell();
+  modal_page_.tell();
   if (!checked_.scene) return;
   const std::string files = path().parent_path().string() + '\n' + tables_below(editor_->text(), "data");
   data_page_->set_scene(*checked_.scene, files);
@@ -149,14 +165,8 @@ void Project::edit(const std::string& table, const std::string& key, const std::
 
 void Project::cancel() {
   solve_page_->cancel();
-  compare_page_->cancel();
-  study_page_->cancel();
-  modal_page_->cancel();
-  couple_page_->cancel();
-  loading_curve_page_->cancel();
-  plan_page_->cancel();
-  response_page_->cancel();
-  laws_page_->cancel();
+  const auto cancel_made = [](const auto&... pages) { ((pages.made() != nullptr ? pages.made()->cancel() : void()), ...); };
+  cancel_made(compare_page_, study_page_, modal_page_, couple_page_, loading_curve_page_, plan_page_, response_page_, laws_page_);
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.
@@ -177,11 +187,11 @@ void Project::offer_dofs() {
     }
   }
   std::ranges::sort(all, {}, frf::coordinate_key);
-  QStringList names;
-  for (const frf::Dof& dof : all) names << QString::fromStdString(dof.name());
-  editor_->set_dofs(names);
-  form_->set_dofs(names);
-  plan_page_->set_dofs(names);
+  dofs_.clear();
+  for (const frf::Dof& dof : all) dofs_ << QString::fromStdString(dof.name());
+  editor_->set_dofs(dofs_);
+  form_->set_dofs(dofs_);
+  if (PlanPage* const page = plan_page_.made()) page->set_dofs(dofs_);
 }
 
 void Project::show_problem() {

@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <filesystem>
 
+#include "gui/page/later.hpp"
 #include "gui/scene/scene_check.hpp"
 #include "study/comparison.hpp"
 
@@ -63,14 +64,14 @@ class Project : public QWidget {
   DataPage* data_page() const { return data_page_; }
   GeometryPage* geometry_page() const { return geometry_page_; }
   SolvePage* solve_page() const { return solve_page_; }
-  ComparePage* compare_page() const { return compare_page_; }
-  StudyPage* study_page() const { return study_page_; }
-  PlanPage* plan_page() const { return plan_page_; }
-  ModalPage* modal_page() const { return modal_page_; }
-  LoadingCurvePage* loading_curve_page() const { return loading_curve_page_; }
-  CouplePage* couple_page() const { return couple_page_; }
-  ScenePage* response_page() const { return response_page_; }
-  ScenePage* laws_page() const { return laws_page_; }
+  ComparePage* compare_page() { return compare_page_.get(); }
+  StudyPage* study_page() { return study_page_.get(); }
+  PlanPage* plan_page() { return plan_page_.get(); }
+  ModalPage* modal_page() { return modal_page_.get(); }
+  LoadingCurvePage* loading_curve_page() { return loading_curve_page_.get(); }
+  CouplePage* couple_page() { return couple_page_.get(); }
+  ScenePage* response_page() { return response_page_.get(); }
+  ScenePage* laws_page() { return laws_page_.get(); }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   /// Stops what runs on any page.
@@ -89,8 +90,12 @@ class Project : public QWidget {
   std::filesystem::path path() const;
   QWidget* make_views();
   void add_pages();
+  void add_pages_of_scene();
+  void add_other_pages();
+  void protect_inputs(QWidget& page) const;
   void link_cursors();
   void check();
+  void check_other_kinds(const std::string& text);
   void show_scene();
   void show_form();
   void edit(const std::string& table, const std::string& key, const std::string& value);
@@ -113,15 +118,16 @@ class Project : public QWidget {
   DataPage* data_page_;
   GeometryPage* geometry_page_;
   SolvePage* solve_page_;
-  ComparePage* compare_page_;
-  StudyPage* study_page_;
-  PlanPage* plan_page_;
-  ModalPage* modal_page_;
-  LoadingCurvePage* loading_curve_page_;
-  CouplePage* couple_page_;
-  ScenePage *response_page_, *laws_page_;
+  Later<ComparePage> compare_page_;
+  Later<StudyPage> study_page_;
+  Later<PlanPage> plan_page_;
+  Later<ModalPage> modal_page_;
+  Later<LoadingCurvePage> loading_curve_page_;
+  Later<CouplePage> couple_page_;
+  Later<ScenePage> response_page_, laws_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
+  QStringList dofs_;  ///< of the files
   CheckedScene checked_;
 };
 

@@ -28,37 +28,91 @@ void Project::add_pages() {
   pages_->addTab(geometry_page_, tr("Geometry"));
   solve_page_ = named(new SolvePage, "solve_page", tr("Solve"));
   pages_->addTab(solve_page_, tr("Solve"));
-  compare_page_ = named(new ComparePage, "compare_page", tr("Compare"));
-  pages_->addTab(compare_page_, tr("Compare"));
-  study_page_ = named(new StudyPage, "study_page", tr("Study"));
-  pages_->addTab(study_page_, tr("Study"));
-  modal_page_ = named(new ModalPage, "modal_page", tr("Modes"));
-  pages_->addTab(modal_page_, tr("Modes"));
-  couple_page_ = named(new CouplePage, "couple_page", tr("Coupling"));
-  pages_->addTab(couple_page_, tr("Coupling"));
-  loading_curve_page_ = named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves"));
-  pages_->addTab(loading_curve_page_, tr("Loading curves"));
-  plan_page_ = named(new PlanPage, "plan_page", tr("Before measuring"));
-  pages_->addTab(plan_page_, tr("Before measuring"));
-  response_page_ = named(new ScenePage(response_kind()), "response_page", tr("Response"));
-  pages_->addTab(response_page_, tr("Response"));
-  laws_page_ = named(new ScenePage(law_kind()), "laws_page", tr("Friction laws"));
-  pages_->addTab(laws_page_, tr("Friction laws"));
+  add_pages_of_scene();
+  add_other_pages();
+  pages_->setUsesScrollButtons(false);  // all are seen, if need be shortened
+  pages_->setElideMode(Qt::ElideRight);
   splitter_->addWidget(pages_);
   link_cursors();
   connect(solve_page_, &SolvePage::failed, this, &Project::show_failure);
-  connect(compare_page_, &ComparePage::failed, this, &Project::show_failure);
-  connect(study_page_, &StudyPage::failed, this, &Project::show_failure);
-  connect(modal_page_, &ModalPage::modes_changed, this, [this] {
-    geometry_page_->set_modes(named_shapes(report::uff_modes(*modal_page_->shown()), q(modal_page_->shown()->files)));
-  });
-  connect(couple_page_, &CouplePage::failed, this, &Project::show_failure);
-  connect(plan_page_, &PlanPage::failed, this, &Project::show_failure);
-  for (ScenePage* page : {response_page_, laws_page_}) connect(page, &ScenePage::failed, this, &Project::show_failure);
-  connect(compare_page_, &ComparePage::way_opened, this, &Project::open_way);
   connect(data_page_, &DataPage::edit_wanted, this, &Project::edit);
   connect(geometry_page_, &GeometryPage::edit_wanted, this, &Project::edit);
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
+}
+
+/// What else is done with the scene of the solution.
+void Project::add_pages_of_scene() {
+  const auto compare = [this] {
+    auto* page = named(new ComparePage, "compare_page", tr("Compare"));
+    connect(page, &ComparePage::failed, this, &Project::show_failure);
+    connect(page, &ComparePage::way_opened, this, &Project::open_way);
+    protect_inputs(*page);
+    return page;
+  };
+  compare_page_.place(*pages_, tr("Compare"), tr("Compare"), compare, [this](ComparePage& page) {
+    page.set_file(file_);
+    page.set_scene(checked_.scene);
+  });
+  const auto study = [this] {
+    auto* page = named(new StudyPage, "study_page", tr("Study"));
+    connect(page, &StudyPage::failed, this, &Project::show_failure);
+    protect_inputs(*page);
+    return page;
+  };
+  study_page_.place(*pages_, tr("Study"), tr("Study"), study, [this](StudyPage& page) {
+    page.set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
+  });
+  const auto modal = [this] {
+    auto* page = named(new ModalPage, "modal_page", tr("Modes"));
+    connect(page, &ModalPage::modes_changed, this, [this, page] {
+      geometry_page_->set_modes(named_shapes(report::uff_modes(*page->shown()), q(page->shown()->files)));
+    });
+    protect_inputs(*page);
+    return page;
+  };
+  modal_page_.place(*pages_, tr("Modes"), tr("Modes"), modal, [this](ModalPage& page) { page.set_scene(checked_.scene); });
+}
+
+void Project::add_other_pages() {
+  const auto couple = [this] {
+    auto* page = named(new CouplePage, "couple_page", tr("Coupling"));
+    connect(page, &CouplePage::failed, this, &Project::show_failure);
+    protect_inputs(*page);
+    return page;
+  };
+  couple_page_.place(*pages_, tr("Coupling"), tr("Coupling"), couple, [this](CouplePage& page) {
+    page.set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
+  });
+  const auto curves = [this] {
+    auto* page = named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves"));
+    protect_inputs(*page);
+    return page;
+  };
+  loading_curve_page_.place(*pages_, tr("Curves"), tr("Loading curves"), curves, [](LoadingCurvePage&) {});
+  const auto plan = [this] {
+    auto* page = named(new PlanPage, "plan_page", tr("Before measuring"));
+    connect(page, &PlanPage::failed, this, &Project::show_failure);
+    protect_inputs(*page);
+    page->set_dofs(dofs_);
+    return page;
+  };
+  plan_page_.place(*pages_, tr("Plan"), tr("Before measuring"), plan, [this](PlanPage& page) {
+    page.set_file(file_);
+    page.set_scene(checked_.scene);
+  });
+  const auto add_kind = [this](Later<ScenePage>& later, const char* name, const QString& title, SceneKind (*kind)()) {
+    const auto make = [this, name, kind] {
+      auto* page = named(new ScenePage(kind()), name, kind().title);
+      connect(page, &ScenePage::failed, this, &Project::show_failure);
+      protect_inputs(*page);
+      return page;
+    };
+    later.place(*pages_, title, kind().title, make, [this](ScenePage& page) {
+      page.set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
+    });
+  };
+  add_kind(response_page_, "response_page", tr("Response"), response_kind);
+  add_kind(laws_page_, "laws_page", tr("Laws"), law_kind);
 }
 
 /// One cursor in all plots.

@@ -23,6 +23,14 @@ QStringList solver_words() {
   return words;
 }
 
+QStringList regeneration_words() {
+  QStringList words;
+  for (const auto& one : {ident::Regeneration{}, {true, false}, {false, true}, {true, true}}) {
+    words << QString::fromStdString(ident::name(one));
+  }
+  return words;
+}
+
 std::vector<ident::Equation> equations_of(const QString& words) {
   std::vector<ident::Equation> set;
   for (const QString& word : words.split(' ')) set.push_back(ident::parse_equation(word.toStdString()));
@@ -42,10 +50,11 @@ CompareChoices::CompareChoices(QWidget* parent) : QWidget(parent) {
   weightings_ = new ChoiceButton("compare_weightings", tr("weighting"), {"none", "WA", "WB", "WBG", "WBS"});
   deltas_ = new ChoiceButton("compare_deltas", tr("Δ"), {"0", "0.01", "0.02", "0.05", "0.1", "0.2", "0.5"});
   solvers_ = new ChoiceButton("compare_solvers", tr("solver"), solver_words());
+  regenerated_ = new ChoiceButton("compare_regenerated", tr("by modes"), regeneration_words());
   auto* rows = new QVBoxLayout(this);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->addLayout(row_of({methods_, equations_, deltas_}, {}));
-  rows->addLayout(row_of({weightings_, solvers_}, {}));
+  rows->addLayout(row_of({weightings_, solvers_, regenerated_}, {}));
 }
 
 study::Alternatives CompareChoices::alternatives() const {
@@ -55,6 +64,7 @@ study::Alternatives CompareChoices::alternatives() const {
   for (const QString& word : weightings_->chosen()) out.weightings.push_back(weighting::parse_weighting(word.toStdString()));
   for (const QString& word : deltas_->chosen()) out.deltas.push_back(word.toDouble());
   for (const QString& word : solvers_->chosen()) out.solvers.push_back(word.toStdString());
+  for (const QString& word : regenerated_->chosen()) out.regenerations.push_back(ident::parse_regeneration(word.toStdString()));
   return out;
 }
 
@@ -63,7 +73,7 @@ QString CompareChoices::options() const {
   return option("methods", methods_->chosen()) +
          (sets.isEmpty() ? QString() : QStringLiteral(" --equations '%1'").arg(sets.join(';'))) +
          option("weightings", weightings_->chosen()) + option("deltas", deltas_->chosen()) +
-         option("solvers", solvers_->chosen());
+         option("solvers", solvers_->chosen()) + option("regenerate", regenerated_->chosen());
 }
 
 }  // namespace jointid::gui

@@ -8,7 +8,7 @@ namespace jointid::gui {
 
 class ChoiceButton;
 
-/// What a comparison tries: any number of methods, equations, weightings, Δ and solvers.
+/// What a comparison tries: any number of methods, equations, weightings, Δ, solvers, and of systems whose FRFs their modes replace.
 class CompareChoices : public QWidget {
   Q_OBJECT
 
@@ -20,7 +20,7 @@ class CompareChoices : public QWidget {
   QString options() const;
 
  private:
-  ChoiceButton *methods_, *equations_, *weightings_, *deltas_, *solvers_;
+  ChoiceButton *methods_, *equations_, *weightings_, *deltas_, *solvers_, *regenerated_;
 };
 
 }  // namespace jointid::gui

@@ -15,8 +15,8 @@ class ChoiceRow : public QWidget {
   /// `name`: of the choice; the buttons are NAME_add and NAME_remove, where there are any.
   ChoiceRow(const char* name, const QString& title, bool with_buttons, QWidget* parent = nullptr);
 
-  /// What is chosen stays chosen, by its place.
-  void show_names(const QStringList& names);
+  /// What is chosen stays chosen, by its place. `fewest`: that stay.
+  void show_names(const QStringList& names, int fewest = 1);
   void choose(int number);
   int chosen() const;
   QString chosen_name() const;

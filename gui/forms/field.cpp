@@ -61,7 +61,7 @@ Field::Field(std::string table, std::string key, QWidget* parent)
 QWidget* Field::make_line() {
   line_ = named(new QLineEdit, "field_line", accessible_name(table_, key_), hint_of(table_, key_));
   line_->setPlaceholderText(hint_of(table_, key_));
-  if (kind_ == ValueKind::dofs || kind_ == ValueKind::words) {
+  if (kind_ == ValueKind::dofs || kind_ == ValueKind::words || kind_ == ValueKind::files) {
     completer_ = new ListCompleter(*line_, tr("Names to choose from"));
     completer_->set_words(as_list(words_of(table_, key_)));
     line_->setCompleter(completer_);
@@ -109,8 +109,8 @@ QWidget* Field::input() const { return line_ != nullptr ? static_cast<QWidget*>(
 
 QString Field::error() const { return error_->text(); }
 
-void Field::set_dofs(const QStringList& dofs) {
-  if (kind_ == ValueKind::dofs && completer_ != nullptr) completer_->set_words(dofs);
+void Field::offer(ValueKind kind, const QStringList& names) {
+  if (kind_ == kind && completer_ != nullptr) completer_->set_words(names);
 }
 
 void Field::set_shown(const QString& text, bool locked) {

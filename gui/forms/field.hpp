@@ -30,8 +30,8 @@ class Field : public QWidget {
   void lock(const QString& why);
   void set_error(const QString& error);
   QString error() const;
-  /// Names that are offered where DOFs are written.
-  void set_dofs(const QStringList& dofs);
+  /// Names that are offered where those of this kind are written: dofs or files.
+  void offer(ValueKind kind, const QStringList& names);
   /// Files are named relative to this one.
   void set_folder(const QString& folder) { folder_ = folder; }
 

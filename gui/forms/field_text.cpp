@@ -12,7 +12,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-bool is_list(ValueKind kind) { return kind == ValueKind::words || kind == ValueKind::texts || kind == ValueKind::dofs; }
+bool is_list(ValueKind kind) {
+  return kind == ValueKind::words || kind == ValueKind::texts || kind == ValueKind::dofs || kind == ValueKind::files;
+}
 
 std::string trimmed(const std::string& text) {
   constexpr const char* blank = " \t\r\n";

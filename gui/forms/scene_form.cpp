@@ -13,6 +13,7 @@
 #include "gui/look/said.hpp"
 #include "gui/scene/joints_edit.hpp"
 #include "gui/scene/scene_words.hpp"
+#include "gui/scene/several_edit.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -31,6 +32,13 @@ const Tables& tables() {
   return found;
 }
 
+/// What a new one of several tables begins with.
+std::string first_lines(const std::string& table, int number) {
+  if (table == "data.gains") return "gain = 0.01\n";
+  if (table == "data.masses") return "dofs = []\nfiles = []\nmass = 0.003\n";
+  return "name = \"VP" + std::to_string(number) + "\"\nposition = [0, 0, 0]\nsensors = []\n";
+}
+
 bool is_table(const std::string& path) { return std::ranges::find(tables(), path) != tables().end(); }
 
 }  // namespace
@@ -46,7 +54,8 @@ void SceneForm::build() {
   auto* column = new QVBoxLayout(all);
   for (const std::string& table : tables()) {
     if (table == "joint") add_joints(*column);
-    const Section& section = add_section(table, *column);
+    Section& section = add_section(table, *column);
+    if (is_of_several(table)) add_choice(section);
     if (table != any_file) continue;
     files_ = new ChoiceRow("file_choice", tr("File that the fields are of"), false);
     static_cast<QFormLayout*>(section.box->layout())->insertRow(0, tr("file"), files_);
@@ -83,6 +92,25 @@ void SceneForm::add_joints(QVBoxLayout& column) {
   });
 }
 
+/// Which of several tables, and buttons for more and fewer.
+void SceneForm::add_choice(Section& section) {
+  const std::string table = section.table;
+  auto* choice = new ChoiceRow((table + "_choice").c_str(), tr("Table that the fields are of: %1").arg(title_of(table)), true);
+  static_cast<QFormLayout*>(section.box->layout())->insertRow(1, tr("table"), choice);
+  several_[table] = choice;
+  connect(choice, &ChoiceRow::changed, this, &SceneForm::show_again);
+  connect(choice, &ChoiceRow::more_wanted, this, [this, table, choice] {
+    commit();
+    Q_EMIT text_wanted(with_one_more(text_, table, first_lines(table, several_in(text_, table) + 1)));
+    choice->choose(several_in(text_, table) - 1);
+    show_again();
+  });
+  connect(choice, &ChoiceRow::fewer_wanted, this, [this, table, choice] {
+    commit();
+    Q_EMIT text_wanted(without_one(text_, table, choice->chosen() + 1));
+  });
+}
+
 SceneForm::Section& SceneForm::add_section(const std::string& table, QVBoxLayout& column) {
   auto* box = named(new QGroupBox(title_of(table)), "section", title_of(table));
   auto* rows = new QFormLayout(box);
@@ -116,8 +144,12 @@ void SceneForm::add_field(Section& section, const std::string& key) {
 
 void SceneForm::set_dofs(const QStringList& dofs) {
   dofs_ = dofs;
+  offer(ValueKind::dofs, dofs);
+}
+
+void SceneForm::offer(ValueKind kind, const QStringList& names) {
   for (const Section& section : sections_) {
-    for (Field* field : section.fields) field->set_dofs(dofs);
+    for (Field* field : section.fields) field->offer(kind, names);
   }
 }
 

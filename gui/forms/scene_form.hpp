@@ -2,11 +2,13 @@
 
 #include <QScrollArea>
 #include <QStringList>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "gui/scene/scene_check.hpp"
+#include "gui/scene/scene_words.hpp"
 
 class QGroupBox;
 class QLabel;
@@ -18,7 +20,8 @@ class ChoiceRow;
 class Field;
 
 /// The scene's text as fields, one for each key that the scene reader names (gui/scene/scene_words.hpp). It holds nothing itself:
-/// it shows the text and asks for edits of it. Of several joints, and of the files, one is shown, which can be chosen.
+/// it shows the text and asks for edits of it. Of several joints, gains, masses and virtual points, and of the files, one is shown,
+/// which can be chosen.
 class SceneForm : public QScrollArea {
   Q_OBJECT
 
@@ -35,7 +38,7 @@ class SceneForm : public QScrollArea {
   bool go_to_error();
 
   /// Of a table as all_tables() names it, and key; null where there is none. Those of "joint" are of the joint that is chosen, those of
-  /// "data.files.*" of the file; "joints" has the name of the joint.
+  /// "data.files.*" of the file; "joints" has the name of the joint; "data.gains" is the one of [[data.gains]] that is chosen.
   Field* field(const std::string& table, const std::string& key) const;
 
  Q_SIGNALS:
@@ -57,11 +60,14 @@ class SceneForm : public QScrollArea {
   void build();
   Section& add_section(const std::string& table, QVBoxLayout& column);
   void add_joints(QVBoxLayout& column);
+  void add_choice(Section& section);
   void add_field(Section& section, const std::string& key);
   std::string path_of(const std::string& table) const;
   bool has_section(const std::string& table) const;
   bool is_shown(const std::string& table) const;
+  int count_of(const std::string& table) const;
   void show_choices();
+  void offer(ValueKind kind, const QStringList& names);
   void show_again();
   void show_values();
   void show_section(const Section& section);
@@ -73,6 +79,7 @@ class SceneForm : public QScrollArea {
   QStringList dofs_;
   QString folder_;
   ChoiceRow *joints_ = nullptr, *files_ = nullptr;
+  std::map<std::string, ChoiceRow*> several_;  ///< by table, but for the joints
   std::string text_;
   std::optional<SceneError> error_;
 };

@@ -10,6 +10,7 @@
 #include "gui/look/theme.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/joints_edit.hpp"
+#include "gui/scene/several_edit.hpp"
 #include "gui/scene/table_path.hpp"
 #include "gui/scene/toml_edit.hpp"
 
@@ -35,6 +36,20 @@ QStringList joint_names(const std::string& text) {
   return names;
 }
 
+/// "1: 4:+Y, 5:+Y" of every table: its name, or its DOFs.
+QStringList table_names(const std::string& text, const std::string& table) {
+  QStringList names;
+  for (int number = 1; number <= several_in(text, table); ++number) {
+    names << QString::number(number);
+    const std::string one = one_of_several(table, number);
+    const auto value = value_of(text, one, "name");
+    QStringList words;
+    for (const std::string& word : strings_in(value ? *value : value_of(text, one, "dofs").value_or(""))) words << q(word);
+    if (!words.isEmpty()) names.back() += QStringLiteral(": ") + words.join(QStringLiteral(", "));
+  }
+  return names;
+}
+
 QStringList file_names(const std::string& text) {
   QStringList names;
   for (const char* list : {"substructures", "assembly"}) {
@@ -49,6 +64,7 @@ QStringList file_names(const std::string& text) {
 /// Where the fields of a section stand in the text.
 std::string SceneForm::path_of(const std::string& table) const {
   if (table == any_file) return "data.files." + as_key(files_->chosen_name().toStdString());
+  if (several_.contains(table)) return one_of_several(table, several_.at(table)->chosen() + 1);
   if (joints_in(text_) == 0 || !(is_of_joint(table) || table == all_joints)) return table;
   return "joints#" + std::to_string(joints_->chosen() + 1) + (table == all_joints ? "" : table.substr(5));
 }
@@ -58,10 +74,12 @@ std::string SceneForm::path_of(const std::string& table) const {
 bool SceneForm::has_section(const std::string& table) const {
   if (table == all_joints) return true;
   if (table == any_file) return !value_of(text_, "data", "files") && files_->chosen() >= 0;
-  const std::string path = path_of(table);
+  const bool is_one = several_.contains(table);
+  const std::string path = is_one ? table : path_of(table);
   const auto [above, key] = parted(path);
-  if (above.empty()) return true;
+  if (above.empty() && !is_one) return true;
   if (value_of(text_, above, key)) return false;
+  if (is_one) return true;
   return table.starts_with("joint.") || !tables_below(text_, path).empty();
 }
 
@@ -83,10 +101,17 @@ void SceneForm::show_text(const std::string& text, const std::optional<SceneErro
   if (error_ && error_->line > 0) show_error(*error_);
 }
 
+/// How many there are of a table that is one of several.
+int SceneForm::count_of(const std::string& table) const {
+  return table == all_joints ? joints_in(text_) : several_in(text_, table);
+}
+
 void SceneForm::show_choices() {
   const QStringList names = joint_names(text_);
   joints_->show_names(names.isEmpty() ? QStringList{tr("the only one")} : names);
   files_->show_names(file_names(text_));
+  offer(ValueKind::files, file_names(text_));
+  for (const auto& [table, choice] : several_) choice->show_names(table_names(text_, table), 0);
 }
 
 /// Of another joint or file.
@@ -103,6 +128,11 @@ void SceneForm::choose_table_at(int line) {
   for (int joint = 1; joint <= joints_in(text_); ++joint) {
     const std::string path = "joints#" + std::to_string(joint);
     if (table == path || table.starts_with(path + ".")) joints_->choose(joint - 1);
+  }
+  for (const auto& [several, choice] : several_) {
+    for (int number = 1; number <= several_in(text_, several); ++number) {
+      if (table == one_of_several(several, number)) choice->choose(number - 1);
+    }
   }
   const QStringList files = file_names(text_);
   for (int file = 0; file < files.size(); ++file) {
@@ -124,7 +154,7 @@ void SceneForm::show_section(const Section& section) {
   const auto [above, last] = parted(table);
   const bool in_one_value = section.table == any_file && value_of(text_, above, last).has_value();
   for (Field* field : section.fields) {
-    const bool shown = section.table == all_joints ? joints_in(text_) > 0 : is_shown(below(section.table, field->key()));
+    const bool shown = is_of_several(section.table) ? count_of(section.table) > 0 : is_shown(below(section.table, field->key()));
     field->setVisible(shown);
     rows->labelForField(field)->setVisible(shown);
     if (!shown) continue;

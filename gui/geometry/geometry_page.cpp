@@ -1,20 +1,25 @@
 #include "gui/geometry/geometry_page.hpp"
 
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "gui/geometry/motion_bar.hpp"
 #include "gui/geometry/structure_view.hpp"
+#include "gui/look/buttons.hpp"
 #include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
+#include "gui/plot/picture.hpp"
 #include "gui/scene/scene_edit.hpp"
 #include "gui/work/worker.hpp"
+#include "ident/scene/scene_files.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -30,6 +35,10 @@ std::vector<frf::Dof> references_of(const std::vector<LoadedFile>& files) {
     }
   }
   return out;
+}
+
+Saveable saveable(const StructureView& view) {
+  return {[&view](const QString& ending) { return view.picture(ending); }, [&view](char separator) { return view.table(separator); }};
 }
 
 }  // namespace
@@ -53,7 +62,7 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   all->setContentsMargins(4, 4, 4, 4);
   all->addWidget(motion_);
   all->addWidget(both, 1);
-  all->addWidget(status_);
+  all->addLayout(make_foot());
   connect_motion();
   connect(list_, &QListWidget::itemChanged, this, &GeometryPage::item_changed);
   connect(list_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
@@ -62,6 +71,20 @@ GeometryPage::GeometryPage(QWidget* parent) : QWidget(parent) {
   connect(view_, &StructureView::dof_clicked, this, &GeometryPage::toggle);
   connect(worker_, &Worker::failed, this, [this](const InputError& error) { status_->setText(QString::fromUtf8(error.what())); });
 }
+
+QLayout* GeometryPage::make_foot() {
+  auto* copy = push_button("geometry_copy", tr("Copy"), tr("Copy the nodes for a spreadsheet, and the picture"));
+  auto* save = push_button("geometry_save", tr("Save…"), tr("Save as PNG, SVG, PDF or CSV"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(status_, 1);
+  row->addWidget(copy);
+  row->addWidget(save);
+  connect(copy, &QPushButton::clicked, this, [this] { copy_plot(saveable(*view_)); });
+  connect(save, &QPushButton::clicked, this, [this] { ask_and_save(this, saveable(*view_), inputs_); });
+  return row;
+}
+
+void GeometryPage::save(const QString& file) const { save_plot(file, saveable(*view_), inputs_); }
 
 void GeometryPage::connect_motion() {
   connect(motion_, &MotionBar::motion_changed, this, &GeometryPage::read_deflection);
@@ -82,6 +105,8 @@ void GeometryPage::set_scene(const ident::Scene& scene, const std::string& signa
   joint_.clear();
   for (const auto& each : scene.joints) joint_.insert(joint_.end(), each.dofs.begin(), each.dofs.end());
   data_ = scene.data;
+  inputs_.clear();
+  for (const auto& file : ident::files_of(scene)) inputs_.push_back(file.path);
   wanted_signature_ = signature;
   show_joint();
   open_files_if_seen();

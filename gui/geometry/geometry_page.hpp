@@ -37,6 +37,8 @@ class GeometryPage : public QWidget {
   MotionBar* motion() const { return motion_; }
   QString status() const;
   const Deflection& deflection() const { return deflection_; }
+  /// The picture, PNG, SVG or PDF by the ending, or the nodes as CSV. Throws InputError.
+  void save(const QString& file) const;
 
  Q_SIGNALS:
   void edit_wanted(const std::string& table, const std::string& key, const std::string& value);
@@ -45,6 +47,7 @@ class GeometryPage : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QLayout* make_foot();
   void connect_motion();
   void open_files_if_seen();
   void show_structure(const Structure& structure);
@@ -67,6 +70,7 @@ class GeometryPage : public QWidget {
   std::string wanted_signature_, signature_;
   std::shared_ptr<std::vector<LoadedFile>> files_;  ///< opened by the worker's thread, and read by it alone
   Deflection deflection_;
+  std::vector<std::filesystem::path> inputs_;  ///< that no output replaces
   std::vector<NamedShape> fitted_, of_files_;
   /// Counts deflections asked for, so that only the last is read and shown.
   std::shared_ptr<std::atomic<std::size_t>> wanted_ = std::make_shared<std::atomic<std::size_t>>(0);

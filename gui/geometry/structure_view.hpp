@@ -30,6 +30,11 @@ class StructureView : public QWidget {
   void set_undeformed(bool on);
   void set_names(bool on);
 
+  /// As it stands, PNG, SVG or PDF.
+  QByteArray picture(const QString& ending) const;
+  /// Nodes with their positions in m and, where they move, the complex displacement of the shape.
+  std::string table(char separator) const;
+
   /// Where the tip of the arrow of a DOF is drawn.
   QPointF tip_of(const frf::Dof& dof) const;
   QSize sizeHint() const override { return {500, 400}; }
@@ -53,6 +58,7 @@ class StructureView : public QWidget {
   void turn(double azimuth, double elevation);
   void zoom(double factor);
   void show_all();
+  void paint(QPainter& painter) const;
   void draw_lines(QPainter& painter, bool deflected) const;
   void draw_nodes(QPainter& painter) const;
   void draw_arrows(QPainter& painter) const;

@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "gui/geometry/structure_view.hpp"
 #include "gui/look/said.hpp"
 #include "gui/look/theme.hpp"
+#include "gui/plot/picture.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -75,10 +77,8 @@ void StructureView::draw_axes(QPainter& painter) const {
   }
 }
 
-void StructureView::paintEvent(QPaintEvent* event) {
-  QWidget::paintEvent(event);
+void StructureView::paint(QPainter& painter) const {
   const Colours use = colours(theme_of(palette()));
-  QPainter painter(this);
   painter.fillRect(rect(), use.background);
   painter.setRenderHint(QPainter::Antialiasing);
   if (structure_.nodes.empty()) {
@@ -95,10 +95,38 @@ void StructureView::paintEvent(QPaintEvent* event) {
   draw_arrows(painter);
   draw_nodes(painter);
   draw_axes(painter);
-  if (!hasFocus()) return;
+}
+
+void StructureView::paintEvent(QPaintEvent* event) {
+  QWidget::paintEvent(event);
+  QPainter painter(this);
+  paint(painter);
+  if (structure_.nodes.empty() || !hasFocus()) return;
   painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+QByteArray StructureView::picture(const QString& ending) const {
+  return picture_of(size(), [this](QPainter& painter) { paint(painter); }, ending);
+}
+
+std::string StructureView::table(char separator) const {
+  const std::string then(1, separator);
+  std::string out = "node" + then + "x (m)" + then + "y (m)" + then + "z (m)";
+  for (const char* axis : {"x", "y", "z"}) {
+    if (!shape_.empty()) out += then + "shape " + axis + ", real" + then + "shape " + axis + ", imaginary";
+  }
+  for (const frf::Node& node : structure_.nodes) {
+    out += "\n" + std::to_string(node.id);
+    for (const double coordinate : node.position) out += then + digits(coordinate, "%.17g");
+    const auto found = shape_.find(node.id);
+    for (std::size_t axis = 0; axis < 3 && !shape_.empty(); ++axis) {
+      const auto value = found == shape_.end() ? std::complex<double>() : found->second[axis];
+      out += then + digits(value.real(), "%.17g") + then + digits(value.imag(), "%.17g");
+    }
+  }
+  return out + "\n";
 }
 
 }  // namespace jointid::gui

@@ -18,7 +18,7 @@
 namespace jointid::gui {
 namespace {
 
-constexpr int unit_width_px = 60;
+constexpr int unit_width_px = 60, letters_of_column = 8;
 
 QLineEdit* unit_box(const char* name, const QString& title, const QString& example) {
   auto* box = named(new QLineEdit, name, title, title);
@@ -75,7 +75,8 @@ LoadingCurveChoices::LoadingCurveChoices(QWidget* parent) : QWidget(parent) {
 
 QComboBox* LoadingCurveChoices::column_box(const char* name, const QString& title, const QString& hint) {
   auto* box = named(new QComboBox, name, title, hint);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(letters_of_column);
   box->setProperty("title", title);
   box->addItem(title);
   return box;

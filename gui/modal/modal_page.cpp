@@ -72,8 +72,8 @@ QWidget* ModalPage::make_top() {
       push_button("modal_regenerated", tr("FRFs…"), tr("Write the FRFs of the modes as `jointid modalfit --regenerate` does"));
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addLayout(row_of({find_, line_->cancel_button(), structure_, low_, high_}, {command_}));
-  rows->addLayout(row_of({damping_, real_, undo_, redo_, none_}, {shapes_, regenerated_}));
+  rows->addLayout(row_of({find_, line_->cancel_button(), structure_, low_, high_}, {}));
+  rows->addLayout(row_of({damping_, real_, undo_, redo_, none_}, {shapes_, regenerated_, command_}));
   return top;
 }
 

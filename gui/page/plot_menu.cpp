@@ -47,6 +47,7 @@ PlotMenu::PlotMenu(const char* name, const QString& accessible_name, const QStri
   column->addLayout(row_of({menu_}, {}));
   column->addWidget(chart_, 1);
   connect(menu_, &QComboBox::currentIndexChanged, this, &PlotMenu::show_choice);
+  show_choice();
 }
 
 void PlotMenu::show_groups(const std::vector<Named>& groups) {
@@ -68,6 +69,7 @@ void PlotMenu::show_groups(const std::vector<Named>& groups) {
 
 void PlotMenu::show_choice() {
   const int chosen = menu_->currentIndex();
+  menu_->setVisible(menu_->count() > 0);
   if (chosen < 0) return chart_->clear();
   std::visit([this](const auto& drawing) { chart_->draw(drawing); }, choices_[static_cast<std::size_t>(chosen)]);
 }

@@ -20,6 +20,7 @@ TableMenu::TableMenu(const std::string& name, const QString& accessible_name, QW
   column->addLayout(row_of({menu_}, {}));
   column->addWidget(table_, 1);
   connect(menu_, &QComboBox::currentIndexChanged, this, &TableMenu::show_choice);
+  show_choice();
 }
 
 void TableMenu::show_tables(std::vector<Named> tables) {
@@ -35,6 +36,7 @@ void TableMenu::show_tables(std::vector<Named> tables) {
 
 void TableMenu::show_choice() {
   const int chosen = menu_->currentIndex();
+  menu_->setVisible(menu_->count() > 0);
   table_->show_rows(chosen < 0 ? CellRows() : tables_[static_cast<std::size_t>(chosen)].second);
 }
 

@@ -18,6 +18,13 @@ namespace {
 
 constexpr double zoom_factor = 1.4;
 constexpr int least_drag_px = 4;
+constexpr int least_width_px = 200, least_height_px = 140;
+
+/// So that axes below each other, and the legend above them, can be read.
+int least_height(const QCustomPlot& plot) {
+  const int legend = plot.legend == nullptr ? 0 : plot.legend->rowCount(), panels = plot.plotLayout()->rowCount() - (legend > 0 ? 1 : 0);
+  return std::max(least_height_px, 70 + 20 * legend + 60 * panels);
+}
 
 }  // namespace
 
@@ -26,7 +33,7 @@ Chart::Chart(const char* name, const QString& accessible_name, const QString& hi
   setAccessibleName(accessible_name);
   named(plot_, name, accessible_name);
   plot_->setFocusPolicy(Qt::StrongFocus);
-  plot_->setMinimumSize(200, 140);
+  plot_->setMinimumSize(least_width_px, least_height_px);
   plot_->setAutoAddPlottableToLegend(false);
   plot_->installEventFilter(this);
   readout_ = named(new QLabel, "chart_readout", tr("The chosen point"));
@@ -132,6 +139,7 @@ void Chart::redraw() {
     if (zoomed_) rect->axis(QCPAxis::atBottom)->setRange(before[0], before[1]);
   }
   ring();
+  plot_->setMinimumHeight(least_height(*plot_));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

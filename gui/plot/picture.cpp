@@ -6,8 +6,10 @@
 #include <QBuffer>
 #include <QClipboard>
 #include <QFileInfo>
+#include <QImage>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
@@ -20,35 +22,57 @@ namespace jointid::gui {
 namespace {
 
 constexpr int dpi = 96;
+constexpr double png_scale = 2.0;  // pixels of the file for one of the window
 
-void paint(QCustomPlot& plot, QPaintDevice& device) {
-  QCPPainter painter(&device);
-  painter.setMode(QCPPainter::pmVectorized);
-  plot.toPainter(&painter, plot.width(), plot.height());
-}
-
-}  // namespace
-
-QByteArray picture_of(QCustomPlot& plot, const QString& ending) {
+/// As SVG or PDF.
+QByteArray vector_picture(const QSize& size, const QString& ending, const std::function<void(QPaintDevice&)>& paint) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
-  const QSize size = plot.size();
-  if (ending == QLatin1String("png")) {
-    plot.toPixmap(size.width(), size.height(), 2.0).save(&buffer, "PNG");
-  } else if (ending == QLatin1String("svg")) {
+  if (ending == QLatin1String("svg")) {
     QSvgGenerator device;
     device.setOutputDevice(&buffer);
     device.setSize(size);
     device.setViewBox(QRect(QPoint(0, 0), size));
-    paint(plot, device);
+    paint(device);
   } else {
     QPdfWriter device(&buffer);
     device.setResolution(dpi);
     device.setPageSize(QPageSize(QSizeF(size) / dpi, QPageSize::Inch, QString(), QPageSize::ExactMatch));
     device.setPageMargins(QMarginsF(0, 0, 0, 0));
-    paint(plot, device);
+    paint(device);
   }
   return buffer.data();
+}
+
+template <class Image>
+QByteArray as_png(const Image& image) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  return buffer.data();
+}
+
+}  // namespace
+
+QByteArray picture_of(QCustomPlot& plot, const QString& ending) {
+  if (ending == QLatin1String("png")) return as_png(plot.toPixmap(plot.width(), plot.height(), png_scale));
+  return vector_picture(plot.size(), ending, [&plot](QPaintDevice& device) {
+    QCPPainter painter(&device);
+    painter.setMode(QCPPainter::pmVectorized);
+    plot.toPainter(&painter, plot.width(), plot.height());
+  });
+}
+
+QByteArray picture_of(const QSize& size, const std::function<void(QPainter&)>& paint, const QString& ending) {
+  const auto paint_on = [&paint](QPaintDevice& device) {
+    QPainter painter(&device);
+    paint(painter);
+  };
+  if (ending != QLatin1String("png")) return vector_picture(size, ending, paint_on);
+  QImage image(size * png_scale, QImage::Format_RGB32);
+  image.setDevicePixelRatio(png_scale);
+  paint_on(image);
+  return as_png(image);
 }
 
 void save_plot(const QString& file, const Saveable& plot, const std::vector<std::filesystem::path>& inputs) {

@@ -7,12 +7,17 @@
 #include <vector>
 
 class QCustomPlot;
+class QPainter;
+class QSize;
 class QWidget;
 
 namespace jointid::gui {
 
 /// A plot as it stands, `ending` png, svg or pdf.
 QByteArray picture_of(QCustomPlot& plot, const QString& ending);
+
+/// The same of anything that paints itself.
+QByteArray picture_of(const QSize& size, const std::function<void(QPainter&)>& paint, const QString& ending);
 
 /// What a plot can be saved as: its picture by the ending, and its numbers.
 struct Saveable {

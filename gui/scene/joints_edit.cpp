@@ -1,6 +1,7 @@
 #include "gui/scene/joints_edit.hpp"
 
 #include "gui/scene/completion_place.hpp"
+#include "gui/scene/several_edit.hpp"
 #include "gui/scene/toml_edit.hpp"
 #include "restrictions/joint_spec.hpp"
 
@@ -23,28 +24,15 @@ std::string as_first_of_several(std::string text) {
 
 }  // namespace
 
-int joints_in(const std::string& text) {
-  int count = 0;
-  while (line_of_key(text, "joints#" + std::to_string(count + 1), "") > 0) ++count;
-  return count;
-}
+int joints_in(const std::string& text) { return several_in(text, "joints"); }
 
 std::string with_joint(std::string text) {
   if (!text.empty() && text.back() != '\n') text += '\n';
   text = as_first_of_several(std::move(text));
   const std::string name = "joint" + std::to_string(joints_in(text) + 1);
-  const int behind = behind_tables(text, "joints");
-  return text.insert(behind > 0 ? begin_of_line(text, behind) : text.size(),
-                     "\n[[joints]]\nname = \"" + name + "\"\ndofs = []\n\n[joints.stiffness]\npattern = \"symmetric\"\n");
+  return with_one_more(std::move(text), "joints", "name = \"" + name + "\"\ndofs = []\n\n[joints.stiffness]\npattern = \"symmetric\"\n");
 }
 
-std::string without_joint(const std::string& text, int number) {
-  const std::string joint = "joints#" + std::to_string(number);
-  const int header = line_of_key(text, joint, "");
-  if (header == 0) return text;
-  const std::size_t begin = begin_of_line(text, header), behind = begin_of_line(text, behind_tables(text, joint));
-  const bool blank_above = begin >= 2 && text[begin - 1] == '\n' && text[begin - 2] == '\n';
-  return text.substr(0, blank_above ? begin - 1 : begin) + text.substr(behind);
-}
+std::string without_joint(const std::string& text, int number) { return without_one(text, "joints", number); }
 
 }  // namespace jointid::gui

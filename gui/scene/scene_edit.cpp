@@ -21,12 +21,24 @@ std::string written(const std::vector<frf::Dof>& dofs) {
   return text + "]";
 }
 
+namespace {
+
+std::string with_regeneration(const std::string& text, const ident::Regeneration& regenerate) {
+  if (!regenerate.any()) return without_value(text, "data", "regenerate");
+  std::string systems = regenerate.substructures ? "\"substructures\"" : "";
+  if (regenerate.assembly) systems += systems.empty() ? "\"assembly\"" : ", \"assembly\"";
+  return with_value(text, "data", "regenerate", "[" + systems + "]");
+}
+
+}  // namespace
+
 std::string with_way(std::string text, const study::Way& way) {
   const auto word = [](const std::string& value) { return '"' + value + '"'; };
   const auto set = [&text](const char* key, const std::string& value) { text = with_value(text, "identify", key, value); };
   const std::string equations = comma_list(way.equations, [&](ident::Equation equation) { return word(ident::name(equation)); });
   set("method", word(ident::name(way.method)));
   if (!equations.empty()) set("equations", "[" + equations + "]");
+  text = with_regeneration(text, way.regenerate);
   set("solver", word(way.solver));
   if (!ident::weighs_equations(way.method)) return text;
   set("weighting", word(weighting::name(way.weighting)));

@@ -14,7 +14,7 @@ namespace jointid::gui {
 std::string written(const std::vector<ident::Range>& ranges);
 std::string written(const std::vector<frf::Dof>& dofs);
 
-/// The text with [identify] as the way has it; weighting and Δ stay where the method has neither.
+/// The text with [identify], and the FRFs that modes replace, as the way has it; weighting and Δ stay where the method has neither.
 std::string with_way(std::string text, const study::Way& way);
 
 /// The ranges with one more: those that overlap or touch are one, ascending.

@@ -5,7 +5,6 @@
 #include <QFontDatabase>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <QStringListModel>
 #include <QTextBlock>
@@ -28,6 +27,16 @@ QStringList as_list(const std::vector<std::string>& words) {
   QStringList list;
   for (const std::string& word : words) list << QString::fromStdString(word);
   return list;
+}
+
+/// Whether the line is to be the header of one of several tables, [[joints]].
+bool begins_with_brackets(const QTextCursor& cursor) { return cursor.block().text().trimmed().startsWith(QLatin1String("[[")); }
+
+std::vector<std::string> headers(bool of_several) {
+  std::vector<std::string> tables = all_tables();
+  if (of_several) tables.emplace_back("joints");
+  std::erase_if(tables, [&](const std::string& table) { return is_of_several(table) != of_several || table.ends_with('*'); });
+  return tables;
 }
 
 }  // namespace
@@ -93,7 +102,7 @@ QStringList SceneEditor::completions() const {
     case CompletionPlace::Kind::none:
       return {};
     case CompletionPlace::Kind::header:
-      return as_list(all_tables()).filter(QRegularExpression(QStringLiteral("^[^*]*$")));
+      return as_list(headers(begins_with_brackets(textCursor())));
     case CompletionPlace::Kind::key:
       return as_list(keys_of(at.table));
     case CompletionPlace::Kind::value:
@@ -125,7 +134,8 @@ void SceneEditor::insert_completion(const QString& word) {
   const QString rest = cursor.block().text().mid(textCursor().positionInBlock());
   QString tail;
   if (at.kind == CompletionPlace::Kind::key && !rest.contains('=')) tail = QStringLiteral(" = ");
-  if (at.kind == CompletionPlace::Kind::header && !rest.startsWith(']')) tail = QStringLiteral("]");
+  const QString end = begins_with_brackets(cursor) ? QStringLiteral("]]") : QStringLiteral("]");
+  if (at.kind == CompletionPlace::Kind::header && !rest.startsWith(']')) tail = end;
   cursor.insertText(word + tail);
   setTextCursor(cursor);
 }

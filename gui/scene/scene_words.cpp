@@ -16,6 +16,8 @@ using Line = std::pair<std::string, std::string>;  // key, value
 
 constexpr const char* no_word = "this-is-surely-no-word-of-any-scene";  // far from every word, so that the reader names them all
 
+const Words least_files = {"a", "b", "c"};  // of the least scene
+
 constexpr const char* any_file = "data.files.*";
 constexpr const char* date = "1979-05-27";  // which no key takes
 constexpr const char* gaussian = "'gaussian'";
@@ -32,6 +34,16 @@ const std::vector<std::pair<std::string, std::vector<Line>>>& least_scene() {
   return scene;
 }
 
+/// The same of tables of which there may be several, which the least scene has not.
+const std::map<std::string, std::vector<Line>>& least_of_several() {
+  static const std::map<std::string, std::vector<Line>> tables = {
+      {"data.gains", {{"gain", "0.01"}}},
+      {"data.masses", {{"dofs", "['1:+X']"}, {"files", "['a']"}, {"mass", "0.003"}}},
+      {"virtual_points",
+       {{"name", "'VP1'"}, {"position", "[0, 0, 0]"}, {"plane", "'XY'"}, {"sensors", "['7:+X', '7:+Y', '8:+Y']"}}}};
+  return tables;
+}
+
 /// What the reader says of the least scene with one more line, which replaces the others of its table where they are `alone`;
 /// empty where it takes it. `model`: of the noise.
 InputError::Parts answer(const std::string& table, const Line& more, const char* model, bool alone = false) {
@@ -44,11 +56,12 @@ InputError::Parts answer(const std::string& table, const Line& more, const char*
       lines.push_back(more);
       done = true;
     }
-    if (!path.empty()) text += "[" + path + "]\n";
+    if (!path.empty()) text += least_of_several().contains(path) ? "[[" + path + "]]\n" : "[" + path + "]\n";
     for (const auto& [key, value] : lines) text += key + " = " + value + "\n";
   };
   for (const auto& [path, lines] : least_scene()) add(path, lines);
-  if (!done) add(table, {});
+  const auto several = least_of_several().find(table);
+  if (!done) add(table, several == least_of_several().end() ? std::vector<Line>() : several->second);
   try {
     ident::parse_scene(text, {});
   } catch (const InputError& error) {
@@ -148,7 +161,8 @@ Words ask_for_keys(const std::string& table) {
   return keys;
 }
 
-Words ask_for_words(const std::string& table, const std::string& key) {
+/// Those of a list of files are the files of the least scene.
+Words named_by_reader(const std::string& table, const std::string& key) {
   const std::string word = "'" + std::string(no_word) + "'";
   for (const std::string& value : {word, "[" + word + "]"}) {
     Words words = listed(remedy_of(as_single(table), {key, value}, "is not a valid word"));
@@ -157,12 +171,18 @@ Words ask_for_words(const std::string& table, const std::string& key) {
   return {};
 }
 
+Words ask_for_words(const std::string& table, const std::string& key) {
+  const Words words = named_by_reader(table, key);
+  return words == least_files ? Words() : words;
+}
+
 ValueKind ask_for_kind(const std::string& table, const std::string& key) {
   if (table.starts_with("joints") && key == "name") return ValueKind::text;  // which [joint] has not
   const std::string word = "'" + std::string(no_word) + "'";
   if (!words_of(table, key).empty()) {
     return listed(remedy_of(as_single(table), {key, word}, "is not a valid word")).empty() ? ValueKind::words : ValueKind::word;
   }
+  if (named_by_reader(table, key) == least_files) return ValueKind::files;
   const std::string wanted = wanted_for(table, {key, date});
   if (wanted == "a number") return ValueKind::number;
   if (wanted == "true or false") return ValueKind::flag;
@@ -189,6 +209,8 @@ ValueKind kind_of(const std::string& table, const std::string& key) {
   static Kept<ValueKind> kept;
   return kept.of(table + " " + key, [&] { return ask_for_kind(table, key); });
 }
+
+bool is_of_several(const std::string& table) { return table == "joints" || least_of_several().contains(table); }
 
 void ask_for_everything() {
   for (const std::string& table : all_tables()) {

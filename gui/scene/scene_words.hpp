@@ -23,6 +23,7 @@ enum class ValueKind {
   words,     ///< a list of words_of()
   texts,     ///< a list of strings
   dofs,      ///< a list of DOFs
+  files,     ///< a list of files of [data]
 };
 
 /// Asked of the reader, too: it is given a date, which it takes nowhere, and says what it expects instead.
@@ -30,6 +31,9 @@ ValueKind kind_of(const std::string& table, const std::string& key);
 
 /// All of these beforehand, by another thread than the window's: what was asked once is kept.
 void ask_for_everything();
+
+/// Whether a scene may have several of a table, as [[data.gains]].
+bool is_of_several(const std::string& table);
 
 /// The paths of all tables, "data", "joint.stiffness", …; "data.files.*" is that of any file.
 std::vector<std::string> all_tables();

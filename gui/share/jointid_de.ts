@@ -103,6 +103,10 @@
         <source>solver</source>
         <translation>Löser</translation>
     </message>
+    <message>
+        <source>by modes</source>
+        <translation>aus Moden</translation>
+    </message>
 </context>
 <context>
     <name>ComparePage</name>
@@ -597,6 +601,22 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
 Joint: %1</source>
         <translation>
 Fügestelle: %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the nodes for a spreadsheet, and the picture</source>
+        <translation>Die Knoten für eine Tabellenkalkulation kopieren, und das Bild</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Save as PNG, SVG, PDF or CSV</source>
+        <translation>Als PNG, SVG, PDF oder CSV speichern</translation>
     </message>
 </context>
 <context>
@@ -1714,8 +1734,16 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Antwort</translation>
     </message>
     <message>
-        <source>Friction laws</source>
-        <translation>Reibgesetze</translation>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Planung</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Gesetze</translation>
     </message>
 </context>
 <context>
@@ -2587,8 +2615,100 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Spitzen, Punkte, Kurven und Bemerkungen</translation>
     </message>
     <message>
-        <source>interfaces from the sensors around them, in the text as [[virtual_points]]</source>
-        <translation>Schnittstellen aus den Sensoren um sie herum, im Text als [[virtual_points]]</translation>
+        <source>Data: gains and delays that are not known exactly</source>
+        <translation>Daten: nicht genau bekannte Verstärkungen und Laufzeiten</translation>
+    </message>
+    <message>
+        <source>Data: masses of sensors</source>
+        <translation>Daten: Massen der Sensoren</translation>
+    </message>
+    <message>
+        <source>Virtual points</source>
+        <translation>Virtuelle Punkte</translation>
+    </message>
+    <message>
+        <source>whose sensors; without them those of all DOFs: 4:+Y, 5:+Y</source>
+        <translation>wessen Sensoren; ohne Angabe die aller Freiheitsgrade: 4:+Y, 5:+Y</translation>
+    </message>
+    <message>
+        <source>in which files; without them in all</source>
+        <translation>in welchen Dateien; ohne Angabe in allen</translation>
+    </message>
+    <message>
+        <source>whether of sensors (response) or of hammer and shaker (reference)</source>
+        <translation>ob von Sensoren (response) oder von Hammer und Shaker (reference)</translation>
+    </message>
+    <message>
+        <source>standard deviation of the gain about 1: 0.01</source>
+        <translation>Standardabweichung der Verstärkung um 1: 0.01</translation>
+    </message>
+    <message>
+        <source>standard deviation of the delay about 0, in s: 1e-6</source>
+        <translation>Standardabweichung der Laufzeit um 0, in s: 1e-6</translation>
+    </message>
+    <message>
+        <source>between what one error is the same: files, nothing (none) or all</source>
+        <translation>wozwischen ein Fehler derselbe ist: Dateien (files), nichts (none) oder alles (all)</translation>
+    </message>
+    <message>
+        <source>where the roving sensor weighed while it measured: 4:+Y, 5:+Y</source>
+        <translation>wo der wandernde Sensor wog, während er maß: 4:+Y, 5:+Y</translation>
+    </message>
+    <message>
+        <source>in which files</source>
+        <translation>in welchen Dateien</translation>
+    </message>
+    <message>
+        <source>of the sensor, which is removed, in kg: 0.003</source>
+        <translation>des Sensors, die herausgerechnet wird, in kg: 0.003</translation>
+    </message>
+    <message>
+        <source>of what is left of it, in kg; without it the mass is known exactly</source>
+        <translation>dessen, was davon bleibt, in kg; ohne Angabe ist die Masse genau bekannt</translation>
+    </message>
+    <message>
+        <source>VP and a number: VP1</source>
+        <translation>VP und eine Nummer: VP1</translation>
+    </message>
+    <message>
+        <source>in m, where its rotations turn: [0.9, 0, 0]</source>
+        <translation>in m, worum seine Drehungen drehen: [0.9, 0, 0]</translation>
+    </message>
+    <message>
+        <source>where three motions do: that of its two translations</source>
+        <translation>wo drei Bewegungen genügen: die seiner zwei Verschiebungen</translation>
+    </message>
+    <message>
+        <source>further motions of the interface: ex, ey</source>
+        <translation>weitere Bewegungen der Schnittstelle: ex, ey</translation>
+    </message>
+    <message>
+        <source>responses round it: 11:+X, 11:+Y, 12:+Z</source>
+        <translation>Antworten um ihn herum: 11:+X, 11:+Y, 12:+Z</translation>
+    </message>
+    <message>
+        <source>references round it: 31:+X, 31:+Y, 32:+Z</source>
+        <translation>Anregungen um ihn herum: 31:+X, 31:+Y, 32:+Z</translation>
+    </message>
+    <message>
+        <source>of sensors beside the axes: { &quot;13:+Y&quot; = [0, 0.6, 0.8] }</source>
+        <translation>von Sensoren neben den Achsen: { &quot;13:+Y&quot; = [0, 0.6, 0.8] }</translation>
+    </message>
+    <message>
+        <source>of impacts beside the axes: { &quot;33:+Y&quot; = [0, 0.6, 0.8] }</source>
+        <translation>von Schlägen neben den Achsen: { &quot;33:+Y&quot; = [0, 0.6, 0.8] }</translation>
+    </message>
+    <message>
+        <source>of sensors in the fit: { &quot;13:+Y&quot; = 0.5 }</source>
+        <translation>von Sensoren bei der Anpassung: { &quot;13:+Y&quot; = 0.5 }</translation>
+    </message>
+    <message>
+        <source>of impacts in the fit: { &quot;33:+Y&quot; = 0.5 }</source>
+        <translation>von Schlägen bei der Anpassung: { &quot;33:+Y&quot; = 0.5 }</translation>
+    </message>
+    <message>
+        <source>in which files; without them in all that have its sensors</source>
+        <translation>in welchen Dateien; ohne Angabe in allen, die seine Sensoren haben</translation>
     </message>
 </context>
 <context>
@@ -2647,6 +2767,14 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     <message>
         <source>The file is written as one value in the text.</source>
         <translation>Die Datei steht als ein Wert im Text.</translation>
+    </message>
+    <message>
+        <source>Table that the fields are of: %1</source>
+        <translation>Tabelle, der die Felder gelten: %1</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,7 @@ class Application : public testing::Environment {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
     QApplication::setOrganizationName(QStringLiteral("jointid"));
     QApplication::setApplicationName(QStringLiteral("jointid-workbench-test"));
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);  // those of a desktop take no keys of a test
     application_ = std::make_unique<QApplication>(count_, arguments_);
     apply(Theme::light, *application_);
   }

@@ -64,6 +64,19 @@ TEST(ComparePage, FindsWhatTheLibraryFinds) {
   EXPECT_EQ(points, 4U);
 }
 
+TEST(ComparePage, FrfsOfModesAreWays) {
+  Comparing comparing;
+  find<ChoiceButton>(comparing.page, "compare_weightings")->choose({"WA"});
+  find<ChoiceButton>(comparing.page, "compare_deltas")->choose({"0"});
+  find<ChoiceButton>(comparing.page, "compare_regenerated")->choose({"none", "substructures"});
+  comparing.page.run();
+  ASSERT_TRUE(comparing.rests());
+  const auto& found = comparing.page.comparison().combinations;
+  ASSERT_EQ(found.size(), 2U) << comparing.page.status().toStdString();
+  EXPECT_EQ(found[1].way.regenerate, (ident::Regeneration{true, false}));
+  EXPECT_NE(found[0].matrices[0].rms_relative_error.median, found[1].matrices[0].rms_relative_error.median);
+}
+
 TEST(ComparePage, PictureAndTableChooseTogetherAndOpenAWay) {
   Comparing comparing;
   comparing.page.run();
@@ -114,9 +127,11 @@ TEST(ComparePage, TheCommandNamesTheSameWays) {
   Comparing comparing;
   comparing.page.set_file("/a b/c.toml");
   find<ChoiceButton>(comparing.page, "compare_equations")->choose({"nn", "nn nj"});
+  find<ChoiceButton>(comparing.page, "compare_regenerated")->choose({"none", "substructures"});
   find<QPushButton>(comparing.page, "compare_command")->click();
   EXPECT_EQ(QApplication::clipboard()->text().toStdString(),
-            "jointid compare '/a b/c.toml' --trials 4 --seed 1 --equations 'nn;nn nj' --weightings WA,WB --deltas 0,0.1");
+            "jointid compare '/a b/c.toml' --trials 4 --seed 1 --equations 'nn;nn nj' "
+            "--weightings WA,WB --deltas 0,0.1 --regenerate none,substructures");
 }
 
 }  // namespace

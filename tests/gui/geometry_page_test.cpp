@@ -4,13 +4,17 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
+#include <cstring>
 
+#include "base/text.hpp"
 #include "gui/geometry/motion_bar.hpp"
 #include "gui/geometry/structure_view.hpp"
 #include "gui/look/paths.hpp"
@@ -220,6 +224,27 @@ TEST(StructureView, TheMotionIsDrawn) {
   view.set_phase(0.3);
   find<QSlider>(seen.page, "amplitude")->setValue(90);
   EXPECT_NE(view.grab().toImage(), one);
+}
+
+TEST(GeometryPage, SavesPicturesAndNodes) {
+  Seen seen;
+  seen.move();
+  const QTemporaryDir folder;
+  for (const auto& [name, begin] : {std::pair("a.png", "\x89PNG"), std::pair("a.svg", "<?xml"), std::pair("a.pdf", "%PDF")}) {
+    seen.page.save(folder.filePath(name));
+    EXPECT_EQ(read_file(folder.filePath(name)).substr(0, std::strlen(begin)), begin) << name;
+  }
+  EXPECT_EQ(QImage(folder.filePath("a.png")).size(), 2 * seen.page.view()->size());
+  seen.page.save(folder.filePath("a.csv"));
+  const std::string csv = read_file(folder.filePath("a.csv"));
+  const std::size_t nodes = seen.page.view()->structure().nodes.size();
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), nodes + 1);
+  const auto& [node, shape] = *seen.page.deflection().shape.begin();
+  const std::size_t at = csv.find("\n" + std::to_string(node) + ",");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_THAT(csv.substr(at + 1, csv.find('\n', at + 1) - at),
+              HasSubstr("," + digits(shape[1].real(), "%.17g") + "," + digits(shape[1].imag(), "%.17g")));
+  EXPECT_THROW(seen.page.save(seen.measured.files().front()), InputError);
 }
 
 TEST(StructureView, WithoutPositionsItSaysSo) {

@@ -1,5 +1,5 @@
-// open_scene SCENE: opens a scene in the workbench, off the screen, and tells how long it takes until its files are listed, until an FRF
-// is drawn and until nothing is read any more, and the most memory that the process had.
+// open_scene SCENE [solve]: opens a scene in the workbench, off the screen, and tells how long it takes until its files are listed, until
+// an FRF is drawn, until nothing is read any more and until it is solved, and the most memory that the process had.
 
 #include <sys/resource.h>
 
@@ -30,7 +30,7 @@ double peak_megabytes() {
 
 void tell(const char* what, double seconds) { std::printf("%-24s %6.2f s, %4.0f MB\n", what, seconds, peak_megabytes()); }
 
-int open_scene(const QString& scene) {
+int open_scene(const QString& scene, bool solve) {
   MainWindow window;
   window.show();
   tell("window, without a scene", 0.0);
@@ -48,7 +48,10 @@ int open_scene(const QString& scene) {
                      return !data.is_busy() && !window.current()->geometry_page()->is_busy() &&
                             !window.current()->solve_page()->is_busy();
                    });
-  return all ? 0 : 1;
+  if (!all || !solve) return all ? 0 : 1;
+  SolvePage& page = *window.current()->solve_page();
+  page.solve();
+  return wait("solved and shown", [&] { return !page.runs().empty() && !page.is_busy(); }) ? 0 : 1;
 }
 
 }  // namespace
@@ -61,5 +64,5 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName("jointid");
   QApplication::setApplicationName("open_scene");
-  return argc < 2 ? 2 : jointid::gui::open_scene(QString::fromLocal8Bit(argv[1]));
+  return argc < 2 ? 2 : jointid::gui::open_scene(QString::fromLocal8Bit(argv[1]), argc > 2);
 }

@@ -40,6 +40,21 @@ TEST(WithRange, WhatOverlapsIsOne) {
   EXPECT_THAT(with_range({{30, 40}}, {1, 2}), ElementsAre(ElementsAre(1, 2), ElementsAre(30, 40)));
 }
 
+/// The same that the reader reads, and none where the way has none.
+TEST(SceneEdit, FrfsOfModesAreThoseOfTheWay) {
+  const std::string data = "[data]\nsubstructures = [\"a\", \"b\"]\nassembly = [\"c\"]\n";
+  const std::string rest = "[joint]\ndofs = [\"1:+X\", \"2:+X\"]\n[joint.stiffness]\npattern = \"full\"\n";
+  const auto read = [&](const study::Way& way, const std::string& more) {
+    return ident::parse_scene(with_way(data + more + rest, way), {}).data.regenerate;
+  };
+  study::Way way;
+  for (const char* word : {"none", "substructures", "assembly", "substructures+assembly"}) {
+    way.regenerate = ident::parse_regeneration(word);
+    EXPECT_EQ(read(way, ""), way.regenerate) << word;
+    EXPECT_EQ(read(way, "regenerate = [\"assembly\"]\n"), way.regenerate) << word;
+  }
+}
+
 TEST(SceneEdit, AWayOfAComparisonBecomesThatOfTheScene) {
   study::Way way;
   way.method = ident::Method::two;

@@ -78,6 +78,16 @@ TEST(SceneEditor, CompletesTablesKeysAndWordsByKeyboard) {
   EXPECT_EQ(edited.editor.text(), "[joint.stiffness]\npattern = \"symmetric\"");
 }
 
+TEST(SceneEditor, CompletesHeadersOfSeveralTables) {
+  Edited edited("[[data.ga");
+  QTest::keyClick(&edited.editor, Qt::Key_Space, Qt::ControlModifier);
+  ASSERT_NE(edited.popup(), nullptr);
+  QTest::keyClick(edited.popup(), Qt::Key_Return);
+  EXPECT_EQ(edited.editor.text(), "[[data.gains]]");
+  EXPECT_TRUE(Edited("[[jo").editor.completions().contains("joints"));
+  EXPECT_FALSE(Edited("[data.ga").editor.completions().contains("data.gains"));
+}
+
 TEST(SceneEditor, OffersDofsWhereNoWordIsAsked) {
   Edited edited("[joint]\ndofs = [\"");
   edited.editor.set_dofs({"1:+X", "2:+X"});

@@ -237,6 +237,62 @@ TEST(SceneForm, TheJointThatIsWrongIsShown) {
   EXPECT_THAT(form.field("joint", "dofs").error().toStdString(), testing::HasSubstr("4:+Q"));
 }
 
+/// Of which there are none at first, and the first is written by its button.
+TEST(SceneForm, GainsAreAddedFilledInAndRemoved) {
+  Form form;
+  QComboBox& choice = *find<QComboBox>(*form.window.current()->form(), "data.gains_choice");
+  QPushButton& add = *find<QPushButton>(*form.window.current()->form(), "data.gains_choice_add");
+  QPushButton& remove = *find<QPushButton>(*form.window.current()->form(), "data.gains_choice_remove");
+  EXPECT_EQ(choice.count(), 0);
+  EXPECT_FALSE(remove.isEnabled());
+  EXPECT_TRUE(form.field("data.gains", "gain").isHidden());
+  EXPECT_TRUE(form.field("data", "gains").isHidden());
+  add.setFocus();
+  QTest::keyClick(&add, Qt::Key_Space);
+  EXPECT_FALSE(form.field("data.gains", "gain").isHidden());
+  QTest::keyClick(&add, Qt::Key_Space);
+  ASSERT_EQ(choice.count(), 2);
+  form.type(form.line("data.gains", "dofs"), "1:+Y");
+  form.type(form.line("data.gains", "files"), "a.uff, c.uff");
+  QTest::keyClick(&form.line("data.gains", "files"), Qt::Key_Return);
+  EXPECT_EQ(choice.currentText(), "2: 1:+Y");
+  form.choice("data.gains", "shared").setFocus();
+  QTest::keyClick(&form.choice("data.gains", "shared"), Qt::Key_N);
+  std::string wanted = commented;
+  wanted.insert(wanted.find("\n[joint]"),
+                "\n[[data.gains]]\ngain = 0.01\n\n[[data.gains]]\ngain = 0.01\n"
+                "dofs = [\"1:+Y\"]\nfiles = [\"a.uff\", \"c.uff\"]\nshared = \"none\"\n");
+  EXPECT_EQ(form.text(), wanted);
+  ASSERT_TRUE(form.window.current()->checked().scene) << form.window.current()->checked().error->problem;
+  EXPECT_EQ(form.window.current()->checked().scene->data.gains.size(), 2U);
+  for (int i = 0; i < 2; ++i) QTest::keyClick(&remove, Qt::Key_Space);
+  EXPECT_EQ(form.text(), commented);
+}
+
+TEST(SceneForm, WhatIsWrongInOneOfSeveralIsShownThere) {
+  const std::string masses =
+      "\n[[data.masses]]\ndofs = [\"1:+Y\"]\nfiles = [\"a.uff\"]\nmass = 0.003\n"
+      "\n[[data.masses]]\ndofs = [\"2:+Y\"]\nfiles = [\"none\"]\nmass = 0.1\n";
+  Form form(commented + masses);
+  EXPECT_EQ(find<QComboBox>(*form.window.current()->form(), "data.masses_choice")->currentText(), "2: 2:+Y");
+  EXPECT_THAT(form.field("data.masses", "files").error().toStdString(), testing::HasSubstr("none"));
+  form.type(form.line("data.masses", "files"), "b");
+  EXPECT_EQ(form.line("data.masses", "files").completer()->currentCompletion(), "b.uff");
+  form.type(form.line("data.masses", "files"), "b.uff");
+  QTest::keyClick(&form.line("data.masses", "files"), Qt::Key_Return);
+  ASSERT_TRUE(form.window.current()->checked().scene) << form.window.current()->checked().error->problem;
+  EXPECT_TRUE(form.field("data.masses", "files").error().isEmpty());
+}
+
+/// Where the text has them as the value of a key they are a field of their table.
+TEST(SceneForm, SeveralTablesInOneValueAreAField) {
+  std::string text = commented;
+  text.insert(text.find("\n[joint]"), "gains = [{ gain = 0.02 }]\n");
+  Form form(text);
+  EXPECT_EQ(form.line("data", "gains").text(), "[{ gain = 0.02 }]");
+  EXPECT_TRUE(form.field("data.gains", "gain").isHidden() || form.field("data.gains", "gain").parentWidget()->isHidden());
+}
+
 TEST(SceneForm, WhatAFileDoesNotSayIsFilledInFileByFile) {
   Form form;
   QComboBox& file = *find<QComboBox>(*form.window.current()->form(), "file_choice");

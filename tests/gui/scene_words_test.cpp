@@ -68,6 +68,30 @@ TEST(SceneWords, TheReaderTellsWhatItTakes) {
   for (const char* key : {"mass", "delay"}) EXPECT_EQ(kind_of("data.files.*", key), number) << key;
 }
 
+TEST(SceneWords, TablesOfWhichThereMayBeSeveral) {
+  using enum ValueKind;
+  EXPECT_THAT(all_tables(), IsSupersetOf({"data.gains", "data.masses", "virtual_points"}));
+  for (const char* table : {"joints", "data.gains", "data.masses", "virtual_points"}) EXPECT_TRUE(is_of_several(table)) << table;
+  for (const char* table : {"data", "joint", "data.files.*"}) EXPECT_FALSE(is_of_several(table)) << table;
+  EXPECT_THAT(keys_of("data.gains"), ElementsAreArray({"dofs", "files", "role", "gain", "delay", "shared"}));
+  EXPECT_THAT(keys_of("data.masses"), ElementsAreArray({"dofs", "files", "mass", "deviation", "shared"}));
+  EXPECT_THAT(keys_of("virtual_points"), IsSupersetOf({"name", "position", "sensors", "flexible"}));
+  EXPECT_THAT(words_of("data.gains", "role"), ElementsAreArray({"response", "reference"}));
+  EXPECT_THAT(words_of("data.masses", "shared"), ElementsAreArray({"files", "none", "all"}));
+  EXPECT_THAT(words_of("data.gains", "files"), IsEmpty());
+  EXPECT_EQ(kind_of("virtual_points", "flexible"), words);
+  EXPECT_EQ(kind_of("virtual_points", "plane"), word);
+  EXPECT_EQ(kind_of("virtual_points", "name"), text);
+  for (const char* table : {"data.gains", "data.masses"}) {
+    EXPECT_EQ(kind_of(table, "dofs"), dofs) << table;
+    EXPECT_EQ(kind_of(table, "files"), files) << table;
+    EXPECT_EQ(kind_of(table, "shared"), word) << table;
+  }
+  for (const char* key : {"gain", "delay"}) EXPECT_EQ(kind_of("data.gains", key), number) << key;
+  for (const char* key : {"mass", "deviation"}) EXPECT_EQ(kind_of("data.masses", key), number) << key;
+  for (const char* key : {"sensors", "impacts"}) EXPECT_EQ(kind_of("virtual_points", key), dofs) << key;
+}
+
 TEST(SceneWords, WhatIsAskedBeforehandIsWhatIsAnswered) {
   ask_for_everything();
   EXPECT_EQ(kind_of("identify", "method"), ValueKind::word);

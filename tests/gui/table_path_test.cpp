@@ -4,6 +4,7 @@
 
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/joints_edit.hpp"
+#include "gui/scene/several_edit.hpp"
 #include "gui/scene/toml_edit.hpp"
 #include "ident/scene/read_scene.hpp"
 
@@ -83,6 +84,20 @@ TEST(JointsEdit, AddsAndRemoves) {
   const auto scene = ident::parse_scene(without_joint(several, 1), "s.toml");
   ASSERT_EQ(scene.joints.size(), 1U);
   EXPECT_EQ(scene.joints.front().name, "two");
+}
+
+TEST(SeveralEdit, OneMoreStandsBehindTheOthersOrTheTableAbove) {
+  const std::string text = "[data]\nassembly = [\"c\"]\n[data.files.c]\nmass = 1\n\n[joint]\ndofs = []\n";
+  const std::string one = with_one_more(text, "data.gains", "gain = 1\n");
+  EXPECT_EQ(one, "[data]\nassembly = [\"c\"]\n[data.files.c]\nmass = 1\n\n"
+                 "[[data.gains]]\ngain = 1\n\n[joint]\ndofs = []\n");
+  const std::string two = with_one_more(one, "data.gains", "gain = 2\n");
+  EXPECT_EQ(several_in(two, "data.gains"), 2);
+  EXPECT_EQ(value_of(two, one_of_several("data.gains", 2), "gain"), "2");
+  EXPECT_EQ(without_one(two, "data.gains", 2), one);
+  EXPECT_EQ(without_one(one, "data.gains", 1), text);
+  EXPECT_EQ(without_one(text, "data.gains", 1), text);
+  EXPECT_EQ(with_one_more("", "virtual_points", "name = \"VP1\"\n"), "\n[[virtual_points]]\nname = \"VP1\"\n");
 }
 
 /// The only joint becomes the first of several, and solves to the same with its name before its unknowns.

@@ -126,6 +126,7 @@ class Photographer {
     project.editor()->replace_text(text.replace("pattern = \"symmetric\"", "patern = \"symmetric\"").toStdString());
     keep("workbench-error");
     project.editor()->undo();
+    wait_for([&] { return !project.editor()->error(); });
   }
 
   void take_planned(Project& project) {
@@ -195,7 +196,7 @@ class Photographer {
   }
 
   /// A scene of joints with friction.
-  void take_frictional(const QString& scene, ScenePage* (Project::*page_of)() const, const char* name) {
+  void take_frictional(const QString& scene, ScenePage* (Project::*page_of)(), const char* name) {
     window_.open({scene});
     ScenePage& page = *(window_.current()->*page_of)();
     window_.current()->pages()->setCurrentWidget(&page);
@@ -255,7 +256,7 @@ class Photographer {
         QTabWidget& results = *project.solve_page()->results();
         for (int result = 0; result < results.count(); ++result) {
           results.setCurrentIndex(result);
-          keep(qPrintable("every-" + results.tabText(result).section(' ', -1) + look));
+          keep(qPrintable("every-solve-" + results.tabText(result).section(' ', -1) + look));
         }
       }
     }
