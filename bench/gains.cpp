@@ -79,7 +79,7 @@ void measure_coverage(const std::string& name, bool with_masses, std::size_t tri
   fmt::print("{}: gains of 1 %{}, {} trials: coverage {:.3f} with priors ({} without a usable joint), {:.3f} without ({})\n",
              name, with_masses ? " and masses of 3 g" : "", trials, with.share(), with.failed, without.share(), without.failed);
   const std::string what = name + (with_masses ? ", gains and masses" : ", gains");
-  promises.at_least(what + ": coverage with priors", with.share(), bench::least_share(with_masses ? 0.85 : 0.92, with.count));
+  promises.at_least(what + ": coverage with priors", with.share(), bench::least_share(0.92, with.count));
 }
 
 /// rms error of K in parts of its largest element.

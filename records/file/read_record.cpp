@@ -24,7 +24,9 @@ namespace {
 double rate_of_table(const frf::Columns& table, const RecordOptions& options) {
   if (options.rate_hz) return *options.rate_hz;
   const frf::NumberColumn* times = options.time.empty() ? table.find({"time", "t", "zeit", "x"}) : &table.column(options.time);
-  if (times == nullptr) fail(table.file, "does not say when its samples were taken", "give --rate HZ, or --time COLUMN");
+  if (times == nullptr)
+    fail(table.file, "does not say when its samples were taken",
+         "give --rate HZ, or --time COLUMN; in a scene rate = HZ, or time = \"COLUMN\"");
   return rate_of(times->values, table.file, "column " + times->name);
 }
 

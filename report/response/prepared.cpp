@@ -18,7 +18,7 @@ namespace jointid::report {
 namespace {
 
 constexpr int looked_ahead = 6;  ///< harmonics beyond the last one that tell what it leaves out
-constexpr double between_lines = 1e-4;  ///< of ω: a neighbour where the structure is known everywhere
+constexpr double neighbour = 1e-4;  ///< of ω: how far a neighbour is where the structure is known everywhere
 
 /// The scene's values, or points over its range.
 std::vector<double> asked_hz(const ResponseScene& scene) {
@@ -153,11 +153,11 @@ Eigen::VectorXd Prepared::unit_force(Eigen::Index coordinate) const {
 }
 
 std::optional<std::array<double, 2>> Prepared::beside(double omega) const {
-  if (everywhere) return std::array{omega * (1.0 - between_lines), omega * (1.0 + between_lines)};
+  if (everywhere) return std::array{omega * (1.0 - neighbour), omega * (1.0 + neighbour)};
   std::vector<double> known;
   for (const double hz : lines_hz) known.push_back(angular(hz));
-  const auto above = std::ranges::upper_bound(known, omega * (1.0 + between_lines));
-  const auto below = std::ranges::lower_bound(known, omega * (1.0 - between_lines));
+  const auto above = std::ranges::upper_bound(known, omega * (1.0 + neighbour));
+  const auto below = std::ranges::lower_bound(known, omega * (1.0 - neighbour));
   if (above == known.end() || below == known.begin() || *(below - 1) <= 0.0) return std::nullopt;
   return std::array{*(below - 1), *above};
 }

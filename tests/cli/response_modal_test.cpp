@@ -16,18 +16,20 @@ namespace {
 
 using testing::HasSubstr;
 
+/// The same structure by its matrices.
+std::string matrices_scene(const std::string& frequency) {
+  return "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
+         "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
+         std::string(sample_joint) + "[force]\ndof = 1\namplitudes = [8.0]\n[frequency]\n" + frequency +
+         "[response]\ndofs = [1, 3]\nharmonics = [1, 3]\n";
+}
+
 /// Frequencies that are no lines: the response of the matrices to the accuracy of the models.
 TEST(ResponseModal, ModelsOfPartsAnswerBetweenLines) {
   const TestFolder folder;
   write_parts(folder);
   const ResponseRun modal = run_parts(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 9\n", "[1, 3]"), folder);
-  const ResponseRun exact = run_parts(
-      "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
-      "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
-          sample_joint +
-          "[force]\ndof = 1\namplitudes = [8.0]\n[frequency]\nrange = [2.013, 3.987]\npoints = 9\n"
-          "[response]\ndofs = [1, 3]\nharmonics = [1, 3]\n",
-      folder);
+  const ResponseRun exact = run_parts(matrices_scene("range = [2.013, 3.987]\npoints = 9\n"), folder);
   EXPECT_THAT(modal.doubts, testing::IsEmpty());
   ASSERT_EQ(modal.levels[0].points.size(), 9u);
   for (std::size_t i = 0; i < 9; ++i) {
@@ -36,6 +38,18 @@ TEST(ResponseModal, ModelsOfPartsAnswerBetweenLines) {
     ASSERT_EQ(a.rows(), b.rows());
     EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-4 * b.cwiseAbs().maxCoeff()) << i;
   }
+}
+
+/// Frequency and damping of the peak, from the lines beside it, against those that the matrices tell.
+TEST(ResponseModal, PeaksOfModelsHaveAFrequencyAndADamping) {
+  const TestFolder folder;
+  write_parts(folder);
+  const ResponseRun modal = run_parts(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 81\n", "[1, 3]"), folder);
+  const ResponseRun exact = run_parts(matrices_scene("range = [2.013, 3.987]\npoints = 81\n"), folder);
+  ASSERT_TRUE(modal.levels[0].peak_mode);
+  ASSERT_TRUE(exact.levels[0].peak_mode);
+  EXPECT_NEAR(modal.levels[0].peak_mode->omega, exact.levels[0].peak_mode->omega, 5e-3 * exact.levels[0].peak_mode->omega);
+  EXPECT_NEAR(modal.levels[0].peak_mode->ratio, exact.levels[0].peak_mode->ratio, 0.05 * exact.levels[0].peak_mode->ratio);
 }
 
 /// Harmonics beyond the band become error bars.
