@@ -1,13 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <vector>
 
 #include "frf/set/frf_set.hpp"
-#include "frf/uff/uff_geometry.hpp"
 #include "frf/uff/uff_scan.hpp"
+#include "frf/uff/uff_unit_table.hpp"
 
 namespace jointid::frf::uff {
 

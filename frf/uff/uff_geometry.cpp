@@ -1,8 +1,5 @@
 #include "frf/uff/uff_geometry.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <set>
 
 #include "frf/uff/uff_coordinate_systems.hpp"
@@ -19,19 +16,6 @@ void for_each_line(ByteFile& file, const Dataset& dataset, Use use) {
   while (file.position() < dataset.payload_end && file.next_line(line)) {
     if (!trim(line).empty()) use(line);
   }
-}
-
-UnitFactors parse_factors(ByteFile& file, const Dataset& dataset) {
-  std::vector<std::string> lines;
-  for_each_line(file, dataset, [&](std::string_view line) { lines.emplace_back(line); });
-  const std::string& line = lines.size() > 1 ? lines[1] : std::string();
-  const auto length = parse_real(column(line, 0, 25));
-  const auto force = parse_real(column(line, 25, 25));
-  if (!length || !force || !(*length > 0.0) || !(*force > 0.0) || std::isinf(*length) || std::isinf(*force)) {
-    dataset.place.fail("record 2", "'" + line + "' does not begin with two positive unit factors",
-                       "correct the factors of length and force");
-  }
-  return {*length, *force};
 }
 
 class NodeReader {
@@ -87,20 +71,6 @@ class NodeReader {
 };
 
 }  // namespace
-
-UnitTable::UnitTable(ByteFile& file, const std::vector<Dataset>& datasets) {
-  for (const Dataset& dataset : datasets) {
-    if (dataset.number == 164 && !dataset.binary)
-      entries_.push_back({dataset.place.byte, parse_factors(file, dataset)});
-  }
-}
-
-UnitFactors UnitTable::at(const Dataset& dataset) const {
-  if (entries_.empty()) return {};
-  const auto after = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& entry) { return entry.byte > dataset.place.byte; });
-  return after == entries_.begin() ? after->factors : std::prev(after)->factors;
-}
 
 std::vector<Node> read_nodes(ByteFile& file, const std::vector<Dataset>& datasets, const UnitTable& units) {
   const CoordinateSystems systems(file, datasets, units);

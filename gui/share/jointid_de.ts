@@ -2647,6 +2647,10 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Standardabweichung der Laufzeit um 0, in s: 1e-6</translation>
     </message>
     <message>
+        <source>standard deviation of a sensor&apos;s turn towards other axes, in rad: 0.02</source>
+        <translation>Standardabweichung der Verdrehung eines Sensors zu anderen Achsen, in rad: 0.02</translation>
+    </message>
+    <message>
         <source>between what one error is the same: files, nothing (none) or all</source>
         <translation>wozwischen ein Fehler derselbe ist: Dateien (files), nichts (none) oder alles (all)</translation>
     </message>

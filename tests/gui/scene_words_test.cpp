@@ -73,7 +73,7 @@ TEST(SceneWords, TablesOfWhichThereMayBeSeveral) {
   EXPECT_THAT(all_tables(), IsSupersetOf({"data.gains", "data.masses", "virtual_points"}));
   for (const char* table : {"joints", "data.gains", "data.masses", "virtual_points"}) EXPECT_TRUE(is_of_several(table)) << table;
   for (const char* table : {"data", "joint", "data.files.*"}) EXPECT_FALSE(is_of_several(table)) << table;
-  EXPECT_THAT(keys_of("data.gains"), ElementsAreArray({"dofs", "files", "role", "gain", "delay", "shared"}));
+  EXPECT_THAT(keys_of("data.gains"), ElementsAreArray({"dofs", "files", "role", "gain", "delay", "angle", "shared"}));
   EXPECT_THAT(keys_of("data.masses"), ElementsAreArray({"dofs", "files", "mass", "deviation", "shared"}));
   EXPECT_THAT(keys_of("virtual_points"), IsSupersetOf({"name", "position", "sensors", "flexible"}));
   EXPECT_THAT(words_of("data.gains", "role"), ElementsAreArray({"response", "reference"}));

@@ -67,7 +67,7 @@ struct Correction {
 };
 
 Correction correction(const SystematicFrf& frf, std::span<const SystematicUnknown> unknowns, std::span<const double> phi,
-                   double omega, std::vector<SystematicTerm>& terms) {
+                      double omega, std::vector<SystematicTerm>& terms) {
   const std::size_t begin = terms.size();
   Complex sum = 0.0, error = 0.0;
   for (const SystematicWay& way : frf.ways) {
