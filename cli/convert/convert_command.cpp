@@ -1,7 +1,6 @@
 #include "cli/convert/convert_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <vector>
 
 #include "cli/options/command_options.hpp"
@@ -86,8 +85,8 @@ ExitCode execute(const ConvertArguments& arguments, std::ostream& out) {
   out << "wrote " << arguments.out.string() << ": " << header.lines() << " lines, " << header.response.size() << " × "
       << header.reference.size() << " FRFs";
   if (source->has_covariance() && !is_hdf5(arguments.out)) out << ", without their covariances, which HDF5 alone holds";
-  const bool own_axes = std::ranges::any_of(header.nodes, [](const frf::Node& node) { return node.axes.has_value(); });
-  if (own_axes && !is_hdf5(arguments.out)) out << ", without the axes of its nodes, which HDF5 alone holds";
+  if (frf::any_own_axes(header.nodes) && !is_hdf5(arguments.out))
+    out << ", without the axes of its nodes, which HDF5 alone holds";
   out << '\n';
   return ExitCode::done;
 }

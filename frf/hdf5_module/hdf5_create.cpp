@@ -2,7 +2,6 @@
 
 #include <hdf5.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace jointid::frf::hdf5 {
@@ -69,12 +68,11 @@ bool write_nodes(const Handle& file, const std::vector<Node>& nodes) {
     positions.insert(positions.end(), node.position.begin(), node.position.end());
     for (const auto& axis : node.axes.value_or(global_axes)) axes.insert(axes.end(), axis.begin(), axis.end());
   }
-  const bool own_axes = std::ranges::any_of(nodes, [](const Node& node) { return node.axes.has_value(); });
   const Handle integer(H5Tcopy(H5T_NATIVE_INT64));
   const Handle real(H5Tcopy(H5T_NATIVE_DOUBLE));
   return write_dataset(file, "node_id", integer, {ids.size()}, ids.data()).is_open() &&
          write_dataset(file, "node_position", real, {ids.size(), 3}, positions.data()).is_open() &&
-         (!own_axes || write_dataset(file, "node_axes", real, {ids.size(), 3, 3}, axes.data()).is_open());
+         (!any_own_axes(nodes) || write_dataset(file, "node_axes", real, {ids.size(), 3, 3}, axes.data()).is_open());
 }
 
 Handle create_lines(const Handle& file, const char* name, const Handle& type,

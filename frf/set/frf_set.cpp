@@ -49,6 +49,10 @@ void validate(const FrfHeader& header) {
   require_distinct(header, header.reference, "reference DOFs");
 }
 
+bool any_own_axes(const std::vector<Node>& nodes) {
+  return std::ranges::any_of(nodes, [](const Node& node) { return node.axes.has_value(); });
+}
+
 std::size_t find_coordinate(const std::vector<Dof>& dofs, const Dof& dof) {
   const auto found =
       std::find_if(dofs.begin(), dofs.end(), [&](const Dof& other) { return other.same_coordinate(dof); });

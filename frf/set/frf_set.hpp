@@ -25,6 +25,9 @@ struct Node {
   std::optional<Axes> axes{};        ///< along which the X, Y and Z of its DOFs are; empty: the global ones. NaN: not known
 };
 
+/// Whether DOFs of some node are not along the global axes.
+bool any_own_axes(const std::vector<Node>& nodes);
+
 /// What a file says about the noise of its FRFs.
 enum class NoiseRecord : std::uint8_t { none, variance, coherence };
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
+#include "base/statistics.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
@@ -14,7 +14,6 @@ namespace {
 
 using Vector = CoordinateSystems::Vector;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t records = 6;  ///< of a system: label and kind, name, three axes, origin
 
 [[noreturn]] void fail(const Dataset& dataset, const std::string& what) {
@@ -93,14 +92,8 @@ const CoordinateSystems::System* CoordinateSystems::find(std::int64_t label) con
   return found == systems_.end() ? nullptr : &found->second;
 }
 
-bool CoordinateSystems::is_angle(std::int64_t label, std::size_t i) const {
-  const System* system = find(label);
-  if (system == nullptr || label == 0) return false;
-  return (system->kind != Kind::cartesian && i == 1) || (system->kind == Kind::spherical && i == 2);
-}
-
-std::optional<Vector> CoordinateSystems::global(std::int64_t label, const Vector& local) const {
-  if (is_global(label)) return local;
+std::optional<Vector> CoordinateSystems::global(std::int64_t label, const Vector& local, double length) const {
+  if (is_global(label)) return Vector{local[0] / length, local[1] / length, local[2] / length};
   const System* system = find(label);
   if (system == nullptr) return std::nullopt;
   Vector straight = local;
@@ -111,7 +104,7 @@ std::optional<Vector> CoordinateSystems::global(std::int64_t label, const Vector
                 local[0] * std::cos(second)};
   }
   Vector out = combined(system->axes, straight);
-  for (std::size_t k = 0; k < 3; ++k) out[k] += system->origin[k];
+  for (std::size_t k = 0; k < 3; ++k) out[k] = out[k] / length + system->origin[k];
   return out;
 }
 

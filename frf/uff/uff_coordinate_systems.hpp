@@ -23,11 +23,9 @@ class CoordinateSystems {
   /// Throws InputError where a dataset does not hold what it should, or axes are not orthonormal to 1e-3.
   CoordinateSystems(ByteFile& file, const std::vector<Dataset>& datasets, const UnitTable& units);
 
-  /// Whether the i-th coordinate of a point in the system is an angle.
-  bool is_angle(std::int64_t label, std::size_t i) const;
-
-  /// Of a point given in the system, lengths in m; empty where the file does not define the system.
-  std::optional<Vector> global(std::int64_t label, const Vector& local) const;
+  /// Position in m of a point given in the system, with `length` of its units to the metre; empty where the file does not define
+  /// the system.
+  std::optional<Vector> global(std::int64_t label, const Vector& local, double length) const;
 
   /// Of a node at a global position; empty: the global ones. NaN where the file does not define the system.
   std::optional<Axes> axes(std::int64_t label, const Vector& position) const;

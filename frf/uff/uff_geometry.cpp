@@ -52,9 +52,9 @@ class NodeReader {
     for (std::size_t i = 0; i < 3; ++i) {
       const auto value = parse_real(column(line, begin + i * width, width));
       if (!value) fail(dataset, line);
-      local[i] = systems_.is_angle(defined_in_, i) ? *value : *value / length;
+      local[i] = *value;
     }
-    const auto position = systems_.global(defined_in_, local);
+    const auto position = systems_.global(defined_in_, local, length);
     if (position && known_.insert(id_).second) nodes_.push_back({id_, *position, systems_.axes(displaced_in_, *position)});
   }
 

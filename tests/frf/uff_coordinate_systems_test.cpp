@@ -17,23 +17,11 @@ FrfSet loaded(const std::string& bytes) {
   return load(*open_uff(file));
 }
 
-std::string three(double x, double y, double z) {
-  std::string out;
-  for (const double value : {x, y, z}) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%25.16E", value);
-    out += text.data();
-  }
-  return out + "\n";
-}
+std::string three(double x, double y, double z) { return format("%25.16E%25.16E%25.16E\n", x, y, z); }
 
 std::string integers(std::initializer_list<int> values) {
   std::string out;
-  for (const int value : values) {
-    std::array<char, 16> text{};
-    std::snprintf(text.data(), text.size(), "%10d", value);
-    out += text.data();
-  }
+  for (const int value : values) out += format("%10d", value);
   return out + "\n";
 }
 
