@@ -96,13 +96,14 @@ void find_stability(const response::HarmonicBalance& balance, const ResponseScen
 }
 
 /// Mode and loops at the peak.
-void describe_peak(const response::HarmonicBalance& balance, const Prepared& prepared, LevelResponse& level) {
+void describe_peak(const response::HarmonicBalance& balance, const ResponseScene& scene, const Prepared& prepared,
+                   LevelResponse& level) {
   if (!level.peak) return;
   const HarmonicSolution& peak = *level.peak;
   const int harmonic = peak.harmonics[static_cast<std::size_t>(first_row(peak))];
   if (const auto beside = prepared.beside(harmonic * peak.omega)) {
     level.peak_mode = response::peak_mode(balance, peak, 0, harmonic, *beside);
-    if (!prepared.between_lines) level.line_spacing_hz = 0.5 * hertz((*beside)[1] - (*beside)[0]);
+    if (!prepared.everywhere && !scene.modal_model) level.line_spacing_hz = 0.5 * hertz((*beside)[1] - (*beside)[0]);
   }
   for (std::size_t j = 0; j < balance.joints().size(); ++j) {
     const response::Motion motion(response::Harmonics(peak.harmonics), peak.joint_motion.col(at(j)));
@@ -147,7 +148,7 @@ void run_levels(const response::HarmonicBalance& balance, const ResponseScene& s
     }
     find_deviations(balance, scene, level);
     find_left_out(balance, level);
-    describe_peak(balance, prepared, level);
+    describe_peak(balance, scene, prepared, level);
     find_stability(balance, scene, prepared, control, level);
     run.levels.push_back(std::move(level));
   }

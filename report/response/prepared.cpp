@@ -113,7 +113,6 @@ Prepared from_files(const ResponseScene& scene, const ident::Control& control) {
       std::make_shared<response::FrfReceptance>(*parts, joints, responses, std::vector<frf::Dof>{scene.force_dof.dof});
   prepared.structure = structure;
   prepared.lines_hz = structure->frequency_hz();
-  prepared.between_lines = scene.modal_model;
   prepared.frequency_hz = scene.values_hz;
   if (scene.modal_model) {
     prepared.frequency_hz = asked_hz(scene);

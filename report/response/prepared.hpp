@@ -16,7 +16,6 @@ namespace jointid::report {
 struct Prepared {
   std::shared_ptr<const response::Receptance> structure;
   bool everywhere = false;                             ///< known at every frequency: matrices
-  bool between_lines = true;                           ///< of the files; false where their lines are all that is known
   std::optional<response::MatrixAssembly> assembly{};  ///< of full matrices
   std::optional<response::MatrixAssembly> marched{};   ///< what time marching takes: the same, or condensed to [structure] modes
   Eigen::MatrixXd basis{};                             ///< T of x = T y where it is condensed

@@ -95,7 +95,8 @@ FrfReceptance::FrfReceptance(frf::FrfSystem& parts, const std::vector<JointEnds>
            "an FRF between a joint, response or force coordinate is not measured",
            "measure the joint's rows and columns of every part, or leave the line out");
     }
-    const Eigen::MatrixXcd& by_column = lines_.emplace_back(block);
+    lines_.emplace_back(rows_.weights.transpose() * block * columns_.weights);
+    const Eigen::MatrixXcd& by_column = measured_.emplace_back(block);
     for (Eigen::Index i = 0; i < by_column.size(); ++i) {
       Eigen::Index& twin = twin_[static_cast<std::size_t>(i)];
       if (twin >= 0 && by_column(i) != by_column(twin)) twin = -1;
@@ -142,7 +143,7 @@ bool FrfReceptance::covers(double omega) const {
 }
 
 Eigen::MatrixXcd FrfReceptance::at(double omega) const {
-  if (covers(omega)) return rows_.weights.transpose() * lines_[nearest_line(omega)] * columns_.weights;
+  if (covers(omega)) return lines_[nearest_line(omega)];
   const std::size_t line = nearest_line(omega);
   throw InputError({.kind = ErrorKind::data,
                     .file = "",

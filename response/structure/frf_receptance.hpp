@@ -48,7 +48,7 @@ class FrfReceptance final : public Receptance {
   /// What was read: FRFs row_dofs() × column_dofs() of a line, and their variances (none when a file has none).
   const std::vector<frf::Dof>& row_dofs() const { return rows_.dofs; }
   const std::vector<frf::Dof>& column_dofs() const { return columns_.dofs; }
-  const Eigen::MatrixXcd& measured(std::size_t line) const { return lines_[line]; }
+  const Eigen::MatrixXcd& measured(std::size_t line) const { return measured_[line]; }
   const std::vector<Eigen::MatrixXcd>& variances() const { return variances_; }
 
  private:
@@ -56,7 +56,8 @@ class FrfReceptance final : public Receptance {
 
   Eigen::Index joints_, responses_, forces_;
   std::vector<double> frequency_hz_;
-  std::vector<Eigen::MatrixXcd> lines_;  ///< of the FRFs between the DOFs of rows_ and columns_
+  std::vector<Eigen::MatrixXcd> lines_;     ///< as at() gives them
+  std::vector<Eigen::MatrixXcd> measured_;  ///< of the FRFs between the DOFs of rows_ and columns_
   FrfCombination rows_, columns_;
   std::vector<Eigen::MatrixXcd>
       variances_;                   ///< [line] of the FRFs between the DOFs of rows_ and columns_; none when a file has none
