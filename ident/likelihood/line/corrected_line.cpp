@@ -104,14 +104,16 @@ class DrivingNoise {
     if (phi_.empty() || !(variance > 0.0)) return;
     const double omega = line_.omega;
     for (const SystematicWay& way : frf.ways) {
+      if (std::ranges::none_of(way.factors, [this](const SystematicFactor& factor) { return takes_noise_along(factor); }))
+        continue;
       Complex log = 0.0;
       for (const SystematicFactor& factor : way.factors) {
         log += log_factor(unknowns_[factor.unknown], factor, phi_[factor.unknown], omega).value;
       }
       const Complex multiplier = frf.sign * way.share * std::exp(log);
       for (const SystematicFactor& factor : way.factors) {
-        const double mass = unknowns_[factor.unknown].deviation * phi_[factor.unknown];
-        if (unknowns_[factor.unknown].kind != Systematic::mass || mass == 0.0 || !(factor.driving_variance > 0.0)) continue;
+        if (!takes_noise_along(factor)) continue;
+        const double mass = mass_of(factor);
         const Complex rate = -omega * omega * mass / (1.0 + omega * omega * mass * factor.driving);
         const double deviation = std::sqrt(factor.driving_variance);
         any_ = true;
@@ -157,6 +159,13 @@ class DrivingNoise {
     std::map<std::size_t, Complex> factors;
     double taken = 0.0;
   };
+
+  double mass_of(const SystematicFactor& factor) const { return unknowns_[factor.unknown].deviation * phi_[factor.unknown]; }
+
+  /// Whether taking the mass off brings the noise of its driving point.
+  bool takes_noise_along(const SystematicFactor& factor) const {
+    return unknowns_[factor.unknown].kind == Systematic::mass && mass_of(factor) != 0.0 && factor.driving_variance > 0.0;
+  }
 
   /// Those with errors of driving points, and those that depend on others already; ascending.
   std::vector<std::size_t> dependent_elements() const {
