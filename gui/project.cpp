@@ -116,20 +116,16 @@ void Project::check() {
 
 /// Scenes of other kinds are checked by their pages.
 void Project::check_other_kinds(const std::string& text) {
-  const QString saved = is_modified() ? QString() : file_;
-  if (is_couple_scene(text)) couple_page_.get();
-  if (CouplePage* const page = couple_page_.made()) {
-    const auto wrong = page->set_scene(text, path(), saved);
-    if (is_couple_scene(text)) checked_ = {{}, wrong};
-  }
-  if (response_kind().is_of(text)) response_page_.get();
-  if (law_kind().is_of(text)) laws_page_.get();
-  for (const Later<ScenePage>* later : {&response_page_, &laws_page_}) {
-    ScenePage* const page = later->made();
-    if (page == nullptr) continue;
-    const auto wrong = page->set_scene(text, path(), saved);
-    if (page->is_of(text)) checked_ = {{}, wrong};
-  }
+  const auto tell = [](auto& later, bool is_of_kind) {
+    if (later.made() != nullptr) {
+      later.tell();
+    } else if (is_of_kind) {
+      later.get();
+    }
+  };
+  tell(couple_page_, is_couple_scene(text));
+  tell(response_page_, response_kind().is_of(text));
+  tell(laws_page_, law_kind().is_of(text));
 }
 
 void Project::protect_inputs(QWidget& page) const {

@@ -3,6 +3,8 @@
 #include <QFileSystemWatcher>
 #include <QWidget>
 #include <filesystem>
+#include <functional>
+#include <type_traits>
 
 #include "gui/page/later.hpp"
 #include "gui/scene/scene_check.hpp"
@@ -92,6 +94,11 @@ class Project : public QWidget {
   void add_pages();
   void add_pages_of_scene();
   void add_other_pages();
+  template <class Page>
+  void add_later(Later<Page>& later, const QString& title, const QString& hint, std::type_identity_t<std::function<Page*()>> make,
+                 std::type_identity_t<std::function<void(Page&)>> tell);
+  template <class Page>
+  void tell_other_kind(Page& page, bool is_of_kind);
   void protect_inputs(QWidget& page) const;
   void link_cursors();
   void check();

@@ -1,5 +1,8 @@
 #include <QSplitter>
 #include <QTabWidget>
+#include <functional>
+#include <type_traits>
+#include <utility>
 
 #include "gui/compare/compare_page.hpp"
 #include "gui/couple/couple_page.hpp"
@@ -40,63 +43,72 @@ void Project::add_pages() {
   connect(data_page_, &DataPage::files_opened, this, &Project::offer_dofs);
 }
 
+/// No table of a page replaces an input, whenever the page is made.
+template <class Page>
+void Project::add_later(Later<Page>& later, const QString& title, const QString& hint,
+                        std::type_identity_t<std::function<Page*()>> make,
+                        std::type_identity_t<std::function<void(Page&)>> tell) {
+  const auto make_protected = [this, make = std::move(make)] {
+    Page* const page = make();
+    protect_inputs(*page);
+    return page;
+  };
+  later.place(*pages_, title, hint, make_protected, std::move(tell));
+}
+
+/// A page for scenes of another kind checks these.
+template <class Page>
+void Project::tell_other_kind(Page& page, bool is_of_kind) {
+  const auto wrong = page.set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
+  if (is_of_kind) checked_ = {{}, wrong};
+}
+
 /// What else is done with the scene of the solution.
 void Project::add_pages_of_scene() {
   const auto compare = [this] {
     auto* page = named(new ComparePage, "compare_page", tr("Compare"));
     connect(page, &ComparePage::failed, this, &Project::show_failure);
     connect(page, &ComparePage::way_opened, this, &Project::open_way);
-    protect_inputs(*page);
     return page;
   };
-  compare_page_.place(*pages_, tr("Compare"), tr("Compare"), compare, [this](ComparePage& page) {
+  add_later(compare_page_, tr("Compare"), tr("Compare"), compare, [this](ComparePage& page) {
     page.set_file(file_);
     page.set_scene(checked_.scene);
   });
   const auto study = [this] {
     auto* page = named(new StudyPage, "study_page", tr("Study"));
     connect(page, &StudyPage::failed, this, &Project::show_failure);
-    protect_inputs(*page);
     return page;
   };
-  study_page_.place(*pages_, tr("Study"), tr("Study"), study, [this](StudyPage& page) {
-    page.set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_);
-  });
+  add_later(study_page_, tr("Study"), tr("Study"), study,
+            [this](StudyPage& page) { page.set_scene(checked_.scene, editor_->text(), is_modified() ? QString() : file_); });
   const auto modal = [this] {
     auto* page = named(new ModalPage, "modal_page", tr("Modes"));
     connect(page, &ModalPage::modes_changed, this, [this, page] {
       geometry_page_->set_modes(named_shapes(report::uff_modes(*page->shown()), q(page->shown()->files)));
     });
-    protect_inputs(*page);
     return page;
   };
-  modal_page_.place(*pages_, tr("Modes"), tr("Modes"), modal, [this](ModalPage& page) { page.set_scene(checked_.scene); });
+  add_later(modal_page_, tr("Modes"), tr("Modes"), modal, [this](ModalPage& page) { page.set_scene(checked_.scene); });
 }
 
 void Project::add_other_pages() {
   const auto couple = [this] {
     auto* page = named(new CouplePage, "couple_page", tr("Coupling"));
     connect(page, &CouplePage::failed, this, &Project::show_failure);
-    protect_inputs(*page);
     return page;
   };
-  couple_page_.place(*pages_, tr("Coupling"), tr("Coupling"), couple, [this](CouplePage& page) {
-    page.set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
-  });
-  const auto curves = [this] {
-    auto* page = named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves"));
-    protect_inputs(*page);
-    return page;
-  };
-  loading_curve_page_.place(*pages_, tr("Curves"), tr("Loading curves"), curves, [](LoadingCurvePage&) {});
+  add_later(couple_page_, tr("Coupling"), tr("Coupling"), couple,
+            [this](CouplePage& page) { tell_other_kind(page, is_couple_scene(editor_->text())); });
+  const auto curves = [this] { return named(new LoadingCurvePage, "loading_curve_page", tr("Loading curves")); };
+  add_later(loading_curve_page_, tr("Curves"), tr("Loading curves"), curves, [](LoadingCurvePage&) {});
   const auto plan = [this] {
     auto* page = named(new PlanPage, "plan_page", tr("Before measuring"));
     connect(page, &PlanPage::failed, this, &Project::show_failure);
-    protect_inputs(*page);
     page->set_dofs(dofs_);
     return page;
   };
-  plan_page_.place(*pages_, tr("Plan"), tr("Before measuring"), plan, [this](PlanPage& page) {
+  add_later(plan_page_, tr("Plan"), tr("Before measuring"), plan, [this](PlanPage& page) {
     page.set_file(file_);
     page.set_scene(checked_.scene);
   });
@@ -104,12 +116,9 @@ void Project::add_other_pages() {
     const auto make = [this, name, kind] {
       auto* page = named(new ScenePage(kind()), name, kind().title);
       connect(page, &ScenePage::failed, this, &Project::show_failure);
-      protect_inputs(*page);
       return page;
     };
-    later.place(*pages_, title, kind().title, make, [this](ScenePage& page) {
-      page.set_scene(editor_->text(), path(), is_modified() ? QString() : file_);
-    });
+    add_later(later, title, kind().title, make, [this](ScenePage& page) { tell_other_kind(page, page.is_of(editor_->text())); });
   };
   add_kind(response_page_, "response_page", tr("Response"), response_kind);
   add_kind(laws_page_, "laws_page", tr("Laws"), law_kind);
