@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <exception>
@@ -8,6 +9,11 @@
 #include <vector>
 
 namespace jointid {
+
+/// The threads that were asked for, all cores of the machine for 0.
+inline std::size_t threads_or_cores(std::size_t asked) {
+  return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
+}
 
 /// each(i) for i = 0 … count − 1 on as many threads, in any order. The first exception ends it and is thrown here.
 template <class Each>

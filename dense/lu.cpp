@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <complex>
 
+#include "base/kernel.hpp"
+
 namespace jointid::dense {
 
 using Eigen::MatrixXcd;
@@ -13,11 +15,6 @@ namespace {
 constexpr Eigen::Index few = 8;
 
 using Complex = std::complex<double>;
-
-/// Without the look at whether an infinite factor made the product no number.
-Complex product(const Complex& a, const Complex& b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 /// b −= factor · a
 void subtract(Complex* b, const Complex* a, const Complex& factor, Eigen::Index count) {

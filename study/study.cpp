@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "study/outbox.hpp"
 #include "study/study_records.hpp"
@@ -78,9 +78,7 @@ class Study {
   }
 
  private:
-  std::size_t threads() const {
-    return options_.threads > 0 ? options_.threads : std::max(1u, std::thread::hardware_concurrency());
-  }
+  std::size_t threads() const { return threads_or_cores(options_.threads); }
   bool is_interrupted() const { return control_.interrupted && control_.interrupted(); }
 
   void choose_columns() { columns_ = columns_of(*data_, has_intervals(data_, options_.seed)); }

@@ -1,12 +1,9 @@
 #include "frf/set/scaled_source.hpp"
 
+#include "base/kernel.hpp"
+
 namespace jointid::frf {
 namespace {
-
-/// Without the tests for infinities of std::complex.
-Complex product(Complex a, Complex b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 class ScaledSource final : public FrfSource {
  public:

@@ -1,9 +1,9 @@
 #include "ident/plan/expected_time.hpp"
 
 #include <algorithm>
-#include <thread>
 
 #include "base/eigen.hpp"
+#include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "dense/blas.hpp"
 #include "dense/cholesky.hpp"
@@ -48,8 +48,7 @@ double expected_seconds(const Cost& cost, std::size_t threads) {
   const auto n = at(iteration.matrix);
   const double cube = static_cast<double>(n) * static_cast<double>(n) * static_cast<double>(n);
   const double speed = iteration.complex ? rate<Eigen::MatrixXcd>(n, 4.0 / 3.0 * cube) : rate<Eigen::MatrixXd>(n, cube / 3.0);
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t used = std::min({threads == 0 ? cores : threads, cores, std::max<std::size_t>(1, cost.lines)});
+  const std::size_t used = std::min({threads_or_cores(threads), threads_or_cores(0), std::max<std::size_t>(1, cost.lines)});
   const double each = iteration.flops / speed + static_cast<double>(cost.lines) * bookkeeping_seconds;
   return static_cast<double>(iteration.expected) * each / static_cast<double>(used);
 }

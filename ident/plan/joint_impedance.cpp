@@ -4,15 +4,11 @@
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
+#include "base/kernel.hpp"
 #include "ident/plan/scaling.hpp"
 
 namespace jointid::ident {
 namespace {
-
-/// Without the look at whether an infinite factor made the product no number.
-Complex times(const Complex& a, const Complex& b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 std::vector<ImpedanceTerm> terms_of(const restrictions::Restriction& restriction, std::size_t unknown) {
   std::vector<ImpedanceTerm> out;
@@ -80,9 +76,9 @@ void JointImpedance::sensitivity(const Complex* left, const Complex* right, Comp
   for (const ImpedanceShape& shape : shapes_) {
     Complex sum = 0.0;
     for (std::size_t i = shape.first_term; i < shape.last_term; ++i) {
-      sum += times(terms_[i].coefficient * left[terms_[i].row], right[terms_[i].column]);
+      sum += product(terms_[i].coefficient * left[terms_[i].row], right[terms_[i].column]);
     }
-    for (std::size_t i = shape.first_part; i < shape.last_part; ++i) out[parts_[i].unknown] = times(parts_[i].factor, sum);
+    for (std::size_t i = shape.first_part; i < shape.last_part; ++i) out[parts_[i].unknown] = product(parts_[i].factor, sum);
   }
 }
 

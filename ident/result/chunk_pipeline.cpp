@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <complex>
 #include <mutex>
-#include <thread>
 
+#include "base/parallel.hpp"
 #include "ident/result/control.hpp"
 
 namespace jointid::ident {
@@ -114,8 +114,8 @@ std::size_t chunk_lines(std::size_t entries_per_line) {
 
 std::size_t worker_count(std::size_t lines, std::size_t chunk, std::size_t threads) {
   const std::size_t chunks = (lines + chunk - 1) / chunk;
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  return threads == 1 ? 1 : std::clamp<std::size_t>(chunks, 1, threads + 1);
+  const std::size_t used = threads_or_cores(threads);
+  return used == 1 ? 1 : std::clamp<std::size_t>(chunks, 1, used + 1);
 }
 
 }  // namespace jointid::ident

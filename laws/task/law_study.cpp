@@ -1,16 +1,14 @@
 #include "laws/task/law_study.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <mutex>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include "base/control.hpp"
+#include "base/parallel.hpp"
 #include "base/random.hpp"
 #include "laws/task/assumed_states.hpp"
 #include "laws/task/identify_laws.hpp"
@@ -56,32 +54,17 @@ class Trials {
 
   /// Of every trial; empty where the drawn parts have no response.
   std::vector<std::optional<LawIdentification>> run() {
-    {
-      std::vector<std::jthread> threads;
-      for (std::size_t t = 0; t < std::max<std::size_t>(1, options_.threads); ++t) threads.emplace_back([this] { work(); });
-    }
-    if (error_) std::rethrow_exception(error_);
-    stop_if(options_.interrupted);
+    for_each_index(results_.size(), options_.threads, [this](std::size_t trial) {
+      stop_if(options_.interrupted);
+      results_[trial] = identified(trial);
+      const std::scoped_lock lock(mutex_);
+      ++done_;
+      if (options_.progress) options_.progress(done_, results_.size());
+    });
     return std::move(results_);
   }
 
  private:
-  void work() {
-    try {
-      for (std::size_t trial; !stopped_ && (trial = next_++) < results_.size();) {
-        if (options_.interrupted && options_.interrupted()) return;
-        results_[trial] = identified(trial);
-        const std::scoped_lock lock(mutex_);
-        ++done_;
-        if (options_.progress) options_.progress(done_, results_.size());
-      }
-    } catch (...) {
-      const std::scoped_lock lock(mutex_);
-      stopped_ = true;
-      if (!error_) error_ = std::current_exception();
-    }
-  }
-
   std::optional<LawIdentification> identified(std::size_t trial) const {
     LevelStates data = assumed_.data;
     const auto truth = drawn_parts(trial);
@@ -125,11 +108,8 @@ class Trials {
   const AssumedStates& assumed_;
   const LawStudyOptions& options_;
   std::vector<std::optional<LawIdentification>> results_;
-  std::atomic<std::size_t> next_ = 0;
-  std::atomic<bool> stopped_ = false;
   std::mutex mutex_;
   std::size_t done_ = 0;
-  std::exception_ptr error_;
 };
 
 /// Adds what a usable trial with the assumed laws tells.

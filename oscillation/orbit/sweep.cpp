@@ -1,12 +1,10 @@
 #include "oscillation/orbit/sweep.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
-#include <thread>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace jointid::oscillation {
 namespace {
@@ -49,32 +47,13 @@ SweepPoint observe(double parameter, const SweepCase& each, const SweepOptions& 
 
 std::vector<SweepPoint> sweep(const std::vector<double>& parameters, const std::function<SweepCase(double)>& make,
                               const SweepOptions& options) {
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  const std::size_t threads =
-      std::min(options.threads > 0 ? options.threads : cores, std::max<std::size_t>(parameters.size(), 1));
   std::vector<SweepPoint> out(parameters.size());
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
   std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (std::size_t k = next++; k < parameters.size(); k = next++) {
-        out[k] = observe(parameters[k], make(parameters[k]), options);
-        const std::lock_guard lock(mutex);
-        if (options.done) options.done(out[k]);
-      }
-    } catch (...) {
-      const std::lock_guard lock(mutex);
-      failure = std::current_exception();
-      next = parameters.size();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
+  for_each_index(parameters.size(), threads_or_cores(options.threads), [&](std::size_t k) {
+    out[k] = observe(parameters[k], make(parameters[k]), options);
+    const std::scoped_lock lock(mutex);
+    if (options.done) options.done(out[k]);
+  });
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "base/kernel.hpp"
 #include "dense/blas.hpp"
 #include "dense/lu.hpp"
 #include "ident/likelihood/line/normal_kernels.hpp"
@@ -14,11 +15,6 @@ namespace {
 
 /// An FRF that was not measured may be this many times as large as those around it.
 constexpr double wide = 1e3;
-
-/// Without the look at whether an infinite factor made the product no number.
-Complex product(const Complex& a, const Complex& b) {
-  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : std::sqrt(matrix.cwiseAbs2().maxCoeff()); }
 
