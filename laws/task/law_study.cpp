@@ -61,6 +61,7 @@ class Trials {
       ++done_;
       if (options_.progress) options_.progress(done_, results_.size());
     });
+    stop_if(options_.interrupted);
     return std::move(results_);
   }
 
