@@ -6,11 +6,11 @@
 #include "cli/check/check_text.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/text/json_value.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/check/check.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "report/check_json.hpp"
+#include "report/json_value.hpp"
 
 namespace jointid::cli {
 
@@ -27,7 +27,7 @@ ExitCode execute(const CheckArguments& arguments, std::ostream& out) {
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   Progress progress;
   const ident::CheckResult result = ident::check_scene(scene, progress.control());
-  if (arguments.json) write_target(*arguments.json, json_text(jointid::report::check_json(result)), out);
+  if (arguments.json) write_target(*arguments.json, report::json_text(report::check_json(result)), out);
   if (!takes_output({arguments.json})) out << check_text(result);
   return ExitCode::done;
 }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cli/text/table.hpp"
-#include "cli/text/words.hpp"
+#include "report/text/table.hpp"
+#include "report/text/words.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -48,12 +48,12 @@ std::string lowest_channel(const virtualpoint::SideConsistency& side) {
 /// How well the modes of virtual points explain the FRFs of their channels.
 std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& points) {
   if (points.empty()) return {};
-  Table table({{"virtual point", Align::left},
-               {"file", Align::left},
-               {"", Align::left},
-               {"lowest of a channel", Align::left},
-               {"overall", Align::left},
-               {"rigidity", Align::left}});
+  report::Table table({{"virtual point", report::Align::left},
+                       {"file", report::Align::left},
+                       {"", report::Align::left},
+                       {"lowest of a channel", report::Align::left},
+                       {"overall", report::Align::left},
+                       {"rigidity", report::Align::left}});
   for (const virtualpoint::Consistency& point : points) {
     for (const auto& [side, word] : {std::pair(&point.sensors, "sensors"), std::pair(&point.impacts, "impacts")}) {
       if (!side->any()) continue;
@@ -69,14 +69,17 @@ std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& po
 std::string check_text(const ident::CheckResult& result) {
   std::string text = verdict_text(result);
   if (result.suspects.empty()) return text + virtual_points_text(result.virtual_points);
-  Table table(
-      {{"", Align::right}, {"kind", Align::left}, {"file", Align::left}, {"DOFs", Align::left}, {"confidence", Align::right}});
+  report::Table table({{"", report::Align::right},
+                       {"kind", report::Align::left},
+                       {"file", report::Align::left},
+                       {"DOFs", report::Align::left},
+                       {"confidence", report::Align::right}});
   std::string details;
   for (std::size_t i = 0; i < result.suspects.size(); ++i) {
     const ident::Suspect& suspect = result.suspects[i];
     const std::string number = std::to_string(i + 1);
     table.add({number, ident::name(suspect.kind), suspect.file.empty() ? "–" : suspect.file,
-               suspect.dofs.empty() ? "–" : dofs_text(suspect), in_percent_of_one(suspect.confidence)});
+               suspect.dofs.empty() ? "–" : report::dofs_text(suspect), in_percent_of_one(suspect.confidence)});
     details += "\n" + number + ". " + suspect.evidence + "\n";
     details += suspect.remedy.empty() ? "   measure it again\n" : "   to mend it:\n" + indented(suspect.remedy);
   }

@@ -48,7 +48,8 @@ void write(const CompareArguments& arguments, std::ostream& out, const std::stri
 }
 
 void write(const CompareArguments& arguments, std::ostream& out, const ComparisonReport& report, const ident::Scene& scene) {
-  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report), report::comparison_report(report, scene));
+  write(arguments, out, comparison_text(report), comparison_json(report), comparison_csv(report),
+        comparison_report(report, scene));
 }
 
 /// Writes the ways that were finished when the command was interrupted.
@@ -97,7 +98,7 @@ ExitCode execute(const CompareArguments& arguments, std::ostream& out) {
     check_outputs(arguments, {});
     const ReproductionReport report = reproduced(arguments);
     write(arguments, out, reproduction_text(report), reproduction_json(report), reproduction_csv(report),
-          report::reproduction_report(report));
+          reproduction_report(report));
     return ExitCode::done;
   }
   const ident::Scene scene = ident::read_scene(arguments.scene);

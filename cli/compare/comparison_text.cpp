@@ -2,17 +2,18 @@
 
 #include <fmt/format.h>
 
-#include "cli/text/words.hpp"
 #include "report/result/comparison_tables.hpp"
+#include "report/text/cost_table.hpp"
+#include "report/text/words.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using jointid::report::cost_table;
-using jointid::report::figures_table;
-using jointid::report::left_out_lines;
-using jointid::report::pair_tables;
-using jointid::report::PairTable;
+using report::cost_table;
+using report::figures_table;
+using report::left_out_lines;
+using report::pair_tables;
+using report::PairTable;
 
 std::string pairs_text(const std::vector<study::Combination>& all, std::size_t matrix) {
   std::string text;
@@ -34,14 +35,14 @@ std::string comparison_text(const ComparisonReport& report) {
   text += fmt::format("{} trials of seed {}, the same for every row\n", report.trials, report.seed);
   if (report.comparison.interrupted) text += fmt::format("INTERRUPTED: only the first {} ways\n", all.size());
   for (std::size_t matrix = 0; matrix < all.front().matrices.size(); ++matrix) {
-    text += "\n" + words(restrictions::key(all.front().matrices[matrix].kind)) + "\n" + pairs_text(all, matrix) +
+    text += "\n" + report::words(restrictions::key(all.front().matrices[matrix].kind)) + "\n" + pairs_text(all, matrix) +
             "all combinations\n" + figures_table(all, matrix).text();
   }
   text += "\n  rms error: relative, median over the trials; bias: rms of the mean relative error of the unknowns\n"
           "  * on the Pareto front: no other row has both less error in this matrix and less time\n";
   text +=
       "\ncost: median time of one solution on one thread, memory of the reduced system (likelihood: of its data and states)\n" +
-      cost_table(all).text();
+      report::cost_table(all).text();
   return text + left_out_text(report.comparison.left_out);
 }
 

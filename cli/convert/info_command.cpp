@@ -10,9 +10,9 @@
 #include "cli/text/frf_summary.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
-#include "cli/text/table.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/uff/uff_file.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -36,8 +36,12 @@ std::string records_text(const frf::UffSummary& summary) {
       ++found->second;
     }
   }
-  Table table({{"records"}, {"dataset", Align::left}, {"function", Align::left}, {"quantity", Align::left},
-               {"unit", Align::left}, {"points"}});
+  report::Table table({{"records"},
+                       {"dataset", report::Align::left},
+                       {"function", report::Align::left},
+                       {"quantity", report::Align::left},
+                       {"unit", report::Align::left},
+                       {"points"}});
   for (const auto& [kind, count] : kinds) {
     table.add({fmt::format("{}", count), kind[0], kind[1], kind[2], kind[3], kind[4]});
   }

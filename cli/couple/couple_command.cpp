@@ -4,12 +4,12 @@
 
 #include "cli/couple/couple_json.hpp"
 #include "cli/couple/couple_page.hpp"
-#include "cli/couple/couple_parts.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/options/whole_number.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
+#include "report/couple/couple_text.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -55,9 +55,9 @@ ExitCode execute(const CoupleArguments& arguments, std::ostream& out) {
   control.threads = arguments.threads;
   const tasks::CoupleResult result = tasks::couple(scene, path, arguments.bounds, control);
   if (arguments.json) write_target(*arguments.json, couple_json(scene, result), out);
-  if (arguments.csv) write_target(*arguments.csv, couple_csv(result), out);
-  if (arguments.report) write_target(*arguments.report, report::couple_report(scene, result), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << couple_text(scene, result);
+  if (arguments.csv) write_target(*arguments.csv, report::couple_csv(result), out);
+  if (arguments.report) write_target(*arguments.report, couple_report(scene, result), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::couple_text(scene, result);
   if (result.status == ident::Status::ok) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + result.message);
   return ExitCode::unusable;

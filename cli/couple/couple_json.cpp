@@ -2,23 +2,25 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cli/couple/couple_parts.hpp"
-#include "cli/text/json_value.hpp"
+#include "report/couple/couple_text.hpp"
+#include "report/json_value.hpp"
 
 namespace jointid::cli {
 namespace {
 
-Json file_json(const tasks::CoupledFile& file) {
+report::Json file_json(const tasks::CoupledFile& file) {
   return {{"file", file.path.string()}, {"conditions", file.conditions}, {"resonances_hz", file.resonances_hz}};
 }
 
-Json dependencies_json(const coupling::Dependencies& dependencies) {
-  Json out = {{"reason", dependencies.reason}, {"conditions", Json::array()}};
+report::Json dependencies_json(const coupling::Dependencies& dependencies) {
+  report::Json out = {{"reason", dependencies.reason}, {"conditions", report::Json::array()}};
   for (const coupling::Dependency& condition : dependencies.conditions) {
-    out["conditions"].push_back(
-        {{"condition", condition.condition},
-         {"alpha", {{"median", value(condition.median)}, {"q05", value(condition.lower)}, {"q95", value(condition.upper)}}},
-         {"left_out", condition.dependent}});
+    out["conditions"].push_back({{"condition", condition.condition},
+                                 {"alpha",
+                                  {{"median", report::value(condition.median)},
+                                   {"q05", report::value(condition.lower)},
+                                   {"q95", report::value(condition.upper)}}},
+                                 {"left_out", condition.dependent}});
   }
   return out;
 }
@@ -26,21 +28,22 @@ Json dependencies_json(const coupling::Dependencies& dependencies) {
 }  // namespace
 
 std::string couple_json(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
-  Json out = {{"status", result.status == ident::Status::ok ? "ok" : "not_usable"},
-              {"message", result.message},
-              {"method", coupling::name(scene.options.method)},
-              {"threshold", scene.find_dependent ? "auto" : coupling::name(scene.options.threshold)},
-              {"lines", result.lines},
-              {"unusable_lines", result.unusable_lines},
-              {"result", file_json(result.result)}};
+  report::Json out = {{"status", result.status == ident::Status::ok ? "ok" : "not_usable"},
+                      {"message", result.message},
+                      {"method", coupling::name(scene.options.method)},
+                      {"threshold", scene.find_dependent ? "auto" : coupling::name(scene.options.threshold)},
+                      {"lines", result.lines},
+                      {"unusable_lines", result.unusable_lines},
+                      {"result", file_json(result.result)}};
   if (result.with_all) out["with_all"] = file_json(*result.with_all);
   if (result.dependencies) out["dependencies"] = dependencies_json(*result.dependencies);
-  out["kept"] = Json::array();
-  for (const auto& [kept, lines] : kept_counts(result)) out["kept"].push_back({{"conditions", kept}, {"lines", lines}});
-  if (const std::size_t worst = worst_line(result); worst != frf::npos) {
-    out["condition"] = {{"largest", value(result.records[worst].condition)}, {"frequency_hz", result.frequency_hz[worst]}};
+  out["kept"] = report::Json::array();
+  for (const auto& [kept, lines] : report::kept_counts(result)) out["kept"].push_back({{"conditions", kept}, {"lines", lines}});
+  if (const std::size_t worst = report::worst_line(result); worst != frf::npos) {
+    out["condition"] = {{"largest", report::value(result.records[worst].condition)},
+                        {"frequency_hz", result.frequency_hz[worst]}};
   }
-  return json_text(out);
+  return report::json_text(out);
 }
 
 }  // namespace jointid::cli

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -23,42 +23,42 @@ std::string equivalent_text(const ident::EquivalentScene& scene, const std::vect
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   text += fmt::format("equivalent stiffness and damping by ({}), FRFs of the parts {}\n\n", equation(scene),
                       scene.real ? "made real (7.19)" : "as measured");
-  Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"misfit %"}, {"lines"}, {"", Align::left}});
+  report::Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"misfit %"}, {"lines"}, {"", report::Align::left}});
   for (const tasks::LevelJoint& level : levels) {
     const tasks::EquivalentJoint& joint = level.joint;
     const char* remark = !joint.settled ? "not found"
                          : joint.stiffness < 0.0 || joint.damping < 0.0
                              ? "not physical: the errors of the FRFs outweigh the joint"
                              : "";
-    table.add({number(level.displacement), number(joint.stiffness), number(joint.damping), fmt::format("{:.2f}", 100.0 * joint.misfit),
-               fmt::format("{}", level.lines), remark});
+    table.add({report::number(level.displacement), report::number(joint.stiffness), report::number(joint.damping),
+               fmt::format("{:.2f}", 100.0 * joint.misfit), fmt::format("{}", level.lines), remark});
   }
   return text + table.text();
 }
 
 std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
-  Json out = {{"status", all_settled(levels) ? "ok" : "not_usable"},
-              {"equation", equation(scene)},
-              {"real", scene.real},
-              {"levels", Json::array()}};
+  report::Json out = {{"status", all_settled(levels) ? "ok" : "not_usable"},
+                      {"equation", equation(scene)},
+                      {"real", scene.real},
+                      {"levels", report::Json::array()}};
   for (const tasks::LevelJoint& level : levels) {
     out["levels"].push_back({{"file", level.file},
                              {"displacement", level.displacement},
-                             {"stiffness", value(level.joint.stiffness)},
-                             {"damping", value(level.joint.damping)},
-                             {"misfit", value(level.joint.misfit)},
+                             {"stiffness", report::value(level.joint.stiffness)},
+                             {"damping", report::value(level.joint.damping)},
+                             {"misfit", report::value(level.joint.misfit)},
                              {"lines", level.lines},
                              {"settled", level.joint.settled}});
   }
-  return json_text(out);
+  return report::json_text(out);
 }
 
 std::string equivalent_csv(const std::vector<tasks::LevelJoint>& levels) {
-  std::string text = csv_line({"displacement [m]", "stiffness [N/m]", "damping [N/m]", "misfit"});
+  std::string text = report::csv_line({"displacement [m]", "stiffness [N/m]", "damping [N/m]", "misfit"});
   for (const tasks::LevelJoint& level : levels) {
     if (!level.joint.settled) continue;
-    text += csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness),
-                      fmt::format("{}", level.joint.damping), fmt::format("{}", level.joint.misfit)});
+    text += report::csv_line({fmt::format("{}", level.displacement), fmt::format("{}", level.joint.stiffness),
+                              fmt::format("{}", level.joint.damping), fmt::format("{}", level.joint.misfit)});
   }
   return text;
 }

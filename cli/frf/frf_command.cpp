@@ -42,7 +42,7 @@ ExitCode execute(const FrfArguments& arguments, std::ostream& out) {
   if (arguments.output) with_progress("writing", [&] { frf::write(run.made.set, *arguments.output); });
   if (arguments.json) write_target(*arguments.json, frf_json(run, arguments), out);
   if (arguments.csv) write_target(*arguments.csv, stretches_csv(run), out);
-  if (arguments.report) write_target(*arguments.report, report::frf_report(run), out);
+  if (arguments.report) write_target(*arguments.report, frf_report(run), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) {
     out << frf_text(run);
     if (arguments.output) out << written_text(run, *arguments.output);

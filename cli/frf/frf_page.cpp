@@ -4,15 +4,16 @@
 #include <array>
 
 #include "cli/frf/frf_text.hpp"
-#include "cli/report/decimate.hpp"
-#include "cli/report/frf_curves.hpp"
-#include "cli/report/limits.hpp"
-#include "cli/report/page.hpp"
+#include "report/decimate.hpp"
+#include "report/frf_curves.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/limits.hpp"
+#include "report/page/page.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
-Choice frf_choice(const FrfRun& run, std::size_t r, std::size_t c) {
+report::Choice frf_choice(const FrfRun& run, std::size_t r, std::size_t c) {
   const frf::FrfSet& set = run.made.set;
   std::vector<Complex> values;
   std::vector<double> coherence;
@@ -20,46 +21,47 @@ Choice frf_choice(const FrfRun& run, std::size_t r, std::size_t c) {
     values.push_back(set.values[set.index(line, r, c)]);
     coherence.push_back(run.made.coherence[set.index(line, r, c)]);
   }
-  const std::array both = {magnitudes(values), coherence};
-  const std::vector<std::size_t> kept = keep_peaks(both, most_points);
+  const std::array both = {report::magnitudes(values), coherence};
+  const std::vector<std::size_t> kept = report::keep_peaks(both, report::most_points);
   const std::string name = set.header.response[r].name() + " / " + set.header.reference[c].name();
-  const auto plot = [&](const std::string& title, Axis y, std::size_t which) {
-    return CurvePlot{title,
-                     {"frequency (Hz)", false},
-                     std::move(y),
-                     picked(set.header.frequency_hz, kept),
-                     {{"measured", picked(both[which], kept), Style::line}},
-                     {},
-                     {},
-                     {}};
+  const auto plot = [&](const std::string& title, report::Axis y, std::size_t which) {
+    return report::CurvePlot{title,
+                             {"frequency (Hz)", false},
+                             std::move(y),
+                             report::picked(set.header.frequency_hz, kept),
+                             {{"measured", report::picked(both[which], kept), report::Style::line}},
+                             {},
+                             {},
+                             {}};
   };
-  CurvePlot of_coherence = plot("Coherence", {"coherence", false}, 1);
+  report::CurvePlot of_coherence = plot("Coherence", {"coherence", false}, 1);
   of_coherence.y_range = {0.0, 1.05};
-  return {
-      name,
-      {plot("Magnitude of " + name, {receptance_label(set.header.response[r], set.header.reference[c]), true}, 0), of_coherence}};
+  return {name,
+          {plot("Magnitude of " + name, {report::receptance_label(set.header.response[r], set.header.reference[c]), true}, 0),
+           of_coherence}};
 }
 
 }  // namespace
 
 std::string frf_report(const FrfRun& run) {
   const frf::FrfHeader& header = run.made.set.header;
-  ReportPage page(run.record_files.front(), "jointid frf");
+  report::ReportPage page(run.record_files.front(), "jointid frf");
   page.section("Averages");
-  page.add(Text{estimate_text(run)});
-  for (const std::string& note : notes(run)) page.add(Text{note});
+  page.add(report::Text{estimate_text(run)});
+  for (const std::string& note : notes(run)) page.add(report::Text{note});
   page.add(averages_table(run));
   page.section("FRFs");
-  PlotGroup group{"FRF", {}};
-  for (std::size_t e = 0; e < std::min(header.entries(), most_frfs); ++e) {
+  report::PlotGroup group{"FRF", {}};
+  for (std::size_t e = 0; e < std::min(header.entries(), report::most_frfs); ++e) {
     group.choices.push_back(frf_choice(run, e % header.response.size(), e / header.response.size()));
   }
   page.add(group);
-  if (const std::string cut = drawn_text(group.choices.size(), header.entries()); !cut.empty()) page.add(Text{cut, true});
+  if (const std::string cut = report::drawn_text(group.choices.size(), header.entries()); !cut.empty())
+    page.add(report::Text{cut, true});
   page.add(coherence_table(run), "Coherence");
   page.section(run.options.segments ? "Segments" : "Blows");
   page.add(stretches_table(run));
   return page.html();
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

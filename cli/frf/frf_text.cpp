@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/statistics.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -15,12 +16,12 @@ std::string coherence_number(double value) { return std::isfinite(value) ? fmt::
 
 }  // namespace
 
-Table stretches_table(const FrfRun& run) {
-  Table table({{run.options.segments ? "segment" : "blow"},
-               {"file", Align::left},
-               {"from s"},
-               {run.options.segments ? "rms force N" : "peak force N"},
-               {"", Align::left}});
+report::Table stretches_table(const FrfRun& run) {
+  report::Table table({{run.options.segments ? "segment" : "blow"},
+                       {"file", report::Align::left},
+                       {"from s"},
+                       {run.options.segments ? "rms force N" : "peak force N"},
+                       {"", report::Align::left}});
   const auto& blows = run.made.blows;
   for (std::size_t i = 0; i < blows.size(); ++i) {
     const records::Blow& blow = blows[i];
@@ -31,8 +32,8 @@ Table stretches_table(const FrfRun& run) {
   return table;
 }
 
-Table averages_table(const FrfRun& run) {
-  Table table({{"reference", Align::left}, {"kept"}, {"of"}, {"averages"}});
+report::Table averages_table(const FrfRun& run) {
+  report::Table table({{"reference", report::Align::left}, {"kept"}, {"of"}, {"averages"}});
   for (const records::Averages& of : run.made.averages) {
     table.add(
         {of.reference.name(), fmt::format("{}", of.kept), fmt::format("{}", of.found), fmt::format("{:.4g}", of.effective)});
@@ -40,8 +41,8 @@ Table averages_table(const FrfRun& run) {
   return table;
 }
 
-Table coherence_table(const FrfRun& run) {
-  Table table({{"FRF", Align::left}, {"coherence: 5 %"}, {"median"}, {"95 % of lines"}});
+report::Table coherence_table(const FrfRun& run) {
+  report::Table table({{"FRF", report::Align::left}, {"coherence: 5 %"}, {"median"}, {"95 % of lines"}});
   const frf::FrfHeader& header = run.made.set.header;
   for (std::size_t c = 0; c < header.reference.size(); ++c) {
     for (std::size_t r = 0; r < header.response.size(); ++r) {
@@ -87,11 +88,12 @@ std::string frf_text(const FrfRun& run) {
 }
 
 std::string stretches_csv(const FrfRun& run) {
-  std::string csv = csv_line({"number", "file", "from_s", "force_n", "kept", "reason"});
+  std::string csv = report::csv_line({"number", "file", "from_s", "force_n", "kept", "reason"});
   const auto& blows = run.made.blows;
   for (std::size_t i = 0; i < blows.size(); ++i) {
-    csv += csv_line({fmt::format("{}", i + 1), run.record_files[blows[i].record], csv_number(begin_s(run, blows[i])),
-                     csv_number(blows[i].force), blows[i].rejected.empty() ? "true" : "false", blows[i].rejected});
+    csv +=
+        report::csv_line({fmt::format("{}", i + 1), run.record_files[blows[i].record], report::csv_number(begin_s(run, blows[i])),
+                          report::csv_number(blows[i].force), blows[i].rejected.empty() ? "true" : "false", blows[i].rejected});
   }
   return csv;
 }

@@ -3,16 +3,16 @@
 #include <string>
 
 #include "cli/frf/frf_run.hpp"
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 
 /// Stretches: number, file, begin, force, kept or why not. Of more than forty only those that were left out.
-Table stretches_table(const FrfRun& run);
+report::Table stretches_table(const FrfRun& run);
 /// References: kept, found, effective averages.
-Table averages_table(const FrfRun& run);
+report::Table averages_table(const FrfRun& run);
 /// FRFs: low, median and high coherence over the lines.
-Table coherence_table(const FrfRun& run);
+report::Table coherence_table(const FrfRun& run);
 
 /// "H1, 12801 lines from 0 to 12800 Hz, step 1 Hz".
 std::string estimate_text(const FrfRun& run);

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cli/laws/law_parts.hpp"
-#include "cli/text/json_value.hpp"
+#include "report/json_value.hpp"
+#include "report/laws/law_text.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -20,14 +21,14 @@ std::string share(const friction::FittedValue& value) {
 }
 
 /// A row for each planned level: relative deviations of each joint's stiffness and limit.
-Table worth_table(const laws::LawScene& scene, const LawBound& bound) {
-  std::vector<Column> columns = {{bound.measured > 0 ? "with" : "without", Align::left}};
+report::Table worth_table(const laws::LawScene& scene, const LawBound& bound) {
+  std::vector<report::Column> columns = {{bound.measured > 0 ? "with" : "without", report::Align::left}};
   for (const laws::FrictionJoint& joint : scene.joints) {
     columns.push_back({joint.beside.name + " stiffness ± %"});
     columns.push_back({"limit ± %"});
   }
-  columns.push_back({"", Align::left});
-  Table table(columns);
+  columns.push_back({"", report::Align::left});
+  report::Table table(columns);
   const auto add = [&](const std::string& name, const LevelsBound& of) {
     std::vector<std::string> cells = {name};
     for (std::size_t j = 0; j < scene.joints.size(); ++j) {
@@ -43,23 +44,26 @@ Table worth_table(const laws::LawScene& scene, const LawBound& bound) {
   return table;
 }
 
-Json one_value(const friction::FittedValue& of) {
+report::Json one_value(const friction::FittedValue& of) {
   return {{"name", of.name},
           {"unit", of.unit},
-          {"value", value(of.value)},
-          {"std_error", value(of.std_error)},
+          {"value", report::value(of.value)},
+          {"std_error", report::value(of.std_error)},
           {"knowledge", friction::name(of.knowledge)}};
 }
 
-Json levels_json(const laws::LawScene& scene, const LevelsBound& of) {
-  Json out = {{"status", response::word(of.status)}, {"joints", Json::array()}, {"unseen", of.unseen}, {"size", value(of.size)}};
+report::Json levels_json(const laws::LawScene& scene, const LevelsBound& of) {
+  report::Json out = {{"status", response::word(of.status)},
+                      {"joints", report::Json::array()},
+                      {"unseen", of.unseen},
+                      {"size", report::value(of.size)}};
   for (std::size_t j = 0; j < of.joints.size(); ++j) {
     const response::FittedJoint& joint = of.joints[j];
-    Json one = {{"name", scene.joints[j].beside.name},
-                {"stiffness", one_value(joint.stiffness)},
-                {"limit", one_value(joint.limit)},
-                {"motion", {value(joint.smallest_motion), value(joint.largest_motion)}},
-                {"parameters", Json::array()}};
+    report::Json one = {{"name", scene.joints[j].beside.name},
+                        {"stiffness", one_value(joint.stiffness)},
+                        {"limit", one_value(joint.limit)},
+                        {"motion", {report::value(joint.smallest_motion), report::value(joint.largest_motion)}},
+                        {"parameters", report::Json::array()}};
     for (const friction::FittedValue& each : joint.parameters) one["parameters"].push_back(one_value(each));
     out["joints"].push_back(one);
   }
@@ -76,7 +80,7 @@ std::string law_bound_text(const laws::LawScene& scene, const LawBound& bound) {
                      "laws " + (bound.assumed ? "assumed: " : "found from the measured levels: ") + laws::laws_text(bound.laws) + "\n\n";
   text += "all levels together" + (bound.all.joints.empty() ? ": " + std::string(response::word(bound.all.status)) : "") + "\n";
   for (std::size_t j = 0; j < bound.all.joints.size(); ++j) {
-    text += scene.joints[j].beside.name + ": " + bound.laws[j] + "\n" + joint_table(bound.all.joints[j]).text() + "\n";
+    text += scene.joints[j].beside.name + ": " + bound.laws[j] + "\n" + report::joint_table(bound.all.joints[j]).text() + "\n";
   }
   if (!bound.worth.empty()) {
     text += std::string(bound.measured > 0 ? "which level to measure next, the best first"
@@ -89,18 +93,18 @@ std::string law_bound_text(const laws::LawScene& scene, const LawBound& bound) {
 }
 
 std::string law_bound_json(const laws::LawScene& scene, const LawBound& bound) {
-  Json out = {{"laws", bound.laws},
-              {"assumed", bound.assumed},
-              {"lines_hz", values(bound.lines_hz)},
-              {"harmonics", bound.harmonics},
-              {"all", levels_json(scene, bound.all)},
-              {"measured", bound.measured > 0 ? levels_json(scene, bound.present) : Json()},
-              {"levels", Json::array()},
-              {"notes", bound.notes}};
+  report::Json out = {{"laws", bound.laws},
+                      {"assumed", bound.assumed},
+                      {"lines_hz", report::values(bound.lines_hz)},
+                      {"harmonics", bound.harmonics},
+                      {"all", levels_json(scene, bound.all)},
+                      {"measured", bound.measured > 0 ? levels_json(scene, bound.present) : report::Json()},
+                      {"levels", report::Json::array()},
+                      {"notes", bound.notes}};
   for (const laws::LevelWorth& each : bound.worth)
     out["levels"].push_back({{"name", scene.levels[each.level].name},
                              {bound.measured > 0 ? "with" : "without", levels_json(scene, each.bound)}});
-  return json_text(out);
+  return report::json_text(out);
 }
 
 }  // namespace jointid::cli

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
-#include "cli/laws/law_parts.hpp"
-#include "cli/text/json_value.hpp"
 #include "laws/task/identify_laws.hpp"
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -19,14 +19,22 @@ double coverage(const StudiedValue& value) {
   return static_cast<double>(value.covered) / static_cast<double>(value.trials);
 }
 
-Table values_table(const laws::LawStudy& study) {
-  Table table({{"joint", Align::left}, {"", Align::left}, {"truth"}, {"unit", Align::left}, {"bound"}, {"rms error"},
-               {"rms/bound"}, {"bias"}, {"coverage"}, {"trials"}});
+report::Table values_table(const laws::LawStudy& study) {
+  report::Table table({{"joint", report::Align::left},
+                       {"", report::Align::left},
+                       {"truth"},
+                       {"unit", report::Align::left},
+                       {"bound"},
+                       {"rms error"},
+                       {"rms/bound"},
+                       {"bias"},
+                       {"coverage"},
+                       {"trials"}});
   for (const StudiedValue& value : study.values) {
     if (!std::isfinite(value.truth)) continue;
     const bool told = value.trials > 0, bounded = std::isfinite(value.bound);
-    table.add({value.joint, value.name, number(value.truth, value.bound), value.unit, bounded ? fmt::format("{:.2g}", value.bound) : "–",
-               told ? fmt::format("{:.2g}", value.rms_error) : "–",
+    table.add({value.joint, value.name, report::number(value.truth, value.bound), value.unit,
+               bounded ? fmt::format("{:.2g}", value.bound) : "–", told ? fmt::format("{:.2g}", value.rms_error) : "–",
                told && bounded ? fmt::format("{:.2f}", value.rms_error / value.bound) : "–",
                told ? fmt::format("{:.1g}", value.bias) : "–", told ? fmt::format("{:.3f}", coverage(value)) : "–",
                std::to_string(value.trials)});
@@ -54,35 +62,36 @@ std::string law_study_text(const laws::LawScene& scene, const laws::LawStudy& st
 }
 
 std::string law_study_json(const laws::LawStudy& study) {
-  Json out = {{"laws", study.laws},
-              {"assumed", study.assumed},
-              {"trials", study.trials},
-              {"usable", study.usable},
-              {"contradicting", study.contradicting},
-              {"chosen", study.chosen},
-              {"statuses", study.statuses},
-              {"chi_square", value(study.chi_square)},
-              {"values", Json::array()},
-              {"notes", study.notes}};
+  report::Json out = {{"laws", study.laws},
+                      {"assumed", study.assumed},
+                      {"trials", study.trials},
+                      {"usable", study.usable},
+                      {"contradicting", study.contradicting},
+                      {"chosen", study.chosen},
+                      {"statuses", study.statuses},
+                      {"chi_square", report::value(study.chi_square)},
+                      {"values", report::Json::array()},
+                      {"notes", study.notes}};
   for (const StudiedValue& each : study.values) {
     out["values"].push_back({{"joint", each.joint},
                              {"name", each.name},
                              {"unit", each.unit},
-                             {"truth", value(each.truth)},
-                             {"bound", value(each.bound)},
-                             {"bias", value(each.bias)},
-                             {"rms_error", value(each.rms_error)},
-                             {"coverage", each.trials > 0 ? value(coverage(each)) : Json()},
+                             {"truth", report::value(each.truth)},
+                             {"bound", report::value(each.bound)},
+                             {"bias", report::value(each.bias)},
+                             {"rms_error", report::value(each.rms_error)},
+                             {"coverage", each.trials > 0 ? report::value(coverage(each)) : report::Json()},
                              {"trials", each.trials}});
   }
-  return json_text(out);
+  return report::json_text(out);
 }
 
 std::string law_study_csv(const laws::LawStudy& study) {
-  std::string text = csv_line({"joint", "quantity", "unit", "truth", "bound", "bias", "rms error", "covered", "trials"});
+  std::string text = report::csv_line({"joint", "quantity", "unit", "truth", "bound", "bias", "rms error", "covered", "trials"});
   for (const StudiedValue& each : study.values) {
-    text += csv_line({each.joint, each.name, each.unit, csv_number(each.truth), csv_number(each.bound), csv_number(each.bias),
-                      csv_number(each.rms_error), std::to_string(each.covered), std::to_string(each.trials)});
+    text += report::csv_line({each.joint, each.name, each.unit, report::csv_number(each.truth), report::csv_number(each.bound),
+                              report::csv_number(each.bias), report::csv_number(each.rms_error), std::to_string(each.covered),
+                              std::to_string(each.trials)});
   }
   return text;
 }

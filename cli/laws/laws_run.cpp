@@ -1,10 +1,11 @@
 #include "cli/laws/laws_run.hpp"
 
-#include "cli/laws/law_parts.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "report/laws/law_page.hpp"
+#include "report/laws/law_text.hpp"
 
 namespace jointid::cli {
 
@@ -12,10 +13,10 @@ ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std:
   check_targets(laws::files_of(scene), {{"--json", targets.json}, {"--csv", targets.csv}, {"--report", targets.report}});
   const response::FitWork work = {.threads = threads, .interrupted = interrupted};
   const laws::LawIdentification found = with_progress("fitting friction laws", [&] { return laws::identify_laws(scene, work); });
-  if (targets.json) write_target(*targets.json, law_json(scene, found), out);
-  if (targets.csv) write_target(*targets.csv, law_csv(scene, found), out);
-  if (targets.report) write_target(*targets.report, law_page(scene, found), out);
-  if (!takes_output({targets.json, targets.csv, targets.report})) out << law_text(scene, found);
+  if (targets.json) write_target(*targets.json, report::law_json(scene, found), out);
+  if (targets.csv) write_target(*targets.csv, report::law_csv(scene, found), out);
+  if (targets.report) write_target(*targets.report, report::law_page(scene, found), out);
+  if (!takes_output({targets.json, targets.csv, targets.report})) out << report::law_text(scene, found);
   if (found.status == laws::LawStatus::ok) return ExitCode::done;
   const std::string what = scene.file.string() + ": ";
   if (laws::is_usable(found.status)) {

@@ -11,7 +11,7 @@ class App;
 
 namespace jointid::cli {
 
-struct LoadingCurveArguments : jointid::report::LoadingCurveTask {
+struct LoadingCurveArguments : report::LoadingCurveTask {
   std::optional<std::string> json, csv, report;
 };
 

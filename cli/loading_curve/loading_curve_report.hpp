@@ -6,12 +6,8 @@
 
 namespace jointid::cli {
 
-using jointid::report::energy_error;
-using jointid::report::equivalents;
-using jointid::report::LoadingCurveReport;
-
-std::string loading_curve_text(const LoadingCurveReport& report);
-std::string loading_curve_json(const LoadingCurveReport& report);
-std::string loading_curve_csv(const LoadingCurveReport& report);
+std::string loading_curve_text(const report::LoadingCurveReport& report);
+std::string loading_curve_json(const report::LoadingCurveReport& report);
+std::string loading_curve_csv(const report::LoadingCurveReport& report);
 
 }  // namespace jointid::cli

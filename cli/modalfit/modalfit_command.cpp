@@ -8,6 +8,7 @@
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
+#include "report/modalfit/modal_run.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -27,13 +28,13 @@ ExitCode execute(const ModalfitArguments& arguments, std::ostream& out) {
   for (const auto& file : arguments.files) inputs.push_back({file, "FILES"});
   check_targets(inputs, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report},
                          {"--regenerate", text_of(arguments.regenerate)}, {"--shapes", text_of(arguments.shapes)}});
-  const ModalRun run = run_modalfit(arguments);
+  const report::ModalRun run = run_modalfit(arguments);
   const bool complete = !interrupted();  // files that could not say that they are not are left out
   if (arguments.regenerate && complete) write_regenerated(run, *arguments.regenerate);
   if (arguments.shapes && complete) write_shapes(run, *arguments.shapes);
   if (arguments.json) write_target(*arguments.json, modalfit_json(run), out);
   if (arguments.csv) write_target(*arguments.csv, modes_csv(run), out);
-  if (arguments.report) write_target(*arguments.report, report::modalfit_report(run), out);
+  if (arguments.report) write_target(*arguments.report, modalfit_report(run), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << modal_text(run);
   if (!complete) throw Interrupted("interrupted; what was fitted so far is written");
   if (modalfit::is_usable(run.fit.status)) return ExitCode::done;

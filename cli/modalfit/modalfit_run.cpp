@@ -5,6 +5,7 @@
 #include "cli/options/open_options.hpp"
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
+#include "report/modalfit/modal_run.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -15,7 +16,7 @@ std::string names(const std::vector<std::filesystem::path>& files) {
 
 }  // namespace
 
-ModalRun run_modalfit(const ModalfitArguments& arguments) {
+report::ModalRun run_modalfit(const ModalfitArguments& arguments) {
   Progress progress;
   const auto start = Clock::now();
   const frf::FrfSet set = frf::load(*open_as_one(arguments.files, arguments.open));
@@ -23,7 +24,7 @@ ModalRun run_modalfit(const ModalfitArguments& arguments) {
   modalfit::FitOptions options = arguments.fit;
   options.progress = [&progress](const char* stage) { progress.show(stage); };
   options.interrupted = interrupted;
-  ModalRun run = jointid::report::run_modal(names(arguments.files), set, options);
+  report::ModalRun run = report::run_modal(names(arguments.files), set, options);
   run.read_s = read_s;
   return run;
 }

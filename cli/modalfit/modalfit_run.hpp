@@ -5,10 +5,7 @@
 
 namespace jointid::cli {
 
-using jointid::report::ModalRun;
-using jointid::report::Shapes;
-
 /// Reads the files and fits. Throws InputError.
-ModalRun run_modalfit(const ModalfitArguments& arguments);
+report::ModalRun run_modalfit(const ModalfitArguments& arguments);
 
 }  // namespace jointid::cli

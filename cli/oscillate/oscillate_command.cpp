@@ -25,7 +25,7 @@ void write(const OscillateArguments& arguments, const OscillateRun& run, std::os
   if (arguments.csv) write_target(*arguments.csv, motion_csv(run), out);
   if (arguments.sweep) write_target(*arguments.sweep, sweep_csv(run), out);
   if (arguments.events) write_target(*arguments.events, events_csv(run), out);
-  if (arguments.report) write_target(*arguments.report, report::oscillate_report(run), out);
+  if (arguments.report) write_target(*arguments.report, oscillate_report(run), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.sweep, arguments.events}))
     out << oscillate_text(run);
 }

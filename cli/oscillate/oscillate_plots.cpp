@@ -8,10 +8,12 @@
 #include <set>
 
 #include "base/statistics.hpp"
-#include "cli/report/decimate.hpp"
-#include "cli/report/limits.hpp"
+#include "report/decimate.hpp"
+#include "report/json_value.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/limits.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
 std::string label(const SampledColumn& column) {
@@ -19,42 +21,42 @@ std::string label(const SampledColumn& column) {
 }
 
 /// Two columns against each other, every so-manieth row.
-PointGroup points_of(const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& x,
-                     const Eigen::Ref<const Eigen::VectorXd>& y) {
-  PointGroup out{name, {}};
-  const Eigen::Index step = std::max<Eigen::Index>(1, x.size() / at(most_points));
+report::PointGroup points_of(const std::string& name, const Eigen::Ref<const Eigen::VectorXd>& x,
+                             const Eigen::Ref<const Eigen::VectorXd>& y) {
+  report::PointGroup out{name, {}};
+  const Eigen::Index step = std::max<Eigen::Index>(1, x.size() / at(report::most_points));
   for (Eigen::Index i = 0; i < x.size(); i += step) out.points.push_back({x(i), y(i), ""});
   return out;
 }
 
 /// A column over time, with its peaks.
-CurvePlot over_time(const SampledMotion& motion, std::size_t column) {
+report::CurvePlot over_time(const SampledMotion& motion, std::size_t column) {
   std::vector<double> time, y;
   for (Eigen::Index i = 0; i < motion.samples.rows(); ++i)
     time.push_back(motion.samples(i, 0)), y.push_back(motion.samples(i, at(column)));
-  const std::vector<std::size_t> kept = keep_peaks(std::array{y}, most_points);
-  CurvePlot plot;
+  const std::vector<std::size_t> kept = report::keep_peaks(std::array{y}, report::most_points);
+  report::CurvePlot plot;
   plot.title = motion.columns[column].name + " over time";
   plot.x = {"time (s)", false};
   plot.y = {label(motion.columns[column]), false};
-  plot.x_values = picked(time, kept);
-  plot.series.push_back({motion.columns[column].name, picked(y, kept), Style::line});
+  plot.x_values = report::picked(time, kept);
+  plot.series.push_back({motion.columns[column].name, report::picked(y, kept), report::Style::line});
   return plot;
 }
 
 }  // namespace
 
-PlotGroup phase_plots(const OscillateRun& run, std::size_t most) {
+report::PlotGroup phase_plots(const OscillateRun& run, std::size_t most) {
   const SampledMotion& motion = *run.motion;
-  PlotGroup group{"seen at", {}};
+  report::PlotGroup group{"seen at", {}};
   for (std::size_t k = 0; k < std::min(most, motion.seen); ++k) {
     const std::size_t x = 1 + k, v = 1 + motion.seen + k;
-    ScatterPlot plot;
+    report::ScatterPlot plot;
     plot.title = "Phase plane of " + motion.columns[x].name;
     plot.x = {label(motion.columns[x]), false};
     plot.y = {label(motion.columns[v]), false};
     plot.groups.push_back(points_of("motion", motion.samples.col(at(x)), motion.samples.col(at(v))));
-    ScatterPlot section = plot;
+    report::ScatterPlot section = plot;
     section.title = std::string("Poincaré section: ") + (run.system.is_driven() ? "once a cycle" : "at break-aways");
     section.groups = {points_of("section", motion.section.col(at(k)), motion.section.col(at(motion.seen + k)))};
     group.choices.push_back({motion.columns[x].name, {plot, section, over_time(motion, x)}});
@@ -62,10 +64,10 @@ PlotGroup phase_plots(const OscillateRun& run, std::size_t most) {
   return group;
 }
 
-PlotGroup contact_plots(const OscillateRun& run) {
+report::PlotGroup contact_plots(const OscillateRun& run) {
   const SampledMotion& motion = *run.motion;
   const std::size_t velocity = 1 + 2 * motion.seen, force = velocity + 1;
-  ScatterPlot law;
+  report::ScatterPlot law;
   law.title = "Friction over relative velocity";
   law.x = {label(motion.columns[velocity]), false};
   law.y = {label(motion.columns[force]), false};
@@ -73,10 +75,10 @@ PlotGroup contact_plots(const OscillateRun& run) {
   return {"", {{"", {law, over_time(motion, force)}}}};
 }
 
-PlotGroup mode_plots(const OscillateRun& run, std::size_t most) {
+report::PlotGroup mode_plots(const OscillateRun& run, std::size_t most) {
   const series::Pod& pod = run.modes->pod;
   const bool beam = run.system.kind == SystemKind::cantilever;
-  CurvePlot plot;
+  report::CurvePlot plot;
   plot.title = "Proper orthogonal modes";
   plot.x = {beam ? "x (m)" : "coordinate", false};
   plot.y = {"mode", false};
@@ -85,24 +87,24 @@ PlotGroup mode_plots(const OscillateRun& run, std::size_t most) {
   if (beam) std::ranges::sort(order, {}, [&](std::size_t i) { return run.system.points[i]; });
   for (const std::size_t i : order) plot.x_values.push_back(beam ? run.system.points[i] : static_cast<double>(i + 1));
   for (Eigen::Index k = 0; k < std::min(pod.modes.cols(), at(most)); ++k) {
-    Series series{fmt::format("{}: {:.3f} %", k + 1, 100.0 * pod.values(k) / pod.values.sum()), {}, Style::line};
+    report::Series series{fmt::format("{}: {:.3f} %", k + 1, 100.0 * pod.values(k) / pod.values.sum()), {}, report::Style::line};
     for (const std::size_t i : order) series.y.push_back(pod.modes(at(i), k));
     plot.series.push_back(std::move(series));
   }
   return {"", {{"", {plot}}}};
 }
 
-PlotGroup sweep_plot(const OscillateRun& run) {
+report::PlotGroup sweep_plot(const OscillateRun& run) {
   constexpr std::size_t most_values = 20'000;
   std::size_t values = 0;
   for (const oscillation::SweepPoint& point : run.sweep) values += point.values.size();
   const std::size_t step = std::max<std::size_t>(1, values / most_values);
   const std::string unit = swept_unit(run.swept->parameter);
-  ScatterPlot plot;
+  report::ScatterPlot plot;
   plot.title = "Bifurcation diagram";
   plot.x = {run.swept->parameter + (unit.empty() ? "" : " (" + unit + ")"), false};
   plot.y = {label(run.motion->columns[1]) + (run.system.is_driven() ? ", once a cycle" : " at break-aways"), false};
-  PointGroup group{run.motion->columns[1].name, {}};
+  report::PointGroup group{run.motion->columns[1].name, {}};
   for (const oscillation::SweepPoint& point : run.sweep) {
     for (std::size_t k = 0; k < point.values.size(); k += step) group.points.push_back({point.parameter, point.values[k], ""});
   }
@@ -110,18 +112,18 @@ PlotGroup sweep_plot(const OscillateRun& run) {
   return {"", {{"", {plot}}}};
 }
 
-PlotGroup reduction_plots(const ReductionTable& reduction) {
+report::PlotGroup reduction_plots(const ReductionTable& reduction) {
   std::set<std::size_t> orders;
   std::map<BasisKind, std::map<std::size_t, const ReducedRow*>> rows;
   for (const ReducedRow& row : reduction.rows) orders.insert(row.order), rows[row.basis][row.order] = &row;
   const auto plot = [&](const std::string& title, const std::string& unit, auto value) {
-    CurvePlot out;
+    report::CurvePlot out;
     out.title = title;
     out.x = {"coordinates", false};
     out.y = {unit, true};
     out.x_values.assign(orders.begin(), orders.end());
     for (const auto& [kind, by_order] : rows) {
-      Series series{word(kind), {}, Style::line};
+      report::Series series{word(kind), {}, report::Style::line};
       for (const std::size_t order : orders) {
         const double y = by_order.contains(order) ? value(by_order.at(order)->error) : nan;
         series.y.push_back(y > 0.0 ? y : nan);
@@ -139,4 +141,4 @@ PlotGroup reduction_plots(const ReductionTable& reduction) {
                   [strain](const auto& error) { return (strain ? 1e6 : 1.0) * error.observed(0); })}}}};
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

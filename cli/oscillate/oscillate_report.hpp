@@ -3,16 +3,16 @@
 #include <string>
 
 #include "cli/oscillate/oscillate_run.hpp"
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 
 /// Tables of `oscillate` on the terminal and in its page.
-Table fractions_table(const SeenModes& modes);
-Table shapes_table(const OscillateRun& run);
-Table multipliers_table(const oscillation::PeriodicOrbit& orbit);
-Table exponents_table(const oscillation::Exponents& exponents, const std::string& unit);
-Table reduction_table(const ReductionTable& reduction);
+report::Table fractions_table(const SeenModes& modes);
+report::Table shapes_table(const OscillateRun& run);
+report::Table multipliers_table(const oscillation::PeriodicOrbit& orbit);
+report::Table exponents_table(const oscillation::Exponents& exponents, const std::string& unit);
+report::Table reduction_table(const ReductionTable& reduction);
 
 /// "s", or "unit of time" of a chain without units.
 std::string time_unit(const OscillateRun& run);

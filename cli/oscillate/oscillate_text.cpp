@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "cli/oscillate/oscillate_report.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
 
-constexpr Eigen::Index most_rows = 12;
+constexpr Eigen::Index most_fractions = 12;
 
-std::string with_error(double value, double error) { return fmt::format("{} ± {:.1g}", number(value, error), error); }
+std::string with_error(double value, double error) { return fmt::format("{} ± {:.1g}", report::number(value, error), error); }
 
 /// Distinct values of a point of the sweep, to a part in 10⁵ of the largest.
 std::size_t distinct(std::vector<double> values) {
@@ -28,32 +29,32 @@ std::string time_unit(const OscillateRun& run) {
   return run.system.kind == SystemKind::cantilever || run.system.kind == SystemKind::matrices ? "s" : "unit of time";
 }
 
-Table fractions_table(const SeenModes& modes) {
-  Table table({{"modes"}, {"Σσ² %"}, {"std error"}, {"Σσ %"}});
+report::Table fractions_table(const SeenModes& modes) {
+  report::Table table({{"modes"}, {"Σσ² %"}, {"std error"}, {"Σσ %"}});
   const Eigen::VectorXd sigmas = modes.pod.sigma_fractions();
-  for (Eigen::Index k = 0; k < std::min(sigmas.size(), most_rows); ++k) {
+  for (Eigen::Index k = 0; k < std::min(sigmas.size(), most_fractions); ++k) {
     table.add({fmt::format("{}", k + 1), fmt::format("{:.4f}", 100.0 * modes.fractions.value(k)),
                fmt::format("{:.4f}", 100.0 * modes.fractions.error(k)), fmt::format("{:.2f}", 100.0 * sigmas(k))});
   }
   return table;
 }
 
-Table shapes_table(const OscillateRun& run) {
+report::Table shapes_table(const OscillateRun& run) {
   const series::Pod& pod = run.modes->pod;
   const Eigen::Index count = std::min<Eigen::Index>(pod.modes.cols(), 6);
-  std::vector<Column> columns = {{"", Align::left}, {"mean"}};
+  std::vector<report::Column> columns = {{"", report::Align::left}, {"mean"}};
   for (Eigen::Index k = 0; k < count; ++k) columns.push_back({fmt::format("mode {}", k + 1)});
-  Table table(columns);
+  report::Table table(columns);
   for (std::size_t i = 0; i < run.motion->seen; ++i) {
-    std::vector<std::string> row = {run.motion->columns[i + 1].name, number(pod.mean(at(i)))};
+    std::vector<std::string> row = {run.motion->columns[i + 1].name, report::number(pod.mean(at(i)))};
     for (Eigen::Index k = 0; k < count; ++k) row.push_back(fmt::format("{:.5f}", pod.modes(at(i), k)));
     table.add(row);
   }
   return table;
 }
 
-Table multipliers_table(const oscillation::PeriodicOrbit& orbit) {
-  Table table({{"multiplier"}, {"modulus"}, {"real"}, {"imaginary"}});
+report::Table multipliers_table(const oscillation::PeriodicOrbit& orbit) {
+  report::Table table({{"multiplier"}, {"modulus"}, {"real"}, {"imaginary"}});
   for (std::size_t k = 0; k < std::min<std::size_t>(orbit.multipliers.size(), 6); ++k) {
     const Complex& each = orbit.multipliers[k];
     table.add({fmt::format("{}", k + 1), fmt::format("{:.8f}", std::abs(each)), fmt::format("{:.8f}", each.real()),
@@ -62,8 +63,8 @@ Table multipliers_table(const oscillation::PeriodicOrbit& orbit) {
   return table;
 }
 
-Table exponents_table(const oscillation::Exponents& exponents, const std::string& unit) {
-  Table table({{"exponent"}, {"nats per " + unit}, {"bits per " + unit}});
+report::Table exponents_table(const oscillation::Exponents& exponents, const std::string& unit) {
+  report::Table table({{"exponent"}, {"nats per " + unit}, {"bits per " + unit}});
   for (std::size_t k = 0; k < exponents.exponent.size(); ++k) {
     const double nats = exponents.exponent[k], error = exponents.standard_error[k];
     table.add({fmt::format("{}", k + 1), with_error(nats, error), with_error(nats / std::log(2.0), error / std::log(2.0))});
@@ -71,16 +72,16 @@ Table exponents_table(const oscillation::Exponents& exponents, const std::string
   return table;
 }
 
-Table reduction_table(const ReductionTable& reduction) {
+report::Table reduction_table(const ReductionTable& reduction) {
   const bool strain = reduction.judged.unit == "m/m";
   const double scale = strain ? 1e6 : 1.0;
-  Table table({{"basis", Align::left},
-               {"m"},
-               {"ΔX %"},
-               {"ΔE %"},
-               {fmt::format("largest error of {}{}", reduction.judged.name, strain ? ", µε" : "")},
-               {"run time ms"},
-               {"", Align::left}});
+  report::Table table({{"basis", report::Align::left},
+                       {"m"},
+                       {"ΔX %"},
+                       {"ΔE %"},
+                       {fmt::format("largest error of {}{}", reduction.judged.name, strain ? ", µε" : "")},
+                       {"run time ms"},
+                       {"", report::Align::left}});
   table.add({"full model", "", "", "", fmt::format("of {:.4g}", scale * reduction.largest_judged),
              fmt::format("{:.2f}", 1e3 * reduction.full_seconds), ""});
   for (const ReducedRow& row : reduction.rows) {

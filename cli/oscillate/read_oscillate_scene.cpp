@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "cli/options/scene_values.hpp"
 #include "cli/oscillate/oscillate_sections.hpp"
+#include "report/response/scene_values.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
@@ -23,7 +23,7 @@ std::size_t whole(const scene::Item& item, int least, int most) {
 Eigen::VectorXd start_of(const scene::Table& table, const char* key, Eigen::Index degrees) {
   const auto item = table.find(key);
   if (!item) return Eigen::VectorXd::Zero(degrees);
-  const Eigen::VectorXd out = read_vector(*item);
+  const Eigen::VectorXd out = report::read_vector(*item);
   if (out.size() != degrees)
     item->fail("has " + std::to_string(out.size()) + " numbers, the system " + std::to_string(degrees) + " coordinates");
   return out;
@@ -85,7 +85,7 @@ SweepSection read_sweep(const scene::Item& item, const SystemSpec& system) {
   if (slider && !system.is_driven()) parameter.fail("there is no slider", "sweep velocity");
   if (out.parameter == "decay" && !system.friction.decay) parameter.fail("the law does not fall", "give [friction] decay");
   const scene::Item range = table.require("range");
-  const Eigen::VectorXd ends = read_vector(range);
+  const Eigen::VectorXd ends = report::read_vector(range);
   if (ends.size() != 2 || ends(0) == ends(1)) range.fail("a range is two different numbers");
   const bool positive = out.parameter != "velocity" && ends.minCoeff() <= 0.0;
   if (positive) range.fail("has numbers that are not above 0");

@@ -2,8 +2,8 @@
 #include <map>
 #include <utility>
 
-#include "cli/options/scene_values.hpp"
 #include "cli/oscillate/oscillate_sections.hpp"
+#include "report/response/scene_values.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -75,10 +75,10 @@ void read_beam(const scene::Table& table, SystemSpec& spec) {
 void read_matrices(const scene::Table& table, OscillateScene& scene) {
   SystemSpec& spec = scene.system;
   const ident::Path folder = scene.file.parent_path();
-  spec.mass = read_matrix(table.require("mass"), folder, 0, scene.named);
-  spec.stiffness = read_matrix(table.require("stiffness"), folder, spec.mass.rows(), scene.named);
+  spec.mass = report::read_matrix(table.require("mass"), folder, 0, scene.named);
+  spec.stiffness = report::read_matrix(table.require("stiffness"), folder, spec.mass.rows(), scene.named);
   const scene::Item contact = table.require("contact");
-  spec.contact = read_vector(contact);
+  spec.contact = report::read_vector(contact);
   if (spec.contact.size() != spec.mass.rows()) {
     contact.fail("has " + std::to_string(spec.contact.size()) + " numbers, the matrices " + std::to_string(spec.mass.rows()) +
                  " rows");

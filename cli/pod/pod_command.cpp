@@ -115,7 +115,7 @@ ExitCode execute(const PodArguments& arguments, std::ostream& out) {
   const PodReport report = make_report(arguments, std::move(*record));
   if (arguments.json) write_target(*arguments.json, pod_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, pod_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, report::pod_report(report), out);
+  if (arguments.report) write_target(*arguments.report, pod_report(report), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << pod_text(report);
   return ExitCode::done;
 }

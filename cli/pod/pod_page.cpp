@@ -5,20 +5,21 @@
 #include <algorithm>
 
 #include "base/statistics.hpp"
-#include "cli/report/page.hpp"
-#include "cli/report/status_banner.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/page.hpp"
+#include "report/page/status_banner.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
 constexpr Eigen::Index most_shapes = 12;
 
-CurvePlot values_plot(const series::Pod& pod) {
-  CurvePlot plot;
+report::CurvePlot values_plot(const series::Pod& pod) {
+  report::CurvePlot plot;
   plot.title = "Proper orthogonal values";
   plot.x = {"mode", false};
   plot.y = {"mean square λ", true};
-  Series series{"λ", {}, Style::line};
+  report::Series series{"λ", {}, report::Style::line};
   for (Eigen::Index k = 0; k < pod.values.size(); ++k) {
     plot.x_values.push_back(static_cast<double>(k + 1));
     series.y.push_back(pod.values(k) > 0.0 ? pod.values(k) : nan);
@@ -27,13 +28,13 @@ CurvePlot values_plot(const series::Pod& pod) {
   return plot;
 }
 
-CurvePlot shape_plot(const series::Pod& pod, Eigen::Index mode) {
-  CurvePlot plot;
+report::CurvePlot shape_plot(const series::Pod& pod, Eigen::Index mode) {
+  report::CurvePlot plot;
   plot.title = fmt::format("Mode {}: {:.4f} % of Σσ²", mode + 1, 100.0 * pod.values(mode) / pod.values.sum());
   plot.x = {"channel", false};
   plot.y = {"shape", false};
   plot.level = 0.0;
-  Series series{fmt::format("mode {}", mode + 1), {}, Style::line};
+  report::Series series{fmt::format("mode {}", mode + 1), {}, report::Style::line};
   for (Eigen::Index i = 0; i < pod.modes.rows(); ++i) {
     plot.x_values.push_back(static_cast<double>(i + 1));
     series.y.push_back(pod.modes(i, mode));
@@ -42,8 +43,8 @@ CurvePlot shape_plot(const series::Pod& pod, Eigen::Index mode) {
   return plot;
 }
 
-PlotGroup shape_plots(const series::Pod& pod) {
-  PlotGroup group{"mode", {}};
+report::PlotGroup shape_plots(const series::Pod& pod) {
+  report::PlotGroup group{"mode", {}};
   for (Eigen::Index k = 0; k < std::min(pod.modes.cols(), most_shapes); ++k)
     group.choices.push_back({fmt::format("{}", k + 1), {shape_plot(pod, k)}});
   return group;
@@ -53,18 +54,18 @@ PlotGroup shape_plots(const series::Pod& pod) {
 
 std::string pod_report(const PodReport& report) {
   const series::Pod& pod = report.pod;
-  ReportPage page("Proper orthogonal modes", "jointid pod");
-  page.status(status_banner(pod_remarks(report).empty() ? "ok" : "doubtful",
-                            fmt::format("{} samples of {} channels; {} modes hold 99 %, {} hold 99.99 % of Σσ².", pod.samples,
-                                        report.names.size(), pod.modes_for(0.99), pod.modes_for(0.9999)),
-                            pod_remarks(report)));
+  report::ReportPage page("Proper orthogonal modes", "jointid pod");
+  page.status(report::status_banner(pod_remarks(report).empty() ? "ok" : "doubtful",
+                                    fmt::format("{} samples of {} channels; {} modes hold 99 %, {} hold 99.99 % of Σσ².",
+                                                pod.samples, report.names.size(), pod.modes_for(0.99), pod.modes_for(0.9999)),
+                                    pod_remarks(report)));
   page.section("Values");
-  page.add(PlotGroup{"", {{"", {values_plot(pod)}}}});
+  page.add(report::PlotGroup{"", {{"", {values_plot(pod)}}}});
   page.add(values_table(pod));
-  page.add(
-      Text{"Values are mean squares of uncorrelated coordinates: an energy only of velocities with the mass matrix in the inner "
-           "product.",
-           true});
+  page.add(report::Text{
+      "Values are mean squares of uncorrelated coordinates: an energy only of velocities with the mass matrix in the inner "
+      "product.",
+      true});
   page.section("Modes");
   page.add(shape_plots(pod));
   page.add(shapes_table(report));
@@ -75,4 +76,4 @@ std::string pod_report(const PodReport& report) {
   return page.html();
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

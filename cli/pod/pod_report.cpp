@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -16,44 +16,44 @@ std::vector<double> listed(const Eigen::VectorXd& values) { return {values.begin
 /// As many modes as the table of shapes shows: those of 99.99 %, six at most.
 std::size_t shown(const PodReport& report) { return std::min<std::size_t>(report.pod.modes_for(0.9999), 6); }
 
-Json matrix(const Eigen::MatrixXd& m) {
+report::Json matrix(const Eigen::MatrixXd& m) {
   std::vector<std::vector<double>> out;
   for (Eigen::Index i = 0; i < m.rows(); ++i) out.emplace_back(m.row(i).begin(), m.row(i).end());
-  return values(out);
+  return report::values(out);
 }
 
 }  // namespace
 
-Table values_table(const series::Pod& pod) {
-  Table table({{"mode"}, {"σ"}, {"mean square λ"}, {"Σσ² %"}, {"Σσ %"}});
+report::Table values_table(const series::Pod& pod) {
+  report::Table table({{"mode"}, {"σ"}, {"mean square λ"}, {"Σσ² %"}, {"Σσ %"}});
   const Eigen::VectorXd squares = pod.square_fractions(), sigmas = pod.sigma_fractions();
   for (Eigen::Index k = 0; k < std::min<Eigen::Index>(pod.sigma.size(), 12); ++k) {
-    table.add({fmt::format("{}", k + 1), number(pod.sigma(k)), number(pod.values(k)), fmt::format("{:.4f}", 100.0 * squares(k)),
-               fmt::format("{:.2f}", 100.0 * sigmas(k))});
+    table.add({fmt::format("{}", k + 1), report::number(pod.sigma(k)), report::number(pod.values(k)),
+               fmt::format("{:.4f}", 100.0 * squares(k)), fmt::format("{:.2f}", 100.0 * sigmas(k))});
   }
   return table;
 }
 
-Table shapes_table(const PodReport& report) {
-  std::vector<Column> columns = {{"channel", Align::left}, {"mean"}};
+report::Table shapes_table(const PodReport& report) {
+  std::vector<report::Column> columns = {{"channel", report::Align::left}, {"mean"}};
   for (std::size_t k = 0; k < shown(report); ++k) columns.push_back({fmt::format("mode {}", k + 1)});
-  Table table(columns);
+  report::Table table(columns);
   for (std::size_t i = 0; i < report.names.size(); ++i) {
-    std::vector<std::string> row = {report.names[i], number(report.pod.mean(at(i)))};
+    std::vector<std::string> row = {report.names[i], report::number(report.pod.mean(at(i)))};
     for (std::size_t k = 0; k < shown(report); ++k) row.push_back(fmt::format("{:.5f}", report.pod.modes(at(i), at(k))));
     table.add(row);
   }
   return table;
 }
 
-Table comparison_table(const PodReport& report) {
+report::Table comparison_table(const PodReport& report) {
   const bool hertz = !report.frequencies_hz.empty();
-  Table table({{"mode"}, {"most alike"}, {hertz ? "Hz" : ""}, {report.weighted ? "M-cosine" : "cosine"}, {"MAC"}});
+  report::Table table({{"mode"}, {"most alike"}, {hertz ? "Hz" : ""}, {report.weighted ? "M-cosine" : "cosine"}, {"MAC"}});
   auto pairs = series::matched_modes(report.cosines);
   std::ranges::sort(pairs, {}, &series::ModePair::phi);
   for (const series::ModePair& pair : pairs) {
     table.add({fmt::format("{}", pair.phi + 1), fmt::format("{}", pair.psi + 1),
-               hertz ? number(report.frequencies_hz[pair.psi]) : "", fmt::format("{:.6f}", pair.cosine),
+               hertz ? report::number(report.frequencies_hz[pair.psi]) : "", fmt::format("{:.6f}", pair.cosine),
                fmt::format("{:.6f}", report.assurance(at(pair.phi), at(pair.psi)))});
   }
   return table;
@@ -92,41 +92,41 @@ std::string pod_text(const PodReport& report) {
 
 std::string pod_json(const PodReport& report) {
   const series::Pod& pod = report.pod;
-  Json out = {{"status", "ok"},
-              {"samples", pod.samples},
-              {"missing", pod.missing},
-              {"cut", report.cut},
-              {"inner_product", report.weighted ? "mass" : "plain"},
-              {"mean_removed", !report.mean_kept},
-              {"channels", report.names},
-              {"units", report.units},
-              {"mean", values(listed(pod.mean))},
-              {"sigma", values(listed(pod.sigma))},
-              {"values", values(listed(pod.values))},
-              {"fractions_of_sigma_squared", values(listed(pod.square_fractions()))},
-              {"fractions_of_sigma", values(listed(pod.sigma_fractions()))},
-              {"modes_for_99_percent", pod.modes_for(0.99)},
-              {"modes_for_99_99_percent", pod.modes_for(0.9999)},
-              {"remarks", pod_remarks(report)}};
+  report::Json out = {{"status", "ok"},
+                      {"samples", pod.samples},
+                      {"missing", pod.missing},
+                      {"cut", report.cut},
+                      {"inner_product", report.weighted ? "mass" : "plain"},
+                      {"mean_removed", !report.mean_kept},
+                      {"channels", report.names},
+                      {"units", report.units},
+                      {"mean", report::values(listed(pod.mean))},
+                      {"sigma", report::values(listed(pod.sigma))},
+                      {"values", report::values(listed(pod.values))},
+                      {"fractions_of_sigma_squared", report::values(listed(pod.square_fractions()))},
+                      {"fractions_of_sigma", report::values(listed(pod.sigma_fractions()))},
+                      {"modes_for_99_percent", pod.modes_for(0.99)},
+                      {"modes_for_99_99_percent", pod.modes_for(0.9999)},
+                      {"remarks", pod_remarks(report)}};
   const auto rank = series::rank_above_noise(pod);
-  out["rank_above_noise"] = rank ? Json(*rank) : Json();
+  out["rank_above_noise"] = rank ? report::Json(*rank) : report::Json();
   out["modes"] = matrix(pod.modes.transpose());
   if (report.cosines.size() > 0) {
     out["cosines"] = matrix(report.cosines);
     out["mac"] = matrix(report.assurance);
-    if (!report.frequencies_hz.empty()) out["normal_frequencies_hz"] = values(report.frequencies_hz);
+    if (!report.frequencies_hz.empty()) out["normal_frequencies_hz"] = report::values(report.frequencies_hz);
   }
-  return json_text(out);
+  return report::json_text(out);
 }
 
 std::string pod_csv(const PodReport& report) {
   std::vector<std::string> titles = {"channel", "unit", "mean"};
   for (Eigen::Index k = 0; k < report.pod.modes.cols(); ++k) titles.push_back(fmt::format("mode {}", k + 1));
-  std::string text = csv_line(titles);
+  std::string text = report::csv_line(titles);
   for (std::size_t i = 0; i < report.names.size(); ++i) {
-    std::vector<std::string> row = {report.names[i], report.units[i], csv_number(report.pod.mean(at(i)))};
-    for (Eigen::Index k = 0; k < report.pod.modes.cols(); ++k) row.push_back(csv_number(report.pod.modes(at(i), k)));
-    text += csv_line(row);
+    std::vector<std::string> row = {report.names[i], report.units[i], report::csv_number(report.pod.mean(at(i)))};
+    for (Eigen::Index k = 0; k < report.pod.modes.cols(); ++k) row.push_back(report::csv_number(report.pod.modes(at(i), k)));
+    text += report::csv_line(row);
   }
   return text;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/pod/pod_record.hpp"
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 #include "series/pod/mode_comparison.hpp"
 
 namespace jointid::cli {
@@ -24,9 +24,9 @@ struct PodReport {
 std::vector<std::string> pod_remarks(const PodReport& report);
 
 /// Tables on the terminal and in the page.
-Table values_table(const series::Pod& pod);
-Table shapes_table(const PodReport& report);
-Table comparison_table(const PodReport& report);
+report::Table values_table(const series::Pod& pod);
+report::Table shapes_table(const PodReport& report);
+report::Table comparison_table(const PodReport& report);
 
 /// For people.
 std::string pod_text(const PodReport& report);

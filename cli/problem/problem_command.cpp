@@ -8,7 +8,6 @@
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/whole_number.hpp"
-#include "cli/text/table.hpp"
 #include "ident/scene/method_traits.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/case/flange.hpp"
@@ -20,6 +19,7 @@
 #include "problems/thesis/pulses.hpp"
 #include "problems/thesis/two_beams.hpp"
 #include "problems/vibration/law_problem_cases.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 
@@ -46,7 +46,7 @@ void add_problem(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const ProblemListArguments&, std::ostream& out) {
-  Table table({{"name", Align::left}, {"what", Align::left}});
+  report::Table table({{"name", report::Align::left}, {"what", report::Align::left}});
   for (const auto& problem : problems::list()) table.add({problem.name, problem.description});
   for (const auto& curve : problems::loading_curves()) table.add({curve.name, curve.description});
   for (const auto& problem : problems::list_flanges()) table.add({problem.name, problem.description});

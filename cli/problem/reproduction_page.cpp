@@ -3,24 +3,24 @@
 #include <fmt/format.h>
 
 #include "cli/problem/reproduction_rows.hpp"
-#include "cli/report/page.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/page.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
-ComparedCell cell_of(const problems::TableEntry& entry, const problems::Reproduced& result) {
-  const Verdict judged = result.inside ? Verdict::inside : Verdict::outside;
-  return {entry.print.text, four_digits(result.ours.median),
-          four_digits(result.ours.low), four_digits(result.ours.high),
-          entry.print.doubtful ? Verdict::doubtful : judged};
+report::ComparedCell cell_of(const problems::TableEntry& entry, const problems::Reproduced& result) {
+  const report::Verdict judged = result.inside ? report::Verdict::inside : report::Verdict::outside;
+  return {entry.print.text, four_digits(result.ours.median), four_digits(result.ours.low), four_digits(result.ours.high),
+          entry.print.doubtful ? report::Verdict::doubtful : judged};
 }
 
 /// Consecutive rows over the same columns stand in one table.
-std::vector<ComparedTable> tables_of(const ReproductionReport& report) {
-  std::vector<ComparedTable> tables;
+std::vector<report::ComparedTable> tables_of(const ReproductionReport& report) {
+  std::vector<report::ComparedTable> tables;
   for (const RowOf& row : rows_of(report.table.entries)) {
     std::vector<std::string> titles;
-    std::vector<ComparedCell> cells;
+    std::vector<report::ComparedCell> cells;
     for (std::size_t e = row.first; e < row.last; ++e) {
       titles.push_back(report.table.entries[e].column);
       cells.push_back(cell_of(report.table.entries[e], report.results[e]));
@@ -34,19 +34,20 @@ std::vector<ComparedTable> tables_of(const ReproductionReport& report) {
 }  // namespace
 
 std::string reproduction_report(const ReproductionReport& report) {
-  ReportPage page(fmt::format("Table {}. {}", report.table.number, report.table.title),
-                  "jointid compare --reproduce " + report.table.number);
+  report::ReportPage page(fmt::format("Table {}. {}", report.table.number, report.table.title),
+                          "jointid compare --reproduce " + report.table.number);
   page.section("Print and ours");
-  page.add(Text{verdict_text(count(report)) + "."});
-  for (const ComparedTable& table : tables_of(report)) page.add(table);
-  page.add(Text{fmt::format("Of each entry the print of Y. Ren's thesis (1992), which comes from one set of random numbers, and below "
-                            "it (bold) the median, and the 5 and 95 % quantiles of {} trials of seed {}.",
-                            report.trials, report.seed),
-                true});
+  page.add(report::Text{verdict_text(count(report)) + "."});
+  for (const report::ComparedTable& table : tables_of(report)) page.add(table);
+  page.add(report::Text{
+      fmt::format("Of each entry the print of Y. Ren's thesis (1992), which comes from one set of random numbers, and below "
+                  "it (bold) the median, and the 5 and 95 % quantiles of {} trials of seed {}.",
+                  report.trials, report.seed),
+      true});
   if (report.table.notes.empty()) return page.html();
   page.section("Notes");
-  for (const std::string& note : report.table.notes) page.add(Text{note});
+  for (const std::string& note : report.table.notes) page.add(report::Text{note});
   return page.html();
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

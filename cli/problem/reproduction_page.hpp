@@ -4,9 +4,9 @@
 
 #include "cli/problem/reproduction_text.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 
 /// The page of a table of the thesis beside ours.
 std::string reproduction_report(const ReproductionReport& report);
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

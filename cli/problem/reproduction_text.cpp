@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/problem/reproduction_rows.hpp"
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -20,9 +20,9 @@ std::string row_text(const ReproductionReport& report, const RowOf& row) {
     for (std::size_t e = row.first; e < row.last; ++e) cells.push_back(cell(report.table.entries[e], report.results[e]));
     return cells;
   };
-  std::vector<Column> columns = {{report.table.entries[row.first].row, Align::left}};
+  std::vector<report::Column> columns = {{report.table.entries[row.first].row, report::Align::left}};
   for (std::size_t e = row.first; e < row.last; ++e) columns.push_back({report.table.entries[e].column});
-  Table table(std::move(columns));
+  report::Table table(std::move(columns));
   table.add(line("print", [](const TableEntry& entry, const Reproduced&) {
     return entry.print.text + (entry.print.doubtful ? "?" : "");
   }));
@@ -36,7 +36,7 @@ std::string row_text(const ReproductionReport& report, const RowOf& row) {
 }  // namespace
 
 std::string table_list() {
-  Table table({{"table", Align::left}, {"what", Align::left}, {"entries"}});
+  report::Table table({{"table", report::Align::left}, {"what", report::Align::left}, {"entries"}});
   for (const auto& each : problems::thesis_tables()) table.add({each.number, each.title, fmt::format("{}", each.entries.size())});
   return table.text(0);
 }
@@ -52,9 +52,9 @@ std::string reproduction_text(const ReproductionReport& report) {
 
 std::string reproduction_json(const ReproductionReport& report) {
   const Count counted = count(report);
-  Json json = {{"table", report.table.number},     {"title", report.table.title}, {"trials", report.trials},
-               {"seed", report.seed},              {"inside", counted.inside},    {"legible", counted.legible},
-               {"doubtful", counted.doubtful},     {"notes", report.table.notes}, {"entries", Json::array()}};
+  report::Json json = {{"table", report.table.number}, {"title", report.table.title}, {"trials", report.trials},
+                       {"seed", report.seed},          {"inside", counted.inside},    {"legible", counted.legible},
+                       {"doubtful", counted.doubtful}, {"notes", report.table.notes}, {"entries", report::Json::array()}};
   for (std::size_t e = 0; e < report.results.size(); ++e) {
     const TableEntry& entry = report.table.entries[e];
     const Reproduced& result = report.results[e];
@@ -62,22 +62,22 @@ std::string reproduction_json(const ReproductionReport& report) {
                                {"column", entry.column},
                                {"print", entry.print.value},
                                {"doubtful", entry.print.doubtful},
-                               {"median", value(result.ours.median)},
-                               {"q05", value(result.ours.low)},
-                               {"q95", value(result.ours.high)},
+                               {"median", report::value(result.ours.median)},
+                               {"q05", report::value(result.ours.low)},
+                               {"q95", report::value(result.ours.high)},
                                {"inside", result.inside}});
   }
-  return json_text(json);
+  return report::json_text(json);
 }
 
 std::string reproduction_csv(const ReproductionReport& report) {
-  std::string csv = csv_line({"table", "row", "column", "print", "doubtful", "median", "q05", "q95", "inside"});
+  std::string csv = report::csv_line({"table", "row", "column", "print", "doubtful", "median", "q05", "q95", "inside"});
   for (std::size_t e = 0; e < report.results.size(); ++e) {
     const TableEntry& entry = report.table.entries[e];
     const Spread& ours = report.results[e].ours;
-    csv += csv_line({report.table.number, entry.row, entry.column, entry.print.text, entry.print.doubtful ? "true" : "false",
-                     fmt::format("{}", ours.median), fmt::format("{}", ours.low), fmt::format("{}", ours.high),
-                     report.results[e].inside ? "true" : "false"});
+    csv += report::csv_line({report.table.number, entry.row, entry.column, entry.print.text,
+                             entry.print.doubtful ? "true" : "false", fmt::format("{}", ours.median), fmt::format("{}", ours.low),
+                             fmt::format("{}", ours.high), report.results[e].inside ? "true" : "false"});
   }
   return csv;
 }

@@ -8,15 +8,17 @@
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "cli/text/interrupt.hpp"
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
+#include "report/json_value.hpp"
+#include "report/response/prepared.hpp"
+#include "report/response/response_scene.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using response::WayResult;
 
-void require_case(const ResponseScene& scene) {
+void require_case(const report::ResponseScene& scene) {
   const auto fail = [&](std::string problem, std::string remedy) {
     throw InputError({.kind = ErrorKind::usage,
                       .file = scene.file.string(),
@@ -24,16 +26,23 @@ void require_case(const ResponseScene& scene) {
                       .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
-  if (!marches(scene)) {
-    fail("the exact motion needs mass, damping and stiffness, of at most " + std::to_string(most_full) + " coordinates or modes",
+  if (!report::marches(scene)) {
+    fail("the exact motion needs mass, damping and stiffness, of at most " + std::to_string(report::most_full) +
+             " coordinates or modes",
          "give [structure], and modes in it");
   }
   if (scene.values_hz.empty() || scene.levels.empty()) fail("there is no case", "give [force], and [frequency] values");
 }
 
-Table ways_table(const WaysRun& run) {
-  Table table(
-      {{"way", Align::left}, {"max |x| m"}, {"its error"}, {"error of X"}, {"of x(t)"}, {"time ms"}, {"periods"}, {"steps"}});
+report::Table ways_table(const WaysRun& run) {
+  report::Table table({{"way", report::Align::left},
+                       {"max |x| m"},
+                       {"its error"},
+                       {"error of X"},
+                       {"of x(t)"},
+                       {"time ms"},
+                       {"periods"},
+                       {"steps"}});
   for (const WayResult& way : run.ways) {
     std::vector<std::string> cells = {way.way};
     if (way.found) {
@@ -55,9 +64,9 @@ Table ways_table(const WaysRun& run) {
 
 }  // namespace
 
-std::vector<WaysRun> run_comparison(const ResponseScene& scene, Progress& progress) {
+std::vector<WaysRun> run_comparison(const report::ResponseScene& scene, Progress& progress) {
   require_case(scene);
-  const Prepared prepared = prepare(scene, progress.control());
+  const report::Prepared prepared = report::prepare(scene, progress.control());
   std::vector<WaysRun> runs;
   for (const double level : scene.levels) {
     for (const double hz : scene.values_hz) {
@@ -78,7 +87,7 @@ bool all_known(const std::vector<WaysRun>& runs) {
   return std::ranges::all_of(runs, [](const WaysRun& run) { return run.ways.front().found; });
 }
 
-std::string comparison_text(const ResponseScene& scene, const std::vector<WaysRun>& runs) {
+std::string comparison_text(const report::ResponseScene& scene, const std::vector<WaysRun>& runs) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   text += fmt::format("response of {} by all ways, errors against the exact orbit\n", scene.responses.front().name);
   for (const WaysRun& run : runs) {
@@ -91,20 +100,21 @@ std::string comparison_text(const ResponseScene& scene, const std::vector<WaysRu
   return text;
 }
 
-std::string comparison_json(const ResponseScene& scene, const std::vector<WaysRun>& runs) {
-  Json out = {
-      {"status", all_known(runs) ? "ok" : "not_converged"}, {"dof", scene.responses.front().name}, {"cases", Json::array()}};
+std::string comparison_json(const report::ResponseScene& scene, const std::vector<WaysRun>& runs) {
+  report::Json out = {{"status", all_known(runs) ? "ok" : "not_converged"},
+                      {"dof", scene.responses.front().name},
+                      {"cases", report::Json::array()}};
   for (const WaysRun& run : runs) {
-    Json one = {{"force", value(run.level)},
-                {"frequency", value(run.frequency_hz)},
-                {"residual_force_free", run.ways.front().residual_force_free},
-                {"ways", Json::array()}};
+    report::Json one = {{"force", report::value(run.level)},
+                        {"frequency", report::value(run.frequency_hz)},
+                        {"residual_force_free", run.ways.front().residual_force_free},
+                        {"ways", report::Json::array()}};
     for (const WayResult& way : run.ways) {
-      const auto known = [&](double figure) { return way.found ? value(figure) : Json(); };
+      const auto known = [&](double figure) { return way.found ? report::value(figure) : report::Json(); };
       one["ways"].push_back({{"way", way.way},
                              {"found", way.found},
-                             {"seconds", value(way.seconds)},
-                             {"periods", value(way.periods)},
+                             {"seconds", report::value(way.seconds)},
+                             {"periods", report::value(way.periods)},
                              {"steps", way.steps},
                              {"largest", known(way.largest)},
                              {"error_of_largest", known(way.of_largest)},
@@ -113,18 +123,18 @@ std::string comparison_json(const ResponseScene& scene, const std::vector<WaysRu
     }
     out["cases"].push_back(std::move(one));
   }
-  return json_text(out);
+  return report::json_text(out);
 }
 
 std::string comparison_csv(const std::vector<WaysRun>& runs) {
-  std::string text = csv_line({"force [N]", "frequency [Hz]", "way", "largest [m]", "error of largest", "error of amplitude",
-                               "error of motion", "time [s]", "periods", "steps"});
+  std::string text = report::csv_line({"force [N]", "frequency [Hz]", "way", "largest [m]", "error of largest",
+                                       "error of amplitude", "error of motion", "time [s]", "periods", "steps"});
   for (const WaysRun& run : runs) {
     for (const WayResult& way : run.ways) {
-      const auto known = [&](double figure) { return way.found ? csv_number(figure) : std::string(); };
-      text += csv_line({csv_number(run.level), csv_number(run.frequency_hz), way.way, known(way.largest), known(way.of_largest),
-                        known(way.of_amplitude), known(way.of_motion), csv_number(way.seconds), csv_number(way.periods),
-                        fmt::format("{}", way.steps)});
+      const auto known = [&](double figure) { return way.found ? report::csv_number(figure) : std::string(); };
+      text += report::csv_line({report::csv_number(run.level), report::csv_number(run.frequency_hz), way.way, known(way.largest),
+                                known(way.of_largest), known(way.of_amplitude), known(way.of_motion),
+                                report::csv_number(way.seconds), report::csv_number(way.periods), fmt::format("{}", way.steps)});
     }
   }
   return text;

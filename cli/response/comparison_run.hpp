@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/response/response_parts.hpp"
 #include "cli/text/progress.hpp"
+#include "report/response/response_scene.hpp"
 #include "response/comparison/compare_ways.hpp"
 
 namespace jointid::cli {
@@ -17,14 +17,14 @@ struct WaysRun {
 
 /// `response --compare`: of the scene's first response, for each level and frequency of [frequency] values. Throws InputError
 /// (usage) without matrices or values.
-std::vector<WaysRun> run_comparison(const ResponseScene& scene, Progress& progress);
+std::vector<WaysRun> run_comparison(const report::ResponseScene& scene, Progress& progress);
 
 /// Whether each case has its exact orbit.
 bool all_known(const std::vector<WaysRun>& runs);
 
 /// A table for each case, error beside time.
-std::string comparison_text(const ResponseScene& scene, const std::vector<WaysRun>& runs);
-std::string comparison_json(const ResponseScene& scene, const std::vector<WaysRun>& runs);
+std::string comparison_text(const report::ResponseScene& scene, const std::vector<WaysRun>& runs);
+std::string comparison_json(const report::ResponseScene& scene, const std::vector<WaysRun>& runs);
 std::string comparison_csv(const std::vector<WaysRun>& runs);
 
 }  // namespace jointid::cli

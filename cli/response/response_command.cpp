@@ -6,9 +6,16 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/response/comparison_run.hpp"
-#include "cli/response/response_parts.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/progress.hpp"
+#include "report/response/curve_rows.hpp"
+#include "report/response/read_response_scene.hpp"
+#include "report/response/response_file.hpp"
+#include "report/response/response_page.hpp"
+#include "report/response/response_run.hpp"
+#include "report/response/response_scene.hpp"
+#include "report/response/response_text.hpp"
+#include "report/response/run_response.hpp"
 
 namespace jointid::cli {
 
@@ -34,7 +41,7 @@ void add_response(CLI::App& app, Chosen& chosen) {
 
 namespace {
 
-void check_outputs(const ResponseArguments& arguments, const ResponseScene& scene) {
+void check_outputs(const ResponseArguments& arguments, const report::ResponseScene& scene) {
   const auto refuse = [&](std::string place, std::string problem, std::string remedy) {
     throw InputError({.kind = ErrorKind::usage,
                       .file = arguments.scene.string(),
@@ -42,12 +49,12 @@ void check_outputs(const ResponseArguments& arguments, const ResponseScene& scen
                       .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
-  check_targets(files_of(scene), {{"--json", arguments.json},
-                                  {"--csv", arguments.csv},
-                                  {"--report", arguments.report},
-                                  {"--curves", arguments.curves},
-                                  {"--history", arguments.history},
-                                  {"--out", arguments.out}});
+  check_targets(report::files_of(scene), {{"--json", arguments.json},
+                                          {"--csv", arguments.csv},
+                                          {"--report", arguments.report},
+                                          {"--curves", arguments.curves},
+                                          {"--history", arguments.history},
+                                          {"--out", arguments.out}});
   if (arguments.history && !scene.transient)
     refuse("--history", "the scene has no [transient]", "add one, or leave --history out");
   if (arguments.out && *arguments.out == "-") refuse("--out", "HDF5 does not go to standard output", "name a file");
@@ -58,23 +65,23 @@ void check_outputs(const ResponseArguments& arguments, const ResponseScene& scen
   }
 }
 
-void write_history(const std::string& target, const ResponseRun& run, std::ostream& out) {
-  if (names_hdf5(target)) {
-    write_history_table(target, run);
+void write_history(const std::string& target, const report::ResponseRun& run, std::ostream& out) {
+  if (report::names_hdf5(target)) {
+    report::write_history_table(target, run);
   } else {
-    write_target(target, history_csv(run), out);
+    write_target(target, report::history_csv(run), out);
   }
 }
 
-void write_curves(const std::string& target, const ResponseRun& run, std::ostream& out) {
-  if (names_hdf5(target)) {
-    write_curves_table(target, run);
+void write_curves(const std::string& target, const report::ResponseRun& run, std::ostream& out) {
+  if (report::names_hdf5(target)) {
+    report::write_curves_table(target, run);
   } else {
-    write_target(target, curves_csv(run), out);
+    write_target(target, report::curves_csv(run), out);
   }
 }
 
-ExitCode compare(const ResponseArguments& arguments, const ResponseScene& scene, std::ostream& out) {
+ExitCode compare(const ResponseArguments& arguments, const report::ResponseScene& scene, std::ostream& out) {
   const std::vector<WaysRun> runs = [&] {
     Progress progress;
     return run_comparison(scene, progress);
@@ -90,22 +97,22 @@ ExitCode compare(const ResponseArguments& arguments, const ResponseScene& scene,
 }  // namespace
 
 ExitCode execute(const ResponseArguments& arguments, std::ostream& out) {
-  const ResponseScene scene = read_response_scene(arguments.scene);
+  const report::ResponseScene scene = report::read_response_scene(arguments.scene);
   check_outputs(arguments, scene);
   if (arguments.compare) return compare(arguments, scene, out);
-  const ResponseRun run = [&] {
+  const report::ResponseRun run = [&] {
     Progress progress;
-    return run_response(scene, progress.control());
+    return report::run_response(scene, progress.control());
   }();
-  if (arguments.json) write_target(*arguments.json, response_json(scene, run), out);
-  if (arguments.csv) write_target(*arguments.csv, response_csv(run), out);
-  if (arguments.report) write_target(*arguments.report, response_report(scene, run), out);
+  if (arguments.json) write_target(*arguments.json, report::response_json(scene, run), out);
+  if (arguments.csv) write_target(*arguments.csv, report::response_csv(run), out);
+  if (arguments.report) write_target(*arguments.report, report::response_report(scene, run), out);
   if (arguments.curves) write_curves(*arguments.curves, run, out);
   if (arguments.history) write_history(*arguments.history, run, out);
-  if (arguments.out) write_response_table(*arguments.out, run);
+  if (arguments.out) report::write_response_table(*arguments.out, run);
   if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.curves, arguments.history}))
-    out << response_text(scene, run);
-  if (all_converged(run)) return ExitCode::done;
+    out << report::response_text(scene, run);
+  if (report::all_converged(run)) return ExitCode::done;
   print_error(arguments.scene.string() + ": harmonic balance did not converge everywhere");
   return ExitCode::unusable;
 }

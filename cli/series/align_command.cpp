@@ -8,9 +8,9 @@
 #include "cli/options/output.hpp"
 #include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
 #include "frf/file/columns.hpp"
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
 #include "series/measurement/phase.hpp"
 
 namespace jointid::cli {
@@ -43,30 +43,30 @@ std::vector<Late> delays_of(const SeriesAlignArguments& arguments, const records
 }
 
 std::string delays_text(const std::vector<Late>& found, const SeriesAlignArguments& arguments) {
-  Table table({{"channel", Align::left}, {"amplitude"}, {"late by s"}, {"degrees"}});
+  report::Table table({{"channel", report::Align::left}, {"amplitude"}, {"late by s"}, {"degrees"}});
   for (const Late& each : found) {
-    table.add({each.name, number(each.amplitude), number(each.delay),
+    table.add({each.name, report::number(each.amplitude), report::number(each.delay),
                fmt::format("{:.3f}", 360.0 * arguments.frequency_hz * each.delay)});
   }
   return fmt::format(
              "against {} at {} Hz; a delay is known up to whole periods, and holds the phase that the motion itself has between "
              "the places\n",
-             arguments.reference, number(arguments.frequency_hz)) +
+             arguments.reference, report::number(arguments.frequency_hz)) +
          table.text();
 }
 
 std::string delays_json(const std::vector<Late>& found, const SeriesAlignArguments& arguments) {
-  Json out = {{"status", "ok"},
-              {"reference", arguments.reference},
-              {"frequency_hz", value(arguments.frequency_hz)},
-              {"channels", Json::array()}};
+  report::Json out = {{"status", "ok"},
+                      {"reference", arguments.reference},
+                      {"frequency_hz", report::value(arguments.frequency_hz)},
+                      {"channels", report::Json::array()}};
   for (const Late& each : found) {
     out["channels"].push_back({{"name", each.name},
-                               {"amplitude", value(each.amplitude)},
-                               {"delay_s", value(each.delay)},
-                               {"degrees", value(360.0 * arguments.frequency_hz * each.delay)}});
+                               {"amplitude", report::value(each.amplitude)},
+                               {"delay_s", report::value(each.delay)},
+                               {"degrees", report::value(360.0 * arguments.frequency_hz * each.delay)}});
   }
-  return json_text(out);
+  return report::json_text(out);
 }
 
 }  // namespace

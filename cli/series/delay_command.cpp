@@ -13,7 +13,7 @@ ExitCode execute(const SeriesDelayArguments& arguments, std::ostream& out) {
   }();
   if (arguments.json) write_target(*arguments.json, delay_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, delay_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, report::delay_page(report), out);
+  if (arguments.report) write_target(*arguments.report, delay_page(report), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << delay_text(report);
   return ExitCode::done;
 }

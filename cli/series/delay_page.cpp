@@ -1,31 +1,32 @@
 #include <fmt/format.h>
 
 #include "base/statistics.hpp"
-#include "cli/report/page.hpp"
-#include "cli/report/status_banner.hpp"
 #include "cli/series/delay_report.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/page.hpp"
+#include "report/page/status_banner.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
-CurvePlot information_plot(const DelayReport& report) {
-  CurvePlot plot;
+report::CurvePlot information_plot(const DelayReport& report) {
+  report::CurvePlot plot;
   plot.title = "Mutual information";
   plot.x = {"lag (s)", false};
   plot.y = {"bits", false};
   for (std::size_t k = 0; k < report.information.bits.size(); ++k)
     plot.x_values.push_back(static_cast<double>(k) / report.rate_hz);
-  plot.series.push_back({"I", report.information.bits, Style::line});
+  plot.series.push_back({"I", report.information.bits, report::Style::line});
   plot.level = report.information_bias;
   return plot;
 }
 
-CurvePlot neighbours_plot(const DelayReport& report) {
-  CurvePlot plot;
+report::CurvePlot neighbours_plot(const DelayReport& report) {
+  report::CurvePlot plot;
   plot.title = "False neighbours";
   plot.x = {"dimension", false};
   plot.y = {"%", false};
-  Series either{"Kennel", {}, Style::line};
+  report::Series either{"Kennel", {}, report::Style::line};
   for (const series::FalseNeighbours& row : report.neighbours) {
     plot.x_values.push_back(static_cast<double>(row.dimension));
     either.y.push_back(100.0 * row.either);
@@ -34,27 +35,27 @@ CurvePlot neighbours_plot(const DelayReport& report) {
   return plot;
 }
 
-CurvePlot correlation_plot(const DelayReport& report) {
-  CurvePlot plot;
+report::CurvePlot correlation_plot(const DelayReport& report) {
+  report::CurvePlot plot;
   plot.title = "Correlation sum";
   plot.x = {"radius", true};
   plot.y = {"C", true};
   plot.x_values = report.correlation.radius;
-  Series sum{"C(r)", report.correlation.sum, Style::line};
+  report::Series sum{"C(r)", report.correlation.sum, report::Style::line};
   for (double& y : sum.y) y = y > 0.0 ? y : nan;
   plot.series.push_back(std::move(sum));
   return plot;
 }
 
-CurvePlot divergence_plot(const std::string& title, const series::RecordExponent& found) {
-  CurvePlot plot;
+report::CurvePlot divergence_plot(const std::string& title, const series::RecordExponent& found) {
+  report::CurvePlot plot;
   plot.title = title;
   plot.x = {"time (s)", false};
   plot.y = {"mean ln distance", false};
   if (!found.curves.empty()) plot.x_values = found.curves.front().time;
   for (const series::DivergenceCurve& curve : found.curves) {
     const std::string radius = curve.radius > 0.0 ? fmt::format(", r = {:.3g}", curve.radius) : "";
-    plot.series.push_back({fmt::format("d = {}{}", curve.dimension, radius), curve.mean_log, Style::line});
+    plot.series.push_back({fmt::format("d = {}{}", curve.dimension, radius), curve.mean_log, report::Style::line});
   }
   return plot;
 }
@@ -62,22 +63,23 @@ CurvePlot divergence_plot(const std::string& title, const series::RecordExponent
 }  // namespace
 
 std::string delay_page(const DelayReport& report) {
-  ReportPage page(report.file + ", " + report.channel, "jointid series delay");
-  page.status(status_banner(report.remarks.empty() ? "ok" : "doubtful",
-                            fmt::format("{} samples at {:g} Hz.", report.samples, report.rate_hz), report.remarks));
+  report::ReportPage page(report.file + ", " + report.channel, "jointid series delay");
+  page.status(report::status_banner(report.remarks.empty() ? "ok" : "doubtful",
+                                    fmt::format("{} samples at {:g} Hz.", report.samples, report.rate_hz), report.remarks));
   page.section("Answers");
   page.add(answers_table(report));
-  page.add(
-      Text{"Exponents are in nats per second; a number only where the curves of d, d + 1 and d + 2 have plateaus with one slope.",
-           true});
+  page.add(report::Text{
+      "Exponents are in nats per second; a number only where the curves of d, d + 1 and d + 2 have plateaus with one slope.",
+      true});
   page.section("Delay and dimension");
-  page.add(PlotGroup{"", {{"", {information_plot(report), neighbours_plot(report), correlation_plot(report)}}}});
+  page.add(report::PlotGroup{"", {{"", {information_plot(report), neighbours_plot(report), correlation_plot(report)}}}});
   page.add(neighbours_table(report));
   page.section("Divergence");
-  page.add(PlotGroup{"", {{"", {divergence_plot("Rosenstein", report.rosenstein), divergence_plot("Kantz", report.kantz)}}}});
+  page.add(
+      report::PlotGroup{"", {{"", {divergence_plot("Rosenstein", report.rosenstein), divergence_plot("Kantz", report.kantz)}}}});
   page.section("Recurrences");
   page.add(recurrences_table(report));
   return page.html();
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

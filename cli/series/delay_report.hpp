@@ -6,7 +6,7 @@
 
 #include "cli/series/series_arguments.hpp"
 #include "cli/text/progress.hpp"
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 #include "series/delay/correlation.hpp"
 #include "series/delay/divergence.hpp"
 #include "series/delay/false_neighbours.hpp"
@@ -35,9 +35,9 @@ struct DelayReport {
 
 DelayReport delay_report(const SeriesDelayArguments& arguments, Progress& progress);
 
-Table neighbours_table(const DelayReport& report);
-Table answers_table(const DelayReport& report);
-Table recurrences_table(const DelayReport& report);
+report::Table neighbours_table(const DelayReport& report);
+report::Table answers_table(const DelayReport& report);
+report::Table recurrences_table(const DelayReport& report);
 
 std::string delay_text(const DelayReport& report);
 /// The keys stay. What is not determined is null.
@@ -47,9 +47,9 @@ std::string delay_csv(const DelayReport& report);
 
 }  // namespace jointid::cli
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 
 /// The page of `jointid series delay`.
 std::string delay_page(const DelayReport& report);
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

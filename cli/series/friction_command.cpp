@@ -7,13 +7,15 @@
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "cli/options/output.hpp"
-#include "cli/report/limits.hpp"
-#include "cli/report/page.hpp"
-#include "cli/report/status_banner.hpp"
 #include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
+#include "report/json_value.hpp"
+#include "report/laws/law_text.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/limits.hpp"
+#include "report/page/page.hpp"
+#include "report/page/status_banner.hpp"
+#include "report/text/table.hpp"
 #include "series/measurement/friction_record.hpp"
 #include "series/measurement/phase.hpp"
 
@@ -49,9 +51,9 @@ ContactSamples read_contact(const SeriesFrictionArguments& arguments) {
   return out;
 }
 
-Table law_table(const series::FrictionLaw& law) {
-  const auto pm = [](double value, double error) { return fmt::format("{} ± {:.1g}", number(value, error), error); };
-  Table table({{"", Align::left}, {"", Align::left}});
+report::Table law_table(const series::FrictionLaw& law) {
+  const auto pm = [](double value, double error) { return fmt::format("{} ± {:.1g}", report::number(value, error), error); };
+  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
   table.add({"slipping samples", fmt::format("{}", law.slip_samples)});
   table.add({"sticking samples", fmt::format("{}", law.stick_samples)});
   table.add({"μ_K", pm(law.kinetic, law.kinetic_error)});
@@ -61,8 +63,8 @@ Table law_table(const series::FrictionLaw& law) {
   } else {
     table.add({"falling law", "not better than a constant (AIC)"});
   }
-  table.add({"μ_S at least", law.static_bound ? number(*law.static_bound) : "–"});
-  table.add({"scatter of μ", number(law.scatter)});
+  table.add({"μ_S at least", law.static_bound ? report::number(*law.static_bound) : "–"});
+  table.add({"scatter of μ", report::number(law.scatter)});
   return table;
 }
 
@@ -74,27 +76,27 @@ std::vector<std::string> remarks_of(const ContactSamples& samples, const series:
 }
 
 std::string law_json(const ContactSamples& samples, const series::FrictionLaw& law) {
-  Json out = {{"status", "ok"},
-              {"slip_samples", law.slip_samples},
-              {"stick_samples", law.stick_samples},
-              {"missing", samples.missing},
-              {"kinetic", value(law.kinetic)},
-              {"kinetic_error", value(law.kinetic_error)},
-              {"falls", law.falls},
-              {"drop", value(law.drop)},
-              {"drop_error", value(law.drop_error)},
-              {"decay", value(law.decay)},
-              {"decay_error", value(law.decay_error)},
-              {"static_bound", value(law.static_bound)},
-              {"scatter", value(law.scatter)},
-              {"remarks", remarks_of(samples, law)}};
-  return json_text(out);
+  report::Json out = {{"status", "ok"},
+                      {"slip_samples", law.slip_samples},
+                      {"stick_samples", law.stick_samples},
+                      {"missing", samples.missing},
+                      {"kinetic", report::value(law.kinetic)},
+                      {"kinetic_error", report::value(law.kinetic_error)},
+                      {"falls", law.falls},
+                      {"drop", report::value(law.drop)},
+                      {"drop_error", report::value(law.drop_error)},
+                      {"decay", report::value(law.decay)},
+                      {"decay_error", report::value(law.decay_error)},
+                      {"static_bound", report::value(law.static_bound)},
+                      {"scatter", report::value(law.scatter)},
+                      {"remarks", remarks_of(samples, law)}};
+  return report::json_text(out);
 }
 
 std::string samples_csv(const ContactSamples& samples) {
-  std::string text = csv_line({"relative velocity [m/s]", "friction coefficient"});
+  std::string text = report::csv_line({"relative velocity [m/s]", "friction coefficient"});
   for (std::size_t i = 0; i < samples.velocity.size(); ++i)
-    text += csv_line({csv_number(samples.velocity[i]), csv_number(samples.force[i] / samples.normal[i])});
+    text += report::csv_line({report::csv_number(samples.velocity[i]), report::csv_number(samples.force[i] / samples.normal[i])});
   return text;
 }
 

@@ -1,7 +1,7 @@
 #include "cli/series/measured_records.hpp"
 
 #include "cli/options/output.hpp"
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 
@@ -12,11 +12,11 @@ void check_series_targets(const std::filesystem::path& file, const std::vector<s
 std::string record_csv(const records::SeriesRecord& record) {
   std::vector<std::string> row = {"time [s]"};
   for (const auto& [name, unit] : record.channels) row.push_back(unit.empty() ? name : name + " [" + unit + "]");
-  std::string text = csv_line(row);
+  std::string text = report::csv_line(row);
   for (std::size_t i = 0; i < record.samples.front().size(); ++i) {
-    row = {csv_number(static_cast<double>(i) / record.rate_hz)};
-    for (const std::vector<double>& channel : record.samples) row.push_back(csv_number(channel[i]));
-    text += csv_line(row);
+    row = {report::csv_number(static_cast<double>(i) / record.rate_hz)};
+    for (const std::vector<double>& channel : record.samples) row.push_back(report::csv_number(channel[i]));
+    text += report::csv_line(row);
   }
   return text;
 }

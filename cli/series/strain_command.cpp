@@ -9,9 +9,9 @@
 #include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
 #include "cli/text/interrupt.hpp"
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
 #include "records/file/open_samples.hpp"
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
 #include "series/measurement/strain.hpp"
 
 namespace jointid::cli {
@@ -42,7 +42,7 @@ series::StrainMap map_of(const SeriesStrainArguments& arguments) {
 std::string titles(const SeriesStrainArguments& arguments) {
   std::vector<std::string> row;
   for (const double x : points_of(arguments)) row.push_back(fmt::format("y({:g}) [m]", x));
-  return csv_line(row);
+  return report::csv_line(row);
 }
 
 /// Displacements block by block; each block's text goes to `write`.
@@ -60,8 +60,8 @@ std::size_t convert(const SeriesStrainArguments& arguments, const series::Strain
     std::string text;
     for (Eigen::Index i = 0; i < y.rows(); ++i) {
       std::vector<std::string> row;
-      for (Eigen::Index k = 0; k < y.cols(); ++k) row.push_back(csv_number(y(i, k)));
-      text += csv_line(row);
+      for (Eigen::Index k = 0; k < y.cols(); ++k) row.push_back(report::csv_number(y(i, k)));
+      text += report::csv_line(row);
     }
     write(text);
     samples += count;
@@ -84,23 +84,23 @@ std::size_t write_displacements(const SeriesStrainArguments& arguments, const se
 std::string map_text(const SeriesStrainArguments& arguments, const series::StrainMap& map) {
   std::string text =
       fmt::format("{} gauges, {} shapes{}, condition {}\n", arguments.gauges.size(), shapes_of(arguments),
-                  arguments.static_shapes ? " with those of a tip force and a tip moment" : "", number(map.condition));
-  Table table({{"x m"}, {"noise, m rms per unit strain rms"}});
+                  arguments.static_shapes ? " with those of a tip force and a tip moment" : "", report::number(map.condition));
+  report::Table table({{"x m"}, {"noise, m rms per unit strain rms"}});
   const std::vector<double> points = points_of(arguments);
-  for (std::size_t k = 0; k < points.size(); ++k) table.add({number(points[k]), number(map.noise(at(k)))});
+  for (std::size_t k = 0; k < points.size(); ++k) table.add({report::number(points[k]), report::number(map.noise(at(k)))});
   return text + table.text();
 }
 
 std::string map_json(const SeriesStrainArguments& arguments, const series::StrainMap& map) {
-  Json out = {{"status", "ok"},
-              {"condition", value(map.condition)},
-              {"points", values(points_of(arguments))},
-              {"noise", values(std::vector<double>(map.noise.begin(), map.noise.end()))}};
+  report::Json out = {{"status", "ok"},
+                      {"condition", report::value(map.condition)},
+                      {"points", report::values(points_of(arguments))},
+                      {"noise", report::values(std::vector<double>(map.noise.begin(), map.noise.end()))}};
   for (Eigen::Index k = 0; k < map.matrix.rows(); ++k) {
     const Eigen::VectorXd row = map.matrix.row(k);
-    out["matrix"].push_back(values(std::vector<double>(row.begin(), row.end())));
+    out["matrix"].push_back(report::values(std::vector<double>(row.begin(), row.end())));
   }
-  return json_text(out);
+  return report::json_text(out);
 }
 
 }  // namespace

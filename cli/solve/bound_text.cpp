@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/text/table.hpp"
 #include "ident/likelihood/findings/findings.hpp"
 #include "report/text/identifiability_text.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using jointid::report::weakest_table;
+using report::weakest_table;
 
 std::string factor(double value) { return std::isfinite(value) ? fmt::format("{:.2f}", value) : "no longer fixed"; }
 
@@ -26,7 +26,7 @@ std::string most_changed(const tasks::BoundChange& change, const std::vector<tas
 
 std::string changes_text(const char* title, std::vector<tasks::BoundChange> changes, const tasks::BoundReport& report) {
   if (changes.empty()) return "";
-  Table table({{"", Align::left}, {"worst bound"}, {"mean"}, {"most changed", Align::left}});
+  report::Table table({{"", report::Align::left}, {"worst bound"}, {"mean"}, {"most changed", report::Align::left}});
   for (const tasks::BoundChange& change : changes) {
     table.add({change.what, factor(change.worst), factor(change.mean), most_changed(change, report.unknowns)});
   }
@@ -36,11 +36,12 @@ std::string changes_text(const char* title, std::vector<tasks::BoundChange> chan
 }  // namespace
 
 std::string bound_text(const tasks::BoundReport& report) {
-  Table unknowns({{"name", Align::left}, {"assumed"}, {"std error"}, {"unit", Align::left}, {"relative"}});
+  report::Table unknowns(
+      {{"name", report::Align::left}, {"assumed"}, {"std error"}, {"unit", report::Align::left}, {"relative"}});
   for (const tasks::UnknownBound& unknown : report.unknowns) {
     const bool fixed = std::isfinite(unknown.bound);
-    unknowns.add({unknown.name, number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed", unknown.unit,
-                  fixed ? percent(unknown.relative) : ""});
+    unknowns.add({unknown.name, report::number(unknown.value), fixed ? fmt::format("{:.3g}", unknown.bound) : "not fixed",
+                  unknown.unit, fixed ? percent(unknown.relative) : ""});
   }
   const std::string cut = report.interrupted ? "\nINTERRUPTED: not all changes of the data were looked at\n" : "";
   return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) + "\n" +

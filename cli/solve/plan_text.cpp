@@ -7,12 +7,12 @@
 
 #include "cli/options/dof_list.hpp"
 #include "cli/solve/bound_json.hpp"
-#include "cli/text/json_value.hpp"
-#include "cli/text/table.hpp"
-#include "cli/text/words.hpp"
 #include "ident/admissible/constraint_phrases.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/plan/expected_time.hpp"
+#include "report/json_value.hpp"
+#include "report/text/table.hpp"
+#include "report/text/words.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -39,31 +39,31 @@ double megabytes(std::size_t bytes) { return static_cast<double>(bytes) / 1e6; }
 
 /// On all cores of this machine.
 std::string cost_text(const ident::Cost& cost) {
-  Table table({{"", Align::left}, {""}});
-  table.add({"FRFs to read, MB", number(megabytes(cost.bytes_read))});
+  report::Table table({{"", report::Align::left}, {""}});
+  table.add({"FRFs to read, MB", report::number(megabytes(cost.bytes_read))});
   table.add({"equations per line", fmt::format("{}", cost.equations_per_line)});
   if (const ident::Iteration& each = cost.iteration; each.expected > 0) {
-    table.add({"an iteration, Mflop", number(each.flops / 1e6)});
+    table.add({"an iteration, Mflop", report::number(each.flops / 1e6)});
     table.add({"iterations expected", fmt::format("{}", each.expected)});
-    table.add({"memory, MB", number(megabytes(each.memory_bytes))});
+    table.add({"memory, MB", report::number(megabytes(each.memory_bytes))});
     table.add({"time of the iterations expected here, s", fmt::format("{:.2g}", ident::expected_seconds(cost))});
   } else {
     table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
-    table.add({"assembling, Mflop", number(cost.assemble_flops / 1e6)});
-    table.add({"one dense QR of all equations, Mflop", number(cost.stacked_flops / 1e6)});
+    table.add({"assembling, Mflop", report::number(cost.assemble_flops / 1e6)});
+    table.add({"one dense QR of all equations, Mflop", report::number(cost.stacked_flops / 1e6)});
   }
   return "\ncost\n" + table.text();
 }
 
 std::string known_noise_text(const std::vector<ident::VarianceSource>& files) {
   if (files.empty()) return "";
-  Table table({{"", Align::left}, {"", Align::left}});
+  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
   for (const auto& file : files) table.add({file.file, file.origin});
   return "\nvariances of the FRFs\n" + table.text();
 }
 
-Json variances_json(const std::vector<ident::VarianceSource>& files) {
-  Json all = Json::array();
+report::Json variances_json(const std::vector<ident::VarianceSource>& files) {
+  report::Json all = report::Json::array();
   for (const auto& file : files) all.push_back({{"file", file.file}, {"origin", file.origin}});
   return all;
 }
@@ -75,7 +75,7 @@ std::string phrases(const char* title, const std::vector<std::string>& list) {
   return text;
 }
 
-Json cost_json(const ident::Cost& cost) {
+report::Json cost_json(const ident::Cost& cost) {
   return {{"equations_per_line", cost.equations_per_line},
           {"compressed_rows_per_line", cost.compressed_rows_per_line},
           {"columns", cost.columns},
@@ -91,10 +91,10 @@ Json cost_json(const ident::Cost& cost) {
 }  // namespace
 
 std::string plan_text(const ident::Plan& plan) {
-  Table table({{"", Align::left}, {"", Align::left}});
+  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
   const auto& identify = plan.scene.identify;
   if (!plan.chosen.empty()) table.add({"chosen", plan.chosen});
-  table.add({"method", method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
+  table.add({"method", report::method_text(identify.method, plan.equations, identify.weighting, identify.delta, plan.solver)});
   table.add({"joint DOFs", dof_list(plan.coordinates.joint)});
   table.add({"other responses", dof_list(plan.coordinates.responses)});
   table.add({"other references", dof_list(plan.coordinates.references)});
@@ -110,19 +110,19 @@ std::string plan_text(const ident::Plan& plan) {
 std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound) {
   const auto& identify = plan.scene.identify;
   const bool weighs = ident::weighs_equations(identify.method);
-  Json json = {{"title", plan.scene.title},
-               {"method", ident::name(identify.method)},
-               {"chosen", plan.chosen.empty() ? Json(nullptr) : Json(plan.chosen)},
-               {"equations", equation_names(plan)},
-               {"weighting", weighs ? Json(weighting::name(identify.weighting)) : Json(nullptr)},
-               {"delta", weighs ? Json(identify.delta) : Json(nullptr)},
-               {"solver", plan.solver},
-               {"dofs", frf::names(plan.coordinates.joint)},
-               {"responses", frf::names(plan.coordinates.responses)},
-               {"references", frf::names(plan.coordinates.references)}};
-  json["frequency_hz"] = Json::array();
+  report::Json json = {{"title", plan.scene.title},
+                       {"method", ident::name(identify.method)},
+                       {"chosen", plan.chosen.empty() ? report::Json(nullptr) : report::Json(plan.chosen)},
+                       {"equations", equation_names(plan)},
+                       {"weighting", weighs ? report::Json(weighting::name(identify.weighting)) : report::Json(nullptr)},
+                       {"delta", weighs ? report::Json(identify.delta) : report::Json(nullptr)},
+                       {"solver", plan.solver},
+                       {"dofs", frf::names(plan.coordinates.joint)},
+                       {"responses", frf::names(plan.coordinates.responses)},
+                       {"references", frf::names(plan.coordinates.references)}};
+  json["frequency_hz"] = report::Json::array();
   for (const auto& line : plan.lines) json["frequency_hz"].push_back(line.frequency_hz);
-  json["unknowns"] = Json::array();
+  json["unknowns"] = report::Json::array();
   for (const auto& unknown : plan.restriction.unknowns) {
     json["unknowns"].push_back({{"name", unknown.name}, {"unit", unknown.unit}});
   }
@@ -134,7 +134,7 @@ std::string plan_json(const ident::Plan& plan, const std::optional<tasks::BoundR
   json["warnings"] = plan.warnings;
   json["notes"] = plan.notes;
   if (bound) json["bound"] = bound_json(*bound);
-  return json_text(json);
+  return report::json_text(json);
 }
 
 }  // namespace jointid::cli

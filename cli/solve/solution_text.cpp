@@ -6,23 +6,23 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/text/table.hpp"
-#include "cli/text/words.hpp"
 #include "report/text/admissibility_text.hpp"
 #include "report/text/identifiability_text.hpp"
 #include "report/text/systematic_text.hpp"
+#include "report/text/table.hpp"
+#include "report/text/words.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using jointid::report::constraints_text;
-using jointid::report::identifiability_text;
-using jointid::report::systematic_text;
+using report::constraints_text;
+using report::identifiability_text;
+using report::systematic_text;
 
-std::string number_or_dash(const std::optional<double>& value) { return value ? number(*value) : "–"; }
+std::string number_or_dash(const std::optional<double>& value) { return value ? report::number(*value) : "–"; }
 
 /// Suspects of a check, most likely first, with the scene lines that would mend them.
-void add_suspects(const std::vector<ident::Suspect>& suspects, Table& table) {
+void add_suspects(const std::vector<ident::Suspect>& suspects, report::Table& table) {
   constexpr std::size_t most = 5;
   for (std::size_t i = 0; i < std::min(most, suspects.size()); ++i) {
     const ident::Suspect& suspect = suspects[i];
@@ -35,25 +35,25 @@ void add_suspects(const std::vector<ident::Suspect>& suspects, Table& table) {
 
 std::string head(const ident::Solution& solution, const std::string& title) {
   const ident::Used& used = solution.used;
-  Table table({{"", Align::left}, {"", Align::left}});
-  table.add({"status", words(ident::name(solution.status))});
+  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
+  table.add({"status", report::words(ident::name(solution.status))});
   if (!solution.message.empty()) table.add({"message", solution.message});
   for (const std::string& warning : solution.warnings) table.add({"warning", warning});
   if (solution.check && solution.check->verdict != ident::Verdict::clean) add_suspects(solution.check->suspects, table);
   if (!used.chosen.empty()) table.add({"chosen", used.chosen});
-  table.add({"method", method_text(used.method, used.equations, used.weighting, used.delta, used.solver)});
+  table.add({"method", report::method_text(used.method, used.equations, used.weighting, used.delta, used.solver)});
   return (title.empty() ? "" : title + "\n") + table.text();
 }
 
 /// `errors`: of the elements, or null.
 std::string matrix_text(const std::vector<frf::Dof>& dofs, const ident::Matrix& rows, const ident::Matrix* errors) {
-  std::vector<Column> columns = {{"", Align::left}};
-  for (const auto& dof : dofs) columns.push_back({dof.name(), Align::right});
-  Table table(std::move(columns));
+  std::vector<report::Column> columns = {{"", report::Align::left}};
+  for (const auto& dof : dofs) columns.push_back({dof.name(), report::Align::right});
+  report::Table table(std::move(columns));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     std::vector<std::string> cells = {dofs.at(i).name()};
     for (std::size_t j = 0; j < rows[i].size(); ++j) {
-      cells.push_back(number(rows[i][j], errors == nullptr ? std::nullopt : std::optional((*errors)[i][j])));
+      cells.push_back(report::number(rows[i][j], errors == nullptr ? std::nullopt : std::optional((*errors)[i][j])));
     }
     table.add(std::move(cells));
   }
@@ -65,7 +65,7 @@ std::string matrices_text(const ident::Solution& solution) {
   for (const auto& band : solution.bands) {
     const std::string where = band.band_hz ? fmt::format(", {:g} to {:g} Hz", (*band.band_hz)[0], (*band.band_hz)[1]) : "";
     for (const auto& [kind, rows] : band.matrices) {
-      text += fmt::format("\n{} {} (SI units){}\n", words(restrictions::key(kind)), restrictions::symbol(kind), where);
+      text += fmt::format("\n{} {} (SI units){}\n", report::words(restrictions::key(kind)), restrictions::symbol(kind), where);
       const auto errors = band.errors.find(kind);
       text += matrix_text(solution.dofs, rows, errors == band.errors.end() ? nullptr : &errors->second);
     }
@@ -74,7 +74,7 @@ std::string matrices_text(const ident::Solution& solution) {
 }
 
 std::string interval(const ident::Estimate& estimate) {
-  return estimate.ci95 ? number((*estimate.ci95)[0]) + " … " + number((*estimate.ci95)[1]) : "–";
+  return estimate.ci95 ? report::number((*estimate.ci95)[0]) + " … " + report::number((*estimate.ci95)[1]) : "–";
 }
 
 std::string short_number(const std::optional<double>& value) {
@@ -94,13 +94,13 @@ std::string estimate_note(const ident::Solution& solution) {
 std::string unknowns_text(const ident::Solution& solution) {
   const bool errors = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.std_error || u.ci95; });
   const bool estimates = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.error_estimate.has_value(); });
-  std::vector<Column> columns = {{"name", Align::left}, {"value"}, {"unit", Align::left}};
+  std::vector<report::Column> columns = {{"name", report::Align::left}, {"value"}, {"unit", report::Align::left}};
   if (errors) columns.insert(columns.end(), {{"std error"}, {"95 % interval"}});
   if (estimates) columns.push_back({"error estimate"});
-  columns.push_back({"", Align::left});
-  Table table(std::move(columns));
+  columns.push_back({"", report::Align::left});
+  report::Table table(std::move(columns));
   for (const auto& estimate : solution.unknowns) {
-    std::vector<std::string> cells = {estimate.name, number(estimate.value, estimate.error_estimate), estimate.unit};
+    std::vector<std::string> cells = {estimate.name, report::number(estimate.value, estimate.error_estimate), estimate.unit};
     if (errors) cells.insert(cells.end(), {number_or_dash(estimate.std_error), interval(estimate)});
     if (estimates) cells.push_back(short_number(estimate.error_estimate));
     cells.push_back(estimate.determined ? estimate.limit : "not determined by the data");
@@ -111,16 +111,16 @@ std::string unknowns_text(const ident::Solution& solution) {
 
 std::string fit_text(const ident::Solution& solution) {
   const ident::Fit& fit = solution.fit;
-  Table table({{"", Align::left}, {""}});
+  report::Table table({{"", report::Align::left}, {""}});
   table.add({"frequency lines", fmt::format("{}", fit.lines)});
   table.add({"equations used", fmt::format("{}", fit.equations_used)});
   table.add({"equations dropped", fmt::format("{}", fit.equations_dropped)});
   table.add({"rank", fmt::format("{}", fit.rank)});
-  if (!fit.chi_square) table.add({"condition", number(fit.condition)});
-  if (fit.digits) table.add({"digits that rounding alone leaves", rounding_digits(solution)});
+  if (!fit.chi_square) table.add({"condition", report::number(fit.condition)});
+  if (fit.digits) table.add({"digits that rounding alone leaves", report::rounding_digits(solution)});
   if (fit.iterations > 0) table.add({"iterations", fmt::format("{}", fit.iterations)});
   if (fit.chi_square) {
-    table.add({"χ² / degrees of freedom", chi_square_text(*fit.chi_square)});
+    table.add({"χ² / degrees of freedom", report::chi_square_text(*fit.chi_square)});
     table.add({"outlying lines", fmt::format("{}", fit.chi_square->outlying_lines)});
   }
   if (fit.misfit) table.add({"residuals over what noise explains", fmt::format("{:.3g}", std::sqrt(*fit.misfit))});
@@ -139,15 +139,15 @@ std::string search_text(const ident::Solution& solution) {
   if (!solution.search) return "";
   constexpr std::size_t most = 10;
   const ident::MinimumSearch& search = *solution.search;
-  Table table({{"minimum"}, {"cost"}, {"starts"}});
+  report::Table table({{"minimum"}, {"cost"}, {"starts"}});
   for (std::size_t i = 0; i < std::min(most, search.minima.size()); ++i) {
-    table.add({fmt::format("{}", i + 1), number(search.minima[i].cost), fmt::format("{}", search.minima[i].starts)});
+    table.add({fmt::format("{}", i + 1), report::number(search.minima[i].cost), fmt::format("{}", search.minima[i].starts)});
   }
   std::string text = "\nminima: " + verdict(search) + "\n" + table.text();
   for (std::size_t i = 1; i < std::min(most, search.equally_good); ++i) {
     text += fmt::format("  {}:", i + 1);
     for (std::size_t u = 0; u < solution.unknowns.size(); ++u)
-      text += " " + solution.unknowns[u].name + " = " + number(search.minima[i].values[u]);
+      text += " " + solution.unknowns[u].name + " = " + report::number(search.minima[i].values[u]);
     text += "\n";
   }
   return text;
@@ -155,7 +155,7 @@ std::string search_text(const ident::Solution& solution) {
 
 std::string variances_text(const std::vector<ident::VarianceSource>& files) {
   if (files.empty()) return "";
-  Table table({{"file", Align::left}, {"", Align::left}});
+  report::Table table({{"file", report::Align::left}, {"", report::Align::left}});
   std::string notes;
   for (const auto& [file, origin, note] : files) {
     table.add({file, origin});
@@ -166,10 +166,10 @@ std::string variances_text(const std::vector<ident::VarianceSource>& files) {
 
 std::string quality_text(const std::map<restrictions::Kind, ident::Quality>& by_kind) {
   if (by_kind.empty()) return "";
-  Table table({{"matrix", Align::left}, {"RJCF"}, {"ARVF"}, {"rms relative error"}});
+  report::Table table({{"matrix", report::Align::left}, {"RJCF"}, {"ARVF"}, {"rms relative error"}});
   for (const auto& [kind, figures] : by_kind) {
-    table.add({words(restrictions::key(kind)), number(figures.rjcf), number(figures.arvf),
-               number(figures.rms_relative_error)});
+    table.add({report::words(restrictions::key(kind)), report::number(figures.rjcf), report::number(figures.arvf),
+               report::number(figures.rms_relative_error)});
   }
   return "\nagainst the truth\n" + table.text();
 }
@@ -195,11 +195,11 @@ std::string unknowns_csv(const ident::Solution& solution) {
   const auto exact = [](const std::optional<double>& value) {
     return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
   };
-  std::string csv = csv_line({"name", "value", "unit", "std_error", "ci95_low", "ci95_high", "determined"});
+  std::string csv = report::csv_line({"name", "value", "unit", "std_error", "ci95_low", "ci95_high", "determined"});
   for (const auto& estimate : solution.unknowns) {
     const auto bound = [&](std::size_t i) { return estimate.ci95 ? exact((*estimate.ci95)[i]) : std::string(); };
-    csv += csv_line({estimate.name, exact(estimate.value), estimate.unit, exact(estimate.std_error), bound(0), bound(1),
-                     estimate.determined ? "true" : "false"});
+    csv += report::csv_line({estimate.name, exact(estimate.value), estimate.unit, exact(estimate.std_error), bound(0), bound(1),
+                             estimate.determined ? "true" : "false"});
   }
   return csv;
 }

@@ -29,7 +29,7 @@ void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
 }
 
 void write_numbers(const SolveArguments& arguments, const ident::Solution& solution, const std::string& title, std::ostream& out) {
-  if (arguments.json) write_target(*arguments.json, jointid::report::solution_json(solution), out);
+  if (arguments.json) write_target(*arguments.json, report::solution_json(solution), out);
   if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << solution_text(solution, title);
 }
@@ -67,7 +67,7 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
 void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
                   const std::optional<tasks::FrfEntry>& entry, std::ostream& out) {
   Progress progress;
-  write_target(target, jointid::report::solve_report(plan, solution, entry, progress.control()), out);
+  write_target(target, report::solve_report(plan, solution, entry, progress.control()), out);
 }
 
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.

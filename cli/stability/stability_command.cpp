@@ -16,7 +16,7 @@ namespace {
 void write(const StabilityArguments& arguments, const StabilityReport& report, std::ostream& out) {
   if (arguments.json) write_target(*arguments.json, stability_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, stability_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, report::stability_report(report), out);
+  if (arguments.report) write_target(*arguments.report, stability_report(report), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << stability_text(report);
 }
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/report/page.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/page.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
 /// What double precision can keep at best: 16 − log₁₀(condition).
@@ -17,52 +18,53 @@ std::vector<double> allowed(const std::vector<double>& condition) {
   return out;
 }
 
-CurvePlot digits_plot(const stability::Sweep& sweep, const std::vector<stability::Measured>& rows) {
+report::CurvePlot digits_plot(const stability::Sweep& sweep, const std::vector<stability::Measured>& rows) {
   const DigitTable table = digit_table(rows);
   const bool positive = std::ranges::all_of(table.values, [](double value) { return value > 0.0; });
-  CurvePlot plot;
+  report::CurvePlot plot;
   plot.title = "Digits kept";
   plot.x = {sweep.varied, positive && table.values.back() > 100.0 * table.values.front()};
   plot.y = {"digits", false};
   plot.x_values = table.values;
-  plot.series.push_back({"16 − log₁₀(condition)", allowed(table.condition), Style::reference});
+  plot.series.push_back({"16 − log₁₀(condition)", allowed(table.condition), report::Style::reference});
   for (std::size_t way = 0; way < table.ways.size(); ++way) plot.series.push_back({table.ways[way], table.digits[way]});
   return plot;
 }
 
 /// Red when a solution was wrong and did not say so.
-StatusBanner stability_banner(const StabilityReport& report) {
+report::StatusBanner stability_banner(const StabilityReport& report) {
   const auto silent =
       static_cast<std::size_t>(std::ranges::count(report.rows, stability::Verdict::silent_wrong, &stability::Measured::verdict)) +
       report.count.silent_wrong;
-  if (silent == 0) return {Trust::good, "ok", "No solution was silently wrong."};
-  return {Trust::bad, "silently wrong", fmt::format("{} solutions were wrong and did not say so.", silent)};
+  if (silent == 0) return {report::Trust::good, "ok", "No solution was silently wrong."};
+  return {report::Trust::bad, "silently wrong", fmt::format("{} solutions were wrong and did not say so.", silent)};
 }
 
 }  // namespace
 
 std::string stability_report(const StabilityReport& report) {
-  ReportPage page("Numerical stability", "jointid stability");
+  report::ReportPage page("Numerical stability", "jointid stability");
   page.status(stability_banner(report));
   page.section("What solutions say of themselves");
   page.add(verdict_table(report));
-  page.add(Text{"Silent wrong: off by more than 10 times the stated bound, without status or warning. "
-                "False alarm: status or warning, though right to 6 digits.",
-                true});
+  page.add(
+      report::Text{"Silent wrong: off by more than 10 times the stated bound, without status or warning. "
+                   "False alarm: status or warning, though right to 6 digits.",
+                   true});
   for (const stability::Sweep& sweep : stability::sweeps()) {
     const auto rows = report.of(sweep.name);
     if (rows.empty()) continue;
     page.section(sweep.title);
-    page.add(PlotGroup{"", {{"", {digits_plot(sweep, rows)}}}});
+    page.add(report::PlotGroup{"", {{"", {digits_plot(sweep, rows)}}}});
     page.add(digits_table(sweep, rows));
     page.add(cost_table(rows));
   }
-  page.add(
-      Text{"Digits: of the unknowns, each times the norm of its column, against the same identification in 50 digits; of the "
-           "likelihood, "
-           "against the truth. Grey: what the condition allows.",
-           true});
+  page.add(report::Text{
+      "Digits: of the unknowns, each times the norm of its column, against the same identification in 50 digits; of the "
+      "likelihood, "
+      "against the truth. Grey: what the condition allows.",
+      true});
   return page.html();
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

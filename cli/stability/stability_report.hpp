@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 #include "stability/sweeps.hpp"
 
 namespace jointid::cli {
@@ -29,9 +29,9 @@ DigitTable digit_table(const std::vector<stability::Measured>& rows);
 
 /// That table with its conditions; one row per method and solver with range of digits, time, memory and outcomes; verdicts of sweeps
 /// and random scenes.
-Table digits_table(const stability::Sweep& sweep, const std::vector<stability::Measured>& rows);
-Table cost_table(const std::vector<stability::Measured>& rows);
-Table verdict_table(const StabilityReport& report);
+report::Table digits_table(const stability::Sweep& sweep, const std::vector<stability::Measured>& rows);
+report::Table cost_table(const std::vector<stability::Measured>& rows);
+report::Table verdict_table(const StabilityReport& report);
 
 std::string stability_text(const StabilityReport& report);
 std::string stability_json(const StabilityReport& report);

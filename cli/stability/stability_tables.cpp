@@ -8,7 +8,8 @@
 #include <limits>
 
 #include "cli/stability/stability_report.hpp"
-#include "cli/text/cost_table.hpp"
+#include "report/text/cost_table.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -49,9 +50,9 @@ std::string outcomes(const std::vector<Measured>& rows) {
 }
 
 /// One way over all values of a sweep: median time, most memory.
-CostRow cost_of(std::vector<Measured> rows) {
+report::CostRow cost_of(std::vector<Measured> rows) {
   const auto stated = [](const Measured& row) { return row.digits_stated.value_or(std::nan("")); };
-  CostRow out;
+  report::CostRow out;
   out.way = {rows.front().method,
              rows.front().solver,
              range(rows, [](const Measured& row) { return static_cast<double>(row.lines); }),
@@ -102,11 +103,11 @@ DigitTable digit_table(const std::vector<Measured>& rows) {
   return out;
 }
 
-Table digits_table(const stability::Sweep& sweep, const std::vector<Measured>& rows) {
+report::Table digits_table(const stability::Sweep& sweep, const std::vector<Measured>& rows) {
   const DigitTable found = digit_table(rows);
-  std::vector<Column> columns = {{sweep.varied}, {"condition"}};
+  std::vector<report::Column> columns = {{sweep.varied}, {"condition"}};
   for (const std::string& way : found.ways) columns.push_back({way});
-  Table table(std::move(columns));
+  report::Table table(std::move(columns));
   for (std::size_t i = 0; i < found.values.size(); ++i) {
     std::vector<std::string> cells = {fmt::format("{:g}", found.values[i]), fmt::format("{:.1e}", found.condition[i])};
     for (const std::vector<double>& digits : found.digits) cells.push_back(one_decimal(digits[i]));
@@ -115,19 +116,20 @@ Table digits_table(const stability::Sweep& sweep, const std::vector<Measured>& r
   return table;
 }
 
-Table cost_table(const std::vector<Measured>& rows) {
-  std::vector<CostRow> out;
+report::Table cost_table(const std::vector<Measured>& rows) {
+  std::vector<report::CostRow> out;
   for (const std::string& way : digit_table(rows).ways) {
     std::vector<Measured> of_way;
     std::ranges::copy_if(rows, std::back_inserter(of_way), [&](const Measured& row) { return way_of(row) == way; });
     out.push_back(cost_of(of_way));
   }
-  return cost_table({{"method", Align::left}, {"solver", Align::left}, {"lines"}, {"unknowns"}, {"digits true"}, {"stated"}},
-                    "digits", "outcome", out);
+  return report::cost_table(
+      {{"method", report::Align::left}, {"solver", report::Align::left}, {"lines"}, {"unknowns"}, {"digits true"}, {"stated"}},
+      "digits", "outcome", out);
 }
 
-Table verdict_table(const StabilityReport& report) {
-  Table table({{"", Align::left}, {"solutions"}, {"right"}, {"told"}, {"silent wrong"}, {"false alarm"}});
+report::Table verdict_table(const StabilityReport& report) {
+  report::Table table({{"", report::Align::left}, {"solutions"}, {"right"}, {"told"}, {"silent wrong"}, {"false alarm"}});
   for (const stability::Sweep& sweep : stability::sweeps()) {
     std::vector<Measured> rows = report.of(sweep.name);
     std::erase_if(rows, [](const Measured& row) { return row.verdict == Verdict::not_judged; });

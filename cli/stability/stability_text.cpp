@@ -9,8 +9,8 @@ std::string stability_text(const StabilityReport& report) {
   for (const stability::Sweep& sweep : stability::sweeps()) {
     const auto rows = report.of(sweep.name);
     if (rows.empty()) continue;
-    text += fmt::format("{}: {}; digits kept\n{}\ncost and outcome\n{}\n", sweep.name, sweep.title, digits_table(sweep, rows).text(),
-                        cost_table(rows).text());
+    text += fmt::format("{}: {}; digits kept\n{}\ncost and outcome\n{}\n", sweep.name, sweep.title,
+                        digits_table(sweep, rows).text(), cost_table(rows).text());
   }
   text +=
       "digits: of the unknowns, each times the norm of its column, against the same identification of the same FRFs in 50 digits\n"

@@ -52,7 +52,7 @@ study::StudyOptions options_of(const StudyArguments& arguments, const std::strin
   options.threads = threads_of(arguments);
   options.resume = arguments.resume;
   options.out = result_file(arguments);
-  options.texts = jointid::report::study_texts(scene_text);
+  options.texts = report::study_texts(scene_text);
   return options;
 }
 
@@ -171,7 +171,7 @@ ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
                            study::study_statistics(options.out), start.data->notes};
   if (arguments.json) write_target(*arguments.json, study_json(report), out);
   if (arguments.csv) write_target(*arguments.csv, study_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, report::study_report(report, start.data->scene), out);
+  if (arguments.report) write_target(*arguments.report, study_report(report, start.data->scene), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << study_text(report);
   return report.statistics.usable > 0 ? ExitCode::done : ExitCode::unusable;
 }

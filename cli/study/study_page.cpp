@@ -4,68 +4,71 @@
 
 #include <algorithm>
 
-#include "cli/report/page.hpp"
 #include "cli/text/noise_text.hpp"
-#include "cli/text/words.hpp"
+#include "report/page/contents.hpp"
+#include "report/page/page.hpp"
 #include "report/result/study_plots.hpp"
 #include "report/result/study_tables.hpp"
+#include "report/text/words.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
-using jointid::report::quality_histograms;
-using jointid::report::quality_table;
-using jointid::report::speed_text;
-using jointid::report::trials_text;
-using jointid::report::unknown_histograms;
-using jointid::report::unknowns_table;
+using report::quality_histograms;
+using report::quality_table;
+using report::speed_text;
+using report::trials_text;
+using report::unknown_histograms;
+using report::unknowns_table;
 
 /// More is no reading matter; the JSON and the result file have it.
 constexpr std::size_t most_unknowns = 300;
 
-void add_summary(const StudyReport& report, const ident::Scene& scene, ReportPage& page) {
+void add_summary(const StudyReport& report, const ident::Scene& scene, report::ReportPage& page) {
   const ident::IdentifySection& identify = scene.identify;
   page.section("Summary");
-  page.add(Facts{{{"trials", trials_text(report.statistics)},
-                  {"seed", fmt::format("{}", report.seed)},
-                  {"noise", noise_text(scene.noise)},
-                  {"method", ident::name(identify.method)},
-                  {"equations", equations_text(identify.equations)},
-                  {"weighting", weighting_text(identify.method, identify.weighting)},
-                  {"delta", delta_text(identify.method, identify.delta)},
-                  {"solver", identify.solver},
-                  {"all results", report.file}}});
-  for (const std::string& note : report.notes) page.add(Text{note});
-  page.add(Text{speed_text(report.run) + ".", true});
+  page.add(report::Facts{{{"trials", trials_text(report.statistics)},
+                          {"seed", fmt::format("{}", report.seed)},
+                          {"noise", noise_text(scene.noise)},
+                          {"method", ident::name(identify.method)},
+                          {"equations", report::equations_text(identify.equations)},
+                          {"weighting", report::weighting_text(identify.method, identify.weighting)},
+                          {"delta", report::delta_text(identify.method, identify.delta)},
+                          {"solver", identify.solver},
+                          {"all results", report.file}}});
+  for (const std::string& note : report.notes) page.add(report::Text{note});
+  page.add(report::Text{speed_text(report.run) + ".", true});
 }
 
 /// Green when every trial gave an estimate.
-StatusBanner study_banner(const study::StudyStatistics& statistics) {
+report::StatusBanner study_banner(const study::StudyStatistics& statistics) {
   const std::string all = trials_text(statistics);
-  if (statistics.usable == statistics.trials) return {Trust::good, "ok", all + "."};
-  return statistics.usable > 0 ? StatusBanner{Trust::doubtful, "some trials failed", all + "."}
-                               : StatusBanner{Trust::bad, "no trial gave an estimate", all + "."};
+  if (statistics.usable == statistics.trials) return {report::Trust::good, "ok", all + "."};
+  return statistics.usable > 0 ? report::StatusBanner{report::Trust::doubtful, "some trials failed", all + "."}
+                               : report::StatusBanner{report::Trust::bad, "no trial gave an estimate", all + "."};
 }
 
-void add_unknowns(const StudyReport& report, ReportPage& page) {
+void add_unknowns(const StudyReport& report, report::ReportPage& page) {
   study::StudyStatistics shown = report.statistics;
   const std::size_t all = shown.unknowns.size();
   shown.unknowns.resize(std::min(most_unknowns, all));
   page.section("Unknowns");
   page.add(unknowns_table(shown));
-  page.add(Text{"Bias, standard deviation, rms error and quantiles of the error are in percent of the true value, or of the mean "
-                "where none is known.",
-                true});
+  page.add(report::Text{
+      "Bias, standard deviation, rms error and quantiles of the error are in percent of the true value, or of the mean "
+      "where none is known.",
+      true});
   if (std::ranges::any_of(shown.unknowns, [](const auto& unknown) { return unknown.coverage.has_value(); })) {
-    page.add(Text{"Coverage: share of the 95 % intervals that hold the truth.", true});
+    page.add(report::Text{"Coverage: share of the 95 % intervals that hold the truth.", true});
   }
   if (all > most_unknowns) {
-    page.add(Text{fmt::format("First {} of {} unknowns; --json, --csv and {} have all of them.", most_unknowns, all, report.file)});
+    page.add(report::Text{
+        fmt::format("First {} of {} unknowns; --json, --csv and {} have all of them.", most_unknowns, all, report.file)});
   }
   page.add(unknown_histograms(report.file, report.statistics, most_unknowns));
 }
 
-void add_quality(const StudyReport& report, ReportPage& page) {
+void add_quality(const StudyReport& report, report::ReportPage& page) {
   if (report.statistics.quality.empty()) return;
   page.section("Against the truth");
   page.add(quality_table(report.statistics.quality));
@@ -76,7 +79,7 @@ void add_quality(const StudyReport& report, ReportPage& page) {
 
 std::string study_report(const StudyReport& report, const ident::Scene& scene) {
   const std::string file = scene.file.filename().string();
-  ReportPage page(scene.title.empty() ? file : scene.title, "jointid study " + file);
+  report::ReportPage page(scene.title.empty() ? file : scene.title, "jointid study " + file);
   page.status(study_banner(report.statistics));
   add_summary(report, scene, page);
   add_unknowns(report, page);
@@ -84,4 +87,4 @@ std::string study_report(const StudyReport& report, const ident::Scene& scene) {
   return page.html();
 }
 
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

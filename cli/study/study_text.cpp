@@ -4,19 +4,19 @@
 
 #include <cmath>
 
-#include "cli/text/table.hpp"
 #include "report/result/study_tables.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
 
-using jointid::report::quality_table;
-using jointid::report::speed_text;
-using jointid::report::trials_text;
-using jointid::report::unknowns_table;
+using report::quality_table;
+using report::speed_text;
+using report::trials_text;
+using report::unknowns_table;
 
 std::string head(const StudyReport& report) {
-  Table table({{"", Align::left}, {"", Align::left}});
+  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
   table.add({"trials", trials_text(report.statistics)});
   table.add({"seed", fmt::format("{}", report.seed)});
   table.add({"all results", report.file});
@@ -39,8 +39,8 @@ std::string study_csv(const StudyReport& report) {
   const auto exact = [](const std::optional<double>& value) {
     return value && std::isfinite(*value) ? fmt::format("{}", *value) : std::string();
   };
-  std::string csv = csv_line({"name", "unit", "truth", "mean", "bias", "std", "rms_error", "q05", "q25", "q50", "q75", "q95",
-                              "coverage"});
+  std::string csv = report::csv_line(
+      {"name", "unit", "truth", "mean", "bias", "std", "rms_error", "q05", "q25", "q50", "q75", "q95", "coverage"});
   for (const study::UnknownStatistics& unknown : report.statistics.unknowns) {
     std::vector<std::string> fields = {unknown.name,        unknown.unit,
                                        exact(unknown.truth), exact(unknown.mean),
@@ -48,7 +48,7 @@ std::string study_csv(const StudyReport& report) {
                                        exact(unknown.rms_error)};
     for (const double quantile : unknown.quantiles) fields.push_back(exact(quantile));
     fields.push_back(exact(unknown.coverage));
-    csv += csv_line(fields);
+    csv += report::csv_line(fields);
   }
   return csv;
 }

@@ -7,7 +7,7 @@
 
 #include "cli/options/dof_list.hpp"
 #include "cli/text/line_pieces.hpp"
-#include "cli/text/table.hpp"
+#include "report/text/table.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -65,7 +65,7 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
 }
 
 std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census) {
-  Table table({{"", Align::left}, {"", Align::left}});
+  report::Table table({{"", report::Align::left}, {"", report::Align::left}});
   table.add({"quantity", frf::name(header.quantity)});
   table.add({"lines", lines_text(header.frequency_hz)});
   table.add({"responses", dof_list(header.response)});

@@ -1,5 +1,3 @@
-#include "cli/modalfit/modalfit_run.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,9 +9,11 @@
 #include "base/complex.hpp"
 #include "base/error.hpp"
 #include "cli/modalfit/modalfit_arguments.hpp"
+#include "cli/modalfit/modalfit_run.hpp"
 #include "cli/modalfit/modalfit_text.hpp"
 #include "frf/uff/uff55.hpp"
 #include "problems/case/modal_set.hpp"
+#include "report/modalfit/modal_run.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -26,7 +26,7 @@ class Modalfit : public testing::Test {
     file_ = problems::write(problems::make_modal_set("modes-pair"), folder_, {});
   }
 
-  ModalRun run(modalfit::ModelKind kind) const {
+  report::ModalRun run(modalfit::ModelKind kind) const {
     ModalfitArguments arguments;
     arguments.files = {file_};
     arguments.fit.kind = kind;
@@ -90,12 +90,12 @@ TEST_F(Modalfit, JsonHasModesAndErrors) {
 
 /// Given poles are refined to those that a search finds, none added or left out; one alone stays alone.
 TEST_F(Modalfit, GivenPolesAreRefinedAndNoneIsSought) {
-  const ModalRun sought = run({});
+  const report::ModalRun sought = run({});
   ModalfitArguments arguments;
   arguments.files = {file_};
   arguments.fit.range_hz = {95.0, 106.0};
   arguments.fit.poles = parse_poles({"99.99:0.0012", "101.01:0.0009"});
-  const ModalRun given = run_modalfit(arguments);
+  const report::ModalRun given = run_modalfit(arguments);
   ASSERT_EQ(given.fit.modes.size(), 2u);
   EXPECT_TRUE(given.fit.stabilisation.empty());
   for (std::size_t r = 0; r < 2; ++r) {

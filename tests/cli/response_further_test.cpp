@@ -8,14 +8,17 @@
 #include <sstream>
 
 #include "cli/response/comparison_run.hpp"
-#include "report/response/curve_rows.hpp"
 #include "cli/response/response_command.hpp"
-#include "report/response/response_file.hpp"
-#include "report/response/response_page.hpp"
-#include "report/response/run_response.hpp"
-#include "report/response/response_text.hpp"
 #include "frf/hdf5/table_file.hpp"
 #include "problems/thesis/pulses.hpp"
+#include "report/response/curve_rows.hpp"
+#include "report/response/read_response_scene.hpp"
+#include "report/response/response_file.hpp"
+#include "report/response/response_page.hpp"
+#include "report/response/response_run.hpp"
+#include "report/response/response_scene.hpp"
+#include "report/response/response_text.hpp"
+#include "report/response/run_response.hpp"
 #include "response_sample.hpp"
 
 namespace jointid::cli {
@@ -41,21 +44,19 @@ amplitudes = [1e-3, 1e-2, 1e-1]
 mode = 2
 )";
 
-ResponseScene scene_of(const std::string& text) { return parse_response_scene(text, "scene.toml"); }
+report::ResponseScene scene_of(const std::string& text) { return report::parse_response_scene(text, "scene.toml"); }
 
-ResponseRun run_of(const ResponseScene& scene) {
-  return run_response(scene, {});
-}
+report::ResponseRun run_of(const report::ResponseScene& scene) { return report::run_response(scene, {}); }
 
 const std::string at_one = replaced(rest, "range = [2.0, 4.0]\npoints = 41", "values = [3.0]");
 
 TEST(ResponseFurther, FollowsCurvesOverForceAndParameter) {
-  const ResponseScene scene = scene_of(chain + at_one + further);
-  const ResponseRun run = run_of(scene);
+  const report::ResponseScene scene = scene_of(chain + at_one + further);
+  const report::ResponseRun run = run_of(scene);
   ASSERT_EQ(run.curves.size(), 2u);
-  EXPECT_TRUE(all_converged(run));
+  EXPECT_TRUE(report::all_converged(run));
   // The curve over force passes the level that was solved for by itself: linear between its neighbours to the step's square.
-  const CurveRun& force = run.curves[0];
+  const report::CurveRun& force = run.curves[0];
   const double alone = std::abs(run.levels[1].points[0].response(0, 0));
   for (std::size_t i = 1; i < force.found.points.size(); ++i) {
     const double from = force.found.parameters[i - 1], to = force.found.parameters[i];
@@ -68,27 +69,27 @@ TEST(ResponseFurther, FollowsCurvesOverForceAndParameter) {
   EXPECT_EQ(run.curves[1].name, "k of 2–3");
   EXPECT_NEAR(std::abs(run.curves[1].found.points.front().response(0, 0)), std::abs(run.levels[0].points[0].response(0, 0)),
               1e-9);
-  const auto out = json::parse(response_json(scene, run));
+  const auto out = json::parse(report::response_json(scene, run));
   EXPECT_EQ(out["curves"][0]["points"].size(), force.found.points.size());
   EXPECT_EQ(out["curves"][1]["joint"], "2–3");
-  EXPECT_THAT(response_text(scene, run), HasSubstr("along k of 2–3, 1 N at 3 Hz"));
+  EXPECT_THAT(report::response_text(scene, run), HasSubstr("along k of 2–3, 1 N at 3 Hz"));
 }
 
 TEST(ResponseFurther, TellsEquivalentJointsAndModes) {
-  const ResponseScene scene = scene_of(chain + at_one + further);
-  const ResponseRun run = run_of(scene);
+  const report::ResponseScene scene = scene_of(chain + at_one + further);
+  const report::ResponseRun run = run_of(scene);
   ASSERT_EQ(run.equivalents.size(), 3u);
   EXPECT_GT(run.equivalents[0].joints[0].stiffness, run.equivalents[2].joints[0].stiffness);  // it softens
   ASSERT_TRUE(run.equivalents[0].mode);
   EXPECT_GT(run.equivalents[0].mode->omega, run.equivalents[2].mode->omega);
-  EXPECT_EQ(json::parse(response_json(scene, run))["equivalents"].size(), 3u);
+  EXPECT_EQ(json::parse(report::response_json(scene, run))["equivalents"].size(), 3u);
 }
 
 TEST(ResponseFurther, TellsStabilityAndResidualForce) {
-  const ResponseScene scene =
+  const report::ResponseScene scene =
       scene_of(replaced(chain + at_one, "harmonics = [1, 3, 5]", "harmonics = [1, 3, 5]\nstability = true"));
-  const ResponseRun run = run_of(scene);
-  for (const LevelResponse& level : run.levels) {
+  const report::ResponseRun run = run_of(scene);
+  for (const report::LevelResponse& level : run.levels) {
     ASSERT_EQ(level.stability.size(), 1u);
     EXPECT_TRUE(level.stability[0].known && level.stability[0].stable && !level.stability[0].another);
     EXPECT_LT(level.stability[0].difference, 0.05);
@@ -96,15 +97,15 @@ TEST(ResponseFurther, TellsStabilityAndResidualForce) {
   // 1 N moves the joint less than its slip, so it may keep a force.
   EXPECT_EQ(run.levels[0].stability[0].residual_force_free, (std::vector<std::string>{"2–3"}));
   EXPECT_NEAR(run.levels[0].stability[0].largest, 1.0, 1e-9);
-  const std::string text = response_text(scene, run);
+  const std::string text = report::response_text(scene, run);
   EXPECT_THAT(text, HasSubstr("residual force free: 2–3"));
   EXPECT_THAT(text, HasSubstr("|μ|"));
-  EXPECT_TRUE(json::parse(response_json(scene, run))["levels"][0]["points"][0]["stability"]["stable"]);
+  EXPECT_TRUE(json::parse(report::response_json(scene, run))["levels"][0]["points"][0]["stability"]["stable"]);
 }
 
 TEST(ResponseFurther, HasDampingAndLoopsOfPeaks) {
-  const ResponseRun run = run_of(scene_of(chain + rest));
-  for (const LevelResponse& level : run.levels) {
+  const report::ResponseRun run = run_of(scene_of(chain + rest));
+  for (const report::LevelResponse& level : run.levels) {
     ASSERT_TRUE(level.peak_mode);
     EXPECT_GT(level.peak_mode->ratio, 0.0);
     EXPECT_LT(level.peak_mode->ratio, 0.2);
@@ -123,18 +124,18 @@ TEST(ResponseFurther, HasDampingAndLoopsOfPeaks) {
 TEST(ResponseFurther, MarchesPulsesToTheirTruth) {
   const TestFolder folder;
   for (const problems::PulseProblem& pulse : problems::list_pulses()) {
-    const ResponseScene scene = read_response_scene(problems::write(pulse, folder / pulse.name));
+    const report::ResponseScene scene = report::read_response_scene(problems::write(pulse, folder / pulse.name));
     for (std::size_t i = 0; i < problems::pulse_times.size(); ++i) {
-      ResponseScene until = scene;
+      report::ResponseScene until = scene;
       until.transient->duration = until.transient->step = problems::pulse_times[i];
       const Eigen::MatrixXd x = run_of(until).transients.at(0).motion.x;
       for (std::size_t dof = 0; dof < 3; ++dof) EXPECT_NEAR(x(1, at(dof)), pulse.displacements[i][dof], 1e-10) << pulse.name;
     }
-    const ResponseRun run = run_of(scene);
+    const report::ResponseRun run = run_of(scene);
     ASSERT_EQ(run.transients.size(), 1u);
     EXPECT_TRUE(run.levels.empty());
-    EXPECT_THAT(response_text(scene, run), HasSubstr("from rest"));
-    EXPECT_EQ(json::parse(response_json(scene, run))["transients"][0]["times"].size(), 801u);
+    EXPECT_THAT(report::response_text(scene, run), HasSubstr("from rest"));
+    EXPECT_EQ(json::parse(report::response_json(scene, run))["transients"][0]["times"].size(), 801u);
   }
 }
 
@@ -147,7 +148,7 @@ TEST(ResponseFurther, MarchesRecordsFromFiles) {
   const std::string transient =
       "[transient]\nduration = 2.0\nstep = 0.01\nforces = [{ dof = 1, file = \"push.csv\", column = \"F\" }]\n";
   const auto read = [&](const std::string& section) {
-    return parse_response_scene(chain + at_one + section, folder / "scene.toml");
+    return report::parse_response_scene(chain + at_one + section, folder / "scene.toml");
   };
   const Eigen::MatrixXd exact = run_of(read(transient)).transients.at(0).motion.x;
   for (const char* method : {"one", "two"}) {
@@ -187,9 +188,9 @@ TEST(ResponseFurther, SaysInOneLineWhatIsWrong) {
 
 TEST(ResponseFurther, TransientsKnowCubicSprings) {
   const std::string spring = replaced(chain + at_one, "k = 150.0 }", "k = 150.0 }\ncubic = 1e3");
-  const ResponseRun run = run_of(scene_of(spring + "[transient]\nduration = 1.0\nstep = 0.1\n"));
+  const report::ResponseRun run = run_of(scene_of(spring + "[transient]\nduration = 1.0\nstep = 0.1\n"));
   EXPECT_EQ(run.marched, (std::vector<std::string>{"2–3", "2–3 cubic"}));
-  EXPECT_THAT(history_csv(run), HasSubstr("q(2–3 cubic) [m]"));
+  EXPECT_THAT(report::history_csv(run), HasSubstr("q(2–3 cubic) [m]"));
   const response::Transient& motion = run.transients.at(0).motion;
   EXPECT_LT((motion.f.col(1) - 1e3 * motion.q.col(1).array().cube().matrix()).cwiseAbs().maxCoeff(),
             1e-9 * motion.f.col(1).cwiseAbs().maxCoeff());
@@ -199,15 +200,15 @@ TEST(ResponseFurther, TransientsKnowCubicSprings) {
 TEST(ResponseFurther, MarchesOnModes) {
   const std::string all = replaced(chain + at_one, "[1, 3, 5]", "[1, 3, 5]\nstability = true") +
                           "[transient]\nduration = 1.0\nstep = 0.05\npulses = [{ dof = 1, amplitude = 5.0, length = 0.3 }]\n";
-  const ResponseRun full = run_of(scene_of(all));
+  const report::ResponseRun full = run_of(scene_of(all));
   const auto on = [&](const std::string& modes) {
     return run_of(scene_of(replaced(all, "[structure]\n", "[structure]\nmodes = " + modes + "\n")));
   };
-  const auto difference = [&](const ResponseRun& run) {
+  const auto difference = [&](const report::ResponseRun& run) {
     const Eigen::MatrixXd& exact = full.transients.at(0).motion.x;
     return (run.transients.at(0).motion.x - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
   };
-  const ResponseRun three = on("3"), one = on("1");
+  const report::ResponseRun three = on("3"), one = on("1");
   EXPECT_LT(difference(three), 1e-10);
   EXPECT_NEAR(three.levels[1].stability[0].largest, full.levels[1].stability[0].largest, 1e-9);
   EXPECT_LT(difference(one), 0.2);
@@ -216,7 +217,7 @@ TEST(ResponseFurther, MarchesOnModes) {
 
 TEST(ResponseFurther, ComparesAllWays) {
   Progress progress;
-  const ResponseScene scene = scene_of(replaced(chain + at_one, "amplitudes = [1.0, 3.0]", "amplitudes = [8.0]"));
+  const report::ResponseScene scene = scene_of(replaced(chain + at_one, "amplitudes = [1.0, 3.0]", "amplitudes = [8.0]"));
   const auto runs = run_comparison(scene, progress);
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_TRUE(all_known(runs));
@@ -250,10 +251,10 @@ TEST(ResponseFurther, WritesPageAndTables) {
   EXPECT_EQ(responses.header().texts.at("dofs"), "1,3");
   EXPECT_EQ(history.rows(), 2u * 101u);
   const frf::TableReader curves(folder / "curves.h5");
-  const ResponseRun run = run_of(scene_of(chain + rest + further));
+  const report::ResponseRun run = run_of(scene_of(chain + rest + further));
   EXPECT_EQ(curves.rows(), curve_rows(run).size());
   EXPECT_EQ(curves.header().texts.at("curves"), "peaks over force N;force N;k of 2–3");
-  const std::string csv = curves_csv(run);
+  const std::string csv = report::curves_csv(run);
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), curves.rows() + 1);
   EXPECT_THAT(csv, HasSubstr("peaks over force N,peak,3,3,"));
   arguments.out = "-";

@@ -7,6 +7,9 @@
 #include <sstream>
 
 #include "cli/response/response_command.hpp"
+#include "report/response/read_response_scene.hpp"
+#include "report/response/response_run.hpp"
+#include "report/response/response_scene.hpp"
 #include "report/response/response_text.hpp"
 #include "report/response/run_response.hpp"
 #include "response_sample.hpp"
@@ -28,8 +31,9 @@ std::string matrices_scene(const std::string& frequency) {
 TEST(ResponseModal, ModelsOfPartsAnswerBetweenLines) {
   const TestFolder folder;
   write_parts(folder);
-  const ResponseRun modal = run_parts(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 9\n", "[1, 3]"), folder);
-  const ResponseRun exact = run_parts(matrices_scene("range = [2.013, 3.987]\npoints = 9\n"), folder);
+  const report::ResponseRun modal =
+      run_parts(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 9\n", "[1, 3]"), folder);
+  const report::ResponseRun exact = run_parts(matrices_scene("range = [2.013, 3.987]\npoints = 9\n"), folder);
   EXPECT_THAT(modal.doubts, testing::IsEmpty());
   ASSERT_EQ(modal.levels[0].points.size(), 9u);
   for (std::size_t i = 0; i < 9; ++i) {
@@ -44,8 +48,9 @@ TEST(ResponseModal, ModelsOfPartsAnswerBetweenLines) {
 TEST(ResponseModal, PeaksOfModelsHaveAFrequencyAndADamping) {
   const TestFolder folder;
   write_parts(folder);
-  const ResponseRun modal = run_parts(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 81\n", "[1, 3]"), folder);
-  const ResponseRun exact = run_parts(matrices_scene("range = [2.013, 3.987]\npoints = 81\n"), folder);
+  const report::ResponseRun modal =
+      run_parts(parts_scene("modal_model = true\nrange = [2.013, 3.987]\npoints = 81\n", "[1, 3]"), folder);
+  const report::ResponseRun exact = run_parts(matrices_scene("range = [2.013, 3.987]\npoints = 81\n"), folder);
   ASSERT_TRUE(modal.levels[0].peak_mode);
   ASSERT_TRUE(exact.levels[0].peak_mode);
   EXPECT_NEAR(modal.levels[0].peak_mode->omega, exact.levels[0].peak_mode->omega, 5e-3 * exact.levels[0].peak_mode->omega);
@@ -57,14 +62,14 @@ TEST(ResponseModal, HarmonicsBeyondTheBandAreErrorBars) {
   const TestFolder folder;
   write_parts(folder);
   const std::string text = parts_scene("modal_model = true\nvalues = [3.3333]\n", "[1, 3, 5, 7, 9]");
-  const ResponseRun run = run_parts(text, folder);
+  const report::ResponseRun run = run_parts(text, folder);
   ASSERT_EQ(run.levels[0].left_out.size(), 1u);
   EXPECT_EQ(run.levels[0].points[0].harmonics, (std::vector<int>{1, 3, 5}));
   EXPECT_GT(run.levels[0].left_out[0](0, 0), 0.0);
   EXPECT_LT(run.levels[0].left_out[0](0, 0), 0.05 * std::abs(run.levels[0].points[0].response(0, 0)));
-  const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
-  EXPECT_THAT(response_text(scene, run), HasSubstr("their error bar"));
-  EXPECT_EQ(nlohmann::json::parse(response_json(scene, run))["levels"][0]["points"][0]["left_out"][0].size(), 3u);
+  const report::ResponseScene scene = report::parse_response_scene(text, folder / "scene.toml");
+  EXPECT_THAT(report::response_text(scene, run), HasSubstr("their error bar"));
+  EXPECT_EQ(nlohmann::json::parse(report::response_json(scene, run))["levels"][0]["points"][0]["left_out"][0].size(), 3u);
 }
 
 TEST(ResponseModal, SaysWhereThereIsNoModel) {
@@ -87,7 +92,7 @@ TEST(ResponseModal, DoubtsFrfsThatNoStructureHas) {
   }
   frf::write(set, folder / "one.csv");
   const std::string text = replaced(parts_scene("values = [3.0]\n", "[1]"), "[\"2:+X\", \"3:+X\"]", "[\"1:+X\", \"2:+X\"]");
-  const ResponseRun run = run_parts(text, folder);
+  const report::ResponseRun run = run_parts(text, folder);
   ASSERT_EQ(run.doubts.size(), 2u);
   EXPECT_THAT(run.doubts[0], HasSubstr("not reciprocal"));
   EXPECT_THAT(run.doubts[1], HasSubstr("not passive"));

@@ -5,8 +5,9 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "cli/response/response_parts.hpp"
 #include "frf/file/write.hpp"
+#include "report/response/read_response_scene.hpp"
+#include "report/response/response_run.hpp"
 #include "report/response/run_response.hpp"
 #include "response/structure/matrix_receptance.hpp"
 #include "response/structure/modal_damping.hpp"
@@ -49,7 +50,7 @@ inline std::string replaced(std::string text, const std::string& what, const std
 
 inline std::string error_of(const std::string& text) {
   try {
-    parse_response_scene(text, "scene.toml");
+    report::parse_response_scene(text, "scene.toml");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -92,8 +93,8 @@ inline std::string parts_scene(const std::string& frequency, const std::string& 
          "[response]\ndofs = [\"1:+X\", \"3:+X\"]\nharmonics = " + harmonics + "\n";
 }
 
-inline ResponseRun run_parts(const std::string& text, const TestFolder& folder) {
-  return run_response(parse_response_scene(text, folder / "scene.toml"), {});
+inline report::ResponseRun run_parts(const std::string& text, const TestFolder& folder) {
+  return report::run_response(report::parse_response_scene(text, folder / "scene.toml"), {});
 }
 
 }  // namespace jointid::cli

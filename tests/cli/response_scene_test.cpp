@@ -1,3 +1,5 @@
+#include "report/response/response_scene.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,11 +8,12 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "report/response/read_response_scene.hpp"
 #include "cli/response/response_command.hpp"
-#include "report/response/run_response.hpp"
-#include "report/response/response_text.hpp"
 #include "models/matrix_file.hpp"
+#include "report/response/read_response_scene.hpp"
+#include "report/response/response_run.hpp"
+#include "report/response/response_text.hpp"
+#include "report/response/run_response.hpp"
 #include "response/structure/modal_damping.hpp"
 #include "response_sample.hpp"
 
@@ -20,7 +23,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST(ResponseScene, ReadsAllThatItSays) {
-  const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
+  const report::ResponseScene scene = report::parse_response_scene(chain + rest, "scene.toml");
   EXPECT_EQ(scene.joints.size(), 1u);
   EXPECT_EQ(scene.joints[0].positive.coordinate, 1);
   EXPECT_EQ(scene.joints[0].negative->coordinate, 2);
@@ -67,9 +70,9 @@ TEST(ResponseScene, SaysInOneLineWhatIsWrong) {
 TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
   const std::string ren = "law = \"ren\"\nparameters = { a = 0.004, b = 1.5, k = 150.0 }";
   const auto run_with = [&](const std::string& law) {
-    return run_response(parse_response_scene(replaced(chain + rest, ren, law), "scene.toml"), {});
+    return report::run_response(report::parse_response_scene(replaced(chain + rest, ren, law), "scene.toml"), {});
   };
-  const ResponseRun slider = run_with("law = \"bilinear\"\nparameters = { a = 0.004, k = 150.0 }");
+  const report::ResponseRun slider = run_with("law = \"bilinear\"\nparameters = { a = 0.004, k = 150.0 }");
   const std::vector<std::string> same = {
       "law = \"generalised\"\nparameters = { k = 150.0, slip = [[0.0, 0.004], [1.0, 0.004]] }",
       "law = \"parallel\"\nparts = [{ law = \"bilinear\", parameters = [0.004, 100.0] },\n"
@@ -78,7 +81,7 @@ TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
       "         { law = \"parallel\", parts = [{ law = \"spring\", parameters = [300.0] }] }]",
   };
   for (const std::string& law : same) {
-    const ResponseRun other = run_with(law);
+    const report::ResponseRun other = run_with(law);
     for (std::size_t level = 0; level < 2; ++level) {
       const auto &expected = slider.levels[level].points, &found = other.levels[level].points;
       ASSERT_EQ(found.size(), expected.size());
@@ -104,35 +107,36 @@ TEST(ResponseScene, LawsAreTablesOrMadeOfParts) {
 }
 
 TEST(ResponseScene, FindsPeaksOverLevels) {
-  const ResponseScene scene = parse_response_scene(chain + rest, "scene.toml");
-  const ResponseRun run = run_response(scene, {});
+  const report::ResponseScene scene = report::parse_response_scene(chain + rest, "scene.toml");
+  const report::ResponseRun run = report::run_response(scene, {});
   ASSERT_EQ(run.levels.size(), 2u);
-  EXPECT_TRUE(all_converged(run));
-  for (const LevelResponse& level : run.levels) {
+  EXPECT_TRUE(report::all_converged(run));
+  for (const report::LevelResponse& level : run.levels) {
     ASSERT_TRUE(level.peak && level.refined);
     for (const auto& point : level.points) EXPECT_LE(std::abs(point.response(0, 0)), std::abs(level.peak->response(0, 0)));
   }
   EXPECT_LT(run.levels[1].peak->omega, run.levels[0].peak->omega);  // friction softens
-  EXPECT_THAT(response_text(scene, run), HasSubstr("peak Hz"));
-  const auto json = nlohmann::json::parse(response_json(scene, run));
+  EXPECT_THAT(report::response_text(scene, run), HasSubstr("peak Hz"));
+  const auto json = nlohmann::json::parse(report::response_json(scene, run));
   EXPECT_EQ(json["status"], "ok");
   EXPECT_EQ(json["levels"][0]["points"].size(), 41u);
   EXPECT_EQ(json["levels"][0]["points"][0]["responses"][1].size(), 3u);
   EXPECT_THAT(
-      response_csv(run),
+      report::response_csv(run),
       HasSubstr("force [N],frequency [Hz],harmonic,dof,re [m],im [m],std dev re [m],std dev im [m],left out [m]\n1,2,1,1,"));
 }
 
 TEST(ResponseScene, TellsDeviationsOfTheLaw) {
   const std::string known = replaced(chain + rest, "[force]", "deviations = { k = 5.0 }\n[force]");
-  const ResponseScene scene =
-      parse_response_scene(replaced(known, "range = [2.0, 4.0]\npoints = 41", "values = [2.9]"), "scene.toml");
+  const report::ResponseScene scene =
+      report::parse_response_scene(replaced(known, "range = [2.0, 4.0]\npoints = 41", "values = [2.9]"), "scene.toml");
   EXPECT_EQ(scene.joints[0].deviations, (std::vector<double>{0.0, 0.0, 5.0}));
-  const ResponseRun run = run_response(scene, {});
+  const report::ResponseRun run = report::run_response(scene, {});
   ASSERT_EQ(run.levels[0].deviations.size(), 1u);
   EXPECT_GT(run.levels[0].deviations[0].amplitude(0, 0), 0.0);
-  EXPECT_THAT(response_text(scene, run), HasSubstr("std dev"));
-  EXPECT_EQ(nlohmann::json::parse(response_json(scene, run))["levels"][0]["points"][0]["response_deviations"][0].size(), 3u);
+  EXPECT_THAT(report::response_text(scene, run), HasSubstr("std dev"));
+  EXPECT_EQ(nlohmann::json::parse(report::response_json(scene, run))["levels"][0]["points"][0]["response_deviations"][0].size(),
+            3u);
   EXPECT_THAT(error_of(replaced(known, "k = 5.0", "q = 5.0")), HasSubstr("'q' is not known here"));
 }
 
@@ -156,10 +160,10 @@ TEST(ResponseScene, FilesOfPartsGiveWhatMatricesGive) {
       "[structure]\nmodal_damping = 0.02\nmass = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]\n"
       "stiffness = [[500.0, -200.0, 0.0], [-200.0, 210.0, 0.0], [0.0, 0.0, 90.0]]\n[[joints]]\ndofs = [2, 3]\n" +
       joint + "[force]\ndof = 1\n" + end + "points = 41\n[response]\ndofs = [1, 3]\nharmonics = [1, 3, 5]\n";
-  const ResponseRun measured = run_response(parse_response_scene(files, folder / "scene.toml"), {});
-  const ResponseRun computed = run_response(parse_response_scene(matrices, folder / "scene.toml"), {});
+  const report::ResponseRun measured = report::run_response(report::parse_response_scene(files, folder / "scene.toml"), {});
+  const report::ResponseRun computed = report::run_response(report::parse_response_scene(matrices, folder / "scene.toml"), {});
   ASSERT_EQ(measured.levels[0].points.size(), 41u);
-  EXPECT_TRUE(all_converged(measured));
+  EXPECT_TRUE(report::all_converged(measured));
   EXPECT_TRUE(measured.doubts.empty());
   for (std::size_t i = 0; i < 41; ++i) {
     const Eigen::MatrixXcd& a = measured.levels[0].points[i].response;
@@ -168,13 +172,15 @@ TEST(ResponseScene, FilesOfPartsGiveWhatMatricesGive) {
   }
   // The ninth harmonic of 4 Hz is beyond the last line.
   const std::string more = replaced(files, "[1, 3, 5]", "[1, 3, 5, 7, 9]");
-  const ResponseScene beyond = parse_response_scene(more, folder / "scene.toml");
-  const ResponseRun dropped = run_response(beyond, {});
+  const report::ResponseScene beyond = report::parse_response_scene(more, folder / "scene.toml");
+  const report::ResponseRun dropped = report::run_response(beyond, {});
   EXPECT_EQ(dropped.levels[0].points.back().dropped.size(), 2u);
-  EXPECT_THAT(response_text(beyond, dropped), HasSubstr("harmonics beyond the lines of the files are dropped"));
-  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "\"1:+X\"\n", "\"1:+Y\"\n"), folder / "scene.toml"), {}),
-               InputError);
-  EXPECT_THROW(run_response(parse_response_scene(replaced(files, "[2.0, 4.0]", "[50.0, 60.0]"), folder / "scene.toml"), {}),
+  EXPECT_THAT(report::response_text(beyond, dropped), HasSubstr("harmonics beyond the lines of the files are dropped"));
+  EXPECT_THROW(
+      report::run_response(report::parse_response_scene(replaced(files, "\"1:+X\"\n", "\"1:+Y\"\n"), folder / "scene.toml"), {}),
+      InputError);
+  EXPECT_THROW(report::run_response(
+                   report::parse_response_scene(replaced(files, "[2.0, 4.0]", "[50.0, 60.0]"), folder / "scene.toml"), {}),
                InputError);
 }
 
@@ -238,13 +244,13 @@ TEST(ResponseScene, LargeModelsStaySparse) {
         "parameters = [0.002, 800.0]\n[force]\ndof = 1\namplitudes = [20.0]\n[frequency]\nvalues = [5.0, 6.0]\n"
         "[response]\ndofs = [1, 3]\nharmonics = [1, 3, 5]\n" +
         further;
-    const ResponseScene scene = parse_response_scene(text, folder / "scene.toml");
-    EXPECT_EQ(scene.sparse.has_value(), n > most_full);
-    EXPECT_EQ(coordinates(scene), n);
-    return run_response(scene, {});
+    const report::ResponseScene scene = report::parse_response_scene(text, folder / "scene.toml");
+    EXPECT_EQ(scene.sparse.has_value(), n > report::most_full);
+    EXPECT_EQ(report::coordinates(scene), n);
+    return report::run_response(scene, {});
   };
-  const ResponseRun small = run_of(200, ""), large = run_of(1000, "");
-  EXPECT_TRUE(all_converged(large));
+  const report::ResponseRun small = run_of(200, ""), large = run_of(1000, "");
+  EXPECT_TRUE(report::all_converged(large));
   for (std::size_t i = 0; i < 2; ++i) {
     const Eigen::MatrixXcd &a = large.levels[0].points[i].response, &b = small.levels[0].points[i].response;
     EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 1e-9 * b.cwiseAbs().maxCoeff());

@@ -1,22 +1,21 @@
-#include "cli/compare/comparison_page.hpp"
-
 #include <gmock/gmock.h>
 
 #include "../comparison_sample.hpp"
-#include "cli/report/contents.hpp"
-#include "report/result/comparison_plots.hpp"
+#include "cli/compare/comparison_page.hpp"
 #include "cli/problem/reproduction_page.hpp"
+#include "report/page/contents.hpp"
+#include "report/result/comparison_plots.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
-using jointid::report::error_against_time;
+using report::error_against_time;
 
 using testing::HasSubstr;
 using testing::Not;
 
 TEST(ComparisonPlots, PointsAreNamedByWhatDiffers) {
-  const ScatterPlot plot = error_against_time(sample_comparison().comparison.combinations, 0);
+  const report::ScatterPlot plot = error_against_time(sample_comparison().comparison.combinations, 0);
   ASSERT_EQ(plot.groups.size(), 2U);
   EXPECT_EQ(plot.groups[0].name, "Δ 0");
   EXPECT_EQ(plot.groups[1].points[0].label, "Δ 0.05");
@@ -30,7 +29,7 @@ TEST(ComparisonPlots, ColourTellsTheWeightingFirst) {
   auto combinations = sample_comparison().comparison.combinations;
   combinations[0].way.weighting = weighting::Weighting::wa;
   combinations[0].way.method = ident::Method::two;
-  const ScatterPlot plot = error_against_time(combinations, 0);
+  const report::ScatterPlot plot = error_against_time(combinations, 0);
   EXPECT_EQ(plot.groups[0].name, "WA");
   EXPECT_EQ(plot.groups[0].points[0].label, "WA, method two, Δ 0");
 }
@@ -48,7 +47,7 @@ TEST(ComparisonPlots, FrontAscendsAndWithoutAnEstimateThereIsNoPoint) {
   combinations.push_back(sample_combination(0.1, NAN, false));
   combinations[0].matrices[0].on_front = true;
   combinations[1].solve_s = 0.001;
-  const ScatterPlot plot = error_against_time(combinations, 0);
+  const report::ScatterPlot plot = error_against_time(combinations, 0);
   EXPECT_EQ(plot.groups.size(), 2U);
   ASSERT_EQ(plot.front.size(), 2U);
   EXPECT_LT(plot.front[0].x, plot.front[1].x);
@@ -108,4 +107,4 @@ TEST(ReproductionReportPage, KeepsColumnsTogether) {
 }
 
 }  // namespace
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

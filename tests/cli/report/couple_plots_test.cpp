@@ -1,4 +1,5 @@
-#include "cli/couple/couple_parts.hpp"
+
+#include "report/couple/couple_plots.hpp"
 
 #include <gmock/gmock.h>
 
@@ -6,12 +7,13 @@
 #include <filesystem>
 
 #include "cli/couple/couple_page.hpp"
-#include "cli/report/contents.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "problems/case/coupling_problem.hpp"
+#include "report/couple/couple_frfs.hpp"
+#include "report/page/contents.hpp"
 #include "tests/test_folder.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,15 +22,15 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-const CurvePlot& curves(const PlotGroup& group, std::size_t choice, std::size_t plot) {
-  return std::get<CurvePlot>(group.choices.at(choice).plots.at(plot));
+const report::CurvePlot& curves(const report::PlotGroup& group, std::size_t choice, std::size_t plot) {
+  return std::get<report::CurvePlot>(group.choices.at(choice).plots.at(plot));
 }
 
 TEST(CouplePlots, TheIntervalOfAMagnitudeIsThatOfTheErrorAlongIt) {
   const frf::Dof dof = frf::Dof::parse("1:+Y");
   // Real: the imaginary error turns H, and does not lengthen it. 3 + 4i: (9·0.25 + 16·1)/25² = (0.1708…)².
-  const PredictedFrf frf{dof, dof, {2.0, {3.0, 4.0}, 0.0}, {{0.01, 5.0}, {0.25, 1.0}, {0.01, 0.01}}, {}};
-  const PlotGroup group = predicted_plots({10.0, 20.0, 30.0}, {frf}, 100);
+  const report::PredictedFrf frf{dof, dof, {2.0, {3.0, 4.0}, 0.0}, {{0.01, 5.0}, {0.25, 1.0}, {0.01, 0.01}}, {}};
+  const report::PlotGroup group = report::predicted_plots({10.0, 20.0, 30.0}, {frf}, 100);
   const auto& series = curves(group, 0, 0).series;
   ASSERT_EQ(series.size(), 3u);
   EXPECT_NEAR(series[1].y[0], 2.0 * std::exp(1.959964 * 0.05), 1e-6);
@@ -54,7 +56,7 @@ TEST_F(CoupleReport, ReadsBackWhatWasWritten) {
   scene_.options.uncertainty = true;
   scene_.options.noise = frf::NoiseModel{.level = 0.05};
   const tasks::CoupleResult result = couple(true);
-  const std::vector<PredictedFrf> frfs = read_predicted(result, 8);
+  const std::vector<report::PredictedFrf> frfs = report::read_predicted(result, 8);
   const frf::FrfSet set = frf::load(*frf::open_hdf5(result.result.path)), all = frf::load(*frf::open_hdf5(result.with_all->path));
   ASSERT_EQ(frfs.size(), 8u);
   for (std::size_t e = 0; e < frfs.size(); ++e) {
@@ -67,7 +69,7 @@ TEST_F(CoupleReport, ReadsBackWhatWasWritten) {
       EXPECT_EQ(frfs[e].with_all[line], all.values[all.index(line, r, c)]);
     }
   }
-  EXPECT_EQ(read_predicted(result, 1000).size(), set.header.entries());
+  EXPECT_EQ(report::read_predicted(result, 1000).size(), set.header.entries());
 }
 
 TEST_F(CoupleReport, SaysWhatIsLeftOutAndWhy) {
@@ -87,7 +89,7 @@ TEST_F(CoupleReport, TheThresholdPartsTheSingularValuesOfEveryLine) {
   for (const auto threshold : {coupling::Threshold::fixed, coupling::Threshold::picard}) {
     scene_.options.threshold = threshold;
     const tasks::CoupleResult result = couple(false);
-    const PlotGroup group = condition_plots(result, 10000);
+    const report::PlotGroup group = report::condition_plots(result, 10000);
     const auto& series = curves(group, 0, 1).series;
     const auto& kept = curves(group, 0, 2).series[0].y;
     ASSERT_EQ(series.size(), 6u);
@@ -101,12 +103,12 @@ TEST_F(CoupleReport, TheThresholdPartsTheSingularValuesOfEveryLine) {
 }
 
 TEST(CouplePlots, AlphasThatAreNotThereAreLeftOut) {
-  EXPECT_THAT(alpha_plots({1.0}, {coupling::LineRecord{}}, {"a"}, {}, 10).choices, IsEmpty());
-  const PlotGroup group = alpha_plots(
+  EXPECT_THAT(report::alpha_plots({1.0}, {coupling::LineRecord{}}, {"a"}, {}, 10).choices, IsEmpty());
+  const report::PlotGroup group = report::alpha_plots(
       {1.0, 2.0}, {coupling::LineRecord{.alpha = {0.5}}, coupling::LineRecord{.alpha = {std::nan("")}}}, {"a"}, 0.3, 10);
   EXPECT_THAT(curves(group, 0, 0).series[0].y, ElementsAre(0.5, testing::IsNan()));
   EXPECT_EQ(curves(group, 0, 0).level, 0.3);
 }
 
 }  // namespace
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli

@@ -6,16 +6,16 @@
 #include <limits>
 #include <numeric>
 
-#include "cli/report/contents.hpp"
 #include "cli/study/study_page.hpp"
 #include "frf/hdf5/table_file.hpp"
+#include "report/page/contents.hpp"
 #include "tests/test_folder.hpp"
 
-namespace jointid::cli::report {
+namespace jointid::cli {
 namespace {
 
-using jointid::report::quality_histograms;
-using jointid::report::unknown_histograms;
+using report::quality_histograms;
+using report::unknown_histograms;
 
 using testing::HasSubstr;
 using testing::Not;
@@ -48,35 +48,35 @@ class StudyPlots : public testing::Test {
   TestFolder folder_;
 };
 
-PlotGroup unknowns_of(const std::filesystem::path& file, std::size_t most) {
+report::PlotGroup unknowns_of(const std::filesystem::path& file, std::size_t most) {
   return unknown_histograms(file, study::study_statistics(file), most);
 }
 
-const HistogramPlot& histogram(const PlotGroup& group, std::size_t choice, std::size_t plot) {
-  return std::get<HistogramPlot>(group.choices.at(choice).plots.at(plot));
+const report::HistogramPlot& histogram(const report::PlotGroup& group, std::size_t choice, std::size_t plot) {
+  return std::get<report::HistogramPlot>(group.choices.at(choice).plots.at(plot));
 }
 
 double sum(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
 /// As the workbench draws trials that go on.
 TEST_F(StudyPlots, OfValuesInMemoryAreThoseOfTheFile) {
-  const PlotGroup of_file = unknowns_of(study_file(1, 200, 1000.0, 1090.0), 10);
+  const report::PlotGroup of_file = unknowns_of(study_file(1, 200, 1000.0, 1090.0), 10);
   std::vector<double> values;
   for (int i = 0; i < 200; ++i) values.push_back(1000.0 + i);
   values.push_back(without_value);
-  const auto found = jointid::report::histogram_of("K0", "N/m", values, 1090.0);
+  const auto found = report::histogram_of("K0", "N/m", values, 1090.0);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->counts, histogram(of_file, 0, 0).counts);
   EXPECT_EQ(found->low, histogram(of_file, 0, 0).low);
   EXPECT_EQ(found->high, histogram(of_file, 0, 0).high);
   EXPECT_EQ(found->title, histogram(of_file, 0, 0).title);
-  EXPECT_FALSE(jointid::report::histogram_of("K0", "N/m", std::vector<double>(10, 3.0), std::nullopt));
-  EXPECT_FALSE(jointid::report::histogram_of("K0", "N/m", {without_value}, std::nullopt));
+  EXPECT_FALSE(report::histogram_of("K0", "N/m", std::vector<double>(10, 3.0), std::nullopt));
+  EXPECT_FALSE(report::histogram_of("K0", "N/m", {without_value}, std::nullopt));
 }
 
 TEST_F(StudyPlots, CountEveryTrialAndMarkTheTruth) {
-  const PlotGroup group = unknowns_of(study_file(1, 100, 0.0, 40.0), 10);
-  const HistogramPlot& plot = histogram(group, 0, 0);
+  const report::PlotGroup group = unknowns_of(study_file(1, 100, 0.0, 40.0), 10);
+  const report::HistogramPlot& plot = histogram(group, 0, 0);
   EXPECT_EQ(plot.title, "K0");
   EXPECT_EQ(plot.x.label, "N/m");
   EXPECT_EQ(sum(plot.counts), 100.0);
@@ -91,7 +91,7 @@ TEST_F(StudyPlots, ReachForATruthThatIsNearOnly) {
 }
 
 TEST_F(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
-  const PlotGroup group = unknowns_of(study_file(40, 30, 0.0, without_value), 25);
+  const report::PlotGroup group = unknowns_of(study_file(40, 30, 0.0, without_value), 25);
   ASSERT_EQ(group.choices.size(), 3U);
   EXPECT_EQ(group.choices[0].name, "K0 … K11");
   EXPECT_EQ(group.choices[0].plots.size(), 12U);
@@ -102,14 +102,14 @@ TEST_F(StudyPlots, StandTwelveTogetherAndEndWhereAsked) {
 TEST_F(StudyPlots, WhatDoesNotVaryIsLeftOut) {
   EXPECT_TRUE(unknowns_of(study_file(2, 1, 5.0, 5.0), 10).choices.empty());
   const auto file = study_file(1, 50, 0.0, without_value);
-  const PlotGroup group = quality_histograms(file, study::study_statistics(file));
+  const report::PlotGroup group = quality_histograms(file, study::study_statistics(file));
   ASSERT_EQ(group.choices.size(), 1U);
   EXPECT_EQ(group.choices[0].plots.size(), 2U) << "the rms error is always 0.5";
 }
 
 TEST_F(StudyPlots, RjcfEndsAtOne) {
   const auto file = study_file(1, 50, 0.0, without_value);
-  const PlotGroup group = quality_histograms(file, study::study_statistics(file));
+  const report::PlotGroup group = quality_histograms(file, study::study_statistics(file));
   EXPECT_EQ(histogram(group, 0, 0).high, 1.0);
   EXPECT_EQ(sum(histogram(group, 0, 0).counts), 50.0);
   EXPECT_GT(histogram(group, 0, 1).high, 1.0);
@@ -133,4 +133,4 @@ TEST_F(StudyReportPage, TellsTheSceneAndStaysSmall) {
 }
 
 }  // namespace
-}  // namespace jointid::cli::report
+}  // namespace jointid::cli
