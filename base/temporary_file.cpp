@@ -101,4 +101,21 @@ void write_text(const std::filesystem::path& target, std::string_view text) {
   temporary.commit();
 }
 
+std::size_t NumberSpool::put(std::span<const double> numbers) {
+  if (!stream_) stream_.reset(std::tmpfile());
+  const std::size_t begin = count_;
+  if (!stream_ || std::fseek(stream_.get(), 0, SEEK_END) != 0 ||
+      std::fwrite(numbers.data(), sizeof(double), numbers.size(), stream_.get()) != numbers.size())
+    throw InputError({ErrorKind::data, file_, "", "needs a temporary file as large as its numbers, which cannot be written",
+                      "export it as binary UFF (58b)"});
+  count_ += numbers.size();
+  return begin;
+}
+
+void NumberSpool::get(std::size_t first, std::span<double> numbers) {
+  if (std::fseek(stream_.get(), static_cast<long>(first * sizeof(double)), SEEK_SET) != 0 ||
+      std::fread(numbers.data(), sizeof(double), numbers.size(), stream_.get()) != numbers.size())
+    throw InputError({ErrorKind::data, file_, "", "its temporary file cannot be read", "try again: its disk may fail"});
+}
+
 }  // namespace jointid

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace jointid {
 
@@ -29,6 +34,26 @@ class TemporaryFile {
  private:
   std::filesystem::path target_;
   std::filesystem::path path_;  ///< empty once committed
+};
+
+/// Numbers that memory should not hold, one run behind the other, in a file without a name that vanishes with the object.
+class NumberSpool {
+ public:
+  /// `file`: whose numbers they are, for messages.
+  explicit NumberSpool(std::string file) : file_(std::move(file)) {}
+
+  /// Where they begin. The first ones make the file. Throws InputError when the disk does not take them.
+  std::size_t put(std::span<const double> numbers);
+  /// Those from `first` on, which were put.
+  void get(std::size_t first, std::span<double> numbers);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* stream) const { std::fclose(stream); }
+  };
+  std::string file_;
+  std::unique_ptr<std::FILE, Close> stream_;
+  std::size_t count_ = 0;
 };
 
 /// Removes the temporaries of all files that are being written, for a signal handler that ends the process.

@@ -1,5 +1,10 @@
 #include "frf/uff/uff_bytes.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+
 #include "base/error.hpp"
 
 namespace jointid::frf::uff {
@@ -15,15 +20,23 @@ void Place::fail(const std::string& detail, const std::string& problem, const st
 
 ByteFile::ByteFile(const std::filesystem::path& path) : name_(path.string()) {
   std::error_code error;
-  if (std::filesystem::is_regular_file(path, error)) stream_.open(path, std::ios::binary);
-  if (!stream_.is_open()) {
+  if (std::filesystem::is_regular_file(path, error)) {
+    size_ = std::filesystem::file_size(path, error);
+    stream_.open(path, std::ios::binary);
+    exact_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  }
+  if (!stream_.is_open() || exact_ < 0) {
+    if (exact_ >= 0) ::close(exact_);
     throw InputError({.kind = ErrorKind::data,
                       .file = name_,
                       .place = {},
                       .problem = "cannot open the file",
                       .remedy = "check its name and that you may read it"});
   }
-  size_ = std::filesystem::file_size(path);
+}
+
+ByteFile::~ByteFile() {
+  if (exact_ >= 0) ::close(exact_);
 }
 
 void ByteFile::seek(std::uint64_t position) {
@@ -41,13 +54,15 @@ bool ByteFile::next_line(std::string_view& line) {
 }
 
 std::string ByteFile::read(std::uint64_t offset, std::uint64_t count) {
-  seek(offset);
   std::string bytes(count, '\0');
-  if (!stream_.read(bytes.data(), static_cast<std::streamsize>(count))) {
-    Place{name_, {}, offset}.fail({}, "cannot read " + std::to_string(count) + " bytes",
-                                  "the file changed or its disk fails");
+  for (std::uint64_t done = 0; done < count;) {
+    const ssize_t got = ::pread(exact_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) {
+      Place{name_, {}, offset}.fail({}, "cannot read " + std::to_string(count) + " bytes", "the file changed or its disk fails");
+    }
+    done += static_cast<std::uint64_t>(got);
   }
-  position_ = offset + count;
   return bytes;
 }
 

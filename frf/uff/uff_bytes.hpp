@@ -23,6 +23,9 @@ struct Place {
 class ByteFile {
  public:
   explicit ByteFile(const std::filesystem::path& path);
+  ~ByteFile();
+  ByteFile(const ByteFile&) = delete;
+  ByteFile& operator=(const ByteFile&) = delete;
 
   const std::string& name() const { return name_; }
   std::uint64_t size() const { return size_; }
@@ -38,7 +41,8 @@ class ByteFile {
 
  private:
   std::string name_;
-  std::ifstream stream_;
+  std::ifstream stream_;  ///< for lines
+  int exact_ = -1;        ///< for numbers: a few bytes cost a few bytes, not a buffer of them
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
   std::string line_;

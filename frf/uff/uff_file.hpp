@@ -13,11 +13,12 @@
 
 namespace jointid::frf {
 
-/// Opens a universal file (UFF 58 and 58b). The file is gone through once and headers are kept; the values of
-/// a record are read when they are asked for; of binary records only the span of lines asked for, while text
-/// records are read whole and kept. Every record has its own quantity and units; header().quantity is that of
-/// the first FRF. How DOFs, signs, axes, units and coherences are taken is said at uff::build_catalogue and
-/// uff::interpret_ordinate. Throws InputError when the file holds no FRFs.
+/// Opens a universal file (UFF 58 and 58b). The file is gone through once and headers are kept; the values of a record are read
+/// when they are asked for. Of binary records that is only the span of lines asked for, and, where a record goes on at the line
+/// at which it ended, up to 32 MB of all FRFs ahead. Text records are read whole and kept: in memory up to 16 MB in all, else in
+/// a temporary file. Every record has its own quantity and units; header().quantity is that of the first FRF. How DOFs, signs,
+/// axes, units and coherences are taken is said at uff::build_catalogue and uff::interpret_ordinate. Throws InputError when the
+/// file holds no FRFs.
 std::unique_ptr<FrfSource> open_uff(const std::filesystem::path& path, const OpenOptions& options = {});
 
 /// Whether a file that begins with these bytes (about 200 are enough) is a universal file: '    -1', then a

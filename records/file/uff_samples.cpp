@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <memory>
 
 #include "base/error.hpp"
+#include "base/temporary_file.hpp"
 #include "frf/uff/uff58_data.hpp"
 #include "records/file/channel_choice.hpp"
 #include "records/file/sample_streams.hpp"
@@ -13,38 +12,11 @@
 namespace jointid::records {
 namespace {
 
-/// Numbers of the channels of text, one channel behind the other, in a file that vanishes with us.
-class Spool {
- public:
-  explicit Spool(std::string file) : file_(std::move(file)) {}
-
-  /// Where they begin.
-  std::size_t put(const std::vector<std::complex<double>>& values) {
-    if (!out_) out_.reset(std::tmpfile());
-    std::vector<double> reals(values.size());
-    std::ranges::transform(values, reals.begin(), [](const auto& value) { return value.real(); });
-    const std::size_t begin = count_;
-    if (!out_ || std::fwrite(reals.data(), sizeof(double), reals.size(), out_.get()) != reals.size())
-      throw InputError({ErrorKind::data, file_, "", "needs a temporary file as large as its numbers, which cannot be written",
-                        "export it as binary UFF (58b)"});
-    count_ += reals.size();
-    return begin;
-  }
-
-  void get(std::size_t first, std::span<double> values) {
-    if (std::fseek(out_.get(), static_cast<long>(first * sizeof(double)), SEEK_SET) != 0 ||
-        std::fread(values.data(), sizeof(double), values.size(), out_.get()) != values.size())
-      throw InputError({ErrorKind::data, file_, "", "its temporary file cannot be read", ""});
-  }
-
- private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::string file_;
-  std::unique_ptr<std::FILE, Close> out_;
-  std::size_t count_ = 0;
-};
+std::vector<double> real_parts(const std::vector<std::complex<double>>& values) {
+  std::vector<double> out(values.size());
+  std::ranges::transform(values, out.begin(), [](const auto& value) { return value.real(); });
+  return out;
+}
 
 class UffSamples final : public SampleStream {
  public:
@@ -106,7 +78,7 @@ class UffSamples final : public SampleStream {
     for (Stored& stored : out.channels) {
       cut_ += stored.channel.dataset.function->points - shortest;
       if (!stored.channel.dataset.binary)
-        stored.spooled = spool_.put(frf::uff::read_points(bytes_, stored.channel.dataset).values);
+        stored.spooled = spool_.put(real_parts(frf::uff::read_points(bytes_, stored.channel.dataset).values));
     }
     out.range = range_of(options, shortest);
     return out;
@@ -119,7 +91,7 @@ class UffSamples final : public SampleStream {
   }
 
   frf::uff::ByteFile bytes_;
-  Spool spool_;
+  NumberSpool spool_;  ///< the channels of text
   std::vector<Run> runs_;
   std::size_t run_ = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "frf/uff/uff_file.hpp"
@@ -158,6 +159,84 @@ TEST(UffRoundTrip, ReceptancesInBinaryAreExact) {
   const TemporaryUff file;
   write_uff(small_set(), file);
   EXPECT_EQ(load(*open_uff(file)).values, small_set().values);
+}
+
+/// A set of binary FRFs, and its file.
+struct Kept {
+  FrfSet set;
+  TemporaryUff file;
+
+  Kept(std::size_t lines, std::size_t responses, std::size_t references, const UffWriteOptions& options = {}) {
+    for (std::size_t i = 0; i < lines; ++i) set.header.frequency_hz.push_back(10.0 + static_cast<double>(i));
+    for (std::size_t i = 0; i < responses; ++i)
+      set.header.response.push_back({static_cast<std::int64_t>(i) + 1, Direction::y, 1});
+    set.header.reference.assign(set.header.response.begin(),
+                                set.header.response.begin() + static_cast<std::ptrdiff_t>(references));
+    set.values.resize(lines * responses * references);
+    for (std::size_t i = 0; i < set.values.size(); ++i) set.values[i] = {static_cast<double>(i), -0.5 * static_cast<double>(i)};
+    write_uff(set, file, options);
+  }
+  /// Whether lines of some responses come as they were written.
+  bool gives(FrfSource& source, std::size_t first, std::size_t end, const std::vector<std::size_t>& responses) const {
+    std::vector<std::size_t> lines(end - first), references(set.header.reference.size());
+    std::iota(lines.begin(), lines.end(), first);
+    std::iota(references.begin(), references.end(), std::size_t{0});
+    const Block block{lines, responses, references};
+    std::vector<Complex> found(block.size());
+    source.read(block, found);
+    std::size_t at = 0;
+    for (const std::size_t line : lines) {
+      for (const std::size_t r : responses) {
+        for (const std::size_t c : references) {
+          if (found[at++] != set.values[(line * set.header.response.size() + r) * references.size() + c]) return false;
+        }
+      }
+    }
+    return true;
+  }
+};
+
+/// Text of more than 16 MB of numbers, which go through a temporary file.
+TEST(UffRoundTrip, LongTextInAnyOrderIsWhatWasWritten) {
+  const Kept kept(11'000, 10, 10, {.binary = false});
+  const std::vector<std::size_t> some = {1, 4, 9};
+  const auto source = open_uff(kept.file);
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 40; ++i) {
+    const std::size_t first = random() % 10'900, end = first + 1 + random() % 100;
+    ASSERT_TRUE(kept.gives(*source, first, end, some)) << first << " to " << end;
+    ASSERT_TRUE(kept.gives(*source, end, std::min<std::size_t>(end + 7, 11'000), some)) << first << " to " << end;
+  }
+}
+
+/// In order, back and forth, with gaps and overlaps, of changing responses: what is read ahead never shows.
+TEST(UffRoundTrip, BlocksInAnyOrderAreWhatWasWritten) {
+  const Kept kept(60, 3, 2);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937_64 random(seed);
+    const auto source = open_uff(kept.file);
+    std::size_t at = 0;
+    for (int i = 0; i < 60; ++i) {
+      if (random() % 3 == 0 || at == 60) at = random() % 60;  // else where the last one ended
+      const std::size_t end = at + 1 + random() % std::min<std::size_t>(60 - at, 9);
+      const std::vector<std::size_t> all = {0, 1, 2}, one = {random() % 3};
+      ASSERT_TRUE(kept.gives(*source, at, end, random() % 4 == 0 ? one : all)) << "seed " << seed << ": " << at << " to " << end;
+      at = end;
+    }
+  }
+}
+
+/// More lines than are read ahead of so many FRFs, after and before a few.
+TEST(UffRoundTrip, ManyLinesOfManyFrfsAreWhatWasWritten) {
+  const Kept kept(1150, 50, 40);
+  std::vector<std::size_t> all(50);
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto source = open_uff(kept.file);
+  EXPECT_TRUE(kept.gives(*source, 0, 1100, all));
+  EXPECT_TRUE(kept.gives(*source, 1100, 1110, all));
+  EXPECT_TRUE(kept.gives(*source, 0, 2, all));
+  EXPECT_TRUE(kept.gives(*source, 2, 4, all));
+  EXPECT_TRUE(kept.gives(*source, 4, 1150, all));
 }
 
 TEST(UffRoundTrip, ZeroHertzOfAnAcceleranceIsNotMeasured) {
