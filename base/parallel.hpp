@@ -10,9 +10,9 @@
 
 namespace jointid {
 
-/// The threads that were asked for, all cores of the machine for 0.
-inline std::size_t threads_or_cores(std::size_t asked) {
-  return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
+/// The threads that were asked for; for 0 all cores of the machine, or the part of them of each of so many processes.
+inline std::size_t threads_or_cores(std::size_t asked, std::size_t processes = 1) {
+  return asked > 0 ? asked : std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes);
 }
 
 /// each(i) for i = 0 … count − 1 on as many threads, in any order. The first exception ends it and is thrown here.

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <thread>
+
+#include "base/parallel.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -60,12 +61,8 @@ WholeNumbers counts_of_trials() { return {.least = 0, .most = 1'000'000'000, .re
 
 WholeNumbers counts_of_threads() {
   constexpr std::uint64_t always = 64;
-  const std::uint64_t cores = std::thread::hardware_concurrency();
+  const std::uint64_t cores = threads_or_cores(0);
   return {.least = 0, .most = std::max(always, 4 * cores), .remedy = "0 takes all " + std::to_string(cores) + " cores"};
-}
-
-std::size_t threads_for(std::size_t asked, std::size_t processes) {
-  return asked > 0 ? asked : std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes);
 }
 
 }  // namespace jointid::cli

@@ -37,7 +37,4 @@ CLI::Option* add_whole_number(CLI::App* command, const std::string& name, Number
 WholeNumbers counts_of_trials();
 WholeNumbers counts_of_threads();
 
-/// All threads that were asked for; for 0 those of all cores, or the part of them of each of so many processes.
-std::size_t threads_for(std::size_t asked, std::size_t processes = 1);
-
 }  // namespace jointid::cli

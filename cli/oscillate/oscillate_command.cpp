@@ -1,37 +1,41 @@
 #include "cli/oscillate/oscillate_command.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/oscillate/oscillate_page.hpp"
-#include "cli/oscillate/oscillate_report.hpp"
 #include "cli/text/failure.hpp"
+#include "cli/text/interrupt.hpp"
+#include "cli/text/progress.hpp"
+#include "report/oscillate/oscillate_page.hpp"
+#include "report/oscillate/oscillate_report.hpp"
 
 namespace jointid::cli {
 namespace {
 
-void check_outputs(const OscillateArguments& arguments, const OscillateScene& scene) {
-  check_targets(files_of(scene), {{"--json", arguments.json},
-                                  {"--csv", arguments.csv},
-                                  {"--report", arguments.report},
-                                  {"--sweep", arguments.sweep},
-                                  {"--events", arguments.events}});
+void check_outputs(const OscillateArguments& arguments, const report::OscillateScene& scene) {
+  check_targets(report::files_of(scene), {{"--json", arguments.json},
+                                          {"--csv", arguments.csv},
+                                          {"--report", arguments.report},
+                                          {"--sweep", arguments.sweep},
+                                          {"--events", arguments.events}});
 }
 
-void write(const OscillateArguments& arguments, const OscillateRun& run, std::ostream& out) {
-  if (arguments.json) write_target(*arguments.json, oscillate_json(run), out);
-  if (arguments.csv) write_target(*arguments.csv, motion_csv(run), out);
-  if (arguments.sweep) write_target(*arguments.sweep, sweep_csv(run), out);
-  if (arguments.events) write_target(*arguments.events, events_csv(run), out);
-  if (arguments.report) write_target(*arguments.report, oscillate_report(run), out);
+void write(const OscillateArguments& arguments, const report::OscillateRun& run, std::ostream& out) {
+  if (arguments.json) write_target(*arguments.json, report::oscillate_json(run), out);
+  if (arguments.csv) write_target(*arguments.csv, report::motion_csv(run), out);
+  if (arguments.sweep) write_target(*arguments.sweep, report::sweep_csv(run), out);
+  if (arguments.events) write_target(*arguments.events, report::events_csv(run), out);
+  if (arguments.report) write_target(*arguments.report, report::oscillate_report(run), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report, arguments.sweep, arguments.events}))
-    out << oscillate_text(run);
+    out << report::oscillate_text(run);
 }
 
 /// Writes what was found when the command was interrupted.
-std::string save(const OscillateArguments& arguments, std::optional<OscillateRun> done, std::ostream& out) {
+std::string save(const OscillateArguments& arguments, std::optional<report::OscillateRun> done, std::ostream& out) {
   if (!done) return "interrupted";
   done->interrupted = true;
   done->remarks.emplace_back("INTERRUPTED: only what was found so far");
@@ -56,19 +60,24 @@ void add_oscillate(CLI::App& app, Chosen& chosen) {
 }
 
 ExitCode execute(const OscillateArguments& arguments, std::ostream& out) {
-  const OscillateScene scene = read_oscillate_scene(arguments.scene);
+  const report::OscillateScene scene = report::read_oscillate_scene(arguments.scene);
   check_outputs(arguments, scene);
   if (arguments.sweep && !scene.sweep) {
     throw InputError({ErrorKind::usage, "", "--sweep", "the scene has no [sweep]", "add one, or leave --sweep out"});
   }
-  SoFar<OscillateRun> done;
-  const OscillateRun run = with_last_words([&] { return save(arguments, done.get(), out); },
-                                           [&] {
-                                             Progress progress;
-                                             return run_oscillate(scene, arguments.threads, progress, done);
-                                           });
+  SoFar<report::OscillateRun> done;
+  const auto save_so_far = [&] { return save(arguments, done.get(), out); };
+  const report::OscillateRun run = with_last_words(save_so_far, [&] {
+    Progress progress;
+    report::OscillateControl control{arguments.threads, {}, interrupted, {}};
+    control.progress = [&](const std::string& stage, int percent) {
+      progress.show(percent < 0 ? stage : fmt::format("{}: {} %", stage, percent));
+    };
+    control.so_far = [&](const report::OscillateRun& found) { done.put(found); };
+    return run_oscillate(scene, control);
+  });
   write(arguments, run, out);
-  const std::string failure = failure_of(run);
+  const std::string failure = report::failure_of(run);
   if (failure.empty()) return ExitCode::done;
   print_error(arguments.scene.string() + ": " + failure);
   return ExitCode::unusable;

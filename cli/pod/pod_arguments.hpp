@@ -1,20 +1,11 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "cli/options/target.hpp"
+#include "report/pod/pod_task.hpp"
 
 namespace jointid::cli {
 
-struct PodArguments {
-  std::vector<std::filesystem::path> files;
-  std::vector<std::string> channels;     ///< names or numbers of columns; empty: all but that of time
-  std::string mass, stiffness, compare;  ///< files; empty: none
-  bool keep_mean = false;
-  std::size_t threads = 1;  ///< 0: all cores
+struct PodArguments : report::PodTask {
   Target json, csv, report;
 };
 

@@ -1,80 +1,16 @@
 #include "cli/pod/pod_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <optional>
 
-#include "base/complex.hpp"
-#include "base/error.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
-#include "cli/pod/pod_page.hpp"
-#include "cli/pod/pod_report.hpp"
+#include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
-#include "dense/eigen.hpp"
+#include "report/pod/pod_page.hpp"
+#include "report/pod/pod_report.hpp"
 
 namespace jointid::cli {
-namespace {
-
-std::vector<ident::NamedFile> files_of(const PodArguments& arguments) {
-  std::vector<ident::NamedFile> files;
-  for (const auto& file : arguments.files) files.push_back({file, "FILES"});
-  for (const auto& [file, option] : {std::pair(arguments.mass, "--mass"), std::pair(arguments.stiffness, "--stiffness"),
-                                     std::pair(arguments.compare, "--compare")}) {
-    if (!file.empty()) files.push_back({file, option});
-  }
-  return files;
-}
-
-void check(const PodArguments& arguments) {
-  check_targets(files_of(arguments), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
-  const auto fail = [](const char* option, const char* problem, const char* remedy) {
-    throw InputError({ErrorKind::usage, "", option, problem, remedy});
-  };
-  if (arguments.stiffness.empty()) return;
-  if (arguments.mass.empty()) fail("--stiffness", "there is no mass matrix for the normal modes", "give --mass");
-  if (!arguments.compare.empty()) fail("--stiffness", "there are other modes to compare with", "leave --compare out");
-}
-
-/// The modes that the report compares with: of a file, or normal modes of K and M.
-Eigen::MatrixXd modes_to_compare(const PodArguments& arguments, const Eigen::MatrixXd& mass, PodReport& report) {
-  if (!arguments.compare.empty()) {
-    report.compared = "the modes of --compare";
-    return read_pod_matrix(arguments.compare, report.names.size(), "--compare");
-  }
-  report.compared = "the normal modes of --stiffness and --mass";
-  const Eigen::MatrixXd stiffness = read_pod_matrix(arguments.stiffness, report.names.size(), "--stiffness");
-  if (stiffness.cols() != stiffness.rows() || !stiffness.isApprox(stiffness.transpose(), 1e-9))
-    throw InputError(
-        {ErrorKind::data, arguments.stiffness, "", "is not a symmetric matrix", "give the stiffness at the channels"});
-  const dense::SymmetricEigen normal = dense::symmetric_eigen(stiffness, mass);
-  for (const double square : normal.values)
-    report.frequencies_hz.push_back(hertz(std::sqrt(std::max(square, 0.0))));
-  return normal.vectors;
-}
-
-PodReport make_report(const PodArguments& arguments, PodRecord record) {
-  series::PodOptions options;
-  options.remove_mean = !arguments.keep_mean;
-  if (!arguments.mass.empty()) options.mass = read_pod_matrix(arguments.mass, record.names.size(), "--mass");
-  PodReport report{std::move(record.names),
-                   std::move(record.units),
-                   record.cut,
-                   series::pod(record.triangle, options),
-                   !arguments.mass.empty(),
-                   arguments.keep_mean,
-                   "",
-                   {},
-                   {},
-                   {}};
-  if (arguments.compare.empty() && arguments.stiffness.empty()) return report;
-  const Eigen::MatrixXd modes = modes_to_compare(arguments, options.mass, report);
-  report.cosines = series::mode_cosines(report.pod.modes, modes, options.mass);
-  report.assurance = series::mode_assurance(report.pod.modes, modes);
-  return report;
-}
-
-}  // namespace
 
 void add_pod(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] =
@@ -100,23 +36,27 @@ void add_pod(CLI::App& app, Chosen& chosen) {
 
 ExitCode execute(const PodArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
-  ident::start_together(*team, [&] { check(arguments); });
-  std::optional<PodRecord> record;
+  ident::start_together(*team, [&] {
+    check_targets(files_of(arguments), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+    check(arguments);
+  });
+  std::optional<report::PodRecord> record;
   {
     Progress progress;
     constexpr std::size_t step = 100'000;
-    record = read_pod_record(arguments, *team, [&, told = std::size_t{0}](std::size_t read) mutable {
+    const auto tell = [&, told = std::size_t{0}](std::size_t read) mutable {
       if (team->rank() > 0 || read / step == told) return;
       told = read / step;
       progress.show(std::to_string(read) + " samples read");
-    });
+    };
+    record = read_pod_record(arguments, *team, tell, interrupted);
   }
   if (team->rank() > 0) return ExitCode::done;
-  const PodReport report = make_report(arguments, std::move(*record));
-  if (arguments.json) write_target(*arguments.json, pod_json(report), out);
-  if (arguments.csv) write_target(*arguments.csv, pod_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, pod_report(report), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << pod_text(report);
+  const report::PodReport found = make_pod_report(arguments, std::move(*record));
+  if (arguments.json) write_target(*arguments.json, report::pod_json(found), out);
+  if (arguments.csv) write_target(*arguments.csv, report::pod_csv(found), out);
+  if (arguments.report) write_target(*arguments.report, report::pod_page(found), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::pod_text(found);
   return ExitCode::done;
 }
 

@@ -1,20 +1,21 @@
 #include "cli/options/output.hpp"
-#include "cli/series/delay_report.hpp"
 #include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
+#include "cli/text/progress.hpp"
+#include "report/series/delay_report.hpp"
 
 namespace jointid::cli {
 
 ExitCode execute(const SeriesDelayArguments& arguments, std::ostream& out) {
   check_series_targets(arguments.file, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
-  const DelayReport report = [&] {
+  const report::DelayReport found = [&] {
     Progress progress;
-    return delay_report(arguments, progress);
+    return report::delay_report(arguments, progress.control());
   }();
-  if (arguments.json) write_target(*arguments.json, delay_json(report), out);
-  if (arguments.csv) write_target(*arguments.csv, delay_csv(report), out);
-  if (arguments.report) write_target(*arguments.report, delay_page(report), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << delay_text(report);
+  if (arguments.json) write_target(*arguments.json, report::delay_json(found), out);
+  if (arguments.csv) write_target(*arguments.csv, report::delay_csv(found), out);
+  if (arguments.report) write_target(*arguments.report, report::delay_page(found), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::delay_text(found);
   return ExitCode::done;
 }
 

@@ -6,7 +6,6 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/open_options.hpp"
-#include "cli/laws/law_bound_text.hpp"
 #include "cli/options/output.hpp"
 #include "cli/solve/bound_text.hpp"
 #include "cli/solve/plan_text.hpp"
@@ -16,6 +15,7 @@
 #include "ident/judgement/judge.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
+#include "report/laws/law_bound_text.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
@@ -34,8 +34,8 @@ ExitCode plan_laws(const laws::LawScene& scene, const PlanArguments& arguments, 
   if (!arguments.candidates.empty()) refuse("candidates of a friction scene are levels", "add [[data.levels]] without responses");
   check_targets(laws::files_of(scene), {{"--json", arguments.json}});
   const laws::LawBound bound = with_progress("predicting", [&] { return laws::predict_law_bound(scene); });
-  if (arguments.json) write_target(*arguments.json, law_bound_json(scene, bound), out);
-  if (arguments.json != "-") out << law_bound_text(scene, bound);
+  if (arguments.json) write_target(*arguments.json, report::law_bound_json(scene, bound), out);
+  if (arguments.json != "-") out << report::law_bound_text(scene, bound);
   return ExitCode::done;
 }
 

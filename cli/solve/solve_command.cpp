@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cli/laws/laws_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
@@ -46,7 +47,7 @@ std::string save(const SolveArguments& arguments, std::optional<ident::Solution>
 
 /// All threads of this process: of all cores, its part of them where mpirun started several.
 std::size_t own_threads(const SolveArguments& arguments, const ident::Team& team) {
-  return team.size() == 1 ? arguments.threads : threads_for(arguments.threads, team.size());
+  return team.size() == 1 ? arguments.threads : threads_or_cores(arguments.threads, team.size());
 }
 
 ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan, ident::Team& team, std::ostream& out) {
@@ -100,7 +101,7 @@ ExitCode solve_law_scene(const SolveArguments& arguments, const std::string& tex
                       "leave --plot out"});
   }
   return solve_laws(laws::parse_law_scene(text, arguments.scene), {arguments.json, arguments.csv, arguments.report},
-                    threads_for(arguments.threads), out);
+                    threads_or_cores(arguments.threads), out);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cli/options/command_options.hpp"
-#include "cli/laws/law_study_text.hpp"
 #include "cli/options/output.hpp"
 #include "cli/study/study_page.hpp"
 #include "cli/study/study_text.hpp"
@@ -18,9 +18,10 @@
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
+#include "report/laws/law_study_text.hpp"
+#include "report/result/study_tables.hpp"
 #include "scene/text.hpp"
 #include "study/study_options.hpp"
-#include "report/result/study_tables.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -43,7 +44,9 @@ void check_outputs(const StudyArguments& arguments, const ident::Scene& scene) {
                                          {"--out (while it runs)", study::journal_path(result).string()}});
 }
 
-std::size_t threads_of(const StudyArguments& arguments) { return threads_for(arguments.threads, ident::processes_started()); }
+std::size_t threads_of(const StudyArguments& arguments) {
+  return threads_or_cores(arguments.threads, ident::processes_started());
+}
 
 study::StudyOptions options_of(const StudyArguments& arguments, const std::string& scene_text) {
   study::StudyOptions options;
@@ -135,9 +138,9 @@ ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& 
   options.interrupted = interrupted;
   options.progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
   const laws::LawStudy study = laws::study_laws(scene, options);
-  if (arguments.json) write_target(*arguments.json, law_study_json(study), out);
-  if (arguments.csv) write_target(*arguments.csv, law_study_csv(study), out);
-  if (!takes_output({arguments.json, arguments.csv})) out << law_study_text(scene, study);
+  if (arguments.json) write_target(*arguments.json, report::law_study_json(study), out);
+  if (arguments.csv) write_target(*arguments.csv, report::law_study_csv(study), out);
+  if (!takes_output({arguments.json, arguments.csv})) out << report::law_study_text(scene, study);
   return study.usable > 0 ? ExitCode::done : ExitCode::unusable;
 }
 

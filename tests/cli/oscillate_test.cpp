@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "cli/oscillate/oscillate_command.hpp"
-#include "cli/oscillate/oscillate_scene.hpp"
 #include "problems/thesis/oscillations.hpp"
+#include "report/oscillate/oscillate_scene.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {
@@ -53,7 +53,7 @@ nlohmann::json run(OscillateArguments arguments) {
 
 std::string error_of(const std::string& text) {
   try {
-    parse_oscillate_scene(text, "scene.toml");
+    report::parse_oscillate_scene(text, "scene.toml");
   } catch (const InputError& error) {
     return error.what();
   }
@@ -169,7 +169,7 @@ TEST(OscillateScene, SaysWhatIsWrong) {
 TEST(Oscillations, OfTheThesisAreScenesThatCanBeRead) {
   const TestFolder folder;
   for (const problems::Oscillation& each : problems::list_oscillations()) {
-    const auto scene = read_oscillate_scene(problems::write(each, folder / each.name));
+    const auto scene = report::read_oscillate_scene(problems::write(each, folder / each.name));
     EXPECT_THAT(scene.title, HasSubstr(each.name));
     EXPECT_GT(scene.q.size(), 0);
   }
@@ -179,7 +179,7 @@ TEST(Oscillations, OfTheThesisAreScenesThatCanBeRead) {
 /// The frequencies of the printed parameters (theory, 6), and one per cent in the first mode.
 TEST(Oscillations, OfTheCantileverHaveItsParameters) {
   const TestFolder folder;
-  const auto scene = read_oscillate_scene(problems::write(*problems::find_oscillation("cantilever"), folder));
+  const auto scene = report::read_oscillate_scene(problems::write(*problems::find_oscillation("cantilever"), folder));
   EXPECT_NEAR(oscillation::natural_frequencies(scene.system.beam)(0), 2.10, 0.005);
   EXPECT_NEAR(scene.system.beam.bending_stiffness(), 0.0868428, 1e-6);
   const auto model = model_of(scene.system);

@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "cli/pod/pod_command.hpp"
-#include "cli/pod/pod_report.hpp"
+#include "report/pod/pod_report.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::cli {

@@ -1,0 +1,147 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/json_value.hpp"
+#include "report/oscillate/oscillate_report.hpp"
+#include "report/text/table.hpp"
+
+namespace jointid::report {
+namespace {
+
+std::vector<double> list(const Eigen::VectorXd& numbers) { return {numbers.begin(), numbers.end()}; }
+
+Json motion_json(const OscillateRun& run) {
+  const SampledMotion& motion = *run.motion;
+  Json out = {{"status", word(motion.status)},
+              {"samples", motion.samples.rows()},
+              {"events", motion.events},
+              {"section_points", motion.section.rows()},
+              {"stick_share", value(motion.stick_share)}};
+  for (const SampledColumn& column : motion.columns) out["columns"].push_back({{"name", column.name}, {"unit", column.unit}});
+  return out;
+}
+
+Json modes_json(const SeenModes& modes) {
+  Json out = {{"fractions_of_sigma_squared", values(list(modes.fractions.value))},
+              {"standard_errors", values(list(modes.fractions.error))},
+              {"fractions_of_sigma", values(list(modes.pod.sigma_fractions()))},
+              {"sigma", values(list(modes.pod.sigma))},
+              {"mean", values(list(modes.pod.mean))},
+              {"modes", Json::array()}};
+  for (Eigen::Index k = 0; k < modes.pod.modes.cols(); ++k) out["modes"].push_back(values(list(modes.pod.modes.col(k))));
+  return out;
+}
+
+Json orbit_json(const OscillateRun& run) {
+  const oscillation::PeriodicOrbit& orbit = *run.orbit;
+  Json out = {{"converged", orbit.converged}};
+  if (!orbit.converged) return out;
+  const Eigen::Index n = (orbit.state.size() - 4) / 2;
+  out["period"] = value(orbit.period);
+  out["residual"] = value(orbit.residual);
+  out["displacement"] = values(list(orbit.state.head(n)));
+  out["velocity"] = values(list(orbit.state.segment(n, n)));
+  for (const Complex& each : orbit.multipliers) out["multipliers"].push_back({value(each.real()), value(each.imag())});
+  return out;
+}
+
+Json exponents_json(const oscillation::Exponents& exponents) {
+  return {{"status", word(exponents.status)},
+          {"nats_per_second", values(exponents.exponent)},
+          {"standard_errors", values(exponents.standard_error)}};
+}
+
+Json sweep_json(const OscillateRun& run) {
+  Json out = {{"parameter", run.swept->parameter}, {"unit", swept_unit(run.swept->parameter)}, {"points", Json::array()}};
+  for (const oscillation::SweepPoint& point : run.sweep)
+    out["points"].push_back(
+        {{"parameter", value(point.parameter)}, {"status", word(point.status)}, {"values", values(point.values)}});
+  return out;
+}
+
+Json reduction_json(const ReductionTable& reduction) {
+  Json out = {{"judged", reduction.judged.name},
+              {"unit", reduction.judged.unit},
+              {"largest", value(reduction.largest_judged)},
+              {"full_seconds", value(reduction.full_seconds)},
+              {"models", Json::array()}};
+  for (const ReducedRow& row : reduction.rows) {
+    out["models"].push_back({{"basis", word(row.basis)},
+                             {"order", row.order},
+                             {"status", word(row.error.status)},
+                             {"error_of_motion", value(row.error.motion)},
+                             {"error_of_energy", value(row.error.energy)},
+                             {"largest_error_judged", value(row.error.observed(0))},
+                             {"seconds", value(row.error.seconds)}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string oscillate_json(const OscillateRun& run) {
+  const std::string failure = failure_of(run);
+  Json out = {{"status", run.interrupted   ? "interrupted"
+                         : failure.empty() ? "ok"
+                                           : "unusable"},
+              {"message", failure},
+              {"title", run.title},
+              {"remarks", run.remarks},
+              {"motion", motion_json(run)}};
+  if (run.modes) out["modes"] = modes_json(*run.modes);
+  if (run.orbit) out["orbit"] = orbit_json(run);
+  if (run.exponents) out["exponents"] = exponents_json(*run.exponents);
+  if (run.swept) out["sweep"] = sweep_json(run);
+  if (run.reduction) out["reduction"] = reduction_json(*run.reduction);
+  return json_text(out);
+}
+
+namespace {
+
+std::string title(const SampledColumn& column) {
+  return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
+}
+
+}  // namespace
+
+std::string motion_csv(const OscillateRun& run) {
+  const SampledMotion& motion = *run.motion;
+  std::vector<std::string> titles;
+  for (const SampledColumn& column : motion.columns) titles.push_back(title(column));
+  const Eigen::Index own = run.system.kind == SystemKind::cantilever ? motion.q.rows() : 0;
+  for (Eigen::Index k = 0; k < own; ++k) titles.push_back("q" + std::to_string(k + 1) + " [m]");
+  std::string text = csv_line(titles);
+  for (Eigen::Index i = 0; i < motion.samples.rows(); ++i) {
+    std::vector<std::string> row;
+    for (const double number : motion.samples.row(i)) row.push_back(csv_number(number));
+    for (Eigen::Index k = 0; k < own; ++k) row.push_back(csv_number(motion.q(k, i)));
+    text += csv_line(row);
+  }
+  return text;
+}
+
+std::string sweep_csv(const OscillateRun& run) {
+  const std::string parameter = run.swept ? run.swept->parameter : "parameter";
+  std::string text = csv_line({parameter, "status", run.motion->columns[1].name});
+  for (const oscillation::SweepPoint& point : run.sweep) {
+    if (point.values.empty()) text += csv_line({csv_number(point.parameter), word(point.status), ""});
+    for (const double value : point.values)
+      text += csv_line({csv_number(point.parameter), word(point.status), csv_number(value)});
+  }
+  return text;
+}
+
+std::string events_csv(const OscillateRun& run) {
+  const SampledMotion& motion = *run.motion;
+  std::vector<std::string> titles;
+  for (std::size_t k = 0; k < 2 * motion.seen; ++k) titles.push_back(title(motion.columns[k + 1]));
+  std::string text = csv_line(titles);
+  for (Eigen::Index i = 0; i < motion.section.rows(); ++i) {
+    std::vector<std::string> row;
+    for (const double number : motion.section.row(i)) row.push_back(csv_number(number));
+    text += csv_line(row);
+  }
+  return text;
+}
+
+}  // namespace jointid::report

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "report/oscillate/oscillate_run.hpp"
+#include "report/page/contents.hpp"
+
+/// The plots of a report on stick–slip motion.
+namespace jointid::report {
+
+/// Velocity over displacement of each of what is seen, at most `most` of them, with the points of its Poincaré section.
+PlotGroup phase_plots(const OscillateRun& run, std::size_t most);
+
+/// Friction over relative velocity, and both over time.
+PlotGroup contact_plots(const OscillateRun& run);
+
+/// Proper orthogonal modes over the places where they are seen.
+PlotGroup mode_plots(const OscillateRun& run, std::size_t most);
+
+/// Values over the parameter.
+PlotGroup sweep_plot(const OscillateRun& run);
+
+/// Errors over the number of coordinates, by basis.
+PlotGroup reduction_plots(const ReductionTable& reduction);
+
+}  // namespace jointid::report
