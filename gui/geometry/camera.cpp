@@ -38,12 +38,6 @@ QPointF Camera::project(const Vector& point) const {
   return {size_.width() / 2.0 + scale * right, size_.height() / 2.0 - scale * up};
 }
 
-Vector along(const frf::Dof& dof) {
-  Vector out{};
-  out[(static_cast<std::size_t>(dof.direction) - 1) % 3] = dof.sign;
-  return out;
-}
-
 Vector plus(const Vector& a, const Vector& b, double times) {
   return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
 }

@@ -32,9 +32,6 @@ class Camera {
   double azimuth_ = first_azimuth, elevation_ = first_elevation, zoom_ = 1.0;
 };
 
-/// One step along the DOF's axis, against it for a negative sign.
-Vector along(const frf::Dof& dof);
-
 Vector plus(const Vector& a, const Vector& b, double times);
 
 /// Of a point from a line between two others.

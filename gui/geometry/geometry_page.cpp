@@ -240,7 +240,8 @@ void GeometryPage::read_deflection() {
 
 void GeometryPage::show_deflection() {
   const Shape& shape = deflection_.shape;
-  view_->set_shape(motion_->is_of_joint() ? joint_deflection(shape, joint_) : shape, motion_->amplitude());
+  const Shape global = in_global_axes(shape, view_->structure().nodes);
+  view_->set_shape(motion_->is_of_joint() ? joint_deflection(global, joint_) : global, motion_->amplitude());
   if (shape.empty()) return;
   const QString what = motion_->mode() ? tr("Mode %1.").arg(chosen_mode().name)
                                        : tr("The assembly under a force at %1, at its line %2 Hz.")

@@ -17,8 +17,8 @@ struct NamedShape {
 /// Translations of the modes of a modal model; `from` says whose they are.
 std::vector<NamedShape> named_shapes(const std::vector<frf::Uff55Mode>& modes, const QString& from);
 
-/// How the nodes of the joint move against each other: their motion less its mean, nothing of other nodes. As it is, where the
-/// joint has less than two nodes that move.
+/// How the nodes of the joint move against each other, in global axes: their motion less its mean, nothing of other nodes. As it
+/// is, where the joint has less than two nodes that move.
 Shape joint_deflection(const Shape& shape, const std::vector<frf::Dof>& joint);
 
 /// "4:+Y 1.2e-06 ∠ 10°, 5:+Y …": what the translations of the joint do in a motion; DOFs that it does not have are left out.

@@ -49,6 +49,11 @@ std::vector<frf::NodeLine> joined(const LoadedFile& file) {
   return lines;
 }
 
+bool are_directions_known(const frf::Node& node) {
+  const auto is_finite = [](const Vector& axis) { return std::ranges::all_of(axis, [](double x) { return std::isfinite(x); }); };
+  return !node.axes || std::ranges::all_of(*node.axes, is_finite);
+}
+
 /// The file of an assembly with the reference, and which of its references it is.
 std::pair<const LoadedFile*, std::size_t> source_of(const std::vector<LoadedFile>& files, const frf::Dof& reference) {
   for (const LoadedFile& file : files) {
@@ -80,7 +85,10 @@ Structure structure_of(const std::vector<LoadedFile>& files, const std::vector<f
   for (const frf::NodeLine& line : all) {
     if (nodes.contains(line[0]) && nodes.contains(line[1])) out.lines.push_back(line);
   }
-  for (const auto& [key, dof] : dofs) (nodes.contains(dof.node) ? out.dofs : out.unplaced).push_back(dof);
+  for (const auto& [key, dof] : dofs) {
+    const auto node = nodes.find(dof.node);
+    (node != nodes.end() && are_directions_known(node->second) ? out.dofs : out.unplaced).push_back(dof);
+  }
   return out;
 }
 
@@ -113,6 +121,27 @@ Extent extent_of(const Structure& structure) {
   }
   const double radius = length(minus(high, low)) / 2.0;
   return {{(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0, (low[2] + high[2]) / 2.0}, radius > 0.0 ? radius : 1.0};
+}
+
+Vector direction_of(const frf::Node& node, const frf::Dof& dof) {
+  Vector out = node.axes.value_or(frf::global_axes)[(static_cast<std::size_t>(dof.direction) - 1) % 3];
+  for (double& x : out) x *= dof.sign;
+  return out;
+}
+
+Shape in_global_axes(const Shape& shape, const std::vector<frf::Node>& nodes) {
+  Shape out;
+  for (const frf::Node& node : nodes) {
+    const auto found = shape.find(node.id);
+    if (found == shape.end() || !are_directions_known(node)) continue;
+    const frf::Axes axes = node.axes.value_or(frf::global_axes);
+    std::array<std::complex<double>, 3> motion{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) motion[k] += found->second[i] * axes[i][k];
+    }
+    out.emplace(node.id, motion);
+  }
+  return out;
 }
 
 Deflection deflection_at(const std::vector<LoadedFile>& files, const frf::Dof& reference, double frequency_hz) {

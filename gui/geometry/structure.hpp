@@ -14,7 +14,7 @@ struct Structure {
   std::vector<frf::Node> nodes;      ///< those with a position, each once, ascending
   std::vector<frf::NodeLine> lines;  ///< between nodes that are there
   std::vector<frf::Dof> dofs;        ///< of nodes that are there, each coordinate once, ascending
-  std::vector<frf::Dof> unplaced;    ///< of nodes without a position
+  std::vector<frf::Dof> unplaced;    ///< of nodes without a position, or whose directions the files do not tell
 };
 
 /// Files without positions add their DOFs only. `lines`: as the files draw them; where none does, the nodes of each file are
@@ -33,8 +33,14 @@ struct Extent {
 };
 Extent extent_of(const Structure& structure);
 
-/// Complex displacement of nodes, as large as it comes.
+/// One step along a DOF of the node, in global axes; against its axis for a negative sign.
+Vector direction_of(const frf::Node& node, const frf::Dof& dof);
+
+/// Complex displacement of nodes along X, Y and Z of their DOFs (frf::Node::axes), as large as it comes.
 using Shape = std::map<std::int64_t, std::array<std::complex<double>, 3>>;
+
+/// The same along the global axes. Nodes that are not there, or whose directions are not known, are left out.
+Shape in_global_axes(const Shape& shape, const std::vector<frf::Node>& nodes);
 
 /// How an assembly moves under a harmonic force: translations of all responses to a reference at the line nearest to a frequency,
 /// and that frequency. Empty where no file of the assembly has the reference.

@@ -82,7 +82,8 @@ Vector StructureView::moved(const frf::Node& node) const {
 Vector StructureView::position_of(std::int64_t node) const { return structure_.nodes[place_.at(node)].position; }
 
 QPointF StructureView::tip_of(const frf::Dof& dof) const {
-  return camera_.project(plus(position_of(dof.node), along(dof), camera_.arrow_length()));
+  const frf::Node& node = structure_.nodes[place_.at(dof.node)];
+  return camera_.project(plus(node.position, direction_of(node, dof), camera_.arrow_length()));
 }
 
 std::optional<frf::Dof> StructureView::dof_at(const QPointF& at) const {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "frf/set/frf_set.hpp"
 #include "gui/geometry/camera.hpp"
 
@@ -34,6 +36,24 @@ TEST(Structure, NodesOfAllFilesStandTogether) {
   EXPECT_THAT(found.lines, ElementsAre(frf::NodeLine{1, 2}));
   EXPECT_THAT(frf::names(found.dofs), ElementsAre("1:+Y", "2:-Z", "3:+Y"));
   EXPECT_THAT(frf::names(found.unplaced), ElementsAre("9:+X"));
+}
+
+/// X of node 1 is the global Y, Y its −X; of node 2 nobody knows; node 3 is along the global axes.
+TEST(Structure, DofsAndMotionsAreAlongTheAxesOfTheirNode) {
+  const double unknown = std::nan("");
+  const frf::Axes turned{{{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}}, lost{{{unknown, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const Structure found = structure_of(
+      {file_with({{1, {0, 0, 0}, turned}, {2, {1, 0, 0}, lost}, {3, {2, 0, 0}}}, {"1:-X", "1:+Y", "2:+X", "3:+X"})}, {});
+  EXPECT_THAT(frf::names(found.dofs), ElementsAre("1:-X", "1:+Y", "3:+X"));
+  EXPECT_THAT(frf::names(found.unplaced), ElementsAre("2:+X"));
+  EXPECT_THAT(direction_of(found.nodes[0], found.dofs[0]), ElementsAre(0.0, -1.0, 0.0));
+  EXPECT_THAT(direction_of(found.nodes[0], found.dofs[1]), ElementsAre(-1.0, 0.0, 0.0));
+  EXPECT_THAT(direction_of(found.nodes[2], found.dofs[2]), ElementsAre(1.0, 0.0, 0.0));
+  const Shape shape = {{1, {Complex(2.0, 1.0), 3.0, 5.0}}, {2, {1.0, 1.0, 1.0}}, {3, {7.0, 0.0, 0.0}}, {9, {1.0, 0.0, 0.0}}};
+  const Shape global = in_global_axes(shape, found.nodes);
+  ASSERT_EQ(global.size(), 2U);
+  EXPECT_THAT(global.at(1), ElementsAre(Complex(-3.0), Complex(2.0, 1.0), Complex(5.0)));
+  EXPECT_EQ(global.at(3), shape.at(3));
 }
 
 TEST(Structure, WithoutLinesThoseOfStraightPartsAreJoined) {
