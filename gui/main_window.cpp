@@ -7,7 +7,6 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -44,14 +43,6 @@ pattern = "symmetric"
 )";
 
 bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QStringLiteral("toml"), Qt::CaseInsensitive) == 0; }
-
-QStringList files_in(const QMimeData* data) {
-  QStringList files;
-  for (const QUrl& url : data->urls()) {
-    if (url.isLocalFile()) files << url.toLocalFile();
-  }
-  return files;
-}
 
 }  // namespace
 
@@ -242,11 +233,11 @@ void MainWindow::restore_layout() {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!files_in(event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!local_files(event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  open(files_in(event->mimeData()));
+  open(local_files(event->mimeData()));
   event->acceptProposedAction();
 }
 

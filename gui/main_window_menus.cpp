@@ -85,7 +85,8 @@ void MainWindow::add_view_menu() {
                   on_current(this, [](Project& project) { project.switch_view(true); }));
   int page = 0;
   for (const QString& text : {tr("&Data"), tr("&Geometry"), tr("S&olution"), tr("&Compare"), tr("S&tudy"), tr("&Modes"),
-                              tr("Cou&pling"), tr("&Loading curves"), tr("&Before measuring"), tr("&Response"), tr("Friction la&ws")}) {
+                              tr("Cou&pling"), tr("&Loading curves"), tr("&Before measuring"), tr("&Response"),
+                              tr("Friction la&ws"), tr("Stic&k-slip motion"), tr("Time r&ecords")}) {
     const QString key = page < 9 ? QStringLiteral("Alt+%1").arg((page + 2) % 10) : QStringLiteral("Ctrl+%1").arg(page - 8);
     menu->addAction(text, QKeySequence(key), this,
                     on_current(this, [page](Project& project) { project.pages()->setCurrentIndex(page); }));

@@ -19,8 +19,10 @@
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/modal/modal_page.hpp"
+#include "gui/oscillate/oscillate_kind.hpp"
 #include "gui/page/scene_page.hpp"
 #include "gui/plan/plan_page.hpp"
+#include "gui/records/records_page.hpp"
 #include "gui/response/response_kind.hpp"
 #include "gui/scene/completion_place.hpp"
 #include "gui/scene/scene_edit.hpp"
@@ -114,7 +116,7 @@ void Project::check() {
   Q_EMIT scene_checked();
 }
 
-/// Scenes of other kinds are checked by their pages.
+/// Scenes of other kinds are checked by their pages, whose tabs are seen with a scene of their kind.
 void Project::check_other_kinds(const std::string& text) {
   const auto tell = [](auto& later, bool is_of_kind) {
     if (later.made() != nullptr) {
@@ -122,10 +124,12 @@ void Project::check_other_kinds(const std::string& text) {
     } else if (is_of_kind) {
       later.get();
     }
+    later.set_tab_visible(is_of_kind);
   };
   tell(couple_page_, is_couple_scene(text));
   tell(response_page_, response_kind().is_of(text));
   tell(laws_page_, law_kind().is_of(text));
+  tell(oscillate_page_, oscillate_kind().is_of(text));
 }
 
 void Project::protect_inputs(QWidget& page) const {
@@ -162,7 +166,8 @@ void Project::edit(const std::string& table, const std::string& key, const std::
 void Project::cancel() {
   solve_page_->cancel();
   const auto cancel_made = [](const auto&... pages) { ((pages.made() != nullptr ? pages.made()->cancel() : void()), ...); };
-  cancel_made(compare_page_, study_page_, modal_page_, couple_page_, loading_curve_page_, plan_page_, response_page_, laws_page_);
+  cancel_made(compare_page_, study_page_, modal_page_, couple_page_, loading_curve_page_, plan_page_, response_page_, laws_page_,
+              oscillate_page_, records_page_);
 }
 
 /// A way of a comparison becomes that of the scene, one step that can be undone, and is solved.

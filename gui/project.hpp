@@ -24,6 +24,7 @@ class LoadingCurvePage;
 class MessageBar;
 class ModalPage;
 class PlanPage;
+class RecordsPage;
 class SceneEditor;
 class SceneForm;
 class ScenePage;
@@ -74,6 +75,8 @@ class Project : public QWidget {
   CouplePage* couple_page() { return couple_page_.get(); }
   ScenePage* response_page() { return response_page_.get(); }
   ScenePage* laws_page() { return laws_page_.get(); }
+  ScenePage* oscillate_page() { return oscillate_page_.get(); }
+  RecordsPage* records_page() { return records_page_.get(); }
   QTabWidget* pages() const { return pages_; }
   MessageBar* messages() const { return messages_; }
   /// Stops what runs on any page.
@@ -131,7 +134,8 @@ class Project : public QWidget {
   Later<ModalPage> modal_page_;
   Later<LoadingCurvePage> loading_curve_page_;
   Later<CouplePage> couple_page_;
-  Later<ScenePage> response_page_, laws_page_;
+  Later<ScenePage> response_page_, laws_page_, oscillate_page_;
+  Later<RecordsPage> records_page_;
   QFileSystemWatcher watcher_;
   QString file_, folder_;
   QStringList dofs_;  ///< of the files

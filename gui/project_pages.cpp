@@ -13,9 +13,11 @@
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
 #include "gui/modal/modal_page.hpp"
+#include "gui/oscillate/oscillate_kind.hpp"
 #include "gui/plan/plan_page.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
+#include "gui/records/records_page.hpp"
 #include "gui/response/response_kind.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
@@ -33,6 +35,8 @@ void Project::add_pages() {
   pages_->addTab(solve_page_, tr("Solve"));
   add_pages_of_scene();
   add_other_pages();
+  // A page that is asked for by its key or in the menu is seen, whatever the scene.
+  connect(pages_, &QTabWidget::currentChanged, this, [this](int page) { pages_->setTabVisible(page, true); });
   pages_->setUsesScrollButtons(false);  // all are seen, if need be shortened
   pages_->setElideMode(Qt::ElideRight);
   splitter_->addWidget(pages_);
@@ -122,6 +126,9 @@ void Project::add_other_pages() {
   };
   add_kind(response_page_, "response_page", tr("Response"), response_kind);
   add_kind(laws_page_, "laws_page", tr("Laws"), law_kind);
+  add_kind(oscillate_page_, "oscillate_page", tr("Stick-slip"), oscillate_kind);
+  const auto records = [] { return named(new RecordsPage, "records_page", tr("Time records")); };
+  add_later(records_page_, tr("Records"), tr("Time records"), records, [](RecordsPage&) {});
 }
 
 /// One cursor in all plots.

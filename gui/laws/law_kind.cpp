@@ -1,10 +1,15 @@
 #include "gui/laws/law_kind.hpp"
 
+#include "base/parallel.hpp"
 #include "gui/look/said.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/identify_laws.hpp"
+#include "laws/task/law_bound.hpp"
+#include "laws/task/law_study.hpp"
+#include "report/laws/law_bound_text.hpp"
 #include "report/laws/law_page.hpp"
 #include "report/laws/law_plots.hpp"
+#include "report/laws/law_study_text.hpp"
 #include "report/laws/law_text.hpp"
 
 namespace jointid::gui {
@@ -25,9 +30,7 @@ std::vector<TableMenu::Named> tables_of(const laws::LawScene& scene, const laws:
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     out.emplace_back(Said::tr("%1 without a law").arg(q(scene.joints[j].beside.name)), rows_of(report::direct_table(found, j)));
   }
-  CellRows notes{{Said::tr("note")}, {}, {}};
-  for (const std::string& note : found.notes) notes.cells.push_back({Cell{q(note)}});
-  out.emplace_back(Said::tr("notes"), std::move(notes));
+  out.emplace_back(Said::tr("remarks"), remark_rows(found.notes));
   return out;
 }
 
@@ -44,6 +47,39 @@ SceneFindings findings_of(const std::shared_ptr<const Identified>& all) {
   return out;
 }
 
+/// What the levels will tell, before all of them are measured.
+SceneFindings bounds_of(const laws::LawScene& scene, const laws::LawBound& bound) {
+  SceneFindings out;
+  out.is_bad = bound.all.joints.empty();
+  out.said = q(out.is_bad ? std::string(response::word(bound.all.status)) : laws::laws_text(bound.laws)) + "\n" +
+             (bound.assumed ? Said::tr("The laws are assumed as the scene says them.")
+                            : Said::tr("The laws are those of the measured levels."));
+  for (std::size_t j = 0; j < bound.all.joints.size(); ++j) {
+    out.tables.emplace_back(q(scene.joints[j].beside.name + ": " + bound.laws[j]),
+                            rows_of(report::joint_table(bound.all.joints[j])));
+  }
+  if (!bound.worth.empty()) {
+    out.tables.emplace_back(bound.measured > 0 ? Said::tr("which level to measure next") : Said::tr("what each level is worth"),
+                            rows_of(report::worth_table(scene, bound)));
+  }
+  std::vector<std::string> remarks = bound.all.unseen;
+  remarks.insert(remarks.end(), bound.notes.begin(), bound.notes.end());
+  out.tables.emplace_back(Said::tr("remarks"), remark_rows(remarks));
+  out.outputs = {{"json", [json = report::law_bound_json(scene, bound)] { return json; }}};
+  return out;
+}
+
+SceneFindings study_of(const std::shared_ptr<const laws::LawStudy>& study) {
+  SceneFindings out;
+  out.is_bad = study->usable == 0;
+  out.said = q(report::law_study_summary(*study)).trimmed();
+  out.tables = {{Said::tr("errors and intervals"), rows_of(report::law_values_table(*study))},
+                {Said::tr("remarks"), remark_rows(study->notes)}};
+  out.outputs = {{"json", [study] { return report::law_study_json(*study); }},
+                 {"csv", [study] { return report::law_study_csv(*study); }}};
+  return out;
+}
+
 bool has_laws(const std::string& text) {
   try {
     return laws::is_law_scene(text, "scene.toml");
@@ -56,11 +92,21 @@ SceneTask read_laws(const std::string& text, const std::filesystem::path& file) 
   const laws::LawScene scene = laws::parse_law_scene(text, file);
   SceneTask task;
   for (const ident::NamedFile& named : laws::files_of(scene)) task.inputs.push_back(named.path);
-  task.run = [scene](const Worker::Watch& watch) {
+  const auto identify = [scene](const Worker::Watch& watch, std::size_t) {
     watch.progress("fitting friction laws", 0, 0);
     return findings_of(
         std::make_shared<const Identified>(Identified{scene, laws::identify_laws(scene, {.interrupted = watch.interrupted})}));
   };
+  const auto predict = [scene](const Worker::Watch& watch, std::size_t) {
+    watch.progress("predicting", 0, 0);
+    return bounds_of(scene, laws::predict_law_bound(scene));
+  };
+  const auto study = [scene](const Worker::Watch& watch, std::size_t trials) {
+    laws::LawStudyOptions options{.trials = trials, .threads = threads_or_cores(0), .interrupted = watch.interrupted};
+    options.progress = [&](std::size_t done, std::size_t total) { watch.progress("trials", done, total); };
+    return study_of(std::make_shared<const laws::LawStudy>(laws::study_laws(scene, options)));
+  };
+  task.run = {identify, predict, study};
   return task;
 }
 
@@ -70,14 +116,26 @@ SceneKind law_kind() {
   SceneKind kind;
   kind.name = "laws";
   kind.title = Said::tr("Friction laws");
-  kind.run = Said::tr("Identify laws");
-  kind.run_hint = Said::tr("Identify the friction laws of the joints from vibration at several force levels, as `jointid solve` does");
+  kind.jobs = {
+      {Said::tr("Laws"),
+       Said::tr("Identify laws"),
+       Said::tr("Identify the friction laws of the joints from vibration at several force levels, as `jointid solve` does"),
+       QStringLiteral("jointid solve"),
+       {}},
+      {Said::tr("Bounds"), Said::tr("Predict bounds"),
+       Said::tr("What the levels will tell, and which to measure next, as `jointid plan --bound` does"),
+       QStringLiteral("jointid plan"), QStringLiteral(" --bound")},
+      {Said::tr("Study"),
+       Said::tr("Simulate tests"),
+       Said::tr("How large errors are and how often intervals hold, over simulated tests, as `jointid study` does"),
+       QStringLiteral("jointid study"),
+       {},
+       true}};
   kind.plots = Said::tr("Stiffness and damping of the joints over their motion");
   kind.plot_hint =
       Said::tr("With a scene of friction laws from vibration, [[joint.friction]] and [[data.levels]], the joints' stiffness and damping "
                "over their motion stand here, without a law and by the laws that were found.");
   kind.tables = Said::tr("Joints, laws, residuals");
-  kind.command = QStringLiteral("jointid solve");
   kind.is_of = has_laws;
   kind.read = read_laws;
   return kind;

@@ -184,9 +184,7 @@ void LoadingCurvePage::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void LoadingCurvePage::dropEvent(QDropEvent* event) {
-  QStringList files;
-  for (const QUrl& url : event->mimeData()->urls()) files << url.toLocalFile();
-  files.removeAll(QString());
+  const QStringList files = local_files(event->mimeData());
   if (!files.isEmpty()) open(files);
 }
 

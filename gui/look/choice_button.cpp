@@ -15,14 +15,21 @@ ChoiceButton::ChoiceButton(const char* name, const QString& title, const QString
   named(this, name, title, hint);
   setFocusPolicy(Qt::StrongFocus);
   setPopupMode(QToolButton::InstantPopup);
-  auto* words_menu = named(new QMenu(this), "choices", title);
+  setMenu(named(new QMenu(this), "choices", title));
+  set_words(words);
+}
+
+void ChoiceButton::set_words(const QStringList& words) {
+  const QStringList before = chosen();
+  menu()->clear();  // and the actions, which it owns
+  actions_.clear();
   for (const QString& word : words) {
-    QAction* const action = words_menu->addAction(word);
+    QAction* const action = menu()->addAction(word);
     action->setCheckable(true);
+    action->setChecked(before.contains(word));
     actions_ << action;
     connect(action, &QAction::toggled, this, &ChoiceButton::show_choice);
   }
-  setMenu(words_menu);
   show_choice();
 }
 

@@ -15,6 +15,8 @@ class ChoiceButton : public QToolButton {
   ChoiceButton(const char* name, const QString& title, const QStringList& words, const QString& none, const QString& hint,
                QWidget* parent = nullptr);
 
+  /// Other words; those that were chosen stay chosen.
+  void set_words(const QStringList& words);
   QStringList chosen() const;
   void choose(const QStringList& words);
 

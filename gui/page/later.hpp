@@ -12,6 +12,10 @@ namespace jointid::gui {
 
 /// An empty tab until its page is made.
 class LaterTab {
+ public:
+  /// Whether the tab is seen; the one in front always is.
+  void set_tab_visible(bool on);
+
  protected:
   void hold_place(QTabWidget& tabs, const QString& title, const QString& hint, const std::function<void()>& seen);
   /// The page in place of the empty tab.
@@ -20,11 +24,12 @@ class LaterTab {
  private:
   QTabWidget* tabs_ = nullptr;
   QPointer<QWidget> place_;
+  QWidget* content_ = nullptr;  ///< the empty tab or the page
 };
 
 /// A page that is made when its tab is first seen, or when it is asked for: opening a scene does not wait for pages that nobody looks at.
 template <class Page>
-class Later : LaterTab {
+class Later : public LaterTab {
  public:
   /// `make`: the page with its connections; `tell`: what it is to know of the scene, again with every change of it.
   void place(QTabWidget& tabs, const QString& title, const QString& hint, std::function<Page*()> make,

@@ -2,21 +2,23 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "base/control.hpp"
 #include "gui/look/buttons.hpp"
-#include "gui/look/dialogs.hpp"
 #include "gui/look/named.hpp"
-#include "gui/look/output.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
 #include "gui/page/job_line.hpp"
 #include "gui/scene/completion_place.hpp"
 
 namespace jointid::gui {
+
+constexpr int usual_trials = 200;
 
 ScenePage::ScenePage(SceneKind kind, QWidget* parent) : QWidget(parent), kind_(std::move(kind)) {
   setAccessibleName(kind_.title);
@@ -40,20 +42,19 @@ ScenePage::ScenePage(SceneKind kind, QWidget* parent) : QWidget(parent), kind_(s
 
 QWidget* ScenePage::make_top() {
   auto* top = named(new QWidget, (kind_.name + "_top").c_str(), kind_.title);
-  run_ = push_button((kind_.name + "_run").c_str(), kind_.run, kind_.run_hint);
+  jobs_ = named(new QComboBox, (kind_.name + "_jobs").c_str(), tr("What the scene is asked for"));
+  for (const SceneJob& each : kind_.jobs) jobs_->addItem(each.title);
+  trials_ = number_box((kind_.name + "_trials").c_str(), tr("trials"), 2, usual_trials);
+  run_ = push_button((kind_.name + "_run").c_str(), job().run, job().run_hint);
   command_ = push_button((kind_.name + "_command").c_str(), tr("Copy as command"), tr("Copy the command line that finds the same"));
-  auto* report = push_button((kind_.name + "_report").c_str(), tr("Report…"), tr("Save the page that the command writes with --report"));
-  auto* json = push_button((kind_.name + "_json").c_str(), tr("JSON…"), tr("Save what the command writes with --json"));
-  auto* csv = push_button((kind_.name + "_csv").c_str(), tr("CSV…"), tr("Save what the command writes with --csv"));
-  outputs_ = {report, json, csv};
+  outputs_ = new OutputButtons(kind_.name, *line_);
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addLayout(row_of({run_, line_->cancel_button()}, {report, json, csv, command_}));
+  rows->addLayout(row_of({jobs_, trials_, run_, line_->cancel_button()}, {outputs_, command_}));
+  jobs_->setVisible(kind_.jobs.size() > 1);  // not before: without a parent it would be a window
   connect(run_, &QPushButton::clicked, this, &ScenePage::run);
+  connect(jobs_, &QComboBox::currentIndexChanged, this, &ScenePage::show_buttons);
   connect(command_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
-  connect(report, &QPushButton::clicked, this, [this] { ask_and_write(tr("Pages (*.html)"), QStringLiteral("html")); });
-  connect(json, &QPushButton::clicked, this, [this] { ask_and_write(tr("JSON (*.json)"), QStringLiteral("json")); });
-  connect(csv, &QPushButton::clicked, this, [this] { ask_and_write(tr("Tables (*.csv)"), QStringLiteral("csv")); });
   return top;
 }
 
@@ -64,9 +65,13 @@ QString ScenePage::status() const { return line_->status(); }
 void ScenePage::cancel() { line_->cancel(); }
 
 void ScenePage::show_buttons() {
+  run_->setText(job().run);
+  run_->setToolTip(job().run_hint);
+  run_->setAccessibleName(job().run_hint);
   run_->setEnabled(task_.has_value() && !is_busy());
+  jobs_->setEnabled(!is_busy());
+  trials_->setVisible(job().counts_trials);
   command_->setEnabled(task_.has_value());
-  for (QPushButton* button : outputs_) button->setEnabled(found_ != nullptr && !is_busy());
 }
 
 std::optional<SceneError> ScenePage::set_scene(const std::string& text, const std::filesystem::path& path, const QString& file) {
@@ -80,6 +85,7 @@ std::optional<SceneError> ScenePage::set_scene(const std::string& text, const st
       wrong = located(error, text);
     }
   }
+  outputs_->protect(task_ ? task_->inputs : std::vector<std::filesystem::path>());
   show_buttons();
   return wrong;
 }
@@ -87,8 +93,10 @@ std::optional<SceneError> ScenePage::set_scene(const std::string& text, const st
 void ScenePage::run() {
   if (!task_ || is_busy()) return;
   line_->say(tr("Computing …"));
-  line_->worker().add([this, task = *task_](const Worker::Watch& watch) -> Worker::Deliver {
-    auto found = std::make_shared<const SceneFindings>(task.run(watch));
+  const auto ask = task_->run.at(static_cast<std::size_t>(jobs_->currentIndex()));
+  const auto trials = static_cast<std::size_t>(trials_->value());
+  line_->worker().add([this, ask, trials](const Worker::Watch& watch) -> Worker::Deliver {
+    auto found = std::make_shared<const SceneFindings>(ask(watch, trials));
     stop_if(watch.interrupted);
     return [this, found] { show_found(found); };
   });
@@ -97,28 +105,17 @@ void ScenePage::run() {
 void ScenePage::show_found(std::shared_ptr<const SceneFindings> found) {
   found_ = std::move(found);
   line_->say(found_->said, found_->is_bad);
+  outputs_->offer(found_->outputs);
   plots_->show_groups(found_->plots);
   tables_->show_tables(found_->tables);
   show_buttons();
 }
 
+const SceneJob& ScenePage::job() const { return kind_.jobs[static_cast<std::size_t>(jobs_->currentIndex())]; }
+
 QString ScenePage::command_line() const {
-  return kind_.command + " " + shell_word(file_.isEmpty() ? tr("SCENE.toml") : file_);
-}
-
-void ScenePage::ask_and_write(const QString& filter, const QString& ending) {
-  const QString file = choose_file_to_save(this, tr("Save the results"), {}, filter, ending);
-  if (!file.isEmpty()) write(file, ending);
-}
-
-void ScenePage::write(const QString& file, const QString& ending) {
-  if (!found_) return;
-  try {
-    write_output(file, found_->outputs.at(ending)(), task_ ? task_->inputs : std::vector<std::filesystem::path>());
-    line_->say(tr("Written to %1.").arg(file));
-  } catch (const InputError& error) {
-    line_->say(QString::fromUtf8(error.what()), true);
-  }
+  const QString text = job().command + " " + shell_word(file_.isEmpty() ? tr("SCENE.toml") : file_) + job().after;
+  return job().counts_trials ? text + QStringLiteral(" --trials %1").arg(trials_->value()) : text;
 }
 
 bool has_table(const std::string& text, const std::string& table) { return line_of_key(text, table, "") > 0; }

@@ -3,16 +3,18 @@
 #include <QWidget>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 
+#include "gui/page/output_buttons.hpp"
 #include "gui/page/plot_menu.hpp"
 #include "gui/page/table_menu.hpp"
 #include "gui/scene/scene_check.hpp"
 #include "gui/work/worker.hpp"
 
+class QComboBox;
 class QPushButton;
+class QSpinBox;
 
 namespace jointid::gui {
 
@@ -24,21 +26,29 @@ struct SceneFindings {
   bool is_bad = false;
   std::vector<PlotMenu::Named> plots;
   std::vector<TableMenu::Named> tables;
-  std::map<QString, std::function<std::string()>> outputs;  ///< by ending: html, json, csv
+  Outputs outputs;
+};
+
+/// What a scene can be asked for.
+struct SceneJob {
+  QString title;           ///< in a menu, where there are several
+  QString run, run_hint;   ///< of the button
+  QString command, after;  ///< "jointid plan", and what stands behind the scene, " --bound"
+  bool counts_trials = false;
 };
 
 /// A scene that was read.
 struct SceneTask {
-  /// Throws InputError, and Interrupted.
-  std::function<SceneFindings(const Worker::Watch&)> run;
+  /// Of each job of the kind; with the number of trials where it counts them. Throws InputError, and Interrupted.
+  std::vector<std::function<SceneFindings(const Worker::Watch&, std::size_t trials)>> run;
   std::vector<std::filesystem::path> inputs;  ///< that no output may replace
 };
 
 /// Scenes of another kind than those that identify a joint.
 struct SceneKind {
   std::string name;  ///< of widgets
-  QString title, run, run_hint, plots, plot_hint, tables;
-  QString command;  ///< "jointid response"
+  QString title, plots, plot_hint, tables;
+  std::vector<SceneJob> jobs;  ///< one at least
   std::function<bool(const std::string& text)> is_of;
   /// Throws InputError.
   std::function<SceneTask(const std::string& text, const std::filesystem::path& file)> read;
@@ -61,25 +71,29 @@ class ScenePage : public QWidget {
 
   const SceneFindings* shown() const { return found_.get(); }
   QString status() const;
+  /// What the scene is asked for; hidden where it can only be one thing.
+  QComboBox* jobs() const { return jobs_; }
   PlotMenu* plots() const { return plots_; }
   TableMenu* tables() const { return tables_; }
   /// "jointid response 'a.toml'".
   QString command_line() const;
   /// What the command writes with this ending; says in the status what went wrong.
-  void write(const QString& file, const QString& ending);
+  void write(const QString& file, const QString& ending) { outputs_->write(file, ending); }
 
  Q_SIGNALS:
   void failed(const jointid::InputError& error);
 
  private:
   QWidget* make_top();
-  void ask_and_write(const QString& title, const QString& ending);
+  const SceneJob& job() const;
   void show_found(std::shared_ptr<const SceneFindings> found);
   void show_buttons();
 
   SceneKind kind_;
+  QComboBox* jobs_;
+  QSpinBox* trials_;
   QPushButton *run_, *command_;
-  std::vector<QPushButton*> outputs_;
+  OutputButtons* outputs_;
   JobLine* line_;
   PlotMenu* plots_;
   TableMenu* tables_;

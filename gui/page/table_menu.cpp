@@ -7,6 +7,7 @@
 
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
+#include "gui/look/said.hpp"
 
 namespace jointid::gui {
 
@@ -38,6 +39,12 @@ void TableMenu::show_choice() {
   const int chosen = menu_->currentIndex();
   menu_->setVisible(menu_->count() > 0);
   table_->show_rows(chosen < 0 ? CellRows() : tables_[static_cast<std::size_t>(chosen)].second);
+}
+
+CellRows remark_rows(const std::vector<std::string>& remarks) {
+  CellRows out{{Said::tr("remark")}, {}, {}};
+  for (const std::string& remark : remarks) out.cells.push_back({Cell{q(remark)}});
+  return out;
 }
 
 }  // namespace jointid::gui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -31,5 +32,8 @@ class TableMenu : public QWidget {
   CellTable* table_;
   std::vector<Named> tables_;
 };
+
+/// A row a remark.
+CellRows remark_rows(const std::vector<std::string>& remarks);
 
 }  // namespace jointid::gui

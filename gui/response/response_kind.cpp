@@ -25,12 +25,6 @@ std::vector<PlotMenu::Named> plots_of(const report::ResponseRun& run) {
           {Said::tr("motion"), report::transient_plots(run)}};
 }
 
-CellRows remark_rows(const std::vector<std::string>& remarks) {
-  CellRows out{{Said::tr("remark")}, {}, {}};
-  for (const std::string& remark : remarks) out.cells.push_back({Cell{q(remark)}});
-  return out;
-}
-
 std::vector<TableMenu::Named> tables_of(const report::ResponseScene& scene, const report::ResponseRun& run) {
   std::vector<TableMenu::Named> out;
   std::size_t points = 0;
@@ -63,12 +57,13 @@ SceneTask read_responses(const std::string& text, const std::filesystem::path& f
   const report::ResponseScene scene = report::parse_response_scene(text, file);
   SceneTask task;
   for (const ident::NamedFile& named : report::files_of(scene)) task.inputs.push_back(named.path);
-  task.run = [scene](const Worker::Watch& watch) {
+  const auto run = [scene](const Worker::Watch& watch, std::size_t) {
     ident::Control control;
     control.interrupted = watch.interrupted;
     control.progress = watch.progress;
     return findings_of(std::make_shared<const Responded>(Responded{scene, report::run_response(scene, control)}));
   };
+  task.run = {run};
   return task;
 }
 
@@ -78,14 +73,16 @@ SceneKind response_kind() {
   SceneKind kind;
   kind.name = "response";
   kind.title = Said::tr("Response");
-  kind.run = Said::tr("Find responses");
-  kind.run_hint = Said::tr("Find the periodic responses, and what else the scene asks for, as `jointid response` does");
+  kind.jobs = {{{},
+                Said::tr("Find responses"),
+                Said::tr("Find the periodic responses, and what else the scene asks for, as `jointid response` does"),
+                QStringLiteral("jointid response"),
+                {}}};
   kind.plots = Said::tr("Responses over frequency and force, loops, motions");
   kind.plot_hint =
       Said::tr("With a scene of a structure with friction joints, [structure] or [data] parts, [[joints]], [force] and [response], "
                "its FRFs at all force levels stand here, peaks over the level, harmonics, loops of the joints, and motions.");
   kind.tables = Said::tr("Peaks, points, curves and remarks");
-  kind.command = QStringLiteral("jointid response");
   kind.is_of = [](const std::string& text) { return has_table(text, "response"); };
   kind.read = read_responses;
   return kind;

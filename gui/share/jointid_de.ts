@@ -1165,6 +1165,14 @@ Bestimmt Fügestellen aus gemessenen FRFs. Quelltexte unter BSD-3-Clause; dieses
         <source>Friction la&amp;ws</source>
         <translation>&amp;Reibgesetze</translation>
     </message>
+    <message>
+        <source>Stic&amp;k-slip motion</source>
+        <translation>&amp;Haftgleitbewegung</translation>
+    </message>
+    <message>
+        <source>Time r&amp;ecords</source>
+        <translation>Z&amp;eitverläufe</translation>
+    </message>
 </context>
 <context>
     <name>MessageBar</name>
@@ -1503,6 +1511,53 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     </message>
 </context>
 <context>
+    <name>OutputButtons</name>
+    <message>
+        <source>Save the results</source>
+        <translation>Die Ergebnisse speichern</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Save the page that the command writes with --report</source>
+        <translation>Die Seite speichern, die der Befehl mit --report schreibt</translation>
+    </message>
+    <message>
+        <source>JSON…</source>
+        <translation>JSON…</translation>
+    </message>
+    <message>
+        <source>Save what the command writes with --json</source>
+        <translation>Speichern, was der Befehl mit --json schreibt</translation>
+    </message>
+    <message>
+        <source>CSV…</source>
+        <translation>CSV…</translation>
+    </message>
+    <message>
+        <source>Save what the command writes with --csv</source>
+        <translation>Speichern, was der Befehl mit --csv schreibt</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>Seiten (*.html)</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+</context>
+<context>
     <name>PlanPage</name>
     <message>
         <source>Before measuring</source>
@@ -1745,6 +1800,18 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <source>Laws</source>
         <translation>Gesetze</translation>
     </message>
+    <message>
+        <source>Stick-slip</source>
+        <translation>Haftgleiten</translation>
+    </message>
+    <message>
+        <source>Time records</source>
+        <translation>Zeitverläufe</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Verläufe</translation>
+    </message>
 </context>
 <context>
     <name>QDoubleSpinBox</name>
@@ -1766,6 +1833,87 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
     <message>
         <source>Open</source>
         <translation>Öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>RecordsPage</name>
+    <message>
+        <source>Time records</source>
+        <translation>Zeitverläufe</translation>
+    </message>
+    <message>
+        <source>Status of the time records</source>
+        <translation>Stand der Zeitverläufe</translation>
+    </message>
+    <message>
+        <source>Stop; nothing is shown then</source>
+        <translation>Anhalten; dann wird nichts gezeigt</translation>
+    </message>
+    <message>
+        <source>What the records say</source>
+        <translation>Was die Zeitverläufe sagen</translation>
+    </message>
+    <message>
+        <source>Drop a time record here, or choose it: text, UFF 58, MATLAB, HDF5 or numpy, a column a channel.
+Choose what is asked of it and its channels, and run.</source>
+        <translation>Einen Zeitverlauf hier ablegen oder wählen: Text, UFF 58, MATLAB, HDF5 oder numpy, jeder Kanal eine Spalte.
+Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
+    </message>
+    <message>
+        <source>Numbers of the records</source>
+        <translation>Zahlen der Zeitverläufe</translation>
+    </message>
+    <message>
+        <source>Diagram and tables</source>
+        <translation>Diagramm und Tabellen</translation>
+    </message>
+    <message>
+        <source>What the tool wants to know</source>
+        <translation>Was das Werkzeug wissen will</translation>
+    </message>
+    <message>
+        <source>Files…</source>
+        <translation>Dateien…</translation>
+    </message>
+    <message>
+        <source>Choose time records: text, UFF 58, MATLAB, HDF5 or numpy</source>
+        <translation>Zeitverläufe wählen: Text, UFF 58, MATLAB, HDF5 oder numpy</translation>
+    </message>
+    <message>
+        <source>What is asked of the records</source>
+        <translation>Was die Zeitverläufe gefragt werden</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>Ask it of the records, as the command does</source>
+        <translation>Die Zeitverläufe danach fragen, wie der Befehl es tut</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that finds the same</source>
+        <translation>Die Befehlszeile kopieren, die dasselbe findet</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Channels: %1</source>
+        <translation>Kanäle: %1</translation>
+    </message>
+    <message>
+        <source>%1 takes one file, and %2 were opened.</source>
+        <translation>%1 nimmt eine Datei, und %2 wurden geöffnet.</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Rechnet …</translation>
     </message>
 </context>
 <context>
@@ -2507,10 +2655,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>%1 ohne Gesetz</translation>
     </message>
     <message>
-        <source>notes</source>
-        <translation>Hinweise</translation>
-    </message>
-    <message>
         <source>joint</source>
         <translation>Fügestelle</translation>
     </message>
@@ -2714,6 +2858,318 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <source>in which files; without them in all that have its sensors</source>
         <translation>in welchen Dateien; ohne Angabe in allen, die seine Sensoren haben</translation>
     </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>proper orthogonal modes</source>
+        <translation>orthogonale Eigenformen (POD)</translation>
+    </message>
+    <message>
+        <source>bifurcation diagram</source>
+        <translation>Verzweigungsdiagramm</translation>
+    </message>
+    <message>
+        <source>reduced models</source>
+        <translation>reduzierte Modelle</translation>
+    </message>
+    <message>
+        <source>what was found</source>
+        <translation>was gefunden wurde</translation>
+    </message>
+    <message>
+        <source>periodic orbit</source>
+        <translation>periodische Bahn</translation>
+    </message>
+    <message>
+        <source>motion and orbit</source>
+        <translation>Bewegung und Bahn</translation>
+    </message>
+    <message>
+        <source>shares of modes</source>
+        <translation>Anteile der Formen</translation>
+    </message>
+    <message>
+        <source>shapes of modes</source>
+        <translation>Gestalt der Formen</translation>
+    </message>
+    <message>
+        <source>multipliers</source>
+        <translation>Multiplikatoren</translation>
+    </message>
+    <message>
+        <source>exponents</source>
+        <translation>Exponenten</translation>
+    </message>
+    <message>
+        <source>Stick-slip motion</source>
+        <translation>Haftgleitbewegung</translation>
+    </message>
+    <message>
+        <source>Integrate</source>
+        <translation>Integrieren</translation>
+    </message>
+    <message>
+        <source>Integrate the motion exactly, and find what else the scene asks for, as `jointid oscillate` does</source>
+        <translation>Die Bewegung genau integrieren und finden, wonach die Szene sonst fragt, wie `jointid oscillate` es tut</translation>
+    </message>
+    <message>
+        <source>Phase planes, contact, modes, bifurcations</source>
+        <translation>Phasenebenen, Kontakt, Formen, Verzweigungen</translation>
+    </message>
+    <message>
+        <source>With a scene of a system with one friction contact, [system], [friction] and [motion], its phase planes and Poincaré sections stand here, the contact, proper orthogonal modes, bifurcation diagram and reduced models.</source>
+        <translation>Mit der Szene eines Systems mit einem Reibkontakt, [system], [friction] und [motion], stehen hier seine Phasenebenen und Poincaré-Schnitte, der Kontakt, orthogonale Eigenformen, Verzweigungsdiagramm und reduzierte Modelle.</translation>
+    </message>
+    <message>
+        <source>Orbit, modes, exponents, reduced models</source>
+        <translation>Bahn, Formen, Exponenten, reduzierte Modelle</translation>
+    </message>
+    <message>
+        <source>modes</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>beside other modes</source>
+        <translation>neben anderen Formen</translation>
+    </message>
+    <message>
+        <source>delay and dimension</source>
+        <translation>Verzögerung und Dimension</translation>
+    </message>
+    <message>
+        <source>divergence</source>
+        <translation>Auseinanderlaufen</translation>
+    </message>
+    <message>
+        <source>answers</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>false neighbours</source>
+        <translation>falsche Nachbarn</translation>
+    </message>
+    <message>
+        <source>recurrences</source>
+        <translation>Wiederkehr</translation>
+    </message>
+    <message>
+        <source>friction over velocity</source>
+        <translation>Reibung über der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Proper orthogonal modes</source>
+        <translation>Orthogonale Eigenformen (POD)</translation>
+    </message>
+    <message>
+        <source>The channels&apos; uncorrelated shapes stand here, with their shares of the mean square; several files are further samples.</source>
+        <translation>Hier stehen die unkorrelierten Formen der Kanäle mit ihren Anteilen am mittleren Quadrat; mehrere Dateien sind weitere Abtastwerte.</translation>
+    </message>
+    <message>
+        <source>channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Channels; none chosen: all but the time</source>
+        <translation>Kanäle; keiner gewählt: alle außer der Zeit</translation>
+    </message>
+    <message>
+        <source>mass matrix</source>
+        <translation>Massenmatrix</translation>
+    </message>
+    <message>
+        <source>File of the mass matrix of the channels: modes in its inner product</source>
+        <translation>Datei der Massenmatrix der Kanäle: Formen in ihrem Skalarprodukt</translation>
+    </message>
+    <message>
+        <source>stiffness matrix</source>
+        <translation>Steifigkeitsmatrix</translation>
+    </message>
+    <message>
+        <source>File of the stiffness matrix: cosines and MAC with the normal modes, with the mass matrix</source>
+        <translation>Datei der Steifigkeitsmatrix: Kosinus und MAC mit den Eigenformen, zusammen mit der Massenmatrix</translation>
+    </message>
+    <message>
+        <source>other modes</source>
+        <translation>andere Formen</translation>
+    </message>
+    <message>
+        <source>File of modes, a column each, a row a channel: cosines and MAC with them</source>
+        <translation>Datei von Formen, jede eine Spalte, jeder Kanal eine Zeile: Kosinus und MAC mit ihnen</translation>
+    </message>
+    <message>
+        <source>keep the mean</source>
+        <translation>Mittelwert behalten</translation>
+    </message>
+    <message>
+        <source>Do not remove the mean of each channel</source>
+        <translation>Den Mittelwert der Kanäle nicht abziehen</translation>
+    </message>
+    <message>
+        <source>Delay and dimension</source>
+        <translation>Verzögerung und Dimension</translation>
+    </message>
+    <message>
+        <source>Mutual information, false neighbours, correlation sum and divergence of one channel stand here.</source>
+        <translation>Hier stehen Transinformation, falsche Nachbarn, Korrelationssumme und Auseinanderlaufen eines Kanals.</translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Channel; not chosen: the only one beside the time</source>
+        <translation>Kanal; nicht gewählt: der einzige neben der Zeit</translation>
+    </message>
+    <message>
+        <source>samples per second</source>
+        <translation>Abtastwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Samples per second, where the file does not say</source>
+        <translation>Abtastwerte je Sekunde, wo die Datei es nicht sagt</translation>
+    </message>
+    <message>
+        <source>Use the first so many samples; time grows with their square</source>
+        <translation>So viele Abtastwerte vom Anfang; die Zeit wächst mit ihrem Quadrat</translation>
+    </message>
+    <message>
+        <source>delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>Delay in samples; empty: first minimum of the mutual information</source>
+        <translation>Verzögerung in Abtastwerten; leer: erstes Minimum der Transinformation</translation>
+    </message>
+    <message>
+        <source>dimension</source>
+        <translation>Dimension</translation>
+    </message>
+    <message>
+        <source>Dimension; empty: the least with at most 1 % false neighbours</source>
+        <translation>Dimension; leer: die kleinste mit höchstens 1 % falschen Nachbarn</translation>
+    </message>
+    <message>
+        <source>Theiler window</source>
+        <translation>Theiler-Fenster</translation>
+    </message>
+    <message>
+        <source>Neighbours are further apart in time, in samples; empty: twice delay times dimension</source>
+        <translation>Nachbarn liegen zeitlich weiter auseinander, in Abtastwerten; leer: zweimal Verzögerung mal Dimension</translation>
+    </message>
+    <message>
+        <source>Friction of a contact</source>
+        <translation>Reibung eines Kontakts</translation>
+    </message>
+    <message>
+        <source>The friction coefficient over the relative velocity stands here, and the law that falls with it.</source>
+        <translation>Hier steht der Reibwert über der Relativgeschwindigkeit und das Gesetz, das mit ihr fällt.</translation>
+    </message>
+    <message>
+        <source>relative velocity</source>
+        <translation>Relativgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Column of the relative velocity, m/s</source>
+        <translation>Spalte der Relativgeschwindigkeit, m/s</translation>
+    </message>
+    <message>
+        <source>friction force</source>
+        <translation>Reibkraft</translation>
+    </message>
+    <message>
+        <source>Column of the friction force, N, with the sign of the velocity while it slips</source>
+        <translation>Spalte der Reibkraft, N, beim Gleiten mit dem Vorzeichen der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>normal load</source>
+        <translation>Normallast</translation>
+    </message>
+    <message>
+        <source>Column of the normal load, N; or a constant one beside</source>
+        <translation>Spalte der Normallast, N; oder daneben eine feste</translation>
+    </message>
+    <message>
+        <source>constant load in N</source>
+        <translation>feste Last in N</translation>
+    </message>
+    <message>
+        <source>Constant normal load, N, instead of a column</source>
+        <translation>Feste Normallast, N, statt einer Spalte</translation>
+    </message>
+    <message>
+        <source>sticks below m/s</source>
+        <translation>haftet unter m/s</translation>
+    </message>
+    <message>
+        <source>Slower samples stick, m/s: above the noise of the velocity</source>
+        <translation>Langsamere Abtastwerte haften, m/s: über dem Rauschen der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>force late by s</source>
+        <translation>Kraft später um s</translation>
+    </message>
+    <message>
+        <source>By how much the force is late, s: `jointid series align` finds it</source>
+        <translation>Um wieviel die Kraft zu spät kommt, s: `jointid series align` findet es</translation>
+    </message>
+    <message>
+        <source>The laws are assumed as the scene says them.</source>
+        <translation>Die Gesetze sind so angenommen, wie die Szene sie nennt.</translation>
+    </message>
+    <message>
+        <source>The laws are those of the measured levels.</source>
+        <translation>Die Gesetze sind die der gemessenen Pegel.</translation>
+    </message>
+    <message>
+        <source>which level to measure next</source>
+        <translation>welcher Pegel als nächster zu messen ist</translation>
+    </message>
+    <message>
+        <source>what each level is worth</source>
+        <translation>was jeder Pegel wert ist</translation>
+    </message>
+    <message>
+        <source>errors and intervals</source>
+        <translation>Fehler und Intervalle</translation>
+    </message>
+    <message>
+        <source>Laws</source>
+        <translation>Gesetze</translation>
+    </message>
+    <message>
+        <source>Bounds</source>
+        <translation>Schranken</translation>
+    </message>
+    <message>
+        <source>Predict bounds</source>
+        <translation>Schranken vorhersagen</translation>
+    </message>
+    <message>
+        <source>What the levels will tell, and which to measure next, as `jointid plan --bound` does</source>
+        <translation>Was die Pegel sagen werden und welcher als nächster zu messen ist, wie `jointid plan --bound` es tut</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Simulate tests</source>
+        <translation>Versuche simulieren</translation>
+    </message>
+    <message>
+        <source>How large errors are and how often intervals hold, over simulated tests, as `jointid study` does</source>
+        <translation>Wie groß Fehler sind und wie oft Intervalle halten, über simulierte Versuche, wie `jointid study` es tut</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>
@@ -2804,42 +3260,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Kopiert die Befehlszeile, die dasselbe findet</translation>
     </message>
     <message>
-        <source>Report…</source>
-        <translation>Bericht …</translation>
-    </message>
-    <message>
-        <source>Save the page that the command writes with --report</source>
-        <translation>Speichert die Seite, die der Befehl mit --report schreibt</translation>
-    </message>
-    <message>
-        <source>JSON…</source>
-        <translation>JSON …</translation>
-    </message>
-    <message>
-        <source>Save what the command writes with --json</source>
-        <translation>Speichert, was der Befehl mit --json schreibt</translation>
-    </message>
-    <message>
-        <source>CSV…</source>
-        <translation>CSV …</translation>
-    </message>
-    <message>
-        <source>Save what the command writes with --csv</source>
-        <translation>Speichert, was der Befehl mit --csv schreibt</translation>
-    </message>
-    <message>
-        <source>Pages (*.html)</source>
-        <translation>Seiten (*.html)</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
         <source>Computing …</source>
         <translation>Berechnen …</translation>
     </message>
@@ -2848,12 +3268,12 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>SZENE.toml</translation>
     </message>
     <message>
-        <source>Save the results</source>
-        <translation>Ergebnisse speichern</translation>
+        <source>What the scene is asked for</source>
+        <translation>Was die Szene gefragt wird</translation>
     </message>
     <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
+        <source>trials</source>
+        <translation>Versuche</translation>
     </message>
 </context>
 <context>
@@ -3158,6 +3578,17 @@ alle Ergebnisse: %1</translation>
     <message>
         <source>Which table is shown</source>
         <translation>Welche Tabelle gezeigt wird</translation>
+    </message>
+</context>
+<context>
+    <name>ToolForm</name>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
     </message>
 </context>
 </TS>

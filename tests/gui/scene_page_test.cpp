@@ -5,12 +5,17 @@
 #include <QComboBox>
 #include <QProcess>
 #include <QPushButton>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTest>
+#include <algorithm>
+#include <map>
 
+#include "command_files.hpp"
 #include "gui/laws/law_kind.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/main_window.hpp"
+#include "gui/oscillate/oscillate_kind.hpp"
 #include "gui/plot/chart.hpp"
 #include "gui/project.hpp"
 #include "gui/response/response_kind.hpp"
@@ -19,6 +24,7 @@
 namespace jointid::gui {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 /// Three masses with a slipping joint: two levels, a curve along the force, and a motion from rest.
@@ -46,6 +52,45 @@ dofs = [1, 3]
 harmonics = [1, 3]
 )";
 
+/// One mass on a belt: a stick-slip orbit, its exponents and how it changes with the velocity.
+const char* const on_a_belt = R"(
+[system]
+kind = "belt_chain"
+masses = 1
+mass = 1.3
+stiffness = 2.1
+velocity = 0.2
+
+[friction]
+kinetic = 0.3
+static = 0.5
+normal = 1.7
+
+[start]
+velocity = [0.2]
+
+[motion]
+transient = 5.0
+length = 40.0
+step = 0.05
+
+[orbit]
+slips = 1
+
+[exponents]
+count = 1
+transient = 10.0
+length = 50.0
+interval = 1.0
+
+[sweep]
+parameter = "velocity"
+range = [0.15, 0.3]
+points = 4
+transient = 10.0
+length = 60.0
+)";
+
 const char* const wrong_laws = "[data]\nparts = [\"a.h5\"]\n[[joint.friction]]\ndofs = [\"1:+X\", \"2:+X\"]\nlawz = [\"ren\"]\n";
 
 struct Page {
@@ -70,45 +115,62 @@ struct Page {
   }
 };
 
+/// Names of the menu and the most groups of points, or curves of the first diagram, of any of their choices.
+std::map<std::string, std::size_t> drawn_by_choice(Page& page) {
+  std::map<std::string, std::size_t> out;
+  QComboBox& menu = *page.page.plots()->menu();
+  for (int i = 0; i < menu.count(); ++i) {
+    menu.setCurrentIndex(i);
+    const Chart& chart = *page.page.plots()->chart();
+    std::size_t& most = out[menu.itemText(i).section(':', 0, 0).toStdString()];
+    most =
+        std::max(most, chart.curve_plots().empty() ? chart.scatter().groups.size() : chart.curve_plots().front().series.size());
+  }
+  return out;
+}
+
 TEST(ScenePage, FindsResponsesAsTheCommandDoes) {
   Page page(response_kind());
   ASSERT_FALSE(page.set(sliding));
   ASSERT_TRUE(page.run()) << page.page.status().toStdString();
   EXPECT_FALSE(page.page.shown()->is_bad);
-  for (const char* ending : {"json", "csv"}) {
-    const QString mine = page.folder.filePath(QString("mine.") + ending), theirs = page.folder.filePath(QString("theirs.") + ending);
-    page.page.write(mine, ending);
-    QProcess process;
-    process.start("/bin/sh", {"-c", shell_word(JOINTID_COMMAND) + page.page.command_line().mid(7) + " --" + ending + " " + shell_word(theirs)});
-    ASSERT_TRUE(process.waitForFinished(60000));
-    ASSERT_EQ(process.exitCode(), 0) << page.page.command_line().toStdString();
-    EXPECT_EQ(read_file(mine), read_file(theirs)) << ending;
-  }
-  page.page.write(page.folder.filePath("page.html"), "html");
-  EXPECT_THAT(read_file(page.folder.filePath("page.html")), HasSubstr("</html>"));
+  expect_the_commands_files(page.page, page.folder);
 }
 
-/// A diagram for every choice of the menu, points and curves, and a table for every one of its.
+TEST(ScenePage, IntegratesMotionsAsTheCommandDoes) {
+  Page page(oscillate_kind());
+  ASSERT_FALSE(page.set(on_a_belt));
+  ASSERT_TRUE(page.run()) << page.page.status().toStdString();
+  EXPECT_FALSE(page.page.shown()->is_bad);
+  expect_the_commands_files(page.page, page.folder);
+  expect_every_choice_drawn(page.page);
+  const auto drawn = drawn_by_choice(page);
+  EXPECT_EQ(drawn.at("motion"), 1U);  // one mass, one phase plane
+  EXPECT_EQ(drawn.at("bifurcation diagram"), 1U);
+  EXPECT_GE(page.page.tables()->menu()->count(), 5);
+}
+
+TEST(ScenePage, SaysWhatIsWrongWithAMotion) {
+  Page page(oscillate_kind());
+  std::string text = on_a_belt;
+  const auto wrong = page.set(text.replace(text.find("masses = 1"), 10, "masses = 0"));
+  ASSERT_TRUE(wrong);
+  EXPECT_THAT(wrong->problem + wrong->remedy, HasSubstr("from 1 to 1000"));
+  EXPECT_GT(wrong->line, 0);
+  EXPECT_FALSE(find<QPushButton>(page.page, "oscillate_run")->isEnabled());
+  EXPECT_FALSE(page.set(sliding));
+  EXPECT_FALSE(find<QPushButton>(page.page, "oscillate_run")->isEnabled());
+}
+
 TEST(ScenePage, DrawsEveryChoice) {
   Page page(response_kind());
   ASSERT_FALSE(page.set(sliding));
   ASSERT_TRUE(page.run()) << page.page.status().toStdString();
-  QComboBox& menu = *page.page.plots()->menu();
-  bool loops = false, levels = false;
-  for (int i = 0; i < menu.count(); ++i) {
-    menu.setCurrentIndex(i);
-    const Chart& chart = *page.page.plots()->chart();
-    EXPECT_NE(chart.curve_plots().empty(), chart.scatter().groups.empty()) << menu.itemText(i).toStdString();
-    loops = loops || (menu.itemText(i).startsWith("loop") && chart.scatter().groups.size() == 2U);
-    levels = levels || (menu.itemText(i).startsWith("response") && chart.curve_plots().front().series.size() == 2U);
-  }
-  EXPECT_TRUE(loops && levels);
-  QComboBox& tables = *page.page.tables()->menu();
-  ASSERT_GE(tables.count(), 3);
-  for (int i = 0; i < tables.count(); ++i) {
-    tables.setCurrentIndex(i);
-    EXPECT_GT(page.page.tables()->table()->cells()->rowCount(), 0) << tables.itemText(i).toStdString();
-  }
+  expect_every_choice_drawn(page.page);
+  const auto drawn = drawn_by_choice(page);
+  EXPECT_EQ(drawn.at("loop"), 2U);  // of two levels
+  EXPECT_EQ(drawn.at("response"), 2U);
+  EXPECT_GE(page.page.tables()->menu()->count(), 3);
 }
 
 TEST(ScenePage, SaysWhatIsWrongWithTheScene) {
@@ -137,14 +199,16 @@ TEST(ScenePage, NoOutputReplacesAnInput) {
 
 TEST(ScenePage, CanBeCancelledAndDestroyedAtAnyMoment) {
   for (const int wait : {0, 5, 20}) {
-    Page page(response_kind());
-    ASSERT_FALSE(page.set(sliding));
-    page.page.run();
-    QTest::qWait(wait);
-    page.page.cancel();
-    ASSERT_TRUE(page.rests());
-    page.page.run();
-    QTest::qWait(wait);
+    for (const auto& [kind, text] : {std::pair(response_kind(), sliding), std::pair(oscillate_kind(), on_a_belt)}) {
+      Page page(kind);
+      ASSERT_FALSE(page.set(text));
+      page.page.run();
+      QTest::qWait(wait);
+      page.page.cancel();
+      ASSERT_TRUE(page.rests());
+      page.page.run();
+      QTest::qWait(wait);
+    }
   }
 }
 
@@ -170,6 +234,40 @@ TEST(ScenePage, IdentifiesLawsAsTheCommandDoes) {
   EXPECT_EQ(read_file(mine), read_file(theirs));
 }
 
+/// What the levels will tell, and simulated tests, as `plan --bound` and `study` say it.
+TEST(ScenePage, BoundsAndStudiesOfLawsAreThoseOfTheCommands) {
+  const Measured measured("sdof-iwan");
+  Page page(law_kind());
+  std::string text = read_file(measured.scene());
+  text.replace(text.find("[\"bilinear"), text.find("# one") - text.find("[\"bilinear"), "[\"iwan\"] ");
+  text.replace(text.find("[80.0, 135.0]"), 13, "[100.0, 108.0]");
+  page.file = measured.file("short.toml");
+  ASSERT_FALSE(page.set(text));
+  QComboBox& jobs = *page.page.jobs();
+  ASSERT_TRUE(jobs.isVisible());
+  QSpinBox& trials = *find<QSpinBox>(page.page, "laws_trials");
+  EXPECT_FALSE(trials.isVisible());
+  jobs.setCurrentIndex(1);
+  ASSERT_TRUE(page.run()) << page.page.status().toStdString();
+  EXPECT_THAT(page.page.command_line().toStdString(), AllOf(HasSubstr("jointid plan"), HasSubstr("--bound")));
+  EXPECT_EQ(page.page.shown()->outputs.size(), 1U);
+  EXPECT_FALSE(find<QPushButton>(page.page, "laws_csv")->isEnabled());
+  expect_the_commands_files(page.page, page.folder);
+  EXPECT_GT(page.page.tables()->table()->cells()->rowCount(), 3);
+  jobs.setCurrentIndex(2);
+  EXPECT_TRUE(trials.isVisible());
+  trials.setValue(4);
+  ASSERT_TRUE(page.run()) << page.page.status().toStdString();
+  EXPECT_THAT(page.page.status().toStdString(), HasSubstr("4 trials"));
+  EXPECT_THAT(page.page.command_line().toStdString(), HasSubstr("--trials 4"));
+  expect_the_commands_files(page.page, page.folder);
+  jobs.setCurrentIndex(2);
+  page.page.run();
+  QTest::qWait(20);
+  page.page.cancel();
+  EXPECT_TRUE(page.rests());
+}
+
 TEST(ScenePage, AProjectKnowsItsScenes) {
   const QTemporaryDir folder;
   write_file(folder.filePath("response.toml"), sliding);
@@ -184,6 +282,18 @@ TEST(ScenePage, AProjectKnowsItsScenes) {
   EXPECT_FALSE(find<QPushButton>(*project.laws_page(), "laws_run")->isEnabled());
   QTest::keyClick(&window, Qt::Key_1, Qt::ControlModifier);
   EXPECT_EQ(project.pages()->currentWidget(), project.response_page());
+  const auto is_seen = [](Project& of, QWidget* page) { return of.pages()->isTabVisible(of.pages()->indexOf(page)); };
+  EXPECT_TRUE(is_seen(project, project.response_page()));
+  EXPECT_FALSE(is_seen(project, project.laws_page()));  // of other scenes, until it is asked for
+  QTest::keyClick(&window, Qt::Key_2, Qt::ControlModifier);
+  EXPECT_TRUE(is_seen(project, project.laws_page()));
+  EXPECT_FALSE(find<QPushButton>(*project.oscillate_page(), "oscillate_run")->isEnabled());
+  write_file(folder.filePath("belt.toml"), on_a_belt);
+  window.open({folder.filePath("belt.toml")});
+  EXPECT_FALSE(window.current()->checked().error);
+  EXPECT_TRUE(find<QPushButton>(*window.current()->oscillate_page(), "oscillate_run")->isEnabled());
+  QTest::keyClick(&window, Qt::Key_3, Qt::ControlModifier);
+  EXPECT_EQ(window.current()->pages()->currentWidget(), window.current()->oscillate_page());
 }
 
 }  // namespace

@@ -35,6 +35,7 @@
 #include "gui/plot/chart.hpp"
 #include "gui/plot/frf_plot.hpp"
 #include "gui/project.hpp"
+#include "gui/records/records_page.hpp"
 #include "gui/scene/scene_editor.hpp"
 #include "gui/solve/solve_page.hpp"
 #include "gui/study/study_page.hpp"
@@ -193,6 +194,14 @@ class Photographer {
     QTest::keyClick(&window_, Qt::Key_W, Qt::ControlModifier);
     take_frictional(beside.filePath("response/beams-B.toml"), &Project::response_page, "workbench-response");
     take_frictional(beside.filePath("laws/sdof-iwan.toml"), &Project::laws_page, "workbench-laws");
+    take_frictional(beside.filePath("chain/chain-3.toml"), &Project::oscillate_page, "workbench-oscillate");
+    RecordsPage& records = *project.records_page();
+    project.pages()->setCurrentWidget(&records);
+    records.open({beside.filePath("chain/motion.csv")});
+    wait_for([&] { return !records.is_busy(); });
+    records.run();
+    wait_for([&] { return !records.is_busy(); });
+    keep("workbench-records");
   }
 
   /// A scene of joints with friction.

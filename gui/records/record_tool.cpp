@@ -1,0 +1,222 @@
+#include "gui/records/record_tool.hpp"
+
+#include <QLocale>
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "gui/look/paths.hpp"
+#include "gui/look/said.hpp"
+#include "ident/team/team.hpp"
+#include "report/pod/pod_page.hpp"
+#include "report/pod/pod_plots.hpp"
+#include "report/pod/pod_report.hpp"
+#include "report/series/contact_report.hpp"
+#include "report/series/delay_report.hpp"
+
+namespace jointid::gui {
+namespace {
+
+using Kind = ToolField::Kind;
+using Files = std::vector<std::filesystem::path>;
+
+std::string text_of(const ToolValues& values, const char* option) {
+  const auto place = values.find(option);
+  return place == values.end() ? std::string() : place->second.toStdString();
+}
+
+/// Throws InputError for what is no number.
+std::optional<double> number_of(const ToolValues& values, const char* option) {
+  const auto place = values.find(option);
+  if (place == values.end()) return std::nullopt;
+  bool is_number = false;
+  const double value = QLocale::c().toDouble(place->second, &is_number);
+  if (!is_number)
+    throw InputError({ErrorKind::usage, "", option, "'" + place->second.toStdString() + "' is no number", "write 0.002 or 2e-3"});
+  return value;
+}
+
+/// Throws InputError for what is no number above 0.
+std::optional<double> positive_of(const ToolValues& values, const char* option) {
+  const std::optional<double> value = number_of(values, option);
+  if (value && !(*value > 0.0))
+    throw InputError(
+        {ErrorKind::usage, "", option, values.at(option).toStdString() + " is not above 0", "give a number above 0"});
+  return value;
+}
+
+/// Throws InputError for what is no whole number of this range.
+std::size_t whole_of(const ToolValues& values, const char* option, std::size_t otherwise, std::size_t least, std::size_t most) {
+  const std::optional<double> value = number_of(values, option);
+  if (!value) return otherwise;
+  if (*value != std::floor(*value) || *value < static_cast<double>(least) || *value > static_cast<double>(most)) {
+    throw InputError({ErrorKind::usage, "", option, values.at(option).toStdString() + " is not allowed",
+                      "give a whole number from " + std::to_string(least) + " to " + std::to_string(most)});
+  }
+  return static_cast<std::size_t>(*value);
+}
+
+QString said(const std::string& summary, const std::vector<std::string>& remarks) {
+  QStringList lines{q(summary)};
+  for (const std::string& remark : remarks) lines << q(remark);
+  return lines.join('\n');
+}
+
+SceneFindings find_modes(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
+  report::PodTask task;
+  task.files = files;
+  for (const QString& channel : values.contains("--channels") ? values.at("--channels").split(',') : QStringList())
+    task.channels.push_back(channel.toStdString());
+  task.mass = text_of(values, "--mass"), task.stiffness = text_of(values, "--stiffness"),
+  task.compare = text_of(values, "--compare");
+  task.keep_mean = values.contains("--keep-mean");
+  report::check(task);
+  const auto team = ident::make_team_of_one();
+  watch.progress("reading samples", 0, 0);
+  const auto read = [](std::size_t) {};
+  auto record = report::read_pod_record(task, *team, read, watch.interrupted);
+  const auto found = std::make_shared<const report::PodReport>(report::make_pod_report(task, std::move(record)));
+  SceneFindings out;
+  const std::vector<std::string> remarks = report::pod_remarks(*found);
+  out.said = said(report::pod_summary(*found), remarks);
+  out.plots = {{Said::tr("modes"), report::pod_shape_plots(found->pod)},
+               {Said::tr("values"), report::pod_value_plots(found->pod)}};
+  out.tables = {{Said::tr("values"), rows_of(report::pod_values_table(found->pod))},
+                {Said::tr("modes"), rows_of(report::pod_shapes_table(*found))}};
+  if (found->cosines.size() > 0)
+    out.tables.emplace_back(Said::tr("beside other modes"), rows_of(report::pod_comparison_table(*found)));
+  out.tables.emplace_back(Said::tr("remarks"), remark_rows(remarks));
+  out.outputs = {{"html", [found] { return report::pod_page(*found); }},
+                 {"json", [found] { return report::pod_json(*found); }},
+                 {"csv", [found] { return report::pod_csv(*found); }}};
+  return out;
+}
+
+SceneFindings find_delays(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
+  report::DelayTask task;
+  task.file = files.front();
+  task.channel = text_of(values, "--channel");
+  task.rate_hz = positive_of(values, "--rate");
+  task.samples = whole_of(values, "--samples", task.samples, 100, 200'000);
+  task.delay = whole_of(values, "--delay", task.delay, 0, 100'000);
+  task.dimension = whole_of(values, "--dimension", task.dimension, 0, 20);
+  task.theiler = whole_of(values, "--theiler", task.theiler, 0, 100'000);
+  ident::Control control;
+  control.progress = watch.progress;
+  control.interrupted = watch.interrupted;
+  const auto found = std::make_shared<const report::DelayReport>(report::delay_report(task, control));
+  SceneFindings out;
+  out.said = said(report::delay_summary(*found), found->remarks);
+  out.plots = {{Said::tr("delay and dimension"), report::delay_plots(*found)},
+               {Said::tr("divergence"), report::divergence_plots(*found)}};
+  out.tables = {{Said::tr("answers"), rows_of(report::answers_table(*found))},
+                {Said::tr("false neighbours"), rows_of(report::neighbours_table(*found))},
+                {Said::tr("recurrences"), rows_of(report::recurrences_table(*found))},
+                {Said::tr("remarks"), remark_rows(found->remarks)}};
+  out.outputs = {{"html", [found] { return report::delay_page(*found); }},
+                 {"json", [found] { return report::delay_json(*found); }},
+                 {"csv", [found] { return report::delay_csv(*found); }}};
+  return out;
+}
+
+SceneFindings find_contact_law(const Files& files, const ToolValues& values, const Worker::Watch&) {
+  report::ContactTask task;
+  task.file = files.front();
+  for (const auto& [option, to] : {std::pair("--velocity", &task.velocity), std::pair("--force", &task.force)}) {
+    *to = text_of(values, option);
+    if (to->empty()) throw InputError({ErrorKind::usage, "", option, "is not chosen", "choose the column"});
+  }
+  task.normal = text_of(values, "--normal");
+  task.load = positive_of(values, "--load").value_or(0.0);
+  const std::optional<double> stick_speed = positive_of(values, "--stick-speed");
+  if (!stick_speed)
+    throw InputError(
+        {ErrorKind::usage, "", "--stick-speed", "is not given", "give the speed in m/s below which a sample sticks"});
+  task.stick_speed = *stick_speed;
+  task.rate_hz = positive_of(values, "--rate");
+  task.force_delay = number_of(values, "--force-delay").value_or(0.0);
+  const auto found = std::make_shared<const report::ContactReport>(report::contact_report(task));
+  SceneFindings out;
+  const std::vector<std::string> remarks = report::contact_remarks(*found);
+  out.said = said(report::contact_summary(*found), remarks);
+  out.plots = {{Said::tr("friction over velocity"), report::contact_law_plots(*found)}};
+  out.tables = {{Said::tr("law"), rows_of(report::contact_table(*found))}, {Said::tr("remarks"), remark_rows(remarks)}};
+  out.outputs = {{"html", [found] { return report::contact_page(*found); }},
+                 {"json", [found] { return report::contact_json(*found); }},
+                 {"csv", [found] { return report::contact_csv(*found); }}};
+  return out;
+}
+
+RecordTool pod_tool() {
+  return {"pod",
+          Said::tr("Proper orthogonal modes"),
+          QStringLiteral("jointid pod"),
+          Said::tr("The channels' uncorrelated shapes stand here, with their shares of the mean square; several files are "
+                   "further samples."),
+          true,
+          {{Kind::columns, "--channels", Said::tr("channels"), Said::tr("Channels; none chosen: all but the time")},
+           {Kind::file, "--mass", Said::tr("mass matrix"),
+            Said::tr("File of the mass matrix of the channels: modes in its inner product")},
+           {Kind::file, "--stiffness", Said::tr("stiffness matrix"),
+            Said::tr("File of the stiffness matrix: cosines and MAC with the normal modes, with the mass matrix")},
+           {Kind::file, "--compare", Said::tr("other modes"),
+            Said::tr("File of modes, a column each, a row a channel: cosines and MAC with them")},
+           {Kind::flag, "--keep-mean", Said::tr("keep the mean"), Said::tr("Do not remove the mean of each channel")}},
+          find_modes};
+}
+
+RecordTool delay_tool() {
+  return {
+      "delay",
+      Said::tr("Delay and dimension"),
+      QStringLiteral("jointid series delay"),
+      Said::tr("Mutual information, false neighbours, correlation sum and divergence of one channel stand here."),
+      false,
+      {{Kind::column, "--channel", Said::tr("channel"), Said::tr("Channel; not chosen: the only one beside the time")},
+       {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, where the file does not say")},
+       {Kind::number, "--samples", QStringLiteral("20000"),
+        Said::tr("Use the first so many samples; time grows with their square")},
+       {Kind::number, "--delay", Said::tr("delay"), Said::tr("Delay in samples; empty: first minimum of the mutual information")},
+       {Kind::number, "--dimension", Said::tr("dimension"),
+        Said::tr("Dimension; empty: the least with at most 1 % false neighbours")},
+       {Kind::number, "--theiler", Said::tr("Theiler window"),
+        Said::tr("Neighbours are further apart in time, in samples; empty: twice delay times dimension")}},
+      find_delays};
+}
+
+RecordTool contact_tool() {
+  return {
+      "friction",
+      Said::tr("Friction of a contact"),
+      QStringLiteral("jointid series friction"),
+      Said::tr("The friction coefficient over the relative velocity stands here, and the law that falls with it."),
+      false,
+      {{Kind::column, "--velocity", Said::tr("relative velocity"), Said::tr("Column of the relative velocity, m/s")},
+       {Kind::column, "--force", Said::tr("friction force"),
+        Said::tr("Column of the friction force, N, with the sign of the velocity while it slips")},
+       {Kind::column, "--normal", Said::tr("normal load"), Said::tr("Column of the normal load, N; or a constant one beside")},
+       {Kind::number, "--load", Said::tr("constant load in N"), Said::tr("Constant normal load, N, instead of a column")},
+       {Kind::number, "--stick-speed", Said::tr("sticks below m/s"),
+        Said::tr("Slower samples stick, m/s: above the noise of the velocity")},
+       {Kind::number, "--force-delay", Said::tr("force late by s"),
+        Said::tr("By how much the force is late, s: `jointid series align` finds it")},
+       {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, where the file does not say")}},
+      find_contact_law};
+}
+
+}  // namespace
+
+std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool()}; }
+
+QString options_of(const RecordTool& tool, const ToolValues& values) {
+  QString text;
+  for (const ToolField& field : tool.fields) {
+    const auto place = values.find(field.option);
+    if (place == values.end()) continue;
+    text += " " + q(field.option);
+    if (field.kind != Kind::flag) text += " " + shell_word(place->second);
+  }
+  return text;
+}
+
+}  // namespace jointid::gui
