@@ -35,6 +35,20 @@ inline frf::FrfSet with_hammer_noise(frf::FrfSet set) {
   return set;
 }
 
+/// The same told by a factor, one column and a diagonal, in place of pairs.
+inline frf::FrfSet factored(frf::FrfSet set) {
+  const std::size_t rows = set.header.response.size(), columns = set.header.reference.size(), pairs = frf::pair_count(rows);
+  set.factor.rank = 1;
+  for (std::size_t i = 0; i < set.values.size(); ++i) {
+    const std::size_t line = i / (rows * columns), r = i / columns % rows, c = i % columns;
+    const double shared = std::norm(0.02 * set.values[i]);
+    set.factor.rows.push_back(0.02 * set.values[i]);
+    set.factor.diagonal.push_back(set.covariance[(line * pairs + frf::pair_index(r, r)) * columns + c].real() - shared);
+  }
+  set.covariance.clear();
+  return set;
+}
+
 /// The exact FRFs of a problem with that noise told.
 inline problems::Measurement with_hammer_noise(const problems::Problem& problem) {
   problems::Measurement out;
