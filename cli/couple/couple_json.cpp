@@ -28,6 +28,7 @@ Json dependencies_json(const coupling::Dependencies& dependencies) {
 std::string couple_json(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
   Json out = {{"status", result.status == ident::Status::ok ? "ok" : "not_usable"},
               {"message", result.message},
+              {"notes", result.notes},
               {"method", coupling::name(scene.options.method)},
               {"threshold", scene.find_dependent ? "auto" : coupling::name(scene.options.threshold)},
               {"lines", result.lines},

@@ -34,6 +34,7 @@ struct ErrorSums {
   struct Term {
     std::size_t error;
     Complex factor;
+    double relation = 0.0;  ///< E[ε²], real: 0 where the error is circular, ±1 where it is real or imaginary alone
   };
   std::size_t errors = 0;                ///< how many ε there are
   std::vector<std::vector<Term>> terms;  ///< [response, reference] of a block; none where an FRF is exact or not measured
