@@ -77,7 +77,7 @@ void measure(frf::NoiseKind kind, std::size_t tests, double promised, bench::Pro
 
 void measure_all(const bench::CommandLine& line, bench::Promises& promises) {
   const std::size_t tests = line.count(0, 200, 10);
-  measure(frf::NoiseKind::uniform, tests, 0.87, promises);
+  measure(frf::NoiseKind::uniform, tests, 0.92, promises);
   measure(frf::NoiseKind::circular, tests, 0.92, promises);
 }
 

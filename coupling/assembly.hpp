@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,11 +26,26 @@ struct PlacedDof {
 /// Reads "4:+Y" or "PART/4:+Y". Throws InputError naming the text.
 PlacedDof parse_placed_dof(const std::string& text);
 
+/// The errors of a joint that was identified: δZ = Σ θ_m ∂Z/∂θ_m of its unknowns' errors θ, which are real.
+struct JointUncertainty {
+  struct Unknown {
+    std::vector<double> stiffness, mass, viscous_damping, hysteretic_damping;  ///< derivatives of the matrices of a KnownJoint
+  };
+  std::vector<Unknown> unknowns;   ///< [p]
+  std::vector<double> covariance;  ///< [p,p] E[θ θᵀ]
+
+  /// E[ε θ_m] of the error ε of an FRF of a part on a line: what the joint has of it, as it was found from that FRF among others. [p],
+  /// or empty: nothing.
+  using Common = std::function<std::vector<Complex>(const std::string& part, const frf::Dof& row, const frf::Dof& column, double hz)>;
+  Common common{};
+};
+
 /// A joint of known dynamic stiffness Z = K − ω²M + i(ωC + D) between coordinates. Each matrix is [n, n] row-major over `dofs`,
 /// or empty for zero.
 struct KnownJoint {
   std::vector<PlacedDof> dofs;
   std::vector<double> stiffness, mass, viscous_damping, hysteretic_damping;
+  std::shared_ptr<const JointUncertainty> uncertainty{};  ///< none: the matrices are exact
 };
 
 /// What becomes of the parts, said in words that need no matrix.

@@ -62,7 +62,7 @@ AssemblyReader::AssemblyReader(std::vector<Part> parts, const Assembly& assembly
   for (std::size_t i = 0; i < references.size(); ++i) references[i] = i;
   const Work work = plan_block({{&line, 1}, responses, references}, true);
   const auto any = std::ranges::any_of(work.parts, [](const PartBlock& part) { return part.reader.has_covariance(); });
-  has_covariance_ = options_.uncertainty && any;
+  has_covariance_ = options_.uncertainty && (any || !layout_.joint.by_unknown.empty());
 }
 
 void AssemblyReader::require_method(const std::string& where) const {
@@ -235,6 +235,17 @@ void put_covariance(const LineVariance& variance, const std::vector<double>& row
 
 }  // namespace
 
+void AssemblyReader::place_common(const PartBlock& part, const Work& work, double frequency_hz, LineVariance& to) const {
+  const double sign = layout_.part_sign[part.part];
+  for (const std::size_t r : part.rows) {
+    for (const std::size_t c : part.columns) {
+      const std::vector<Complex> common =
+          layout_.joint.common(parts_[part.part].name, work.rows[r].dof, work.columns[c].dof, frequency_hz);
+      for (std::size_t m = 0; m < common.size(); ++m) to.with_joint[m](at(r), at(c)) = sign * common[m];
+    }
+  }
+}
+
 void AssemblyReader::read(const frf::Block& block, std::span<Complex> values, std::span<Complex> variance, std::span<LineRecord> records,
                           std::span<Complex> covariance) {
   read(block, {.values = values, .variance = variance, .covariance = covariance, .records = records, .errors = {}});
@@ -265,6 +276,7 @@ void AssemblyReader::read(const frf::Block& block, const Results& to) {
       input[i].h = ComplexMatrix::Zero(rows, columns);
       if (needs_variance(options)) input[i].variance = {RealMatrix::Zero(rows, columns), RealMatrix::Zero(rows, columns)};
       if (with_covariance) input[i].variance.covariance.assign(work.columns.size(), ComplexMatrix::Zero(rows, rows));
+      input[i].variance.with_joint.assign(layout_.joint.by_unknown.size(), ComplexMatrix::Zero(rows, columns));
     }
     for (PartBlock& part : work.parts) {
       std::vector<std::size_t> part_lines;
@@ -276,6 +288,9 @@ void AssemblyReader::read(const frf::Block& block, const Results& to) {
         place(scratch, i, part.rows, part.columns, input[i].h, [&](Complex value) { return sign * value; });
       }
       if (!needs_variance(options)) continue;
+      if (options.uncertainty && !layout_.joint.by_unknown.empty()) {
+        for (std::size_t i = 0; i < lines.size(); ++i) place_common(part, work, header_.frequency_hz[lines[i]], input[i].variance);
+      }
       part.reader.read_variance(part_lines, scratch);
       for (std::size_t i = 0; i < lines.size(); ++i) {
         place(scratch, i, part.rows, part.columns, input[i].variance.real, [](Complex v) { return v.real(); });

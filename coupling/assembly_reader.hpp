@@ -45,6 +45,8 @@ class AssemblyReader {
     std::span<frf::ErrorSums> errors;
   };
   void read(const frf::Block& block, const Results& to);
+  /// What the errors of a part's FRFs have in common with those of the joints, on one line.
+  void place_common(const PartBlock& part, const Work& work, double frequency_hz, LineVariance& to) const;
 
   std::vector<Part> parts_;
   Options options_;

@@ -16,10 +16,10 @@ class PartErrors {
  public:
   PartErrors(const MatrixRef& h, const LineVariance& variance, Index connected, const std::vector<Index>& twin)
       : h_(h), rows_(h.rows()), connected_(connected), twin_(twin), terms_(static_cast<std::size_t>(h.size())) {
-    const RealMatrix plus = variance.real + variance.imaginary;
+    const RealMatrix plus = variance.real + variance.imaginary, minus = variance.real - variance.imaginary;
     for (Index l = 0; l < h.cols(); ++l) {
       const bool shared = !variance.covariance.empty() && !variance.covariance[static_cast<std::size_t>(l)].isZero(0.0);
-      shared ? add_column(l, plus.col(l), variance.covariance[static_cast<std::size_t>(l)]) : add_independent(l, plus.col(l));
+      shared ? add_column(l, plus.col(l), variance.covariance[static_cast<std::size_t>(l)]) : add_independent(l, plus.col(l), minus.col(l));
     }
   }
 
@@ -39,7 +39,8 @@ class PartErrors {
   }
   Index column_of(Index row) const { return row < connected_ ? row : twin_[static_cast<std::size_t>(row - connected_)]; }
 
-  void add_independent(Index l, const Eigen::VectorXd& variance) {
+  /// `difference`: of the variances of real and imaginary part, whose errors are independent.
+  void add_independent(Index l, const Eigen::VectorXd& variance, const Eigen::VectorXd& difference) {
     for (Index k = 0; k < rows_; ++k) {
       if (!(variance[k] > 0.0) || !std::isfinite(variance[k])) continue;
       const Index back_row = row_of(l), back_column = column_of(k);
@@ -47,7 +48,7 @@ class PartErrors {
       if (has_back && is_one_measurement(h_(k, l), h_(back_row, back_column))) {
         at(k, l) = of(back_row, back_column);
       } else {
-        at(k, l) = {{count_++, std::sqrt(variance[k])}};
+        at(k, l) = {{count_++, std::sqrt(variance[k]), difference[k] / variance[k]}};
       }
     }
   }
@@ -61,7 +62,7 @@ class PartErrors {
     const Eigen::VectorXd size = variance(some).cwiseSqrt();
     ComplexMatrix factor = size.cwiseInverse().asDiagonal() * covariance(some, some) * size.cwiseInverse().asDiagonal();
     factor.diagonal().setConstant(1.0 + 1e-9);
-    if (!dense::cholesky_in_place(factor)) return add_independent(l, variance);
+    if (!dense::cholesky_in_place(factor)) return add_independent(l, variance, Eigen::VectorXd::Zero(rows_));
     for (Index i = 0; i < factor.rows(); ++i) {
       for (Index m = 0; m <= i; ++m) {
         at(some[static_cast<std::size_t>(i)], l).push_back({count_ + static_cast<std::size_t>(m), size[i] * factor(i, m)});
@@ -98,14 +99,17 @@ frf::ErrorSums error_sums(const Sensitivity& sensitivity, const MatrixRef& h, co
     const auto left = factors_of(sensitivity.left.row(at(r)), wanted.rows[r]);
     for (std::size_t c = 0; c < wanted.columns.size(); ++c) {
       const auto right = factors_of(sensitivity.right.col(at(c)), wanted.columns[c]);
-      std::map<std::size_t, Complex> sum;
+      std::map<std::size_t, frf::ErrorSums::Term> sum;
       for (const auto& [k, l_factor] : left) {
         for (const auto& [l, r_factor] : right) {
-          for (const frf::ErrorSums::Term& term : parts.of(k, l)) sum[term.error] += l_factor * r_factor * term.factor;
+          for (const frf::ErrorSums::Term& term : parts.of(k, l)) {
+            frf::ErrorSums::Term& of = sum.try_emplace(term.error, frf::ErrorSums::Term{term.error, 0.0, term.relation}).first->second;
+            of.factor += l_factor * r_factor * term.factor;
+          }
         }
       }
       Terms terms;
-      for (const auto& [error, factor] : sum) terms.push_back({error, factor});
+      for (const auto& [error, term] : sum) terms.push_back(term);
       out.terms.push_back(std::move(terms));
     }
   }

@@ -145,16 +145,41 @@ class Builder {
       }
     }
     const auto n = jointid::at(at.size());
-    for (Eigen::MatrixXd* matrix : {&layout_.joint.stiffness, &layout_.joint.mass, &layout_.joint.viscous_damping,
-                                    &layout_.joint.hysteretic_damping}) {
+    make_zero(n, layout_.joint);
+    for (const KnownJoint& joint : assembly_.joints) {
+      add_matrices(joint, joint, layout_.joint);
+      if (joint.uncertainty) add_uncertainty(joint, n);
+    }
+  }
+
+  static void make_zero(Index n, LayoutJoint& joint) {
+    for (Eigen::MatrixXd* matrix : {&joint.stiffness, &joint.mass, &joint.viscous_damping, &joint.hysteretic_damping}) {
       *matrix = Eigen::MatrixXd::Zero(n, n);
     }
-    for (const KnownJoint& joint : assembly_.joints) {
-      add_matrix(joint, joint.stiffness, layout_.joint.stiffness);
-      add_matrix(joint, joint.mass, layout_.joint.mass);
-      add_matrix(joint, joint.viscous_damping, layout_.joint.viscous_damping);
-      add_matrix(joint, joint.hysteretic_damping, layout_.joint.hysteretic_damping);
+  }
+
+  /// The four of something over the DOFs of a joint.
+  template <class Matrices>
+  void add_matrices(const KnownJoint& joint, const Matrices& of, LayoutJoint& to) const {
+    add_matrix(joint, of.stiffness, to.stiffness);
+    add_matrix(joint, of.mass, to.mass);
+    add_matrix(joint, of.viscous_damping, to.viscous_damping);
+    add_matrix(joint, of.hysteretic_damping, to.hysteretic_damping);
+  }
+
+  void add_uncertainty(const KnownJoint& joint, Index n) {
+    LayoutJoint& all = layout_.joint;
+    const auto before = jointid::at(all.by_unknown.size()), own = jointid::at(joint.uncertainty->unknowns.size());
+    for (const JointUncertainty::Unknown& unknown : joint.uncertainty->unknowns) {
+      all.by_unknown.emplace_back();
+      make_zero(n, all.by_unknown.back());
+      add_matrices(joint, unknown, all.by_unknown.back());
     }
+    const Eigen::MatrixXd known = all.covariance;
+    all.covariance = Eigen::MatrixXd::Zero(before + own, before + own);
+    all.covariance.topLeftCorner(before, before) = known;
+    all.covariance.bottomRightCorner(own, own) = Eigen::Map<const Eigen::MatrixXd>(joint.uncertainty->covariance.data(), own, own);
+    all.identified.push_back(joint.uncertainty);
   }
 
   void add_matrix(const KnownJoint& joint, const std::vector<double>& values, Eigen::MatrixXd& to) const {
@@ -233,6 +258,16 @@ class Builder {
 };
 
 }  // namespace
+
+std::vector<Complex> LayoutJoint::common(const std::string& part, const frf::Dof& row, const frf::Dof& column, double hz) const {
+  std::vector<Complex> out;
+  for (const auto& joint : identified) {
+    std::vector<Complex> own = joint->common ? joint->common(part, row, column, hz) : std::vector<Complex>();
+    own.resize(joint->unknowns.size());
+    out.insert(out.end(), own.begin(), own.end());
+  }
+  return out;
+}
 
 ComplexMatrix LayoutJoint::dynamic_stiffness(double omega) const {
   const Complex i(0.0, 1.0);

@@ -27,6 +27,14 @@ struct LayoutJoint {
   std::vector<Index> at;
   Eigen::MatrixXd stiffness, mass, viscous_damping, hysteretic_damping;
 
+  /// Of the joints that were identified, one after the other: derivatives by their unknowns, p in all, without an `at` of their own.
+  std::vector<LayoutJoint> by_unknown{};
+  Eigen::MatrixXd covariance{};  ///< [p,p]
+  std::vector<std::shared_ptr<const JointUncertainty>> identified{};
+
+  /// E[ε θ_m] of an FRF, [p].
+  std::vector<Complex> common(const std::string& part, const frf::Dof& row, const frf::Dof& column, double hz) const;
+
   /// Z at ω (rad/s).
   ComplexMatrix dynamic_stiffness(double omega) const;
 };

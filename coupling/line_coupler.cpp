@@ -6,6 +6,7 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
+#include "coupling/joint_errors.hpp"
 #include "coupling/jumps.hpp"
 #include "coupling/truncation.hpp"
 #include "dense/lu.hpp"
@@ -69,8 +70,9 @@ class Line {
         frame_(frame),
         layout_(layout),
         options_(options),
+        omega_(angular(frequency_hz)),
         count_(at(layout.connected.size())),
-        joint_(insert_joint(h, layout.joint, angular(frequency_hz))),
+        joint_(insert_joint(h, layout.joint, omega_)),
         conditions_(met(layout.conditions, options.left_out)),
         s_(jump_receptance(joint_.h, conditions_)) {}
 
@@ -96,9 +98,10 @@ class Line {
                                         [&](const ComplexMatrix&, const ComplexMatrix& y) { return ComplexMatrix(inverse * y); });
     }
     if (!options_.uncertainty) return out;
-    Sensitivity at = sensitivity(joint_.h, conditions_, inverse, frame_.wanted, count_);
-    if (!layout_.joint.at.empty()) at = before(at, parts_, layout_.joint.at, joint_.z, frame_.wanted);
-    out.variance = variance_of(out.frf, at);
+    const Sensitivity conditions = sensitivity(joint_.h, conditions_, inverse, frame_.wanted, count_);
+    const Sensitivity at =
+        layout_.joint.at.empty() ? conditions : before(conditions, parts_, layout_.joint.at, joint_.z, frame_.wanted);
+    out.variance = variance_of(out.frf, conditions, at);
     if (frame_.with_errors) out.errors = error_sums(at, parts_, variance_, frame_.wanted, frame_.twin);
     return out;
   }
@@ -174,8 +177,11 @@ class Line {
     return propagate(before(identity, parts_, layout_.joint.at, joint_.z, all), parts_, variance_, all, frame_.twin);
   }
 
-  LineVariance variance_of(const ComplexMatrix& frf, const Sensitivity& at) const {
+  LineVariance variance_of(const ComplexMatrix& frf, const Sensitivity& conditions, const Sensitivity& at) const {
     LineVariance out = propagate(at, parts_, variance_, frame_.wanted, frame_.twin);
+    if (!layout_.joint.by_unknown.empty()) {
+      add_joint_errors({conditions, at, joint_.h, layout_.joint, omega_, frame_.wanted}, variance_.with_joint, out);
+    }
     // Cancellation may leave a variance of nothing a hair below zero.
     const auto not_negative = [](double v) { return v < 0.0 ? 0.0 : v; };
     out.real = out.real.unaryExpr(not_negative).eval();
@@ -193,6 +199,7 @@ class Line {
   const LineFrame& frame_;
   const Layout& layout_;
   const Options& options_;
+  double omega_;
   Index count_;
   WithJoint joint_;
   Conditions conditions_;

@@ -14,6 +14,7 @@ using RealMatrix = Eigen::MatrixXd;
 struct LineVariance {
   RealMatrix real, imaginary;
   std::vector<ComplexMatrix> covariance{};
+  std::vector<ComplexMatrix> with_joint{};  ///< of the parts' FRFs: E[ε θ_m] for each unknown of the joints (JointUncertainty)
 };
 
 /// Whether an FRF and its transpose are one measurement: they differ by no more than 1e-12 of their size, which two measurements

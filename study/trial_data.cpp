@@ -48,6 +48,7 @@ class Recorder final : public frf::FrfSource {
 
   void keep_covariance() { keep_covariance_ = true; }
   bool has_covariance() const override { return source_->has_covariance(); }
+  frf::FactorShape factor_shape() const override { return source_->factor_shape(); }
 
  private:
   void remember(const frf::Block& block) {
@@ -67,6 +68,9 @@ class Recorder final : public frf::FrfSource {
     source_->read_coherence(block, out);
   }
   void do_read_covariance(const frf::Block& pairs, std::span<Complex> out) override { read_pairs(*source_, pairs, out); }
+  void do_read_factor(const frf::Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
+    source_->read_factor(block, rows, diagonal);
+  }
 
   std::unique_ptr<frf::FrfSource> source_;
   bool keep_covariance_ = false;  ///< in excerpts

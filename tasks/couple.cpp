@@ -8,6 +8,7 @@
 #include "coupling/assembly_reader.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "ident/plan/data_source.hpp"
+#include "tasks/identified_joint.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::tasks {
@@ -124,7 +125,7 @@ CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_
     variance.resize(header.noise == frf::NoiseRecord::variance ? block.size() : 0);
     covariance.resize(reader.has_covariance() ? count * frf::pair_count(responses.size()) * references.size() : 0);
     reader.read(block, values, variance, std::span(records).subspan(first, count), covariance);
-    writer.write_lines(first, count, values, variance, {}, covariance);
+    writer.write_lines(first, count, values, variance, {}, {covariance, {}, {}});
     level.add(values);
   }
   stop_if(control.interrupted);
@@ -168,23 +169,29 @@ CoupleResult couple(const ident::CoupleScene& scene, const ident::Path& out, boo
   coupling::Options options = scene.options;
   options.threads = control.threads;
   const std::string where = scene.file.string();
+  coupling::Assembly assembly = scene.assembly;
+  for (const ident::IdentifiedJoint& joint : scene.identified) {
+    FoundJoint found = identify_joint(scene, joint, control);
+    assembly.joints.push_back(std::move(found.joint));
+    result.notes.push_back(std::move(found.note));
+  }
   std::vector<std::size_t> lines;
   if (scene.find_dependent || bounds) {
     coupling::Options mtc;
     mtc.method = coupling::Method::mtc;
     mtc.threads = control.threads;
-    coupling::AssemblyReader reader(parts, scene.assembly, mtc, where);
+    coupling::AssemblyReader reader(parts, assembly, mtc, where);
     lines = choose_lines(scene, reader.header().frequency_hz);
     result.survey = survey(reader, lines, control);
     result.dependencies = coupling::find_dependencies(reader.layout().condition_names, result.survey);
   }
   if (bounds) {
-    coupling::AssemblyReader with_all(parts, scene.assembly, options, where);
+    coupling::AssemblyReader with_all(parts, assembly, options, where);
     std::vector<coupling::LineRecord> unused;
     result.with_all = write(with_all, lines, with_all_path(out), control, unused);
   }
   if (result.dependencies) options.left_out = result.dependencies->left_out();
-  coupling::AssemblyReader reader(parts, scene.assembly, options, where);
+  coupling::AssemblyReader reader(parts, assembly, options, where);
   if (lines.empty()) lines = choose_lines(scene, reader.header().frequency_hz);
   result.lines = lines.size();
   result.lines_without_partner = reader.lines_without_partner();

@@ -22,9 +22,11 @@ bool is_hdf5(const Path& path) { return path.extension() == ".h5" || path.extens
 /// Line by line, so that a file larger than the memory passes. False, and no file, when interrupted.
 bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
   const frf::FrfHeader& header = source.header();
-  frf::Hdf5Writer writer(path, header, {.covariance = source.has_covariance()});
-  std::vector<Complex> values, variance, covariance;
-  std::vector<double> coherence;
+  const frf::FactorShape stored = source.factor_shape();
+  const frf::FactorShape shape = stored.is_smaller(header.response.size()) ? stored : frf::FactorShape{};
+  frf::Hdf5Writer writer(path, header, {.covariance = source.has_covariance(), .factor = shape});
+  std::vector<Complex> values, variance, pairs, rows;
+  std::vector<double> coherence, diagonal;
   Progress progress;
   const bool complete = for_each_piece(header, writer.lines_per_chunk(), [&](const frf::Block& block) {
     values.resize(block.size());
@@ -37,12 +39,16 @@ bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
       coherence.resize(block.size());
       source.read_coherence(block, coherence);
     }
-    if (source.has_covariance()) {
-      covariance.resize(block.lines.size() * frf::pair_count(header.response.size()) * header.reference.size());
-      source.read_covariance_pairs(block.lines, covariance);
+    if (shape.rank > 0) {
+      rows.resize(block.size() * shape.rank);
+      diagonal.resize(shape.diagonal ? block.size() : 0);
+      source.read_factor(block, rows, diagonal);
+    } else if (source.has_covariance()) {
+      pairs.resize(block.lines.size() * frf::pair_count(header.response.size()) * header.reference.size());
+      source.read_covariance_pairs(block.lines, pairs);
     }
     progress.count("converting", block.lines.front(), header.lines());
-    writer.write_lines(block.lines.front(), block.lines.size(), values, variance, coherence, covariance);
+    writer.write_lines(block.lines.front(), block.lines.size(), values, variance, coherence, {pairs, rows, diagonal});
     return !interrupted();
   });
   if (complete) writer.finish();

@@ -30,6 +30,7 @@ report::Json dependencies_json(const coupling::Dependencies& dependencies) {
 std::string couple_json(const ident::CoupleScene& scene, const tasks::CoupleResult& result) {
   report::Json out = {{"status", result.status == ident::Status::ok ? "ok" : "not_usable"},
                       {"message", result.message},
+                      {"notes", result.notes},
                       {"method", coupling::name(scene.options.method)},
                       {"threshold", scene.find_dependent ? "auto" : coupling::name(scene.options.threshold)},
                       {"lines", result.lines},

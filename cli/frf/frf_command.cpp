@@ -18,9 +18,9 @@ std::string written_text(const FrfRun& run, const std::filesystem::path& path) {
   const frf::FrfSet& set = run.made.set;
   std::string text = "wrote " + path.string() + ": " + frf::name(set.header.quantity);
   if (set.variance.empty()) return text + "\n";
-  if (writes_hdf5(path)) return text + (set.covariance.empty() ? " with variances\n" : " with variances and covariances\n");
+  if (writes_hdf5(path)) return text + (set.has_covariance() ? " with variances and covariances\n" : " with variances\n");
   return text + (path.extension() == ".uff" || path.extension() == ".unv" ? ", without variances, for which UFF has no place\n"
-                 : set.covariance.empty()                                 ? " with variances\n"
+                 : !set.has_covariance()                                  ? " with variances\n"
                                           : " with variances, without covariances, which HDF5 alone holds\n");
 }
 

@@ -43,7 +43,7 @@ std::string frf_json(const FrfRun& run, const FrfArguments& arguments) {
     for (std::size_t r = 0; r < header.response.size(); ++r) json["frfs"].push_back(frf_entry(run, r, c));
   }
   json["variances"] = !run.made.set.variance.empty();
-  json["covariances"] = !run.made.set.covariance.empty();
+  json["covariances"] = run.made.set.has_covariance();
   json["output"] = arguments.output ? report::Json(arguments.output->string()) : report::Json(nullptr);
   return report::json_text(json);
 }

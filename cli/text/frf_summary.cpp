@@ -22,10 +22,16 @@ std::string lines_text(const std::vector<double>& hz) {
   return text + fmt::format(", step {:g} Hz", step);
 }
 
-std::string noise_text(const frf::FrfHeader& header, bool covariance) {
+std::string covariance_text(const FrfCensus& census) {
+  if (!census.covariance) return {};
+  if (census.factor.rank == 0) return ", covariance between responses";
+  return fmt::format(", covariance between responses of rank {}{}", census.factor.rank, census.factor.diagonal ? " plus a diagonal" : "");
+}
+
+std::string noise_text(const frf::FrfHeader& header, const FrfCensus& census) {
   switch (header.noise) {
     case frf::NoiseRecord::variance:
-      return std::string("variance of real and imaginary part") + (covariance ? ", covariance between responses" : "");
+      return "variance of real and imaginary part" + covariance_text(census);
     case frf::NoiseRecord::coherence:
       return fmt::format("coherence, {:g} averages", header.averages);
     case frf::NoiseRecord::none:
@@ -48,6 +54,7 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
   std::vector<Complex> values;
   FrfCensus census;
   census.covariance = source.has_covariance();
+  census.factor = source.factor_shape();
   census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
     if (interrupted()) return false;
     values.resize(block.size());
@@ -71,7 +78,7 @@ std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census) 
   table.add({"responses", dof_list(header.response)});
   table.add({"references", dof_list(header.reference)});
   table.add({"node positions", fmt::format("{}", header.nodes.size())});
-  table.add({"noise record", noise_text(header, census.covariance)});
+  table.add({"noise record", noise_text(header, census)});
   table.add({"not measured", missing_text(census)});
   table.add({"FRFs without a value", fmt::format("{} of {}", census.zero_frfs, header.entries())});
   return table.text();

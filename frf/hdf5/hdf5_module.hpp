@@ -20,7 +20,7 @@ class LinesOutput {
   virtual std::size_t lines_per_chunk() const = 0;
   virtual void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
                            std::span<const Complex> variance, std::span<const double> coherence,
-                           std::span<const Complex> covariance) = 0;
+                           const CovarianceLines& covariance) = 0;
   virtual void finish() = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "frf/hdf5/hdf5_writer.hpp"
 
 #include "base/error.hpp"
+#include "frf/set/frf_source.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -21,7 +22,7 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, const FrfHeader& heade
 
 void Hdf5Writer::write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
                              std::span<const Complex> variance, std::span<const double> coherence,
-                             std::span<const Complex> covariance) {
+                             const CovarianceLines& covariance) {
   if (count > 0) file_->write_lines(first, count, values, variance, coherence, covariance);
 }
 
@@ -34,9 +35,13 @@ std::size_t Hdf5Writer::lines_per_chunk() const { return file_->lines_per_chunk(
 
 void write_hdf5(const FrfSet& set, const std::filesystem::path& path, const Hdf5WriteOptions& options) {
   Hdf5WriteOptions with = options;
-  with.covariance = !set.covariance.empty();
+  with.covariance = set.has_covariance();
+  const bool factor = set.factor.shape().is_smaller(set.header.response.size());
+  with.factor = factor ? set.factor.shape() : FactorShape{};
+  const std::vector<Complex> pairs = factor ? std::vector<Complex>() : covariance_pairs(set);
   Hdf5Writer writer(path, set.header, with);
-  writer.write_lines(0, set.header.lines(), set.values, set.variance, set.coherence, set.covariance);
+  writer.write_lines(0, set.header.lines(), set.values, set.variance, set.coherence,
+                     factor ? CovarianceLines{{}, set.factor.rows, set.factor.diagonal} : CovarianceLines{pairs, {}, {}});
   writer.finish();
 }
 

@@ -17,6 +17,7 @@ struct Hdf5WriteOptions {
   std::size_t lines_per_chunk = 0;                  ///< 0: as many as make a chunk of about 512 KiB, at least one
   int compression = 0;                              ///< deflate level 0 (none, the fastest to read) … 9
   bool covariance = false;                          ///< lines carry covariances: layout version 2, else 1
+  FactorShape factor = {};                          ///< in this form; of rank 0 as pairs
 };
 
 /// Writes a jointid-frf file line by line, so that a set larger than memory can be made. Until `finish` the
@@ -28,10 +29,10 @@ class Hdf5Writer {
   Hdf5Writer(const std::filesystem::path& path, const FrfHeader& header, const Hdf5WriteOptions& options = {});
 
   /// Writes lines first … first + count − 1, each [R,C], of receptances and of the header's noise record:
-  /// `variance` of the receptances or `coherence`, as long as `values`, the other empty; `covariance` [P,C] per line
-  /// (FrfSet::covariance) where the options ask for it. Fastest in whole chunks, in order.
+  /// `variance` of the receptances or `coherence`, as long as `values`, the other empty; covariances in the form
+  /// that the options ask for. Fastest in whole chunks, in order.
   void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values, std::span<const Complex> variance = {},
-                   std::span<const double> coherence = {}, std::span<const Complex> covariance = {});
+                   std::span<const double> coherence = {}, const CovarianceLines& covariance = {});
 
   /// Completes the file and gives it its name. Throws InputError when a line was never written.
   void finish();
@@ -44,7 +45,7 @@ class Hdf5Writer {
   std::unique_ptr<LinesOutput> file_;
 };
 
-/// Writes a whole set.
+/// Writes a whole set, its covariances in the form that is smaller where it has a factor.
 void write_hdf5(const FrfSet& set, const std::filesystem::path& path, const Hdf5WriteOptions& options = {});
 
 }  // namespace jointid::frf

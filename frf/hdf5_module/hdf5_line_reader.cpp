@@ -57,7 +57,8 @@ void require_shape(const Dataset& dataset, const std::array<std::size_t, 3>& dim
   };
   fail(dataset, "has dimensions " + shown(dataset.dims) +
                     " where frequency, response_dof and reference_dof make " + shown(expected),
-       "store it as [lines, responses, references]; a covariance has responses · (responses + 1) / 2 pairs in their place");
+       "store it as [lines, responses, references]; a covariance has responses · (responses + 1) / 2 pairs in their "
+       "place, its factor responses · columns");
 }
 
 /// Chunks that were never written would read as zero, a value that nobody measured.

@@ -18,7 +18,7 @@ namespace {
 using hdf5::Dataset;
 using hdf5::Object;
 
-constexpr const char* layout_name = "jointid-frf";
+constexpr const char *layout_name = "jointid-frf", *factor_name = "covariance_factor", *diagonal_name = "covariance_diagonal";
 
 void require_layout(const Object& file) {
   const auto format = hdf5::text_attribute(file, "format");
@@ -132,12 +132,13 @@ class Hdf5Source final : public FrfSource {
       variance_.emplace(file_, "variance", header_);
       header_.noise = NoiseRecord::variance;
       header_.averages = read_averages("variance");
-      if (hdf5::has(file_, "covariance")) open_covariance();
+      open_covariances();
     } else if (has_coherence) {
       coherence_.emplace(file_, "coherence", header_);
       header_.averages = read_averages("coherence");
       header_.noise = NoiseRecord::coherence;
     }
+    if (!variance_) require_no_factor();
   }
 
   double read_averages(const char* name) {
@@ -150,24 +151,59 @@ class Hdf5Source final : public FrfSource {
     return averages.value_or(0.0);
   }
 
-  /// Nothing of it is read before it is asked for.
-  void open_covariance() {
-    if (hdf5::number_attribute(file_, "version") != 2.0) {
-      fail(file_, "has a dataset covariance and is of version 1", "write version = 2 where there are covariances");
+  /// Nothing of them is read before it is asked for.
+  void open_covariances() {
+    const bool pairs = hdf5::has(file_, "covariance"), factor = hdf5::has(file_, factor_name), diagonal = hdf5::has(file_, diagonal_name);
+    if (pairs && (factor || diagonal)) {
+      fail(file_, std::string("has both covariance and ") + (factor ? factor_name : diagonal_name),
+           "keep the pairs, or the factor with its diagonal");
     }
+    if (diagonal && !factor) {
+      fail(file_, std::string("has a dataset ") + diagonal_name + " without " + factor_name,
+           "write both, or neither: variance has what errors of their own are");
+    }
+    if (pairs || factor) require_version_two(pairs ? "covariance" : factor_name);
+    if (pairs) open_pairs();
+    if (factor) open_factor(diagonal);
+  }
+
+  void require_no_factor() const {
+    for (const char* name : {factor_name, diagonal_name}) {
+      if (hdf5::has(file_, name)) fail(file_, std::string("has a dataset ") + name + " without variance", "write the variances, too");
+    }
+  }
+
+  void require_version_two(const char* name) const {
+    if (hdf5::number_attribute(file_, "version") == 2.0) return;
+    fail(file_, std::string("has a dataset ") + name + " and is of version 1", "write version = 2 where there are covariances");
+  }
+
+  void open_factor(bool diagonal) {
+    const Dataset dataset = open_dataset(file_, factor_name);
+    const std::size_t responses = header_.response.size();
+    if (dataset.dims.size() == 3 && (dataset.dims[1] == 0 || dataset.dims[1] % responses != 0)) {
+      fail(dataset, fmt::format("has {} rows, which {} responses do not divide", dataset.dims[1], responses),
+           "store it as [lines, responses · K, references], column k of the factor at response r in row r · K + k");
+    }
+    shape_ = {dataset.dims.size() == 3 ? dataset.dims[1] / responses : 1, diagonal};
+    factor_.emplace(file_, factor_name, std::array{header_.lines(), responses * shape_.rank, header_.reference.size()});
+    if (diagonal) diagonal_.emplace(file_, diagonal_name, header_);
+  }
+
+  void open_pairs() {
     covariance_.emplace(file_, "covariance",
                         std::array{header_.lines(), pair_count(header_.response.size()), header_.reference.size()});
   }
 
   /// Applies `scale(line scale, value)` line by line.
-  template <class Scale>
-  void to_receptance(const Block& block, std::span<Complex> values, Scale scale) const {
+  template <class T, class Scale>
+  void to_receptance(const Block& block, std::span<T> values, Scale scale) const {
     const std::size_t entries = block.responses.size() * block.references.size();
     for (std::size_t i = 0; i < block.lines.size(); ++i) {
       const LineScale of_line =
           LineScale::to_receptance(header_.quantity, si_, header_.frequency_hz[block.lines[i]]);
       if (of_line.is_identity()) continue;
-      for (Complex& value : values.subspan(i * entries, entries)) value = scale(of_line, value);
+      for (T& value : values.subspan(i * entries, entries)) value = scale(of_line, value);
     }
   }
 
@@ -183,9 +219,24 @@ class Hdf5Source final : public FrfSource {
 
   void do_read_coherence(const Block& block, std::span<double> out) override { coherence_->read(block, out); }
 
-  bool has_covariance() const override { return covariance_.has_value(); }
+  bool has_covariance() const override { return covariance_ || factor_; }
+  FactorShape factor_shape() const override { return shape_; }
+
+  void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
+    std::vector<std::size_t> stored;
+    for (const std::size_t r : block.responses) {
+      for (std::size_t k = 0; k < shape_.rank; ++k) stored.push_back(r * shape_.rank + k);
+    }
+    const Block of_factor{block.lines, stored, block.references};
+    factor_->read(of_factor, rows);
+    to_receptance(of_factor, rows, [](const LineScale& scale, Complex v) { return scale.factor(v); });
+    if (diagonal.empty()) return;
+    diagonal_->read(block, diagonal);
+    to_receptance(block, diagonal, [](const LineScale& scale, double v) { return scale.diagonal(v); });
+  }
 
   void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
+    if (factor_) return FrfSource::do_read_covariance(pairs, out);
     covariance_->read(pairs, out);
     to_receptance(pairs, out, [](const LineScale& scale, Complex v) { return scale.covariance(v); });
   }
@@ -196,6 +247,9 @@ class Hdf5Source final : public FrfSource {
   std::optional<hdf5::LineReader<Complex>> variance_;
   std::optional<hdf5::LineReader<double>> coherence_;
   std::optional<hdf5::LineReader<Complex>> covariance_;
+  FactorShape shape_;
+  std::optional<hdf5::LineReader<Complex>> factor_;
+  std::optional<hdf5::LineReader<double>> diagonal_;
 };
 
 }  // namespace

@@ -34,6 +34,7 @@ class Lines {
         quantity_(options.quantity.value_or(header.quantity)),
         lines_per_chunk_(choose_lines_per_chunk(header, options.lines_per_chunk)),
         with_covariance_(options.covariance),
+        factor_(options.factor),
         written_(header.lines(), false) {
     output_.require(write_header() && create_datasets(options.compression));
   }
@@ -41,20 +42,27 @@ class Lines {
   std::size_t lines_per_chunk() const { return lines_per_chunk_; }
 
   void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values,
-                   std::span<const Complex> variance, std::span<const double> coherence, std::span<const Complex> covariance) {
+                   std::span<const Complex> variance, std::span<const double> coherence, const CovarianceLines& covariance) {
     assert(first + count <= header_.lines() && values.size() == count * header_.entries());
     assert(variance.size() == (header_.noise == NoiseRecord::variance ? values.size() : 0));
     assert(coherence.size() == (header_.noise == NoiseRecord::coherence ? values.size() : 0));
-    assert(covariance.size() == (with_covariance_ ? count * pairs() * header_.reference.size() : 0));
+    assert(covariance.pairs.size() == (with_covariance_ && factor_.rank == 0 ? count * pairs() * header_.reference.size() : 0));
+    assert(covariance.rows.size() == (with_covariance_ ? values.size() * factor_.rank : 0));
+    assert(covariance.diagonal.size() == (with_covariance_ && factor_.diagonal ? values.size() : 0));
     const std::size_t rows = header_.response.size();
     write_scaled(frf_, rows, first, count, values, [](const LineScale& s, Complex h) { return s.value(h); });
     if (!variance.empty()) {
       write_scaled(noise_, rows, first, count, variance, [](const LineScale& s, Complex v) { return s.variance(v); });
     }
-    if (!covariance.empty()) {
-      write_scaled(covariance_, pairs(), first, count, covariance,
+    if (!covariance.pairs.empty()) {
+      write_scaled(covariance_, pairs(), first, count, covariance.pairs,
                    [](const LineScale& s, Complex v) { return s.covariance(v); });
     }
+    if (!covariance.rows.empty()) {
+      write_scaled(covariance_, rows * factor_.rank, first, count, covariance.rows,
+                   [](const LineScale& s, Complex v) { return s.factor(v); });
+    }
+    if (!covariance.diagonal.empty()) write_diagonal(first, count, covariance.diagonal);
     if (!coherence.empty()) {
       output_.require(write_slab(noise_, Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), rows, first, count, coherence.data()));
     }
@@ -66,7 +74,7 @@ class Lines {
     if (missing != written_.end()) {
       output_.fail("line " + std::to_string(missing - written_.begin() + 1) + " was never written");
     }
-    const bool closed = frf_.close() && noise_.close() && covariance_.close();
+    const bool closed = frf_.close() && noise_.close() && covariance_.close() && diagonal_.close();
     output_.finish(closed);
   }
 
@@ -98,8 +106,14 @@ class Lines {
       ok = noise_.is_open() && write_averages();
     }
     if (ok && with_covariance_) {
-      covariance_ = hdf5::create_lines(output_.file(), "covariance", complex, {dims[0], pairs(), dims[2]}, lines_per_chunk_, compression);
+      const bool factor = factor_.rank > 0;
+      covariance_ = hdf5::create_lines(output_.file(), factor ? "covariance_factor" : "covariance", complex,
+                                       {dims[0], factor ? dims[1] * factor_.rank : pairs(), dims[2]}, lines_per_chunk_, compression);
       ok = covariance_.is_open();
+    }
+    if (ok && with_covariance_ && factor_.diagonal) {
+      diagonal_ = hdf5::create_lines(output_.file(), "covariance_diagonal", real, dims, lines_per_chunk_, compression);
+      ok = diagonal_.is_open();
     }
     return ok;
   }
@@ -126,6 +140,16 @@ class Lines {
     output_.require(write_slab(dataset, hdf5::complex_type(), rows, first, count, data));
   }
 
+  void write_diagonal(std::size_t first, std::size_t count, std::span<const double> diagonal) {
+    std::vector<double> stored;
+    stored.reserve(diagonal.size());
+    for (std::size_t line = 0; line < count; ++line) {
+      const LineScale of_line = LineScale::from_receptance(quantity_, header_.frequency_hz[first + line]);
+      for (const double d : diagonal.subspan(line * header_.entries(), header_.entries())) stored.push_back(of_line.diagonal(d));
+    }
+    output_.require(write_slab(diagonal_, Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), header_.response.size(), first, count, stored.data()));
+  }
+
   bool write_slab(const Handle& dataset, const Handle& type, std::size_t rows, std::size_t first, std::size_t count,
                   const void* data) const {
     const std::array<hsize_t, 3> start = {first, 0, 0};
@@ -142,10 +166,12 @@ class Lines {
   Quantity quantity_;
   std::size_t lines_per_chunk_;
   bool with_covariance_;
+  FactorShape factor_;
   std::vector<bool> written_;
   Handle frf_;
   Handle noise_;
-  Handle covariance_;
+  Handle covariance_;  ///< pairs, or rows of the factor
+  Handle diagonal_;
   std::vector<Complex> scaled_;
 };
 
@@ -164,7 +190,7 @@ class LinesFile final : public LinesOutput {
   std::size_t lines_per_chunk() const override { return lines_->lines_per_chunk(); }
 
   void write_lines(std::size_t first, std::size_t count, std::span<const Complex> values, std::span<const Complex> variance,
-                   std::span<const double> coherence, std::span<const Complex> covariance) override {
+                   std::span<const double> coherence, const CovarianceLines& covariance) override {
     const hdf5::Silence silence;
     lines_->write_lines(first, count, values, variance, coherence, covariance);
   }

@@ -22,6 +22,22 @@ void require_distinct(const FrfHeader& header, const std::vector<Dof>& dofs, con
   }
 }
 
+/// Throws InputError unless the factor and its diagonal are as long as the header says, and all there is.
+void require_factor(const FrfSet& set) {
+  if (!set.factor.any()) return;
+  if (!set.covariance.empty()) {
+    fail(set.header, "covariance", "it is given, and a factor of it, too", "give one of them");
+  }
+  const std::size_t entries = set.header.lines() * set.header.entries();
+  const auto require = [&](const char* what, std::size_t count, std::size_t wanted) {
+    if (count == wanted) return;
+    fail(set.header, what, fmt::format("{} numbers, where lines, responses and references make {}", count, wanted),
+         "give one for each [line, response, column of the factor, reference]; of the diagonal [line, response, reference]");
+  };
+  require("factor of the covariance", set.factor.rows.size(), entries * set.factor.rank);
+  if (!set.factor.diagonal.empty()) require("diagonal of the covariance", set.factor.diagonal.size(), entries);
+}
+
 }  // namespace
 
 void fail(const FrfHeader& header, std::string place, std::string problem, std::string remedy) {
@@ -68,6 +84,7 @@ void validate(const FrfSet& set) {
          fmt::format("{} numbers, where {} lines, responses and references make {}", set.covariance.size(), lines, pairs),
          "give one for each line, pair of responses (r, s ≤ r) and reference");
   }
+  require_factor(set);
   const auto require = [&](const char* what, std::size_t count, bool optional) {
     if (count == wanted || (optional && count == 0)) return;
     fail(set.header, what,

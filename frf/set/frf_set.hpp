@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/complex.hpp"
+#include "frf/set/covariance_factor.hpp"
 #include "frf/set/dof.hpp"
 #include "frf/set/quantity.hpp"
 
@@ -67,13 +68,16 @@ inline bool has(const std::vector<Dof>& dofs, const Dof& dof) { return find_coor
 /// `coherence` are empty or as long as `values`. `covariance` of the errors e of one line and reference over the responses,
 /// E[e_r e_s*] for s ≤ r at (line·P + pair_index(r, s))·C + c, P = pair_count(R): it stands beside `variance`, and says in what the
 /// errors of two FRFs have in common. The errors are taken as circular, E[e_r e_s] = 0; where `variance` tells real and imaginary part
-/// apart, its sum is the diagonal of the covariance.
+/// apart, its sum is the diagonal of the covariance. `factor` may stand in its place.
 struct FrfSet {
   FrfHeader header;
   std::vector<Complex> values;     ///< [F,R,C]
   std::vector<Complex> variance;   ///< [F,R,C] or empty, of the receptance
   std::vector<double> coherence;   ///< [F,R,C] or empty
   std::vector<Complex> covariance{};  ///< [F,P,C] or empty, of the receptance
+  CovarianceFactor factor{};          ///< where it is smaller
+
+  bool has_covariance() const { return !covariance.empty() || factor.any(); }
 
   std::size_t index(std::size_t line, std::size_t r, std::size_t c) const {
     return (line * header.response.size() + r) * header.reference.size() + c;
@@ -85,7 +89,7 @@ constexpr std::size_t pair_count(std::size_t responses) { return responses * (re
 constexpr std::size_t pair_index(std::size_t r, std::size_t s) { return pair_count(r) + s; }
 
 /// Throws InputError (data) as validate() of the header, and where values, variance, coherence or covariance are not as long as
-/// the header says.
+/// the header says, and where there are both covariances and a factor of them.
 void validate(const FrfSet& set);
 
 }  // namespace jointid::frf

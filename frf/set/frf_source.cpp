@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <stdexcept>
+
+#include "base/kernel.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -21,10 +25,12 @@ class MemorySource final : public FrfSource {
   }
 
   bool in_memory() const override { return true; }
-  bool has_covariance() const override { return !set_->covariance.empty(); }
+  bool has_covariance() const override { return set_->has_covariance(); }
+  FactorShape factor_shape() const override { return set_->factor.shape(); }
 
  private:
   void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
+    if (set_->factor.any()) return FrfSource::do_read_covariance(pairs, out);
     const std::size_t rows = pair_count(header_.response.size()), columns = header_.reference.size();
     std::size_t next = 0;
     for (const std::size_t line : pairs.lines) {
@@ -32,6 +38,19 @@ class MemorySource final : public FrfSource {
         for (const std::size_t c : pairs.references) out[next++] = set_->covariance[(line * rows + pair) * columns + c];
       }
     }
+  }
+
+  void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
+    std::size_t next = 0;
+    for (const std::size_t line : block.lines) {
+      for (const std::size_t r : block.responses) {
+        for (std::size_t k = 0; k < set_->factor.rank; ++k) {
+          const Complex* row = set_->factor.rows.data() + set_->index(line, r, 0) * set_->factor.rank + k * header_.reference.size();
+          for (const std::size_t c : block.references) rows[next++] = row[c];
+        }
+      }
+    }
+    if (!diagonal.empty()) gather(block, set_->factor.diagonal, diagonal);
   }
 
   template <class T>
@@ -147,8 +166,74 @@ void FrfSource::read_covariance_pairs(std::span<const std::size_t> lines, std::s
   }
 }
 
-void FrfSource::do_read_covariance(const Block&, std::span<Complex>) {
-  throw std::logic_error("a source that has covariances must read them");
+void FrfSource::do_read_covariance(const Block& pairs, std::span<Complex> out) {
+  if (factor_shape().rank == 0) throw std::logic_error("a source that has covariances must read them");
+  form_pairs(pairs, out);
+}
+
+void FrfSource::form_pairs(const Block& pairs, std::span<Complex> out) {
+  const auto [rank, with_diagonal] = factor_shape();
+  std::vector<std::array<std::size_t, 2>> responses;  // r and s of each pair
+  std::map<std::size_t, std::size_t> place;           // of a response among those that are read
+  std::size_t r = 0;
+  for (const std::size_t pair : pairs.responses) {  // ascending
+    while (pair_count(r + 1) <= pair) ++r;
+    responses.push_back({r, pair - pair_count(r)});
+    for (const std::size_t response : responses.back()) place[response] = 0;
+  }
+  std::vector<std::size_t> some;
+  for (auto& [response, at] : place) {
+    at = some.size();
+    some.push_back(response);
+  }
+  const Block block{pairs.lines, some, pairs.references};
+  const std::size_t columns = pairs.references.size();
+  std::vector<Complex> rows(block.size() * rank);
+  std::vector<double> diagonal(with_diagonal ? block.size() : 0);
+  read_factor(block, rows, diagonal);
+  Complex* next = out.data();
+  for (std::size_t l = 0; l < pairs.lines.size(); ++l, next += responses.size() * columns) {
+    Complex* sums = next;
+    for (const auto& [first, second] : responses) {
+      const std::size_t of_first = l * some.size() + place[first], of_second = l * some.size() + place[second];
+      const Complex *a = rows.data() + of_first * rank * columns, *b = rows.data() + of_second * rank * columns;
+      for (std::size_t c = 0; c < columns; ++c, ++sums) {
+        *sums = with_diagonal && first == second ? diagonal[of_first * columns + c] : 0.0;
+        for (std::size_t k = 0; k < rank; ++k) *sums += product(a[k * columns + c], std::conj(b[k * columns + c]));
+      }
+    }
+  }
+}
+
+void FrfSource::read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) {
+  const FactorShape shape = factor_shape();
+  assert(shape.rank > 0 && rows.size() == block.size() * shape.rank && diagonal.size() == (shape.diagonal ? block.size() : 0));
+  if (block.size() == 0) return;
+  do_read_factor(block, rows, diagonal);
+  const std::size_t columns = block.references.size();
+  const auto wrong = [&](std::size_t at, const std::string& problem) {
+    fail(header_, "covariance of " + place_text(header_, block, at), problem, "export the covariances again, or leave them out");
+  };
+  for (std::size_t at = 0; at < block.size(); ++at) {
+    std::size_t unknown = 0, infinite = 0;
+    for (std::size_t k = 0; k < shape.rank; ++k) {
+      const Complex value = rows[(at / columns * shape.rank + k) * columns + at % columns];
+      unknown += std::isnan(value.real()) || std::isnan(value.imag()) ? 1 : 0;
+      infinite += std::isinf(value.real()) || std::isinf(value.imag()) ? 1 : 0;
+    }
+    if (shape.diagonal) {
+      const double d = diagonal[at];
+      if (d < 0.0 || std::isinf(d)) wrong(at, fmt::format("its diagonal part {:g} is no variance", d));
+      unknown += std::isnan(d) ? 1 : 0;
+    }
+    if (infinite > 0) wrong(at, "its factor has an infinite number");
+    const std::size_t all = shape.rank + (shape.diagonal ? 1 : 0);
+    if (unknown > 0 && unknown < all) wrong(at, fmt::format("{} of the {} numbers of its factor and diagonal are NaN", unknown, all));
+  }
+}
+
+void FrfSource::do_read_factor(const Block&, std::span<Complex>, std::span<double>) {
+  throw std::logic_error("a source whose covariances have a factor must read it");
 }
 
 std::vector<ErrorSums> FrfSource::read_error_sums(const Block& block) {
@@ -177,9 +262,25 @@ FrfSet load_with_covariance(FrfSource& source) {
   FrfSet set = load(source);
   if (!source.has_covariance()) return set;
   const FrfHeader& header = set.header;
+  const auto lines = indices(header.lines()), responses = indices(header.response.size()), references = indices(header.reference.size());
+  if (const FactorShape shape = source.factor_shape(); shape.rank > 0) {
+    set.factor.rank = shape.rank;
+    set.factor.rows.resize(set.values.size() * shape.rank);
+    set.factor.diagonal.resize(shape.diagonal ? set.values.size() : 0);
+    source.read_factor({lines, responses, references}, set.factor.rows, set.factor.diagonal);
+    return set;
+  }
   set.covariance.resize(header.lines() * pair_count(header.response.size()) * header.reference.size());
-  source.read_covariance_pairs(indices(header.lines()), set.covariance);
+  source.read_covariance_pairs(lines, set.covariance);
   return set;
+}
+
+std::vector<Complex> covariance_pairs(const FrfSet& set) {
+  if (!set.factor.any()) return set.covariance;
+  const auto source = from_shared(std::shared_ptr<const FrfSet>(std::shared_ptr<void>(), &set));
+  std::vector<Complex> out(set.header.lines() * pair_count(set.header.response.size()) * set.header.reference.size());
+  source->read_covariance_pairs(indices(set.header.lines()), out);
+  return out;
 }
 
 FrfSet load(FrfSource& source, const Block& block) {

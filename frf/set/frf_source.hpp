@@ -34,6 +34,7 @@ struct ErrorSums {
   struct Term {
     std::size_t error;
     Complex factor;
+    double relation = 0.0;  ///< E[ε²], real: 0 where the error is circular, ±1 where it is real or imaginary alone
   };
   std::size_t errors = 0;                ///< how many ε there are
   std::vector<std::vector<Term>> terms;  ///< [response, reference] of a block; none where an FRF is exact or not measured
@@ -76,6 +77,14 @@ class FrfSource {
   /// Whether FRFs are worked out of others and the source says which errors they share: coupled ones, with variances.
   virtual bool has_error_sums() const { return false; }
 
+  /// L and d of covariances that are L Lᴴ + diag(d); rank 0 where they are stored as pairs, or not at all. Whoever asks for covariances
+  /// does not see the difference.
+  virtual FactorShape factor_shape() const { return {}; }
+
+  /// Of a block: `rows` [line, response, column of L, reference], and `diagonal` [line, response, reference] where the shape has one,
+  /// else empty. Only of a rank above 0. Throws InputError where d is below 0 or infinite, or part of what there is of an FRF is NaN.
+  void read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal);
+
   /// Of every line of the block, whose ε have nothing to do with those of another line or call. Only when has_error_sums().
   std::vector<ErrorSums> read_error_sums(const Block& block);
 
@@ -87,8 +96,9 @@ class FrfSource {
   virtual void do_read(const Block& block, std::span<Complex> out) = 0;
   virtual void do_read_variance(const Block& block, std::span<Complex> out) = 0;
   virtual void do_read_coherence(const Block& block, std::span<double> out) = 0;
-  /// `pairs` is a block whose responses are pair indices, each once and ascending.
+  /// `pairs` is a block whose responses are pair indices, each once and ascending. Without more they are formed of the factor.
   virtual void do_read_covariance(const Block& pairs, std::span<Complex> out);
+  virtual void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal);
   virtual std::vector<ErrorSums> do_read_error_sums(const Block& block);
   /// The same of another source, for one that hands it on.
   static void read_pairs(FrfSource& of, const Block& pairs, std::span<Complex> out) { of.do_read_covariance(pairs, out); }
@@ -96,6 +106,8 @@ class FrfSource {
   FrfHeader header_;
 
  private:
+  void form_pairs(const Block& pairs, std::span<Complex> out);
+
   ReadCount count_;
 };
 
@@ -125,8 +137,11 @@ std::unique_ptr<FrfSource> from_shared(std::shared_ptr<const FrfSet> set);
 /// The whole of a source in memory, but for covariances.
 FrfSet load(FrfSource& source);
 
-/// The same with them, where there are any.
+/// The same with them, where there are any, as they are stored.
 FrfSet load_with_covariance(FrfSource& source);
+
+/// FrfSet::covariance of a set, formed of the factor where it has that; empty where it has neither.
+std::vector<Complex> covariance_pairs(const FrfSet& set);
 
 /// A part of a source in memory, as a set of its own.
 FrfSet load(FrfSource& source, const Block& block);

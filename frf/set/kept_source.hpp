@@ -18,6 +18,7 @@ class KeptSource final : public FrfSource {
 
   /// Covariances are handed on and never kept.
   bool has_covariance() const override { return source_->has_covariance(); }
+  FactorShape factor_shape() const override { return source_->factor_shape(); }
   bool has_error_sums() const override { return source_->has_error_sums(); }
 
  private:
@@ -28,7 +29,9 @@ class KeptSource final : public FrfSource {
   void do_read_variance(const Block& block, std::span<Complex> out) override;
   void do_read_coherence(const Block& block, std::span<double> out) override;
   void do_read_covariance(const Block& pairs, std::span<Complex> out) override { read_pairs(*source_, pairs, out); }
-
+  void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
+    source_->read_factor(block, rows, diagonal);
+  }
   std::vector<ErrorSums> do_read_error_sums(const Block& block) override { return source_->read_error_sums(block); }
 
   std::unique_ptr<FrfSource> source_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <complex>
 
 #include "frf/set/quantity.hpp"
@@ -32,6 +33,9 @@ class LineScale {
     return imaginary_ ? std::complex<double>{squared * v.imag(), squared * v.real()}
                       : std::complex<double>{squared * v.real(), squared * v.imag()};
   }
+  /// Of a row of L, Σ = L Lᴴ, and of the diagonal of Σ.
+  std::complex<double> factor(std::complex<double> v) const { return std::abs(factor_) * v; }
+  double diagonal(double v) const { return factor_ * factor_ * v; }
   /// Of two FRFs of the line: E[e f*].
   std::complex<double> covariance(std::complex<double> v) const { return factor_ * factor_ * v; }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/statistics.hpp"
+#include "frf/set/frf_source.hpp"
 #include "frf/set/frf_system.hpp"
 #include "frf/set/recorded_variance.hpp"
 
@@ -19,6 +20,27 @@ void add_dofs(std::vector<Dof>& to, const std::vector<Dof>& from) {
 /// 0 where a set does not say it.
 double fewest_averages(const std::vector<FrfSet>& sets) {
   return std::ranges::min(sets, {}, [](const FrfSet& set) { return set.header.averages; }).header.averages;
+}
+
+/// Columns of the factors of all sets that have a reference.
+std::size_t rank_of(const std::vector<FrfSet>& sets, const Dof& reference) {
+  std::size_t rank = 0;
+  for (const FrfSet& set : sets) rank += has(set.header.reference, reference) ? set.factor.rank : 0;
+  return rank;
+}
+
+/// NaN: nothing is known yet.
+void make_room_for_covariance(const std::vector<FrfSet>& sets, FrfSet& out) {
+  if (std::ranges::none_of(sets, &FrfSet::has_covariance)) return;
+  out.header.averages = fewest_averages(sets);
+  if (std::ranges::any_of(sets, [](const FrfSet& set) { return !set.covariance.empty(); })) {
+    out.covariance.assign(out.header.lines() * pair_count(out.header.response.size()) * out.header.reference.size(), {nan, nan});
+    return;
+  }
+  for (const Dof& reference : out.header.reference) out.factor.rank = std::max(out.factor.rank, rank_of(sets, reference));
+  out.factor.rows.assign(out.values.size() * out.factor.rank, {nan, nan});
+  const auto needs_diagonal = [](const FrfSet& set) { return !set.factor.any() || !set.factor.diagonal.empty(); };
+  if (std::ranges::any_of(sets, needs_diagonal)) out.factor.diagonal.assign(out.values.size(), nan);
 }
 
 FrfSet empty_union(const std::vector<FrfSet>& sets) {
@@ -38,11 +60,7 @@ FrfSet empty_union(const std::vector<FrfSet>& sets) {
   out.header.repeats = 0;
   out.values.assign(out.header.lines() * out.header.entries(), {nan, nan});
   if (noise) out.variance = out.values;
-  const bool covariance = noise && std::ranges::any_of(sets, [](const FrfSet& set) { return !set.covariance.empty(); });
-  if (covariance) {
-    out.covariance.assign(out.header.lines() * pair_count(out.header.response.size()) * out.header.reference.size(), {nan, nan});
-    out.header.averages = fewest_averages(sets);
-  }
+  if (noise) make_room_for_covariance(sets, out);
   return out;
 }
 
@@ -72,6 +90,7 @@ Places places_of(const FrfSet& set, const FrfSet& out) {
 /// Errors of different sets are independent; a set without covariances tells the variances alone.
 void put_covariance(const FrfSet& set, FrfSet& out) {
   const Places places = places_of(set, out);
+  const std::vector<Complex> covariance = covariance_pairs(set);
   const std::size_t columns = set.header.reference.size(), pairs = pair_count(set.header.response.size()),
                     all_columns = out.header.reference.size(), all_pairs = pair_count(out.header.response.size());
   for (std::size_t line = 0; line < set.header.lines(); ++line) {
@@ -81,8 +100,8 @@ void put_covariance(const FrfSet& set, FrfSet& out) {
           const std::size_t row = places.row[r], other = places.row[s];
           if (std::isnan(set.values[set.index(line, r, c)].real()) || std::isnan(set.values[set.index(line, s, c)].real())) continue;
           Complex value = 0.0;
-          if (!set.covariance.empty()) {
-            value = places.row_sign[r] * places.row_sign[s] * set.covariance[(line * pairs + pair_index(r, s)) * columns + c];
+          if (!covariance.empty()) {
+            value = places.row_sign[r] * places.row_sign[s] * covariance[(line * pairs + pair_index(r, s)) * columns + c];
           } else if (r == s) {
             const Complex variance = recorded_variance(set, set.index(line, r, c));
             value = variance.real() + variance.imag();
@@ -93,6 +112,37 @@ void put_covariance(const FrfSet& set, FrfSet& out) {
       }
     }
   }
+}
+
+/// The same into factors: columns of this set's from `first` on, [C] of the union, which is moved behind them; the others are zero.
+void put_factor(const FrfSet& set, std::vector<std::size_t>& first, FrfSet& out) {
+  const Places places = places_of(set, out);
+  const std::size_t rank = set.factor.rank, columns = set.header.reference.size(), all_rank = out.factor.rank,
+                    all_columns = out.header.reference.size();
+  const auto put_error = [&](std::size_t line, std::size_t r, std::size_t c) {
+    const std::size_t from = set.index(line, r, 0), column = places.column[c], to = out.index(line, places.row[r], 0);
+    for (std::size_t k = 0; k < all_rank; ++k) out.factor.rows[to * all_rank + k * all_columns + column] = 0.0;
+    for (std::size_t k = 0; k < rank; ++k) {
+      out.factor.rows[to * all_rank + (first[column] + k) * all_columns + column] =
+          places.row_sign[r] * set.factor.rows[from * rank + k * columns + c];
+    }
+    const Complex variance = recorded_variance(set, from + c);
+    double own = set.factor.any() ? 0.0 : variance.real() + variance.imag();
+    if (!set.factor.diagonal.empty()) own = set.factor.diagonal[from + c];
+    if (!out.factor.diagonal.empty()) out.factor.diagonal[to + column] = own;
+  };
+  const auto is_unknown = [&](std::size_t line, std::size_t r, std::size_t c) {
+    if (rank > 0) return std::isnan(set.factor.rows[set.index(line, r, 0) * rank + c].real());
+    return std::isnan(recorded_variance(set, set.index(line, r, c)).real());
+  };
+  for (std::size_t line = 0; line < set.header.lines(); ++line) {
+    for (std::size_t r = 0; r < places.row.size(); ++r) {
+      for (std::size_t c = 0; c < columns; ++c) {
+        if (!std::isnan(set.values[set.index(line, r, c)].real()) && !is_unknown(line, r, c)) put_error(line, r, c);
+      }
+    }
+  }
+  for (const std::size_t column : places.column) first[column] += rank;
 }
 
 /// Between FRFs to one reference that are of different sets.
@@ -139,6 +189,10 @@ FrfSet merged(std::vector<FrfSet> sets) {
   for (const FrfSet& set : sets) require_same_lines(sets.front(), set);
   FrfSet out = empty_union(sets);
   for (const FrfSet& set : sets) put(set, out);
+  std::vector<std::size_t> first(out.header.reference.size());
+  for (const FrfSet& set : sets) {
+    if (out.factor.any()) put_factor(set, first, out);
+  }
   if (out.covariance.empty()) return out;
   for (const FrfSet& set : sets) put_covariance(set, out);
   put_independence(out);

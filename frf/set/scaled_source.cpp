@@ -13,6 +13,7 @@ class ScaledSource final : public FrfSource {
   }
 
   bool has_covariance() const override { return source_->has_covariance(); }
+  FactorShape factor_shape() const override { return source_->factor_shape(); }
 
  private:
   /// Calls change(factor, value) for every entry of a block.
@@ -50,6 +51,26 @@ class ScaledSource final : public FrfSource {
           const double factor = std::norm(scale_.line[line] * scale_.reference[c]) * of_pair[pair];
           out[next] = factor * (scale_.conjugate ? std::conj(out[next]) : out[next]);
           ++next;
+        }
+      }
+    }
+  }
+
+  void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
+    source_->read_factor(block, rows, diagonal);
+    std::size_t next = 0, at = 0;
+    for (const std::size_t line : block.lines) {
+      for (const std::size_t r : block.responses) {
+        for (std::size_t k = 0; k < source_->factor_shape().rank; ++k) {
+          for (const std::size_t c : block.references) {
+            const double factor = std::abs(scale_.line[line] * scale_.reference[c]) * scale_.response[r];
+            rows[next] = factor * (scale_.conjugate ? std::conj(rows[next]) : rows[next]);
+            ++next;
+          }
+        }
+        for (const std::size_t c : block.references) {
+          if (diagonal.empty()) break;
+          diagonal[at++] *= std::norm(scale_.line[line] * (scale_.response[r] * scale_.reference[c]));
         }
       }
     }

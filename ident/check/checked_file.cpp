@@ -6,7 +6,9 @@
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
+#include "frf/noise/variance_law.hpp"
 #include "ident/result/control.hpp"
+#include "ident/variance/file_covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -42,7 +44,14 @@ CheckedFile without_lines(const CheckedFile& file) {
           .responses = file.responses,
           .references = file.references,
           .frequency_hz = {},
-          .frfs = {}};
+          .frfs = {},
+          .errors = file.errors};
+}
+
+std::shared_ptr<const CovarianceLaw> kept_law(const CheckedFile& file, const std::vector<Eigen::Index>& rows) {
+  if (!file.errors) return nullptr;
+  return std::make_shared<const CovarianceLaw>(
+      CovarianceLaw{file.errors->proportional(rows, rows), file.errors->constant(rows, rows)});
 }
 
 /// These rows and columns of all lines.
@@ -54,6 +63,7 @@ CheckedFile kept(const CheckedFile& file, const std::vector<Eigen::Index>& rows,
   for (const Eigen::Index c : columns) result.references.push_back(file.references[static_cast<std::size_t>(c)]);
   result.frequency_hz = file.frequency_hz;
   for (const Eigen::MatrixXcd& line : file.frfs) result.frfs.emplace_back(line(rows, columns));
+  result.errors = kept_law(file, rows);
   return result;
 }
 
@@ -78,6 +88,31 @@ std::optional<double> mass_of(const Scene& scene, const std::string& file) {
   return std::nullopt;
 }
 
+/// From some lines, of one reference each in turn, for DOFs of positive sign; none where the file has no covariances, or too few lines for
+/// a law.
+std::shared_ptr<const CovarianceLaw> read_errors(frf::FrfSource& source, const std::vector<std::size_t>& source_lines, const Scene& scene) {
+  constexpr std::size_t usual = 32, most = 128, per_response = 3;  // lines; 3 degrees of freedom a response make a law
+  if (!covariances_count(source, scene)) return nullptr;
+  const frf::FrfHeader& header = source.header();
+  const std::size_t responses = header.response.size();
+  const double freedom = freedom_of(header), degrees = static_cast<double>(per_response * responses);
+  const std::size_t needed = freedom > 0.0 ? static_cast<std::size_t>(std::ceil(degrees / freedom)) + 1 : usual;
+  const auto rows = all_indices(responses);
+  std::vector<CovarianceSample> samples;
+  for (const std::size_t l : spread_lines(source_lines.size(), std::clamp(needed, usual, most))) {
+    const std::size_t reference = samples.size() % header.reference.size(), line = source_lines[l];
+    samples.push_back(sample_of(read_stored(source, rows, reference, {line}), 0, header, line));
+  }
+  CovarianceLaw law = law_of(samples, header, responses);
+  if (law.constant.size() == 0) return nullptr;
+  for (std::size_t r = 0; r < responses; ++r) {
+    for (std::size_t s = 0; s < responses; ++s) {
+      law.constant(at(r), at(s)) *= static_cast<double>(header.response[r].sign * header.response[s].sign);
+    }
+  }
+  return std::make_shared<const CovarianceLaw>(std::move(law));
+}
+
 CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& source_lines, const Scene& scene, bool assembly) {
   const frf::FrfHeader& header = source.header();
   CheckedFile file{.name = name_in_scene(scene, header.file),
@@ -87,7 +122,8 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
                    .responses = positive(header.response),
                    .references = positive(header.reference),
                    .frequency_hz = {},
-                   .frfs = {}};
+                   .frfs = {},
+                   .errors = read_errors(source, source_lines, scene)};
   const auto rows = all_indices(header.response.size()), columns = all_indices(header.reference.size());
   const std::size_t entries = rows.size() * columns.size();
   std::vector<Complex> values(source_lines.size() * entries);
@@ -145,6 +181,18 @@ double row_difference(const CheckedFile& file, Eigen::Index a, Eigen::Index b) {
 }
 
 }  // namespace
+
+Eigen::MatrixXcd CheckedFile::covariance(std::size_t line, const std::vector<Eigen::Index>& some_responses, Eigen::Index reference) const {
+  const Eigen::VectorXcd h = frfs[line](some_responses, reference);
+  const double factor = frf::squared_factor(quantity, frequency_hz[line]);
+  return (errors->proportional(some_responses, some_responses).array() * (h * h.adjoint()).array()).matrix() +
+         factor * errors->constant(some_responses, some_responses);
+}
+
+double CheckedFile::variance(std::size_t line, Eigen::Index response, Eigen::Index reference) const {
+  return errors->proportional(response, response).real() * std::norm(frfs[line](response, reference)) +
+         errors->constant(response, response).real() * frf::squared_factor(quantity, frequency_hz[line]);
+}
 
 std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count) {
   std::vector<std::size_t> lines;

@@ -2,11 +2,13 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "ident/plan/plan.hpp"
 #include "ident/result/suspect.hpp"
+#include "ident/variance/covariance_law.hpp"
 
 namespace jointid::ident {
 
@@ -19,6 +21,13 @@ struct CheckedFile {
   Dofs responses, references;
   std::vector<double> frequency_hz;    ///< [F]
   std::vector<Eigen::MatrixXcd> frfs;  ///< [F] receptances, responses × references; NaN where not measured
+  /// Law of the errors' covariances over the responses, of all lines and references; none where the file has none.
+  std::shared_ptr<const CovarianceLaw> errors{};
+
+  /// E[e e^H] of some FRFs of a line to a reference. Only with `errors`.
+  Eigen::MatrixXcd covariance(std::size_t line, const std::vector<Eigen::Index>& some_responses, Eigen::Index reference) const;
+  /// One of its diagonal.
+  double variance(std::size_t line, Eigen::Index response, Eigen::Index reference) const;
 };
 
 /// What is read of a scene.

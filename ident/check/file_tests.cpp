@@ -76,16 +76,19 @@ struct MassSums {
 };
 
 /// a_i − a_j = median over the lines of log|H_ij/H_ji|; a_i by the median over j, which one wrong channel does not move.
-void find_gains(const std::vector<std::vector<Pair>>& pairs, ReciprocityTest& out) {
+/// `shared`: variance of what all pairs of a coordinate have in common, on one line.
+void find_gains(const std::vector<std::vector<Pair>>& pairs, double shared, ReciprocityTest& out) {
   const std::size_t n = pairs.size();
   std::vector<double> a(n), error(n);
   for (std::size_t i = 0; i < n; ++i) {
     std::vector<double> middles, errors;
+    std::size_t lines = 1;
     for (std::size_t j = 0; j < n; ++j) {
       if (i == j) continue;
       const std::vector<double>& ratios = i < j ? pairs[i][j].log_ratio : pairs[j][i].log_ratio;
       if (ratios.size() < 3) continue;
       const double middle = median(ratios);
+      lines = std::max(lines, ratios.size());
       std::vector<double> off;
       for (const double ratio : ratios) off.push_back(std::abs(ratio - middle));
       middles.push_back(i < j ? middle : -middle);
@@ -96,6 +99,7 @@ void find_gains(const std::vector<std::vector<Pair>>& pairs, ReciprocityTest& ou
     for (const double middle : middles) off.push_back(std::abs(middle - a[i]));
     const double spread = middles.empty() ? 1.0 : std::hypot(median(errors), 1.48 * median(off));
     error[i] = 1.25 * spread / std::sqrt(std::max(static_cast<double>(middles.size()), 1.0));
+    error[i] = std::hypot(error[i], 1.25 * std::sqrt(shared / static_cast<double>(lines)));
   }
   const double common = median(a);
   for (std::size_t i = 0; i < n; ++i) {
@@ -104,7 +108,37 @@ void find_gains(const std::vector<std::vector<Pair>>& pairs, ReciprocityTest& ou
   }
 }
 
+/// Half of the mean of E[e_r e_s*]/(H_r H_s*), r ≠ s, of the FRFs to one reference: what the noise of its blows gives the logarithms of
+/// all of them.
+double shared_by_responses(const CheckedFile& file, const BothRoles& both) {
+  if (!file.errors) return 0.0;
+  const auto n = static_cast<double>(both.row.size());
+  const Eigen::MatrixXcd all = file.errors->proportional(both.row, both.row);
+  return std::max(0.0, 0.5 * (all.sum() - all.trace()).real() / (n * (n - 1.0)));
+}
+
 }  // namespace
+
+double relative_error(const CheckedFile& file) {
+  double logs = 0.0;
+  std::size_t lines = 0;
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (Eigen::Index c = 0; c < file.frfs[l].cols(); ++c) {
+      for (Eigen::Index r = 0; r < file.frfs[l].rows(); ++r) {
+        const double size = std::norm(file.frfs[l](r, c));
+        if (!(std::isfinite(size) && size > 0.0)) continue;
+        sum += std::min(1.0, file.variance(l, r, c) / size);
+        ++count;
+      }
+    }
+    if (!(sum > 0.0)) continue;
+    logs += std::log(sum / static_cast<double>(count));
+    ++lines;
+  }
+  return lines > 0 ? std::exp(0.5 * logs / static_cast<double>(lines)) : 0.0;
+}
 
 ReciprocityTest reciprocity_test(const CheckedFile& file, bool with_rows) {
   ReciprocityTest out;
@@ -139,7 +173,7 @@ ReciprocityTest reciprocity_test(const CheckedFile& file, bool with_rows) {
   }
   out.level = count > 0 ? std::exp(0.5 * logs / static_cast<double>(count)) : 0.0;
   if (with_rows) {
-    find_gains(pairs, out);
+    find_gains(pairs, shared_by_responses(file, both), out);
     mass.finish(out);
   }
   return out;
@@ -152,12 +186,13 @@ PassivityTest passivity_test(const CheckedFile& file, double noise) {
   for (std::size_t k = 0; k < both.dofs.size(); ++k) {
     double sum = 0.0, square = 0.0;
     for (std::size_t l = 0; l < file.frfs.size(); ++l) {
-      const std::complex<double> h = file.frfs[l](both.row[k], both.column[k]) * std::pow(file.frequency_hz[l], 2);
+      const double weight = std::pow(file.frequency_hz[l], 2);
+      const std::complex<double> h = file.frfs[l](both.row[k], both.column[k]) * weight;
       if (!std::isfinite(std::norm(h))) continue;
       sum += h.imag();
-      square += std::norm(h);
+      square += file.errors ? file.variance(l, both.row[k], both.column[k]) * weight * weight : noise * noise * std::norm(h);
     }
-    const double scale = noise * std::sqrt(0.5 * square);
+    const double scale = std::sqrt(0.5 * square);
     if (!(scale > 0.0)) continue;
     out.dofs.push_back(both.dofs[k]);
     out.excess.push_back(sum / scale);

@@ -6,6 +6,9 @@
 
 namespace jointid::ident {
 
+/// Relative error of a file's FRFs by its covariances: geometric mean over lines of the rms. Only with errors.
+double relative_error(const CheckedFile& file);
+
 /// H_ij against H_ji over the coordinates that a file has in both roles.
 struct ReciprocityTest {
   Dofs dofs;
@@ -23,7 +26,7 @@ ReciprocityTest reciprocity_test(const CheckedFile& file, bool with_rows);
 /// The sign of the imaginary parts of driving points: Im H_kk ≤ 0 where a structure takes energy (e^{+iωt}).
 struct PassivityTest {
   Dofs dofs;
-  std::vector<double> excess;  ///< Σ Im H_kk over what noise of relative size `noise` would give it
+  std::vector<double> excess;  ///< Σ Im H_kk over what noise would give it: the file's, or of relative size `noise`
   double total = 0.0;          ///< the same of all together
 };
 

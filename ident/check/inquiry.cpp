@@ -123,11 +123,14 @@ class Inquiry {
     if (score >= trial.least_score) scored.push_back({std::move(trial), after, score});
   }
 
-  /// Noise makes healing by chance: what counts grows with what is left afterwards, of the worst test that the trial touches.
+  /// Noise makes healing by chance: what counts grows with what is left afterwards, of the worst test that the trial touches; of files
+  /// with covariances those that are weighed by them.
   double doubt(const Touched& touched, const Misfit& after) const {
+    const bool weighed = std::ranges::any_of(setups_, [&](const SpanSetup& setup) { return setup.weighed && touched.setup(setup); });
     double left = 0.0;
     for (std::size_t s = 0; s < setups_.size(); ++s) {
-      if (touched.setup(setups_[s])) left = std::max(left, after.span[s]);
+      const bool counts = !weighed || setups_[s].weighed;
+      if (counts && touched.setup(setups_[s])) left = std::max(left, after.span[s]);
     }
     return 1.0 + std::pow(left / noise_that_halves, 2);
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "dense/blas.hpp"
+#include "dense/minimum_norm.hpp"
 #include "ident/check/slope_fit.hpp"
 
 namespace jointid::ident {
@@ -36,19 +38,20 @@ Eigen::MatrixXcd basis_of(const Eigen::MatrixXcd& columns) {
 
 /// The terms of one line.
 struct SpanLine {
-  Eigen::MatrixXcd assembly, part;   ///< R × C; the part is zero outside
-  Eigen::MatrixXcd joint;            ///< R × J
-  Eigen::MatrixXcd basis, residual;  ///< after scaling; the residual only where it is asked for
+  Eigen::MatrixXcd assembly, part;  ///< R × C; the part is zero outside
+  Eigen::MatrixXcd joint;           ///< R × J
+  Eigen::MatrixXcd residual;        ///< after scaling; only where it is asked for
   Eigen::VectorXd row_scale, column_scale;
   double square = 0.0;  ///< of the residual's norm
+  std::vector<Eigen::MatrixXcd> weights;  ///< [C] W, lower triangles; empty: I
+  std::vector<Eigen::MatrixXcd> bases;    ///< of the joint's columns, scaled and weighed: [C], or the one of all columns
 
   bool is_complete() const { return assembly.allFinite() && part.allFinite() && joint.allFinite(); }
 
   void load(const SpanSetup& setup, const std::vector<CheckedFile>& files, std::size_t line) {
     const CheckedFile& of_part = files[setup.part];
     const CheckedFile& of_assembly = files[setup.assembly];
-    Indices columns = setup.assembly_columns;
-    columns.insert(columns.end(), setup.outer_columns.begin(), setup.outer_columns.end());
+    const Indices columns = assembly_columns(setup);
     assembly = block(of_assembly, line, setup.assembly_rows, columns, setup.transposed);
     part = Eigen::MatrixXcd::Zero(assembly.rows(), assembly.cols());
     part.leftCols(at(setup.part_columns.size())) = block(of_part, line, setup.part_rows, setup.part_columns, setup.transposed);
@@ -57,33 +60,100 @@ struct SpanLine {
 
   /// Scales by the sizes of the terms and takes the span of the joint's columns out; the third term's size needs the forces,
   /// which the first scaling gives.
-  void project(bool with_residual) {
+  void project(const SpanSetup& setup, const std::vector<CheckedFile>& files, std::size_t line, bool with_residual) {
+    weights.clear();
     const Eigen::MatrixXcd difference = assembly - part;
     Eigen::MatrixXd size = assembly.cwiseAbs2() + part.cwiseAbs2();
     scale_to(size);
+    const Eigen::MatrixXcd& basis = bases.front();
     size += (row_scale.asDiagonal() * (basis * (basis.adjoint() * scale(difference))) * column_scale.asDiagonal()).cwiseAbs2();
     scale_to(size);
-    residual = scale(difference);
-    const Eigen::MatrixXcd forces = basis.adjoint() * residual;
+    if (setup.weighed) weigh(setup, files, line);
+    residual = weigh(scale(difference));
+    if (!with_residual && weights.empty()) {
+      square = residual.squaredNorm() - (bases.front().adjoint() * residual).squaredNorm();
+      return;
+    }
+    const Eigen::MatrixXcd explained = spanned(residual);
     if (with_residual) {
-      residual.noalias() -= basis * forces;
+      residual -= explained;
       square = residual.squaredNorm();
     } else {
-      square = residual.squaredNorm() - forces.squaredNorm();
+      square = residual.squaredNorm() - explained.squaredNorm();
     }
+  }
+
+  Eigen::Index freedom() const {
+    Eigen::Index sum = 0;
+    for (Eigen::Index c = 0; c < residual.cols(); ++c) sum += residual.rows() - basis_of_column(c).cols();
+    return sum;
+  }
+
+  const Eigen::MatrixXcd& basis_of_column(Eigen::Index c) const { return bases[weights.empty() ? 0 : static_cast<std::size_t>(c)]; }
+
+  Eigen::MatrixXcd scale(const Eigen::MatrixXcd& terms) const {
+    return row_scale.cwiseInverse().asDiagonal() * terms * column_scale.cwiseInverse().asDiagonal();
+  }
+  /// W⁻¹ of scaled terms, of the first columns.
+  Eigen::MatrixXcd weigh(Eigen::MatrixXcd terms) const {
+    for (std::size_t c = 0; c < weights.size() && at(c) < terms.cols(); ++c) dense::solve_lower(weights[c], terms.middleCols(at(c), 1));
+    return terms;
+  }
+  /// What the joint's columns explain of weighed terms, and what they do not.
+  Eigen::MatrixXcd spanned(const Eigen::MatrixXcd& terms) const {
+    if (weights.empty()) return bases.front() * (bases.front().adjoint() * terms);
+    Eigen::MatrixXcd out(terms.rows(), terms.cols());
+    for (Eigen::Index c = 0; c < terms.cols(); ++c) out.col(c) = basis_of_column(c) * (basis_of_column(c).adjoint() * terms.col(c));
+    return out;
+  }
+  Eigen::MatrixXcd projected(const Eigen::MatrixXcd& terms) const { return terms - spanned(terms); }
+
+ private:
+  static Indices assembly_columns(const SpanSetup& setup) {
+    Indices columns = setup.assembly_columns;
+    columns.insert(columns.end(), setup.outer_columns.begin(), setup.outer_columns.end());
+    return columns;
   }
 
   /// Row and column scales from squared sizes of the elements, and the basis of the joint's columns in them.
   void scale_to(const Eigen::MatrixXd& size) {
     column_scale = (size.colwise().mean().array() + 1e-300).sqrt().transpose();
     row_scale = ((size * column_scale.cwiseAbs2().cwiseInverse()).array() / static_cast<double>(size.cols()) + 1e-300).sqrt();
-    basis = basis_of(row_scale.cwiseInverse().asDiagonal() * joint);
+    bases = {basis_of(row_scale.cwiseInverse().asDiagonal() * joint)};
   }
 
-  Eigen::MatrixXcd scale(const Eigen::MatrixXcd& terms) const {
-    return row_scale.cwiseInverse().asDiagonal() * terms * column_scale.cwiseInverse().asDiagonal();
+  /// W of every column: what the errors of the assembly's FRFs, of the part's own and of those to the joint's coordinates, times the
+  /// forces there, make of the difference. No weights where some column's are no covariance.
+  void weigh(const SpanSetup& setup, const std::vector<CheckedFile>& files, std::size_t line) {
+    const Eigen::VectorXcd row = row_scale.cwiseInverse().cast<std::complex<double>>();
+    const auto scaled = [&](const CheckedFile& file, const Indices& rows, Eigen::Index column) -> Eigen::MatrixXcd {
+      return row.asDiagonal() * file.covariance(line, rows, column) * row.asDiagonal();
+    };
+    const Eigen::MatrixXcd of_joint = row.asDiagonal() * joint;
+    const Eigen::MatrixXd forces = dense::ComplexMinimumNorm(of_joint).solve(scale(assembly - part)).cwiseAbs2();
+    std::vector<Eigen::MatrixXcd> joint_errors, found;
+    for (const Eigen::Index j : setup.joint) joint_errors.push_back(scaled(files[setup.part], setup.part_rows, j));
+    const Indices columns = assembly_columns(setup);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      Eigen::MatrixXcd sum = scaled(files[setup.assembly], setup.assembly_rows, columns[c]);
+      if (c < setup.part_columns.size()) sum += scaled(files[setup.part], setup.part_rows, setup.part_columns[c]);
+      sum /= column_scale[at(c)] * column_scale[at(c)];
+      for (std::size_t j = 0; j < joint_errors.size(); ++j) sum += forces(at(j), at(c)) * joint_errors[j];
+      sum.diagonal().array() += least_square;
+      if (!dense::cholesky_in_place(sum)) return;
+      const double mean = sum.diagonal().real().array().log().mean();
+      if (!std::isfinite(mean)) return;
+      found.emplace_back(sum.triangularView<Eigen::Lower>());
+      found.back() /= std::exp(mean);
+    }
+    weights = std::move(found);
+    bases.clear();
+    for (const Eigen::MatrixXcd& weight : weights) {
+      Eigen::MatrixXcd weighed = of_joint;
+      dense::solve_lower(weight, weighed);
+      bases.push_back(basis_of(weighed));
+    }
   }
-  Eigen::MatrixXcd projected(const Eigen::MatrixXcd& terms) const { return terms - basis * (basis.adjoint() * terms); }
 };
 
 /// Collects what SpanTest says of rows.
@@ -96,10 +166,13 @@ class RowSums {
     total_ += weight * line.residual.squaredNorm();
     for (std::size_t k = 0; k < freed_.size(); ++k) {
       const auto r = at(k);
-      const double left = std::max(1.0 - line.basis.row(r).squaredNorm(), 1e-9);
-      freed_[k] += weight * line.residual.row(r).squaredNorm() / left;
-      const double slope = -weight * line.residual.row(r).conjugate().cwiseProduct(assembly.row(r)).real().sum();
-      const double square = weight * left * assembly.row(r).squaredNorm();
+      double slope = 0.0, square = 0.0;
+      for (Eigen::Index c = 0; c < assembly.cols(); ++c) {
+        const auto [moved, left] = freed(line, r, c);
+        freed_[k] += weight * std::norm(moved) / left;
+        slope -= weight * (std::conj(moved) * assembly(r, c)).real();
+        square += weight * left * std::norm(assembly(r, c));
+      }
       excess_[k].add(slope, square);
     }
   }
@@ -114,6 +187,23 @@ class RowSums {
   }
 
  private:
+  struct Freed {
+    std::complex<double> moved;  ///< uᴴ times the residual
+    double left;                 ///< |u|²
+  };
+
+  /// u: what is left of row r alone, weighed and with the joint's columns taken out.
+  static Freed freed(const SpanLine& line, Eigen::Index r, Eigen::Index c) {
+    const Eigen::MatrixXcd& basis = line.basis_of_column(c);
+    if (line.weights.empty()) return {line.residual(r, c), std::max(1.0 - basis.row(r).squaredNorm(), 1e-9)};
+    Eigen::MatrixXcd u = Eigen::MatrixXcd::Zero(line.residual.rows(), 1);
+    u(r, 0) = 1.0;
+    dense::solve_lower(line.weights[static_cast<std::size_t>(c)], u);
+    const double whole = u.squaredNorm();
+    u -= (basis * (basis.adjoint() * u)).eval();
+    return {u.col(0).dot(line.residual.col(c)), std::max(u.squaredNorm(), 1e-9 * whole)};
+  }
+
   std::vector<double> freed_;
   std::vector<SlopeFit> excess_;
   double total_ = 0.0;
@@ -122,8 +212,8 @@ class RowSums {
 void add_ratio(const SpanLine& line, const SpanSetup& setup, double frequency_hz, SpanTest& out) {
   const auto inner = at(setup.part_columns.size());
   if (inner == 0) return;
-  const Eigen::MatrixXcd a = line.projected(line.scale(line.assembly).leftCols(inner));
-  const Eigen::MatrixXcd p = line.projected(line.scale(line.part).leftCols(inner));
+  const Eigen::MatrixXcd a = line.projected(line.weigh(line.scale(line.assembly).leftCols(inner)));
+  const Eigen::MatrixXcd p = line.projected(line.weigh(line.scale(line.part).leftCols(inner)));
   const std::complex<double> cross = p.conjugate().cwiseProduct(a).sum();
   const double of_a = a.squaredNorm(), of_p = p.squaredNorm();
   if (!(of_a > 0.0 && of_p > 0.0)) return;
@@ -159,7 +249,8 @@ std::optional<SpanSetup> span_setup(const std::vector<CheckedFile>& files, std::
                   .part_columns = {},
                   .assembly_columns = {},
                   .outer_columns = {},
-                  .joint = {}};
+                  .joint = {},
+                  .weighed = !transposed && files[part].errors && files[assembly].errors};
   const Roles p = roles(files[part], transposed), a = roles(files[assembly], transposed);
   for (const frf::Dof& dof : joint) {
     const std::size_t at = place_of(p.columns, dof);
@@ -214,8 +305,8 @@ SpanTest span_test(const SpanSetup& setup, const std::vector<CheckedFile>& files
     if (detail == SpanDetail::residuals) out.residuals.emplace_back();
     line.load(setup, files, l);
     if (!line.is_complete()) continue;
-    line.project(detail != SpanDetail::level);
-    const double freedom = static_cast<double>((line.residual.rows() - line.basis.cols()) * line.residual.cols());
+    line.project(setup, files, l, detail != SpanDetail::level);
+    const auto freedom = static_cast<double>(line.freedom());
     const double square = line.square / freedom + least_square;
     logs += std::log(square);
     ++out.lines;

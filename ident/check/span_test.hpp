@@ -21,13 +21,15 @@ struct SpanSetup {
   std::vector<Eigen::Index> part_columns, assembly_columns;  ///< of C on the part
   std::vector<Eigen::Index> outer_columns;                   ///< of C on other parts, in the assembly
   std::vector<Eigen::Index> joint;                           ///< of J among the part's columns
+  bool weighed = false;  ///< both files know what the errors of R have in common
 };
 
 /// All pairs of part and assembly file that can be tested, in both directions.
 std::vector<SpanSetup> span_setups(const std::vector<CheckedFile>& files, const Dofs& joint);
 
 /// What is left of it. Rows and columns are scaled by the sizes of the terms, so that relative errors p of all FRFs leave about
-/// p.
+/// p. Where the covariances of the errors are known, W⁻¹ of the scaled terms is looked at, W Wᴴ the covariance of a column of the
+/// difference to a determinant of 1: what all rows share, as the noise of a blow, no longer hides what one of them has of its own.
 struct SpanTest {
   double level = 0.0;  ///< geometric mean over the lines of the rms residual per degree of freedom
   std::size_t lines = 0;

@@ -234,14 +234,23 @@ void add_channel_trials(const Files& files, const Candidates& candidates, std::v
 /// A factor and how many standard deviations it is away from 1.
 struct GainFinding {
   double factor = 1.0, deviations = 0.0;
+  bool weighed = false;  ///< by covariances of the files: deviations are told by what a row has of its own
 };
 
-/// Of a row of a span test, against the spread of the other rows' factors.
-GainFinding gain_of_row(const SpanTest& test, std::size_t k) {
+/// Of a row of a span test, against the spread of the other rows' factors. Where rows are weighed, what all of them are off by is what
+/// noise in the FRFs does to factors; their spread does not count, as a row that is off draws the others along: they are known well
+/// enough to tell it by their deviations.
+GainFinding gain_of_row(const SpanTest& test, std::size_t k, bool weighed) {
   const double middle = median(test.gain);
   std::vector<double> off;
   for (const double gain : test.gain) off.push_back(std::abs(gain - middle));
-  const double spread = test.gain.size() > 3 ? 1.48 * median(off) : 0.0;
+  const bool many = test.gain.size() > 3;
+  if (weighed && many) {
+    constexpr double unknown = 0.002;
+    const double factor = test.gain[k] / middle;
+    return {factor, std::abs(factor - 1.0) / std::hypot(test.deviation[k], unknown), true};
+  }
+  const double spread = many ? 1.48 * median(off) : 0.0;
   return {test.gain[k], std::abs(test.gain[k] - 1.0) / std::hypot(test.deviation[k], spread, 5e-4)};
 }
 
@@ -261,7 +270,8 @@ void add_gain_trial(const Files& files, const MeasuredChannel& c, const GainFind
       by_mirror && of_mirror.deviations > of_span.deviations ? in_role(of_mirror.factor, c.role) : of_span.factor;
   if (!(factor > 0.0 && std::abs(factor - 1.0) >= least_gain_error)) return;
   MistakeTrial trial = gain_trial(files, c, factor);
-  trial.bonus = 0.02 * std::min(of_span.deviations, 40.0) + 0.08 * std::min(of_mirror.deviations, 10.0);
+  const double by_span = of_span.weighed ? 0.07 * std::min(of_span.deviations, 15.0) : 0.02 * std::min(of_span.deviations, 40.0);
+  trial.bonus = by_span + 0.08 * std::min(of_mirror.deviations, 10.0);
   out.push_back(std::move(trial));
 }
 
@@ -271,7 +281,7 @@ void add_gain_trials(const Files& files, const std::vector<SpanSetup>& setups, c
   for (std::size_t s = 0; s < setups.size(); ++s) {
     const Role role = setups[s].transposed ? Role::reference : Role::response;
     for (std::size_t k = 0; k < setups[s].rows.size(); ++k) {
-      const GainFinding found = gain_of_row(screening.span[s], k);
+      const GainFinding found = gain_of_row(screening.span[s], k, setups[s].weighed);
       for (const std::size_t file : {setups[s].assembly, setups[s].part}) {
         const frf::Dof& dof = setups[s].rows[k];
         const GainFinding mirror = gain_by_reciprocity(screening.reciprocity[file], dof);
@@ -478,13 +488,28 @@ void add_exchanges(const Files& files, std::vector<MistakeTrial>& out) {
   }
 }
 
+/// Whether some test leaves more than signs and labels may be to blame for; of files with covariances more than these explain.
+bool is_large(const Files& files, const std::vector<SpanSetup>& setups, const Screening& screening, const Misfit& misfit) {
+  constexpr double beyond = 1.5;  // of the noise
+  const auto noise = [&](std::size_t f) { return files[f].errors ? screening.noise[f] : 0.0; };
+  for (std::size_t s = 0; s < setups.size(); ++s) {
+    const double known = setups[s].weighed ? 0.0 : std::hypot(noise(setups[s].part), noise(setups[s].assembly));
+    if (misfit.span[s] > std::max(large_misfit, beyond * known)) return true;
+  }
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    if (misfit.reciprocity[f] > std::max(large_misfit, beyond * noise(f))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::size_t lines_for(const std::vector<SpanSetup>& setups, std::size_t most, double work) {
   double per_line = 1.0;
   for (const SpanSetup& setup : setups) {
     const std::size_t columns = setup.part_columns.size() + setup.outer_columns.size();
-    per_line += static_cast<double>(setup.rows.size() * columns * setup.joint.size());
+    const std::size_t per_column = setup.rows.size() * (setup.joint.size() + (setup.weighed ? 2 * setup.rows.size() : 0));
+    per_line += static_cast<double>(columns * per_column);
   }
   return std::clamp<std::size_t>(static_cast<std::size_t>(work / per_line), 8, most);
 }
@@ -502,7 +527,8 @@ Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSe
   for (std::size_t f = 0; f < files.size(); ++f) {
     out.reciprocity.push_back(reciprocity_test(files[f], true));
     out.phase.push_back(phase_test(files[f], true));
-    out.noise[f] = out.noise[f] == unknown_noise ? usual_noise : std::max(out.noise[f], 0.003);
+    out.noise[f] = files[f].errors ? relative_error(files[f]) : out.noise[f] == unknown_noise ? usual_noise : out.noise[f];
+    out.noise[f] = std::max(out.noise[f], 0.003);
   }
   return out;
 }
@@ -510,9 +536,8 @@ Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSe
 std::vector<MistakeTrial> trials_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups,
                              const Screening& screening, const Misfit& misfit) {
   std::vector<MistakeTrial> out;
-  const auto is_large = [](double level) { return level > large_misfit; };
   const bool active = std::ranges::any_of(misfit.active, [](double a) { return a > 0.0; });
-  if (active || std::ranges::any_of(misfit.span, is_large) || std::ranges::any_of(misfit.reciprocity, is_large)) {
+  if (active || is_large(files, setups, screening, misfit)) {
     add_channel_trials(files, candidate_channels(files, setups, screening), out);
     add_exchanges(files, out);
   }

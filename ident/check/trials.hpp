@@ -27,7 +27,8 @@ struct Screening {
   std::vector<SpanTest> span;                ///< per setup
   std::vector<ReciprocityTest> reciprocity;  ///< per file
   std::vector<PhaseTest> phase;              ///< per file
-  std::vector<double> noise;                 ///< per file: the smallest level that it is part of, at least 0.3 %
+  std::vector<double> noise;                 ///< per file: the smallest level that it is part of, at least 0.3 %; of a file with
+                                             ///< covariances what these say
 };
 
 Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups);

@@ -55,6 +55,15 @@ coupling::KnownJoint read_known_joint(const scene::Item& item) {
   return joint;
 }
 
+bool is_identified(const scene::Item& item) { return item.is_table() && item.open_table().find("identified").has_value(); }
+
+IdentifiedJoint read_identified_joint(const scene::Item& item, const Path& folder) {
+  const scene::Table table = item.table({"identified", "dofs"});
+  IdentifiedJoint joint{folder / table.require("identified").text(), {}};
+  if (const auto dofs = table.find("dofs")) joint.dofs = read_dofs(*dofs);
+  return joint;
+}
+
 void read_options(const scene::Table& table, CoupleScene& scene) {
   coupling::Options& options = scene.options;
   if (const auto method = table.find("method")) options.method = coupling::parse_method(method->word(methods));
@@ -78,7 +87,7 @@ void read_options(const scene::Table& table, CoupleScene& scene) {
   if (const auto uncertainty = table.find("uncertainty")) options.uncertainty = uncertainty->boolean();
 }
 
-void read_couple(const scene::Item& item, CoupleScene& scene) {
+void read_couple(const scene::Item& item, const Path& folder, CoupleScene& scene) {
   const scene::Table table =
       item.table({"join", "ground", "remove", "keep", "joint", "method", "threshold", "epsilon", "alpha", "uncertainty"});
   coupling::Assembly& assembly = scene.assembly;
@@ -90,9 +99,12 @@ void read_couple(const scene::Item& item, CoupleScene& scene) {
   }
   if (const auto joint = table.find("joint")) {
     const std::vector<scene::Item> joints = joint->is_list() ? joint->list_not_empty() : std::vector<scene::Item>{*joint};
-    for (const scene::Item& one : joints) assembly.joints.push_back(read_known_joint(one));
+    for (const scene::Item& one : joints) {
+      is_identified(one) ? scene.identified.push_back(read_identified_joint(one, folder))
+                         : assembly.joints.push_back(read_known_joint(one));
+    }
   }
-  if (assembly.join.empty() && assembly.ground.empty() && assembly.joints.empty()) {
+  if (assembly.join.empty() && assembly.ground.empty() && assembly.joints.empty() && scene.identified.empty()) {
     item.fail("nothing is coupled", "give join, ground or [[couple.joint]]");
   }
   read_options(table, scene);
@@ -127,7 +139,7 @@ CoupleScene parse_couple_scene(const std::string& text, const Path& file) {
     scene.frequency = read_frequency(*frequency);
     if (scene.frequency.exclude_resonances) frequency->fail("coupling leaves out no resonances", "remove exclude_resonances");
   }
-  read_couple(table.require("couple"), scene);
+  read_couple(table.require("couple"), file.parent_path(), scene);
   if (const auto noise = table.find("noise")) read_noise_law(*noise, scene.options);
   return scene;
 }

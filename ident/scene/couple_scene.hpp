@@ -6,6 +6,12 @@
 
 namespace jointid::ident {
 
+/// A joint that another scene identifies.
+struct IdentifiedJoint {
+  Path scene;
+  std::vector<coupling::PlacedDof> dofs;  ///< in the order of that scene's joint; empty: by the same names
+};
+
 /// A scene of `jointid couple`, checked for everything that can be checked without opening the data.
 struct CoupleScene {
   Path file;
@@ -14,7 +20,8 @@ struct CoupleScene {
   std::vector<std::string> names;  ///< of the parts, as written
   bool reciprocity = false;
   FrequencySection frequency;      ///< without exclude_resonances
-  coupling::Assembly assembly;
+  coupling::Assembly assembly;               ///< but for the joints of `identified`
+  std::vector<IdentifiedJoint> identified;
   coupling::Options options;
   bool find_dependent = false;     ///< threshold "auto": find conditions that others nearly imply, and leave them out
 };

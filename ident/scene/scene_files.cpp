@@ -34,6 +34,7 @@ std::vector<NamedFile> files_of(const Scene& scene) {
 std::vector<NamedFile> files_of(const CoupleScene& scene) {
   std::vector<NamedFile> all = scene_alone(scene.file);
   add_files(scene.parts, "[data] parts", all);
+  for (const IdentifiedJoint& joint : scene.identified) all.push_back({joint.scene, "[[couple.joint]] identified"});
   return all;
 }
 

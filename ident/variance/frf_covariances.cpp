@@ -7,6 +7,7 @@
 #include "base/statistics.hpp"
 #include "frf/noise/variance_law.hpp"
 #include "ident/scene/variance_origin.hpp"
+#include "ident/variance/file_covariance.hpp"
 #include "ident/variance/variance_smoothing.hpp"
 
 namespace jointid::ident {
@@ -16,12 +17,6 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 
 constexpr std::size_t most_samples = 128;
-
-bool counts(const frf::FrfSource& source, const Scene& scene) {
-  if (!source.has_covariance()) return false;
-  const VarianceOrigin origin = variance_origin(scene, source.header());
-  return origin == VarianceOrigin::variance || origin == VarianceOrigin::repeats;
-}
 
 bool is_law(const frf::FrfHeader& header, const Scene& scene) {
   return scene.identify.smooth_variance.value_or(worth_smoothing(variance_origin(scene, header), header));
@@ -37,57 +32,6 @@ void shrink(MatrixXcd& covariance, double freedom) {
   covariance.diagonal() = diagonal;
 }
 
-double freedom_of(const frf::FrfHeader& header) {
-  if (header.repeats > 1) return static_cast<double>(header.repeats - 1);
-  return std::max(0.0, header.averages - 1.0);
-}
-
-/// The law of the responses that are known on half of the samples at least, zero for the others; none from so few samples, of `freedom`
-/// degrees each, that it would be little more than theirs.
-CovarianceLaw law_of(const std::vector<CovarianceSample>& samples, Eigen::Index size, double freedom) {
-  constexpr double enough = 3.0;  // degrees of freedom a response
-  const auto is_known = [](const CovarianceSample& s, Eigen::Index r) {
-    return std::isfinite(s.frf[r].real()) && std::isfinite(s.covariance(r, r).real());
-  };
-  std::vector<Eigen::Index> some;
-  for (Eigen::Index r = 0; r < size; ++r) {
-    const auto count = std::ranges::count_if(samples, [&](const CovarianceSample& s) { return is_known(s, r); });
-    if (count > 0 && 2 * static_cast<std::size_t>(count) >= samples.size()) some.push_back(r);
-  }
-  std::vector<CovarianceSample> known;
-  for (const CovarianceSample& sample : samples) {
-    CovarianceSample part{sample.frf(some), sample.covariance(some, some)};
-    if (part.frf.allFinite() && part.covariance.allFinite()) known.push_back(std::move(part));
-  }
-  if (some.empty() || static_cast<double>(known.size()) * freedom < enough * static_cast<double>(some.size())) return {};
-  const CovarianceLaw fitted = fit_covariance(std::move(known));
-  CovarianceLaw law{MatrixXcd::Zero(size, size), MatrixXcd::Zero(size, size)};
-  law.proportional(some, some) = fitted.proportional;
-  law.constant(some, some) = fitted.constant;
-  return law;
-}
-
-/// FRFs and covariances of a group at some lines of its file.
-struct StoredGroup {
-  std::vector<Complex> values, covariances;
-  std::size_t size;
-
-  VectorXcd frf(std::size_t line) const { return Eigen::Map<const VectorXcd>(values.data() + line * size, at(size)); }
-  MatrixXcd covariance(std::size_t line) const {
-    return Eigen::Map<const MatrixXcd>(covariances.data() + line * size * size, at(size), at(size)).transpose();
-  }
-};
-
-StoredGroup read_stored(frf::FrfSource& source, const std::vector<std::size_t>& responses, std::size_t reference,
-                   const std::vector<std::size_t>& lines) {
-  const std::size_t size = lines.size() * responses.size();
-  StoredGroup out{std::vector<Complex>(size), std::vector<Complex>(size * responses.size()), responses.size()};
-  const frf::Block block{lines, responses, std::span(&reference, 1)};
-  source.read(block, out.values);
-  source.read_covariance(block, out.covariances);
-  return out;
-}
-
 }  // namespace
 
 FrfCovariances::FrfCovariances(frf::FrfSystem& system, const Scene& scene, const std::vector<frf::Dof>& coordinates,
@@ -101,7 +45,7 @@ FrfCovariances::FrfCovariances(frf::FrfSystem& system, const Scene& scene, const
   for (const Rectangle& rectangle : rectangles) {
     for (const frf::BlockPiece& piece : system.pieces(pick(rectangle.rows), pick(rectangle.columns))) {
       const frf::FrfSource& source = system.source(piece.source);
-      if (counts(source, scene)) add(piece, rectangle, is_law(source.header(), scene));
+      if (covariances_count(source, scene)) add(piece, rectangle, is_law(source.header(), scene));
     }
   }
 }
@@ -145,11 +89,8 @@ void FrfCovariances::prepare(std::span<const std::size_t> lines) {
     const std::vector<std::size_t> at_lines = source_lines(group, some);
     const StoredGroup stored = read_stored(source, group.responses, group.reference, at_lines);
     std::vector<CovarianceSample> samples;
-    for (std::size_t i = 0; i < at_lines.size(); ++i) {
-      const double factor = frf::squared_factor(source.header().quantity, source.header().frequency_hz[at_lines[i]]);
-      samples.push_back({stored.frf(i) / std::sqrt(factor), stored.covariance(i) / factor});
-    }
-    group.law = law_of(samples, at(group.responses.size()), std::max(1.0, freedom_of(source.header())));
+    for (std::size_t i = 0; i < at_lines.size(); ++i) samples.push_back(sample_of(stored, i, source.header(), at_lines[i]));
+    group.law = law_of(samples, source.header(), group.responses.size());
   }
 }
 

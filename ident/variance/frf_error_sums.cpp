@@ -53,7 +53,7 @@ std::vector<frf::ErrorSums::Term> FrfErrorSums::terms(std::size_t i, std::size_t
   for (std::size_t s = 0; s < place.source; ++s) before += sources_[s].lines[i].errors;
   const Source& source = sources_[place.source];
   std::vector<frf::ErrorSums::Term> out = source.lines[i].terms[place.response * source.references.size() + place.reference];
-  for (frf::ErrorSums::Term& term : out) term = {term.error + before, place.sign * term.factor};
+  for (frf::ErrorSums::Term& term : out) term = {term.error + before, place.sign * term.factor, term.relation};
   return out;
 }
 

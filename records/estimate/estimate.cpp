@@ -4,8 +4,10 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "frf/set/frf_set.hpp"
+#include "records/estimate/residual_factor.hpp"
 
 namespace jointid::records {
 namespace {
@@ -75,6 +77,17 @@ class Line {
     return out;
   }
 
+  /// Directions d with Σ_h a_rh d_h* = 0 for all r, [n − factor_rank(), n].
+  Eigen::MatrixXcd directions(Estimator estimator, NoiseFrom noise) const {
+    const std::size_t count = spectra_.count;
+    Eigen::MatrixXcd out(at(count - factor_rank(count, estimator, noise)), at(count));
+    for (std::size_t h = 0; h < count && out.rows() > 0; ++h) {
+      const Complex f = spectra_.force_at(h, line_);
+      out(0, at(h)) = noise == NoiseFrom::residuals ? f : std::sqrt(1.0 - std::norm(f) / force_);
+    }
+    return out;
+  }
+
  private:
   const Spectra& spectra_;
   std::size_t line_;
@@ -93,18 +106,26 @@ Complex variance_of(const std::vector<Complex>& errors, NoiseFrom noise) {
   return noise == NoiseFrom::scatter ? Complex{re, im} : Complex{0.5 * (re + im), 0.5 * (re + im)};
 }
 
-void add_noise(const Line& line, std::size_t responses, Estimator estimator, NoiseFrom noise, double effective, Estimate& out) {
-  std::vector<std::vector<Complex>> errors;
-  for (std::size_t r = 0; r < responses; ++r) {
-    errors.push_back(noise == NoiseFrom::scatter ? line.scatter(estimator, effective, r)
-                                                 : line.residuals(estimator, effective, r));
-    out.variance.push_back(variance_of(errors[r], noise));
+/// What the blows add to the error of each response.
+using Errors = std::vector<std::vector<Complex>>;
+
+void add_pairs(const Errors& errors, Estimate& out) {
+  for (std::size_t r = 0; r < errors.size(); ++r) {
     for (std::size_t s = 0; s <= r; ++s) {
       Complex sum = 0.0;
       for (std::size_t h = 0; h < errors[r].size(); ++h) sum += errors[r][h] * std::conj(errors[s][h]);
       out.covariance.push_back(r == s ? Complex{sum.real(), 0.0} : sum);
     }
   }
+}
+
+void add_factor(const Errors& errors, const Eigen::MatrixXcd& directions, Estimate& out) {
+  Eigen::MatrixXcd rows(at(errors.size()), directions.cols());
+  for (std::size_t r = 0; r < errors.size(); ++r) {
+    for (std::size_t h = 0; h < errors[r].size(); ++h) rows(at(r), at(h)) = errors[r][h];
+  }
+  const Eigen::MatrixXcd factor = residual_factor(std::move(rows), directions).transpose();  // rows one after the other
+  out.factor.insert(out.factor.end(), factor.data(), factor.data() + factor.size());
 }
 
 }  // namespace
@@ -119,20 +140,35 @@ NoiseFrom parse_noise_from(std::string_view text) {
   return static_cast<NoiseFrom>(find_word(lower(text), {"residuals", "scatter"}, "source of variances"));
 }
 
-Estimate estimate(const Spectra& spectra, Estimator estimator, NoiseFrom noise, double effective) {
+std::size_t factor_rank(std::size_t count, Estimator estimator, NoiseFrom noise) {
+  const bool one_less = noise == NoiseFrom::residuals || estimator == Estimator::h1;
+  return count - (one_less && count > 0 ? 1 : 0);
+}
+
+Estimate estimate(const Spectra& spectra, Estimator estimator, NoiseFrom noise, double effective, CovarianceForm form) {
   Estimate out;
+  const auto add_noise = [&](const Line& line) {
+    Errors errors;
+    for (std::size_t r = 0; r < spectra.responses; ++r) {
+      errors.push_back(noise == NoiseFrom::scatter ? line.scatter(estimator, effective, r) : line.residuals(estimator, effective, r));
+      out.variance.push_back(variance_of(errors[r], noise));
+    }
+    form == CovarianceForm::pairs ? add_pairs(errors, out) : add_factor(errors, line.directions(estimator, noise), out);
+  };
+  const std::size_t rank = factor_rank(spectra.count, estimator, noise);
   const std::size_t pairs = frf::pair_count(spectra.responses);
-  for (std::size_t at = 0; at < spectra.lines; ++at) {
-    const Line line(spectra, at);
+  for (std::size_t i = 0; i < spectra.lines; ++i) {
+    const Line line(spectra, i);
     for (std::size_t r = 0; r < spectra.responses; ++r) {
       out.frf.push_back(line.frf(estimator, r));
       out.coherence.push_back(spectra.count > 1 ? line.coherence(r) : nan);
     }
     if (spectra.count > 1 && effective > 1.0 && line.excited()) {
-      add_noise(line, spectra.responses, estimator, noise, effective, out);
+      add_noise(line);
     } else {
       out.variance.resize(out.variance.size() + spectra.responses, unknown);
-      out.covariance.resize(out.covariance.size() + pairs, unknown);
+      if (form == CovarianceForm::pairs) out.covariance.resize(out.covariance.size() + pairs, unknown);
+      if (form == CovarianceForm::factor) out.factor.resize(out.factor.size() + spectra.responses * rank, unknown);
     }
   }
   return out;

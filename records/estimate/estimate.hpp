@@ -51,8 +51,16 @@ struct Estimate {
   std::vector<Complex> frf;         ///< [F, R]
   std::vector<double> coherence;    ///< [F, R] |S_xf|² / (S_ff S_xx)
   std::vector<Complex> variance;    ///< [F, R] of real and imaginary part
-  std::vector<Complex> covariance;  ///< [F, P] E[e_r e_s*], s ≤ r (frf::pair_index)
+  std::vector<Complex> covariance;  ///< [F, P] E[e_r e_s*], s ≤ r (frf::pair_index); empty where there is a factor
+  std::vector<Complex> factor{};    ///< [F, R, K] L, E[e e^H] = L Lᴴ, where asked for
 };
+
+/// How an Estimate is asked to tell its covariances.
+enum class CovarianceForm : std::uint8_t { pairs, factor };
+
+/// The columns K of the factor that the covariances of n blows have: n less one where a combination of all blows is left with nothing,
+/// of residuals and of the scatter about H1.
+std::size_t factor_rank(std::size_t count, Estimator estimator, NoiseFrom noise);
 
 /// FRFs with the covariances of their errors, which all motions of a blow share: noise of the hammer's signal, blows that hit
 /// another point, a disturbance of the structure.
@@ -67,6 +75,7 @@ struct Estimate {
 ///
 /// The rank of C is at most n − 1: with fewer blows than responses the matrix is singular, and whoever inverts it must add to its
 /// diagonal.
-Estimate estimate(const Spectra& spectra, Estimator estimator, NoiseFrom noise, double effective);
+Estimate estimate(const Spectra& spectra, Estimator estimator, NoiseFrom noise, double effective,
+                  CovarianceForm form = CovarianceForm::pairs);
 
 }  // namespace jointid::records

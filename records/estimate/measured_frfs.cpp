@@ -32,6 +32,11 @@ void store(const Estimate& estimate, const std::vector<ChannelKind>& kinds, std:
       made.coherence[at] = estimate.coherence[from];
       if (!set.variance.empty())
         set.variance[at] = known ? frf::scaled_variance(factor[r], estimate.variance[from]) : Complex{nan, nan};
+      const std::size_t rank = estimate.factor.size() / (set.header.lines() * rows);  // the set's, or less
+      for (std::size_t k = 0; k < set.factor.rank; ++k) {
+        const Complex value = k < rank ? estimate.factor[from * rank + k] : estimate.variance[from] * 0.0;
+        set.factor.rows[((line * rows + r) * set.factor.rank + k) * columns + c] = known ? factor[r] * value : Complex{nan, nan};
+      }
       for (std::size_t s = 0; s <= r && !set.covariance.empty(); ++s) {
         const Complex of_pair = factor[r] * std::conj(factor[s]) * estimate.covariance[line * pairs + frf::pair_index(r, s)];
         set.covariance[(line * pairs + frf::pair_index(r, s)) * columns + c] = r == s ? Complex{of_pair.real(), 0.0} : of_pair;
@@ -60,13 +65,13 @@ class Run {
       Spectra all = transform(transformer, 0, interrupted);
       const SeveralForces spectra{all.lines, made_.averages.size(), all.responses,
                                   all.count, std::move(all.force),  std::move(all.motion)};
-      const std::vector<Estimate> of_forces = estimate(spectra, made_.averages[0].effective);
+      const std::vector<Estimate> of_forces = estimate(spectra, made_.averages[0].effective, form());
       for (std::size_t c = 0; c < of_forces.size(); ++c) store(of_forces[c], kinds_, c, made_);
       return std::move(made_);
     }
     for (std::size_t c = 0; c < made_.averages.size(); ++c) {
       const Spectra spectra = transform(transformer, c, interrupted);
-      Estimate of_reference = estimate(spectra, options_.estimator, options_.noise, made_.averages[c].effective);
+      Estimate of_reference = estimate(spectra, options_.estimator, options_.noise, made_.averages[c].effective, form());
       if (options_.decay_time_s) correct_decay(of_reference, kinds_.size(), spacing, *options_.decay_time_s, correlation(c));
       store(of_reference, kinds_, c, made_);
     }
@@ -74,6 +79,22 @@ class Run {
   }
 
  private:
+  CovarianceForm form() const { return made_.set.factor.any() ? CovarianceForm::factor : CovarianceForm::pairs; }
+
+  /// Columns of the largest factor of all references. Rank 0 where the covariances are better told as pairs: those of neighbouring lines,
+  /// which the correction of an exponential window mixes, have no small factor.
+  frf::FactorShape factor_shape() const {
+    if (options_.decay_time_s) return {};
+    std::size_t rank = 0;
+    for (const Averages& of : made_.averages) {
+      const std::size_t own = several() ? of.kept - std::min(of.kept, made_.averages.size())
+                                        : factor_rank(of.kept, options_.estimator, options_.noise);
+      rank = std::max(rank, own);
+    }
+    const frf::FactorShape shape{rank};
+    return shape.is_smaller(kinds_.size()) ? shape : frf::FactorShape{};
+  }
+
   void require_several_possible() const {
     if (!options_.segments) force_channel(records_[0]);
     if (options_.estimator == Estimator::h1 && options_.noise == NoiseFrom::residuals) return;
@@ -188,7 +209,13 @@ class Run {
       if (of.effective > 1.0 && (header.averages == 0.0 || of.effective < header.averages)) header.averages = of.effective;
     }
     made_.set.variance.resize(size);
-    if (kinds_.size() > 1) made_.set.covariance.resize(header.lines() * frf::pair_count(kinds_.size()) * header.reference.size());
+    if (kinds_.size() == 1) return;
+    made_.set.factor.rank = factor_shape().rank;
+    if (made_.set.factor.any()) {
+      made_.set.factor.rows.resize(size * made_.set.factor.rank);
+      return;
+    }
+    made_.set.covariance.resize(header.lines() * frf::pair_count(kinds_.size()) * header.reference.size());
   }
 
   Spectra transform(Transformer& transformer, std::size_t c, const std::function<bool()>& interrupted) const {

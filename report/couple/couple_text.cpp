@@ -91,6 +91,7 @@ std::string couple_text(const ident::CoupleScene& scene, const tasks::CoupleResu
   text += fmt::format("coupled by {}: {} conditions, {} lines, {} × {} FRFs\n", coupling_method_text(scene), result.result.conditions,
                       result.lines, result.responses, result.references);
   if (result.lines_without_partner > 0) text += fmt::format("  {} lines are not in all parts\n", result.lines_without_partner);
+  for (const std::string& note : result.notes) text += "  " + note + "\n";
   if (!result.message.empty()) text += "  " + result.message + "\n";
   text += kept_text(scene, result);
   if (const std::size_t worst = worst_line(result); worst != frf::npos) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/random.hpp"
+#include "frf/hdf5/hdf5_writer.hpp"
 #include "frf/set/frf_source.hpp"
 #include "input_folder.hpp"
 #include "run_command.hpp"
@@ -75,6 +76,25 @@ TEST_F(FrfCommand, WritesCovariancesThatInfoConvertAndOthersRead) {
   EXPECT_THAT(outcome.out, HasSubstr("without their covariances, which HDF5 alone holds"));
   EXPECT_THAT(run_command(folder_.path(), frf({"--output", "other.mat"})).out,
               HasSubstr("without covariances, which HDF5 alone holds"));
+}
+
+/// Covariances of low rank stay so, and are pairs where these are smaller.
+TEST_F(FrfCommand, ConvertKeepsAFactorOfCovariances) {
+  frf::FrfSet set;
+  set.header.frequency_hz = {10.0, 20.0};
+  for (int node = 1; node <= 6; ++node) set.header.response.push_back(frf::Dof::parse(std::to_string(node) + ":+Z"));
+  set.header.reference = {frf::Dof::parse("1:+Z")};
+  set.header.noise = frf::NoiseRecord::variance;
+  set.values.assign(12, {1e-6, 2e-6});
+  set.variance.assign(12, {2.5e-17, 2.5e-17});
+  set.factor = {.rank = 2, .rows = std::vector<Complex>(24, {1e-9, 2e-9}), .diagonal = std::vector<double>(12, 4e-17)};
+  frf::write_hdf5(set, folder_.path("factor.h5"));
+  EXPECT_EQ(run_command(folder_.path(), {"convert", "factor.h5", "again.h5"}).code, 0);
+  EXPECT_THAT(run_command(folder_.path(), {"info", "again.h5"}).out,
+              HasSubstr("variance of real and imaginary part, covariance between responses of rank 2 plus a diagonal"));
+  const frf::FrfSet again = frf::load_with_covariance(*frf::open(folder_.path("again.h5")));
+  EXPECT_EQ(again.factor.rows, set.factor.rows);
+  EXPECT_EQ(again.factor.diagonal, set.factor.diagonal);
 }
 
 TEST_F(FrfCommand, WindowsEstimatorsAndVariancesAreOptions) {

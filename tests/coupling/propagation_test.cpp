@@ -174,7 +174,14 @@ Complex common(const frf::ErrorSums& sums, std::size_t i, std::size_t k) {
   return sum;
 }
 
-/// Sums of errors make the variances, and with covariances in the files the covariances, that propagate() works out on another way.
+/// E[e²] of an FRF.
+Complex relation(const frf::ErrorSums& sums, std::size_t i) {
+  Complex sum = 0.0;
+  for (const frf::ErrorSums::Term& term : sums.terms[i]) sum += term.factor * term.factor * term.relation;
+  return sum;
+}
+
+/// Sums of errors make the variances of both parts, and with covariances in the files the covariances, that propagate() works out on another way.
 void expect_sums_of(const problems::CouplingProblem& problem, const std::vector<frf::FrfSet>& sets) {
   AssemblyReader reader(problems::parts_of(problem, sets), problem.declared(), {.uncertainty = true}, "test");
   const std::size_t rows = reader.header().response.size(), columns = reader.header().reference.size(), line = 0;
@@ -189,6 +196,7 @@ void expect_sums_of(const problems::CouplingProblem& problem, const std::vector<
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double total = variance[i].real() + variance[i].imag();
     EXPECT_NEAR(common(sums, i, i).real(), total, 1e-8 * total) << i;
+    EXPECT_NEAR(relation(sums, i).real(), variance[i].real() - variance[i].imag(), 1e-8 * total) << i;
   }
   if (!reader.has_covariance()) return;
   for (std::size_t c = 0; c < columns; ++c) {
@@ -214,7 +222,7 @@ TEST(ErrorSums, AddUpToTheVariances) {
       set.header.noise = frf::NoiseRecord::variance;
       set.coherence.clear();
       set.variance.clear();
-      for (const Complex& value : set.values) set.variance.emplace_back(5e-5 * std::norm(value), 5e-5 * std::norm(value));
+      for (const Complex& value : set.values) set.variance.emplace_back(5e-5 * std::norm(value.real()), 5e-5 * std::norm(value.imag()));
     }
     expect_sums_of(problem, sets);
   }
@@ -230,6 +238,47 @@ TEST(ErrorSums, HaveTheCovariancesOfFiles) {
     tell_covariances(sets.back(), sets.size());
   }
   expect_sums_of(problem, sets);
+}
+
+/// Covariances of files told by a factor: all its columns, and none of its own.
+TEST(Propagation, AFactorSaysWhatItsPairsSay) {
+  const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
+  std::vector<frf::FrfSet> paired, factored;
+  for (const frf::FrfSet& part : problem.parts) {
+    frf::FrfSet set = some_lines(part, {60});
+    set.header.noise = frf::NoiseRecord::variance;
+    set.coherence.clear();
+    set.factor.rank = 2;
+    for (std::size_t i = 0; i < 2 * set.values.size(); ++i) {
+      const auto z = normal_numbers({5, paired.size()}, i);
+      set.factor.rows.push_back(1e-8 * Complex(z[0], z[1]));
+    }
+    set.factor.diagonal.assign(set.values.size(), 1e-18);
+    frf::FrfSet pairs = set;
+    pairs.covariance = frf::covariance_pairs(set);
+    pairs.factor = {};
+    const std::size_t columns = set.header.reference.size();
+    for (std::size_t i = 0; i < set.values.size(); ++i) {
+      const double own = pairs.covariance[frf::pair_index(i / columns, i / columns) * columns + i % columns].real();
+      set.variance.push_back(0.5 * Complex(own, own));
+    }
+    pairs.variance = set.variance;
+    paired.push_back(std::move(pairs));
+    factored.push_back(std::move(set));
+  }
+  const auto coupled = [&](const std::vector<frf::FrfSet>& sets) {
+    AssemblyReader reader(problems::parts_of(problem, sets), problem.declared(), {.uncertainty = true}, "test");
+    EXPECT_TRUE(reader.has_covariance());
+    const std::size_t rows = reader.header().response.size(), columns = reader.header().reference.size(), line = 0;
+    std::vector<std::size_t> responses(rows), references(columns);
+    for (std::size_t i = 0; i < rows; ++i) responses[i] = i;
+    for (std::size_t i = 0; i < columns; ++i) references[i] = i;
+    std::vector<Complex> values(rows * columns), variance(values), covariance(frf::pair_count(rows) * columns);
+    reader.read({{&line, 1}, responses, references}, values, variance, {}, covariance);
+    return covariance;
+  };
+  const std::vector<Complex> of_pairs = coupled(paired), of_factor = coupled(factored);
+  for (std::size_t i = 0; i < of_pairs.size(); ++i) EXPECT_NEAR(std::abs(of_factor[i] / of_pairs[i] - 1.0), 0.0, 1e-10) << i;
 }
 
 TEST(Propagation, AnUnknownVarianceStaysWhereItBelongs) {

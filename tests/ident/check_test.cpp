@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "hammer_sets.hpp"
 #include "ident/check/axis_shift.hpp"
 #include "ident/check/delay_fit.hpp"
 #include "ident/check/file_tests.hpp"
@@ -111,6 +112,46 @@ TEST(check, clean_scenes_are_clean) {
           << name << ": " << (result.suspects.empty() ? "" : result.suspects.front().evidence);
     }
   }
+}
+
+/// All responses to a blow share 10 % noise of the hammer.
+problems::Measurement hammered(const problems::Measurement& exact, std::uint64_t seed, bool covariances) {
+  problems::Measurement data;
+  std::uint64_t number = 0;
+  const auto noisy_set = [&](const frf::FrfSet& set) {
+    return ident::with_drawn_hammer_noise(set, 0.1, 0.0005, {seed, number++}, covariances);
+  };
+  for (const frf::FrfSet& set : exact.substructures) data.substructures.push_back(noisy_set(set));
+  data.assembly = noisy_set(exact.assembly);
+  return data;
+}
+
+TEST(check, covariances_find_what_the_hammers_noise_hides) {
+  const problems::Problem& problem = problem_named("rig1");
+  std::size_t with = 0, alone = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const problems::Planted planted = problems::plant(problem, SuspectKind::gain, {.level = 0.0}, seed);
+    for (const bool covariances : {true, false}) {
+      const ident::CheckResult result = checked(problem, hammered(planted.data, seed, covariances));
+      const bool named = !result.suspects.empty() && result.suspects.front().kind == SuspectKind::gain &&
+                         frf::has(result.suspects.front().dofs, planted.dofs.front());
+      (covariances ? with : alone) += named ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(with, 4u);
+  EXPECT_LT(alone, 3u);
+}
+
+TEST(check, covariances_say_that_the_hammers_noise_is_no_wrong_gain) {
+  const problems::Problem& problem = problem_named("bolts");
+  std::size_t alone = 0;
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    const problems::Measurement exact{problem.substructures, problem.assembly};
+    const ident::CheckResult result = checked(problem, hammered(exact, seed, true));
+    EXPECT_EQ(result.verdict, ident::Verdict::clean) << (result.suspects.empty() ? "" : result.suspects.front().evidence);
+    alone += checked(problem, hammered(exact, seed, false)).verdict == ident::Verdict::clean ? 0 : 1;
+  }
+  EXPECT_GE(alone, 1u);
 }
 
 TEST(check, a_mistaken_label_may_be_one_that_the_scene_needs) {

@@ -5,10 +5,15 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/scene/scene_files.hpp"
 #include "problems/case/coupling_problem.hpp"
+#include "problems/problem.hpp"
 #include "tests/test_folder.hpp"
 
 namespace jointid::ident {
@@ -152,6 +157,85 @@ TEST(CoupleScene, SaysWhatIsWrong) {
   EXPECT_THAT(error_of(join + "remove = [\"c.h5\"]"), HasSubstr("'c.h5' is not a valid word"));
   EXPECT_THAT(error_of(join, "[[couple.joint]]\ndofs = [\"1:+Y\"]\n"), HasSubstr("the joint has no matrix"));
   EXPECT_THAT(error_of(join, "[noise]\nmodel = \"modal\"\nlevel = 0.05\n"), HasSubstr("no law for a single FRF"));
+}
+
+/// The scene of an identification in the folder, and one that couples its parts with what it finds.
+class CoupleIdentified : public testing::Test {
+ protected:
+  CoupleIdentified() : problem_(problems::make("A1")) {
+    const fs::path scene = problems::write(problem_, folder_, {.format = "h5", .seed = 1});
+    std::ifstream file(scene);
+    text_.assign(std::istreambuf_iterator<char>(file), {});
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+
+  /// The problem's scene by method "likelihood".
+  std::string likelihood() const {
+    std::string text = text_;
+    text.replace(text.find("method = \"one\""), 14, "method = \"likelihood\"");
+    const std::string weighting = "weighting = \"WA\"\n";
+    return text.erase(text.find(weighting), weighting.size());
+  }
+
+  CoupleScene couple_scene(const std::string& joint) const {
+    std::string parts;
+    const Scene scene = parse_scene(text_, folder_ / "x.toml");
+    for (const DataFile& file : scene.data.substructures) {
+      parts += (parts.empty() ? "\"" : ", \"") + file.path.filename().string() + "\"";
+    }
+    write("couple.toml", "[data]\nparts = [" + parts + "]\n[couple]\nuncertainty = true\n[[couple.joint]]\n" + joint + "\n[noise]\n" +
+                             "model = \"uniform\"\nlevel = 0.05\n");
+    return read_couple_scene(folder_ / "couple.toml");
+  }
+
+  std::string error_of(const std::string& joint) const {
+    try {
+      tasks::couple(couple_scene(joint), folder_ / "out.h5", false);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  TestFolder folder_;
+  problems::Problem problem_;
+  std::string text_;
+};
+
+TEST_F(CoupleIdentified, TheJointIsFoundAndItsErrorsAreCarried) {
+  write("mount.toml", likelihood());
+  const CoupleScene scene = couple_scene("identified = \"mount.toml\"");
+  ASSERT_EQ(scene.identified.size(), 1u);
+  EXPECT_THAT(files_of(scene), testing::Contains(testing::Field(&NamedFile::path, folder_ / "mount.toml")));
+  const tasks::CoupleResult result = tasks::couple(scene, folder_ / "out.h5", false);
+  EXPECT_EQ(result.status, Status::ok);
+  const auto source = frf::open_hdf5(folder_ / "out.h5");
+  EXPECT_TRUE(source->has_covariance());
+  const frf::FrfSet found = frf::load(*source);
+  double inside = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < found.values.size(); ++i) {
+    const std::size_t line = i / found.header.entries(), r = i / found.header.reference.size() % found.header.response.size(),
+                      c = i % found.header.reference.size();
+    const frf::FrfSet& exact = problem_.assembly;
+    const std::size_t row = frf::find_coordinate(exact.header.response, found.header.response[r]),
+                      column = frf::find_coordinate(exact.header.reference, found.header.reference[c]);
+    if (row == frf::npos || column == frf::npos) continue;
+    const Complex error = found.values[i] - exact.values[exact.index(line, row, column)];
+    inside += std::abs(error.real()) < 1.96 * std::sqrt(found.variance[i].real()) ? 0.5 : 0.0;
+    inside += std::abs(error.imag()) < 1.96 * std::sqrt(found.variance[i].imag()) ? 0.5 : 0.0;
+    count += 1.0;
+  }
+  EXPECT_GT(count, 1000.0);
+  EXPECT_GT(inside / count, 0.85);  // numbers of one test depend on each other: bench_coupled_joint has the coverage
+}
+
+TEST_F(CoupleIdentified, SaysWhatItCannotDo) {
+  write("mount.toml", text_);
+  EXPECT_THAT(error_of("identified = \"mount.toml\""), HasSubstr("only method \"likelihood\""));
+  EXPECT_THAT(error_of("identified = \"nowhere.toml\""), HasSubstr("nowhere.toml"));
+  EXPECT_THAT(error_of("identified = \"mount.toml\"\nstiffness = { matrix = [[1]] }"), HasSubstr("stiffness"));
+  EXPECT_THAT(error_of("identified = \"mount.toml\"\ndofs = [\"1:+Y\"]"), HasSubstr("are named"));
 }
 
 }  // namespace

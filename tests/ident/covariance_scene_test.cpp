@@ -93,6 +93,49 @@ TEST(CovarianceScene, BoundsKnowThatResponsesShareTheHammersNoise) {
   EXPECT_EQ(bound_of(scene, problem, diagonal), own);
 }
 
+/// Two results that differ by rounding at most.
+void expect_same(const Solution& one, const Solution& other) {
+  ASSERT_EQ(one.unknowns.size(), other.unknowns.size());
+  for (std::size_t u = 0; u < one.unknowns.size(); ++u) {
+    const double error = one.unknowns[u].std_error.value();
+    EXPECT_NEAR(one.unknowns[u].value, other.unknowns[u].value, 1e-6 * error);
+    EXPECT_NEAR(other.unknowns[u].std_error.value(), error, 1e-8 * error);
+  }
+  EXPECT_NEAR(one.fit.chi_square->value, other.fit.chi_square->value, 1e-8 * one.fit.chi_square->value);
+}
+
+/// Whoever reads covariances does not see whether they are stored as pairs or as a factor: likelihood, bounds, studies.
+TEST(CovarianceScene, AFactorSaysWhatItsPairsSay) {
+  const problems::Problem problem = problems::make("A1");
+  const problems::Measurement paired = with_hammer_noise(problem);
+  problems::Measurement other = paired;
+  for (frf::FrfSet& set : other.substructures) set = factored(std::move(set));
+  other.assembly = factored(std::move(other.assembly));
+  const Scene scene = scene_of(problem);
+  const std::vector<double> bound = bound_of(scene, problem, paired), of_factor = bound_of(scene, problem, other);
+  for (std::size_t u = 0; u < bound.size(); ++u) EXPECT_NEAR(of_factor[u], bound[u], 1e-9 * bound[u]);
+  const auto trial = [&](const problems::Measurement& sets) {
+    const TestFolder folder;
+    Scene from_files = scene;
+    const auto write = [&](const frf::FrfSet& set, const std::string& name) {
+      frf::write_hdf5(set, folder / name);
+      return folder / name;
+    };
+    for (std::size_t i = 0; i < sets.substructures.size(); ++i) {
+      from_files.data.substructures[i] = {.path = write(sets.substructures[i], std::to_string(i) + ".h5"), .options = {}};
+    }
+    from_files.data.assembly = {{.path = write(sets.assembly, "assembly.h5"), .options = {}}};
+    return study::run_trials(study::load_trial_data(from_files), {.trials = 2, .seed = 4});
+  };
+  const std::vector<study::Trial> of_pairs = trial(paired), drawn_by_factor = trial(other);
+  for (std::size_t t = 0; t < of_pairs.size(); ++t) {
+    for (std::size_t u = 0; u < bound.size(); ++u) {
+      EXPECT_NEAR(drawn_by_factor[t].values[u], of_pairs[t].values[u], 1e-5 * bound[u]);
+    }
+  }
+  expect_same(solve(*problems::plan(scene, paired)), solve(*problems::plan(scene, other)));
+}
+
 /// With errors as its covariances say.
 frf::FrfSet drawn(const frf::FrfSet& set, const RandomStream& stream) {
   std::vector<std::size_t> lines(set.header.lines()), responses(set.header.response.size()), references(set.header.reference.size());

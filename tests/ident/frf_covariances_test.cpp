@@ -67,6 +67,43 @@ TEST(CovarianceLaw, IsFoundFromSingularCovariances) {
   }
 }
 
+/// Errors whose real and imaginary parts differ in size, as uniform noise has them: whitened they are independent, coloured as told.
+TEST(Correlation, OfErrorsThatAreNotCircularTellsPartsApart) {
+  Normal normal(8);
+  const MatrixXcd factor = normal.matrix(3, 5);
+  const Eigen::VectorXd relations = (Eigen::VectorXd(5) << 0.9, -0.4, 0.0, 1.0, -0.9).finished();
+  const MatrixXcd covariance = factor * factor.adjoint(), relation = factor * relations.cast<Complex>().asDiagonal() * factor.transpose();
+  VectorXcd variance(3);
+  for (Index i = 0; i < 3; ++i) {
+    variance[i] = 0.5 * Complex((covariance(i, i) + relation(i, i)).real(), (covariance(i, i) - relation(i, i)).real());
+  }
+  const minimise::Correlation correlation = minimise::Correlation::of(4, {0, 1, 3}, covariance, relation, variance);
+  EXPECT_FALSE(correlation.is_circular());
+  EXPECT_TRUE(minimise::Correlation::of(4, {0, 1, 3}, covariance, {}, variance).is_circular());
+  MatrixXcd found = MatrixXcd::Zero(3, 3), found_relation = found;
+  for (int k = 0; k < 8; ++k) {
+    std::vector<Complex> errors(4);
+    errors[static_cast<std::size_t>(k / 2)] = k % 2 == 0 ? Complex(1.0) : Complex(0.0, 1.0);
+    const std::vector<Complex> before = errors;
+    correlation.colour(errors);
+    if (k / 2 != 2) {
+      VectorXcd e(3);
+      for (Index i = 0; i < 3; ++i) {
+        const Complex of = errors[static_cast<std::size_t>(i < 2 ? i : 3)];
+        e[i] = {std::sqrt(variance[i].real()) * of.real(), std::sqrt(variance[i].imag()) * of.imag()};
+      }
+      found += e * e.adjoint();
+      found_relation += e * e.transpose();
+    } else {
+      EXPECT_EQ(errors, before);
+    }
+    correlation.whiten(errors);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(std::abs(errors[i] - before[i]), 1e-9);
+  }
+  EXPECT_LT((found - covariance).norm(), 1e-9 * covariance.norm());
+  EXPECT_LT((found_relation - relation).norm(), 1e-9 * covariance.norm());
+}
+
 /// FRFs with variances and covariances of full rank.
 frf::FrfSet sample(const std::string& file, const Dofs& responses, const Dofs& references, unsigned seed) {
   std::mt19937_64 random(seed);
@@ -159,7 +196,7 @@ TEST(FrfCovariances, AreThoseOfTheObservationsByDifferences) {
   }
   MatrixXcd found = MatrixXcd::Zero(values.size(), values.size());
   for (Index i = 0; i < values.size(); ++i) found(i, i) = 1.0;
-  for (const auto& [elements, factor] : data.correlation->groups()) {
+  for (const auto& [elements, factor, parts] : data.correlation->groups()) {
     const MatrixXcd rho = factor * factor.adjoint();
     for (std::size_t i = 0; i < elements.size(); ++i) {
       for (std::size_t k = 0; k < elements.size(); ++k) found(at(elements[i]), at(elements[k])) = rho(at(i), at(k));

@@ -17,6 +17,7 @@ struct ErrorTerm {
 
   std::size_t group, member;
   Complex factor;
+  double relation = 0.0;  ///< of an independent error: E[ε²], see frf::ErrorSums
 };
 
 /// What makes the error of a measured FRF; none where it is independent of all others.
@@ -28,10 +29,10 @@ struct LineErrors {
   Symmetric<ErrorTerms> terms;               ///< of an FRF, over the coordinates of a LineLayout
 };
 
-/// A variance E|e|² of each element (Correlation), 0 for one without a weight, to the correlation of the elements of a line from
+/// The variances of real and imaginary part of each element, 0 for one without a weight, to the correlation of the elements of a line from
 /// the errors of both systems, of which either may be empty; empty where nothing depends on anything. H_sub(n,n) and H_asm(n,n) stand
 /// alone in their rows: D has the error of both.
 std::shared_ptr<const minimise::Correlation> correlation_of(const LineLayout& layout, const LineErrors* substructures,
-                                                            const LineErrors* assembly, const std::vector<double>& variance);
+                                                            const LineErrors* assembly, const std::vector<Complex>& variance);
 
 }  // namespace jointid::ident

@@ -22,10 +22,10 @@ std::size_t count_measured(const Channel& channel) {
   return count;
 }
 
-/// E|e|² of a weight; 0 where it has none.
-double variance_of(const Complex& weight) {
+/// Variances of both parts by their weights; 0 where one has none.
+Complex variance_of(const Complex& weight) {
   const bool known = weight.real() > 0.0 && weight.imag() > 0.0;
-  return known ? 1.0 / (weight.real() * weight.real()) + 1.0 / (weight.imag() * weight.imag()) : 0.0;
+  return known ? Complex(1.0 / (weight.real() * weight.real()), 1.0 / (weight.imag() * weight.imag())) : Complex(0.0);
 }
 
 /// What the headers of a system's files promise of the blocks that are read: 1 where an FRF or its transpose is there, else unknown.
@@ -153,7 +153,7 @@ LineData Observations::data_of(std::size_t own_line, double omega) const {
   for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) data.measured += count_measured(*channel);
   if (systematic_lines_) data.systematic = systematic_lines_->of(own_line, layout_, raw);
   if (errors_.empty()) return data;
-  std::vector<double> variance;
+  std::vector<Complex> variance;
   for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
     for (const Complex& weight : channel->weight) variance.push_back(variance_of(weight));
   }

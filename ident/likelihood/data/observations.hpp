@@ -36,6 +36,11 @@ class Observations final : public LikelihoodData {
   void weigh_as_measured() override;
   void weigh_at(std::size_t line, const LineState& state, const ComplexMatrix& z) override;
 
+  /// The FRFs that a state and a joint make of a line of this process (estimated_frfs()).
+  BothSystems<Complex> estimated(std::size_t line, const LineState& state, const ComplexMatrix& z) const {
+    return estimated_frfs(layout_, raw_[line - own_lines_.first], data_[line].d, state, z);
+  }
+
   std::vector<FileVariances> origins() const;
 
   /// As SymmetricFrfs, of both systems.

@@ -151,8 +151,8 @@ constexpr double first_order = 1.0 - 1e-4;
 void SymmetricFrfs::add_terms(std::size_t i, std::size_t row, std::size_t column, double weight, ErrorTerms& out) const {
   if (weight == 0.0) return;
   if (sums_) {
-    for (const auto& [error, factor] : sums_->terms(i, row, column)) {
-      out.push_back({ErrorTerm::independent, error, std::sqrt(first_order) * weight * factor});
+    for (const auto& [error, factor, relation] : sums_->terms(i, row, column)) {
+      out.push_back({ErrorTerm::independent, error, std::sqrt(first_order) * weight * factor, relation});
     }
   }
   if (!covariances_) return;

@@ -118,6 +118,9 @@ class LikelihoodEstimator {
   /// The estimated true FRFs of a line; empty matrices for a line that is not used.
   const LineState& state_of(std::size_t line) const { return lines_[line].state; }
 
+  /// As it was fitted and linearised last.
+  const FittedLine& line_at(std::size_t line) const { return lines_[line]; }
+
   /// Z_j of a line.
   ComplexMatrix impedance_of(std::size_t line, const std::vector<double>& theta) const { return lines_.impedance(line, theta); }
 

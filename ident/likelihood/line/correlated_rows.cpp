@@ -2,6 +2,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/blas.hpp"
+#include "dense/cholesky.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -24,9 +25,12 @@ void CorrelatedRows::reset(const minimise::Correlation& correlation, std::size_t
 
 void CorrelatedRows::add_to(Eigen::Ref<Eigen::MatrixXd> normal) const {
   for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const MatrixXcd z = whitened(correlation_->groups()[g].factor, groups_[g]);
+    const auto& [elements, factor, of_parts] = correlation_->groups()[g];
+    const bool circular = of_parts.size() == 0;
+    const MatrixXcd z = circular ? whitened(factor, groups_[g]) : MatrixXcd(groups_[g].transpose());
     Eigen::MatrixXd parts(2 * z.rows(), z.cols());
     parts << z.real(), z.imag();
+    if (!circular) dense::solve_lower(of_parts, parts);
     normal.selfadjointView<Eigen::Lower>().rankUpdate(parts.transpose());
   }
 }

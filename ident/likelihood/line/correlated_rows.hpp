@@ -22,7 +22,7 @@ class CorrelatedRows {
   /// Adds Re(Zᴴ ρ⁻¹ Z), the lower triangle: columns are real unknowns.
   void add_to(Eigen::Ref<Eigen::MatrixXd> normal) const;
 
-  /// Adds Zᴴ ρ⁻¹ Z, the lower triangle: columns are complex unknowns.
+  /// Adds Zᴴ ρ⁻¹ Z, the lower triangle: columns are complex unknowns. Only of circular errors.
   void add_to(Eigen::MatrixXcd& normal) const;
 
  private:

@@ -21,6 +21,7 @@ double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : 
 }  // namespace
 
 bool LineModel::are_circular(const LineData& data) const {
+  if (data.correlation && !data.correlation->is_circular()) return false;
   return std::ranges::all_of(std::array{&data.x, &data.y, &data.a, &data.b, &data.d}, [](const Channel* channel) {
     return std::ranges::all_of(channel->weight, [](const Complex& weight) { return weight.real() == weight.imag(); });
   });
