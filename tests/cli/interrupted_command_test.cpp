@@ -16,14 +16,13 @@
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "input_folder.hpp"
 #include "problems/problem.hpp"
-#include "report/json_value.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {
 namespace {
 
 using testing::HasSubstr;
-using report::Json = nlohmann::json;
+using Json = nlohmann::json;
 
 const std::string said = "jointid: stopping; what there is so far is kept; once more to stop at once\n";
 
@@ -192,11 +191,11 @@ TEST(InterruptedCommand, TheLikelihoodLeavesItsBestJointMarked) {
   EXPECT_THAT(shown, HasSubstr("jointid: stopping; "));
   EXPECT_THAT(outcome.out, HasSubstr("Interrupted after "));
   EXPECT_FALSE(std::filesystem::exists(folder.path("x.html")));
-  const report::Json solution = report::Json::parse(folder.text("x.json"));
+  const Json solution = Json::parse(folder.text("x.json"));
   EXPECT_EQ(solution["status"], "not_converged");
   EXPECT_THAT(solution["message"].get<std::string>(), HasSubstr("Interrupted after "));
   ASSERT_FALSE(solution["unknowns"].empty());
-  for (const report::Json& unknown : solution["unknowns"]) EXPECT_TRUE(unknown["value"].is_number());
+  for (const Json& unknown : solution["unknowns"]) EXPECT_TRUE(unknown["value"].is_number());
   EXPECT_GT(folder.text("x.csv").size(), 10U);
 }
 
@@ -211,7 +210,7 @@ TEST(InterruptedCommand, ABoundKeepsWhatWasPredicted) {
   const Outcome outcome = command.wait();
   EXPECT_EQ(outcome.code, 130);
   EXPECT_THAT(outcome.out, HasSubstr("INTERRUPTED"));
-  const report::Json plan = report::Json::parse(folder.text("x.json"));
+  const Json plan = Json::parse(folder.text("x.json"));
   EXPECT_EQ(plan["bound"]["interrupted"], true);
   EXPECT_FALSE(plan["bound"]["unknowns"].empty());
 }
@@ -226,7 +225,7 @@ TEST(InterruptedCommand, AComparisonKeepsTheWaysThatWereFinished) {
   command.interrupt();
   terminal.until("ways that were finished are written");
   EXPECT_EQ(command.wait().code, 130);
-  const report::Json comparison = report::Json::parse(folder.text("x.json"));
+  const Json comparison = Json::parse(folder.text("x.json"));
   EXPECT_EQ(comparison["interrupted"], true);
   EXPECT_GE(comparison["combinations"].size(), 2U);
   EXPECT_LT(comparison["combinations"].size(), 14U);
@@ -241,7 +240,7 @@ TEST(InterruptedCommand, StabilityKeepsWhatWasMeasured) {
   command.interrupt();
   terminal.until("jointid: error: interrupted; what was measured so far is written");
   EXPECT_EQ(command.wait().code, 130);
-  const report::Json measured = report::Json::parse(folder.text("x.json"));
+  const Json measured = Json::parse(folder.text("x.json"));
   EXPECT_EQ(measured["interrupted"], true);
   EXPECT_FALSE(measured["rows"].empty());
   EXPECT_GE(measured["random_scenes"]["scenes"].get<int>(), 2);

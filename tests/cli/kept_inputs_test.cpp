@@ -13,7 +13,6 @@
 #include "problems/thesis/loading_curves.hpp"
 #include "problems/thesis/oscillations.hpp"
 #include "problems/thesis/two_beams.hpp"
-#include "report/response/prepared.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {
@@ -201,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(Reading, KeptInputs, testing::ValuesIn(readers), [](con
 /// A command line, exit code 2 and no change.
 void expect_refused(const std::vector<std::string>& command, const Spoil& prepare, const std::string& says) {
   const InputFolder folder;
-  if (prepare) report::prepare(folder);
+  if (prepare) prepare(folder);
   const auto before = folder.content();
   const Outcome outcome = run_command(folder.path(), command);
   EXPECT_EQ(outcome.code, 2) << outcome.err;

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "input_folder.hpp"
-#include "report/json_value.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {
@@ -13,15 +12,15 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-using report::Json = nlohmann::json;
+using Json = nlohmann::json;
 
 /// The solution of the scene as JSON without its times, which differ from run to run.
-report::Json solution(const InputFolder& folder, std::vector<std::string> options) {
+Json solution(const InputFolder& folder, std::vector<std::string> options) {
   std::vector<std::string> arguments = {"solve", "A1.toml", "--json", "-"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Outcome outcome = run_command(folder.path(), arguments);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  report::Json json = report::Json::parse(outcome.out);
+  Json json = Json::parse(outcome.out);
   json.erase("runtime_s");
   return json;
 }
@@ -30,7 +29,7 @@ TEST(SolveCommand, TheResultDoesNotDependOnTheThreads) {
   for (const std::string method : {"one", "likelihood"}) {
     const InputFolder folder;
     folder.replace("A1.toml", "method = \"one\"", "method = \"" + method + "\"");
-    const report::Json alone = solution(folder, {"--threads", "1"});
+    const Json alone = solution(folder, {"--threads", "1"});
     EXPECT_EQ(alone["used"]["method"], method);
     for (const std::string threads : {"0", "2", "3"})
       EXPECT_EQ(solution(folder, {"--threads", threads}), alone) << method << threads;
@@ -43,7 +42,7 @@ TEST(SolveCommand, SaysWhichMethodItChoseAndWhy) {
   folder.replace("A1.toml", "method = \"one\"\n", "");
   EXPECT_THAT(solution(folder, {})["used"]["chosen"].get<std::string>(), StartsWith("method one: the scene names a weighting"));
   folder.replace("A1.toml", "weighting = \"WA\"", "method = \"auto\"");
-  const report::Json chosen = solution(folder, {})["used"];
+  const Json chosen = solution(folder, {})["used"];
   EXPECT_EQ(chosen["method"], "likelihood");
   EXPECT_THAT(chosen["chosen"].get<std::string>(), HasSubstr("variances of the FRFs are known"));
 }

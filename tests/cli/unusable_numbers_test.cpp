@@ -7,7 +7,6 @@
 #include "base/statistics.hpp"
 #include "frf/set/frf_source.hpp"
 #include "input_folder.hpp"
-#include "report/json_value.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {
@@ -15,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-using report::Json = nlohmann::json;
+using Json = nlohmann::json;
 
 /// Input from which no usable numbers come: the results are written all the same, and marked.
 struct Unusable {
@@ -28,9 +27,9 @@ struct Unusable {
 
 void PrintTo(const Unusable& unusable, std::ostream* out) { *out << unusable.name; }
 
-std::vector<std::string> undetermined_in(const report::Json& solution) {
+std::vector<std::string> undetermined_in(const Json& solution) {
   std::vector<std::string> names;
-  for (const report::Json& unknown : solution["unknowns"]) {
+  for (const Json& unknown : solution["unknowns"]) {
     if (!unknown["determined"].get<bool>()) names.push_back(unknown["name"]);
   }
   return names;
@@ -51,7 +50,7 @@ TEST_P(UnusableNumbers, AreWrittenAndMarked) {
   std::string words = unusable.status;
   std::ranges::replace(words, '_', ' ');
   EXPECT_THAT(outcome.out, HasSubstr("\n  status   " + words + "\n"));
-  const report::Json solution = report::Json::parse(folder.text("old.json"));
+  const Json solution = Json::parse(folder.text("old.json"));
   EXPECT_EQ(solution["status"], unusable.status);
   EXPECT_EQ("jointid: error: A1.toml: " + solution["message"].get<std::string>() + "\n", outcome.err);
   for (const std::string& name : unusable.undetermined) {
