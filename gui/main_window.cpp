@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
@@ -13,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "gui/look/dialogs.hpp"
+#include "gui/look/file_drop.hpp"
 #include "gui/look/language.hpp"
 #include "gui/look/message_bar.hpp"
 #include "gui/look/named.hpp"
@@ -48,7 +48,7 @@ bool is_scene(const QString& file) { return QFileInfo(file).suffix().compare(QSt
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
   named(this, "main_window", tr("jointid workbench"));
-  setAcceptDrops(true);
+  let_drop_files(*this, [this](const QStringList& files) { open(files); });
   auto* hint = named(new QLabel(tr("Drop FRF files of the parts and of the assembly here, or a scene.\n\n"
                                    "Ctrl+O opens them, Ctrl+N begins an empty scene.")),
                      "hint", tr("How to begin"));
@@ -230,15 +230,6 @@ void MainWindow::restore_layout() {
   const QSettings settings;
   if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) resize(1280, 800);
   restoreState(settings.value(QStringLiteral("state")).toByteArray(), layout_version);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!local_files(event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  open(local_files(event->mimeData()));
-  event->acceptProposedAction();
 }
 
 }  // namespace jointid::gui

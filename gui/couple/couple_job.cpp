@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "frf/file/file_format.hpp"
 #include "gui/look/said.hpp"
+#include "gui/work/control_of.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -20,12 +21,9 @@ Cell number_cell(const std::vector<double>& values, std::size_t i) {
 }  // namespace
 
 std::shared_ptr<const Coupled> run_coupling(const CoupleWish& wish, const Worker::Watch& watch) {
-  ident::Control control;
-  control.interrupted = watch.interrupted;
-  control.progress = watch.progress;
   auto out = std::make_shared<Coupled>();
   out->scene = wish.scene;
-  out->result = tasks::couple(wish.scene, wish.out, wish.bounds, control);
+  out->result = tasks::couple(wish.scene, wish.out, wish.bounds, control_of(watch));
   if (out->result.status != ident::Status::ok) return out;
   out->frfs = report::read_predicted(out->result, most_frfs_shown);
   for (const auto& file : wish.measured) report::compare_with(*frf::open(file), out->result.frequency_hz, out->frfs);

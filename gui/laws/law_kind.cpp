@@ -34,8 +34,8 @@ std::vector<TableMenu::Named> tables_of(const laws::LawScene& scene, const laws:
   return out;
 }
 
-SceneFindings findings_of(const std::shared_ptr<const Identified>& all) {
-  SceneFindings out;
+Findings findings_of(const std::shared_ptr<const Identified>& all) {
+  Findings out;
   out.is_bad = !laws::is_usable(all->found.status);
   out.said = q(std::string(laws::word(all->found.status))).replace('_', ' ') + ": " + q(laws::laws_text(all->found.laws()));
   if (!all->found.message.empty()) out.said += "\n" + q(all->found.message);
@@ -48,8 +48,8 @@ SceneFindings findings_of(const std::shared_ptr<const Identified>& all) {
 }
 
 /// What the levels will tell, before all of them are measured.
-SceneFindings bounds_of(const laws::LawScene& scene, const laws::LawBound& bound) {
-  SceneFindings out;
+Findings bounds_of(const laws::LawScene& scene, const laws::LawBound& bound) {
+  Findings out;
   out.is_bad = bound.all.joints.empty();
   out.said = q(out.is_bad ? std::string(response::word(bound.all.status)) : laws::laws_text(bound.laws)) + "\n" +
              (bound.assumed ? Said::tr("The laws are assumed as the scene says them.")
@@ -69,8 +69,8 @@ SceneFindings bounds_of(const laws::LawScene& scene, const laws::LawBound& bound
   return out;
 }
 
-SceneFindings study_of(const std::shared_ptr<const laws::LawStudy>& study) {
-  SceneFindings out;
+Findings study_of(const std::shared_ptr<const laws::LawStudy>& study) {
+  Findings out;
   out.is_bad = study->usable == 0;
   out.said = q(report::law_study_summary(*study)).trimmed();
   out.tables = {{Said::tr("errors and intervals"), rows_of(report::law_values_table(*study))},

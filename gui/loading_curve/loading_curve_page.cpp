@@ -2,11 +2,9 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QItemSelectionModel>
 #include <QLabel>
-#include <QMimeData>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -15,6 +13,7 @@
 #include "gui/loading_curve/loading_curve_choices.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/dialogs.hpp"
+#include "gui/look/file_drop.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
@@ -46,7 +45,7 @@ QString status_text(const report::LoadingCurveReport& report) {
 
 LoadingCurvePage::LoadingCurvePage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Loading curves"));
-  setAcceptDrops(true);
+  let_drop_files(*this, [this](const QStringList& files) { open(files); });
   line_ = new JobLine("curve", tr("Status of the fits"), tr("Stop and keep the laws that are fitted"));
   choices_ = new LoadingCurveChoices;
   plots_ =
@@ -178,14 +177,5 @@ void LoadingCurvePage::show_law(int row) {
 }
 
 QString LoadingCurvePage::command_line() const { return loading_curve_command(task()); }
-
-void LoadingCurvePage::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void LoadingCurvePage::dropEvent(QDropEvent* event) {
-  const QStringList files = local_files(event->mimeData());
-  if (!files.isEmpty()) open(files);
-}
 
 }  // namespace jointid::gui

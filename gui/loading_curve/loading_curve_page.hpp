@@ -43,10 +43,6 @@ class LoadingCurvePage : public QWidget {
  Q_SIGNALS:
   void failed(const jointid::InputError& error);
 
- protected:
-  void dragEnterEvent(QDragEnterEvent* event) override;
-  void dropEvent(QDropEvent* event) override;
-
  private:
   QWidget* make_top();
   QTabWidget* make_tables();

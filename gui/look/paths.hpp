@@ -1,18 +1,13 @@
 #pragma once
 
-#include <QStringList>
+#include <QString>
 #include <filesystem>
-
-class QMimeData;
 
 namespace jointid::gui {
 
 /// Between the names of Qt and those of the library; bytes that are no UTF-8 survive.
 std::filesystem::path as_path(const QString& name);
 QString as_name(const std::filesystem::path& path);
-
-/// The files that are dropped or pasted; what does not lie on this machine is left out.
-QStringList local_files(const QMimeData* data);
 
 /// As one word of a shell: 'it'\''s.toml'.
 QString shell_word(QString text);

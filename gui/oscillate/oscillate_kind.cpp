@@ -11,12 +11,10 @@ namespace {
 
 using report::OscillateRun;
 
-constexpr std::size_t most_seen = 16, most_modes = 6;  // diagrams of one choice
-
 std::vector<PlotMenu::Named> plots_of(const OscillateRun& run) {
-  std::vector<PlotMenu::Named> out{{Said::tr("motion"), report::phase_plots(run, most_seen)},
+  std::vector<PlotMenu::Named> out{{Said::tr("motion"), report::phase_plots(run)},
                                    {Said::tr("contact"), report::contact_plots(run)}};
-  if (run.modes) out.emplace_back(Said::tr("proper orthogonal modes"), report::mode_plots(run, most_modes));
+  if (run.modes) out.emplace_back(Said::tr("proper orthogonal modes"), report::mode_plots(run));
   if (run.swept) out.emplace_back(Said::tr("bifurcation diagram"), report::sweep_plot(run));
   if (run.reduction) out.emplace_back(Said::tr("reduced models"), report::reduction_plots(*run.reduction));
   return out;
@@ -47,8 +45,8 @@ std::vector<TableMenu::Named> tables_of(const OscillateRun& run) {
   return out;
 }
 
-SceneFindings findings_of(const std::shared_ptr<const OscillateRun>& run) {
-  SceneFindings out;
+Findings findings_of(const std::shared_ptr<const OscillateRun>& run) {
+  Findings out;
   const std::string failure = report::failure_of(*run);
   out.is_bad = !failure.empty();
   out.said = out.is_bad ? q(failure) : Said::tr("Everything that was asked for was found.");

@@ -1,42 +1,24 @@
 #include "gui/page/scene_page.hpp"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QComboBox>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QSplitter>
 #include <QVBoxLayout>
 
-#include "base/control.hpp"
 #include "gui/look/buttons.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
-#include "gui/page/job_line.hpp"
 #include "gui/scene/completion_place.hpp"
 
 namespace jointid::gui {
 
 constexpr int usual_trials = 200;
 
-ScenePage::ScenePage(SceneKind kind, QWidget* parent) : QWidget(parent), kind_(std::move(kind)) {
-  setAccessibleName(kind_.title);
-  line_ = new JobLine(kind_.name, tr("Status: %1").arg(kind_.title), tr("Stop; nothing is shown then"));
-  plots_ = new PlotMenu((kind_.name + "_plots").c_str(), kind_.plots, kind_.plot_hint);
-  tables_ = new TableMenu(kind_.name + "_tables", kind_.tables);
-  auto* both = named(new QSplitter(Qt::Vertical), (kind_.name + "_both").c_str(), tr("Diagram and tables"));
-  both->addWidget(plots_);
-  both->addWidget(tables_);
-  both->setStretchFactor(0, 1);
-  both->setSizes({430, 220});
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(4, 4, 4, 4);
-  all->addWidget(make_top());
-  all->addWidget(line_);
-  all->addWidget(both, 1);
-  connect(line_, &JobLine::failed, this, &ScenePage::failed);
-  connect(line_, &JobLine::busy_changed, this, &ScenePage::show_buttons);
+ScenePage::ScenePage(SceneKind kind, QWidget* parent)
+    : FindingsPage({kind.name, kind.title, tr("Status: %1").arg(kind.title), kind.plots, kind.plot_hint, kind.tables}, parent),
+      kind_(std::move(kind)) {
+  add_above(make_top());
   show_buttons();
 }
 
@@ -46,23 +28,14 @@ QWidget* ScenePage::make_top() {
   for (const SceneJob& each : kind_.jobs) jobs_->addItem(each.title);
   trials_ = number_box((kind_.name + "_trials").c_str(), tr("trials"), 2, usual_trials);
   run_ = push_button((kind_.name + "_run").c_str(), job().run, job().run_hint);
-  command_ = push_button((kind_.name + "_command").c_str(), tr("Copy as command"), tr("Copy the command line that finds the same"));
-  outputs_ = new OutputButtons(kind_.name, *line_);
   auto* rows = new QVBoxLayout(top);
   rows->setContentsMargins(0, 0, 0, 0);
-  rows->addLayout(row_of({jobs_, trials_, run_, line_->cancel_button()}, {outputs_, command_}));
+  rows->addLayout(buttons_behind({jobs_, trials_, run_}));
   jobs_->setVisible(kind_.jobs.size() > 1);  // not before: without a parent it would be a window
   connect(run_, &QPushButton::clicked, this, &ScenePage::run);
   connect(jobs_, &QComboBox::currentIndexChanged, this, &ScenePage::show_buttons);
-  connect(command_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(command_line()); });
   return top;
 }
-
-bool ScenePage::is_busy() const { return line_->is_busy(); }
-
-QString ScenePage::status() const { return line_->status(); }
-
-void ScenePage::cancel() { line_->cancel(); }
 
 void ScenePage::show_buttons() {
   run_->setText(job().run);
@@ -71,7 +44,7 @@ void ScenePage::show_buttons() {
   run_->setEnabled(task_.has_value() && !is_busy());
   jobs_->setEnabled(!is_busy());
   trials_->setVisible(job().counts_trials);
-  command_->setEnabled(task_.has_value());
+  command()->setEnabled(task_.has_value());
 }
 
 std::optional<SceneError> ScenePage::set_scene(const std::string& text, const std::filesystem::path& path, const QString& file) {
@@ -85,30 +58,15 @@ std::optional<SceneError> ScenePage::set_scene(const std::string& text, const st
       wrong = located(error, text);
     }
   }
-  outputs_->protect(task_ ? task_->inputs : std::vector<std::filesystem::path>());
+  outputs()->protect(task_ ? task_->inputs : std::vector<std::filesystem::path>());
   show_buttons();
   return wrong;
 }
 
 void ScenePage::run() {
   if (!task_ || is_busy()) return;
-  line_->say(tr("Computing …"));
-  const auto ask = task_->run.at(static_cast<std::size_t>(jobs_->currentIndex()));
-  const auto trials = static_cast<std::size_t>(trials_->value());
-  line_->worker().add([this, ask, trials](const Worker::Watch& watch) -> Worker::Deliver {
-    auto found = std::make_shared<const SceneFindings>(ask(watch, trials));
-    stop_if(watch.interrupted);
-    return [this, found] { show_found(found); };
-  });
-}
-
-void ScenePage::show_found(std::shared_ptr<const SceneFindings> found) {
-  found_ = std::move(found);
-  line_->say(found_->said, found_->is_bad);
-  outputs_->offer(found_->outputs);
-  plots_->show_groups(found_->plots);
-  tables_->show_tables(found_->tables);
-  show_buttons();
+  ask([run = task_->run.at(static_cast<std::size_t>(jobs_->currentIndex())),
+       trials = static_cast<std::size_t>(trials_->value())](const Worker::Watch& watch) { return run(watch, trials); });
 }
 
 const SceneJob& ScenePage::job() const { return kind_.jobs[static_cast<std::size_t>(jobs_->currentIndex())]; }

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "gui/look/paths.hpp"
 #include "gui/look/said.hpp"
+#include "gui/work/control_of.hpp"
 #include "ident/team/team.hpp"
 #include "report/pod/pod_page.hpp"
 #include "report/pod/pod_plots.hpp"
@@ -62,7 +63,7 @@ QString said(const std::string& summary, const std::vector<std::string>& remarks
   return lines.join('\n');
 }
 
-SceneFindings find_modes(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
+Findings find_modes(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
   report::PodTask task;
   task.files = files;
   for (const QString& channel : values.contains("--channels") ? values.at("--channels").split(',') : QStringList())
@@ -76,7 +77,7 @@ SceneFindings find_modes(const Files& files, const ToolValues& values, const Wor
   const auto read = [](std::size_t) {};
   auto record = report::read_pod_record(task, *team, read, watch.interrupted);
   const auto found = std::make_shared<const report::PodReport>(report::make_pod_report(task, std::move(record)));
-  SceneFindings out;
+  Findings out;
   const std::vector<std::string> remarks = report::pod_remarks(*found);
   out.said = said(report::pod_summary(*found), remarks);
   out.plots = {{Said::tr("modes"), report::pod_shape_plots(found->pod)},
@@ -92,7 +93,7 @@ SceneFindings find_modes(const Files& files, const ToolValues& values, const Wor
   return out;
 }
 
-SceneFindings find_delays(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
+Findings find_delays(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
   report::DelayTask task;
   task.file = files.front();
   task.channel = text_of(values, "--channel");
@@ -101,11 +102,8 @@ SceneFindings find_delays(const Files& files, const ToolValues& values, const Wo
   task.delay = whole_of(values, "--delay", task.delay, 0, 100'000);
   task.dimension = whole_of(values, "--dimension", task.dimension, 0, 20);
   task.theiler = whole_of(values, "--theiler", task.theiler, 0, 100'000);
-  ident::Control control;
-  control.progress = watch.progress;
-  control.interrupted = watch.interrupted;
-  const auto found = std::make_shared<const report::DelayReport>(report::delay_report(task, control));
-  SceneFindings out;
+  const auto found = std::make_shared<const report::DelayReport>(report::delay_report(task, control_of(watch)));
+  Findings out;
   out.said = said(report::delay_summary(*found), found->remarks);
   out.plots = {{Said::tr("delay and dimension"), report::delay_plots(*found)},
                {Said::tr("divergence"), report::divergence_plots(*found)}};
@@ -119,7 +117,7 @@ SceneFindings find_delays(const Files& files, const ToolValues& values, const Wo
   return out;
 }
 
-SceneFindings find_contact_law(const Files& files, const ToolValues& values, const Worker::Watch&) {
+Findings find_contact_law(const Files& files, const ToolValues& values, const Worker::Watch&) {
   report::ContactTask task;
   task.file = files.front();
   for (const auto& [option, to] : {std::pair("--velocity", &task.velocity), std::pair("--force", &task.force)}) {
@@ -136,7 +134,7 @@ SceneFindings find_contact_law(const Files& files, const ToolValues& values, con
   task.rate_hz = positive_of(values, "--rate");
   task.force_delay = number_of(values, "--force-delay").value_or(0.0);
   const auto found = std::make_shared<const report::ContactReport>(report::contact_report(task));
-  SceneFindings out;
+  Findings out;
   const std::vector<std::string> remarks = report::contact_remarks(*found);
   out.said = said(report::contact_summary(*found), remarks);
   out.plots = {{Said::tr("friction over velocity"), report::contact_law_plots(*found)}};

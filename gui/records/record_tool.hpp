@@ -28,8 +28,7 @@ struct RecordTool {
   bool takes_several = false;  ///< files: further samples of the same channels
   std::vector<ToolField> fields;
   /// Throws InputError, and Interrupted.
-  std::function<SceneFindings(const std::vector<std::filesystem::path>& files, const ToolValues& values,
-                              const Worker::Watch& watch)>
+  std::function<Findings(const std::vector<std::filesystem::path>& files, const ToolValues& values, const Worker::Watch& watch)>
       run;
 };
 

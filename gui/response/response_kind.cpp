@@ -1,6 +1,7 @@
 #include "gui/response/response_kind.hpp"
 
 #include "gui/look/said.hpp"
+#include "gui/work/control_of.hpp"
 #include "report/response/read_response_scene.hpp"
 #include "report/response/response_page.hpp"
 #include "report/response/response_plots.hpp"
@@ -40,8 +41,8 @@ std::vector<TableMenu::Named> tables_of(const report::ResponseScene& scene, cons
   return out;
 }
 
-SceneFindings findings_of(const std::shared_ptr<const Responded>& all) {
-  SceneFindings out;
+Findings findings_of(const std::shared_ptr<const Responded>& all) {
+  Findings out;
   out.is_bad = !report::all_converged(all->run);
   out.said = out.is_bad ? Said::tr("Not everything was found; what is missing is left out of tables and plots.")
                         : Said::tr("Everything that was asked for was found.");
@@ -58,10 +59,7 @@ SceneTask read_responses(const std::string& text, const std::filesystem::path& f
   SceneTask task;
   for (const ident::NamedFile& named : report::files_of(scene)) task.inputs.push_back(named.path);
   const auto run = [scene](const Worker::Watch& watch, std::size_t) {
-    ident::Control control;
-    control.interrupted = watch.interrupted;
-    control.progress = watch.progress;
-    return findings_of(std::make_shared<const Responded>(Responded{scene, report::run_response(scene, control)}));
+    return findings_of(std::make_shared<const Responded>(Responded{scene, report::run_response(scene, control_of(watch))}));
   };
   task.run = {run};
   return task;

@@ -423,6 +423,29 @@ mit dem, was an ihm gemessen wurde, wenn es gewählt ist.</translation>
     </message>
 </context>
 <context>
+    <name>FindingsPage</name>
+    <message>
+        <source>Stop; nothing is shown then</source>
+        <translation>Anhalten; dann wird nichts gezeigt</translation>
+    </message>
+    <message>
+        <source>Copy as command</source>
+        <translation>Als Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command line that finds the same</source>
+        <translation>Die Befehlszeile kopieren, die dasselbe findet</translation>
+    </message>
+    <message>
+        <source>Diagram and tables</source>
+        <translation>Diagramm und Tabellen</translation>
+    </message>
+    <message>
+        <source>Computing …</source>
+        <translation>Rechnet …</translation>
+    </message>
+</context>
+<context>
     <name>FrfGridModel</name>
     <message>
         <source>missing</source>
@@ -1846,10 +1869,6 @@ Ein Klick auf einen Pol nimmt ihn als Mode, ein Klick auf den einer Mode lässt 
         <translation>Stand der Zeitverläufe</translation>
     </message>
     <message>
-        <source>Stop; nothing is shown then</source>
-        <translation>Anhalten; dann wird nichts gezeigt</translation>
-    </message>
-    <message>
         <source>What the records say</source>
         <translation>Was die Zeitverläufe sagen</translation>
     </message>
@@ -1862,10 +1881,6 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     <message>
         <source>Numbers of the records</source>
         <translation>Zahlen der Zeitverläufe</translation>
-    </message>
-    <message>
-        <source>Diagram and tables</source>
-        <translation>Diagramm und Tabellen</translation>
     </message>
     <message>
         <source>What the tool wants to know</source>
@@ -1892,14 +1907,6 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>Die Zeitverläufe danach fragen, wie der Befehl es tut</translation>
     </message>
     <message>
-        <source>Copy as command</source>
-        <translation>Als Befehl kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the command line that finds the same</source>
-        <translation>Die Befehlszeile kopieren, die dasselbe findet</translation>
-    </message>
-    <message>
         <source>Files</source>
         <translation>Dateien</translation>
     </message>
@@ -1910,10 +1917,6 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     <message>
         <source>%1 takes one file, and %2 were opened.</source>
         <translation>%1 nimmt eine Datei, und %2 wurden geöffnet.</translation>
-    </message>
-    <message>
-        <source>Computing …</source>
-        <translation>Rechnet …</translation>
     </message>
 </context>
 <context>
@@ -3242,26 +3245,6 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
     <message>
         <source>Status: %1</source>
         <translation>Stand: %1</translation>
-    </message>
-    <message>
-        <source>Stop; nothing is shown then</source>
-        <translation>Anhalten; dann wird nichts gezeigt</translation>
-    </message>
-    <message>
-        <source>Diagram and tables</source>
-        <translation>Diagramm und Tabellen</translation>
-    </message>
-    <message>
-        <source>Copy as command</source>
-        <translation>Als Befehl kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the command line that finds the same</source>
-        <translation>Kopiert die Befehlszeile, die dasselbe findet</translation>
-    </message>
-    <message>
-        <source>Computing …</source>
-        <translation>Berechnen …</translation>
     </message>
     <message>
         <source>SCENE.toml</source>

@@ -5,6 +5,7 @@
 
 #include "base/control.hpp"
 #include "gui/look/said.hpp"
+#include "gui/work/control_of.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/scene_files.hpp"
 #include "report/result/solve_page.hpp"
@@ -14,13 +15,6 @@ namespace jointid::gui {
 namespace {
 
 constexpr std::uintmax_t quick_bytes = std::uintmax_t{64} << 20;  // of files whose headers are read at once
-
-ident::Control control_of(const Worker::Watch& watch) {
-  ident::Control control;
-  control.interrupted = watch.interrupted;
-  control.progress = watch.progress;
-  return control;
-}
 
 void mark_interrupted(ident::Solution& best) {
   const std::string when = best.fit.iterations > 0 ? " after " + std::to_string(best.fit.iterations) + " iterations" : "";

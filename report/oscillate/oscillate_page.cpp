@@ -11,8 +11,6 @@
 namespace jointid::report {
 namespace {
 
-constexpr std::size_t most_seen = 16, most_modes = 6;
-
 StatusBanner banner_of(const OscillateRun& run) {
   const std::string failure = failure_of(run);
   if (run.interrupted) return status_banner("doubtful", "Interrupted: only what was found so far.", run.remarks);
@@ -22,7 +20,7 @@ StatusBanner banner_of(const OscillateRun& run) {
 
 void add_modes(const OscillateRun& run, ReportPage& page) {
   page.section("Proper orthogonal modes");
-  page.add(mode_plots(run, most_modes));
+  page.add(mode_plots(run));
   page.add(fractions_table(*run.modes), "Shares");
   page.add(shapes_table(run), "Shapes");
   page.add(Text{
@@ -60,7 +58,7 @@ std::string oscillate_report(const OscillateRun& run) {
   page.status(banner_of(run));
   page.section("Motion");
   page.add(Text{motion_line(run)});
-  page.add(phase_plots(run, most_seen));
+  page.add(phase_plots(run));
   page.section("Contact");
   page.add(contact_plots(run));
   if (run.modes) add_modes(run, page);

@@ -16,6 +16,9 @@
 namespace jointid::report {
 namespace {
 
+constexpr std::size_t most_phase_planes = 16;
+constexpr Eigen::Index most_mode_shapes = 6;
+
 std::string label(const SampledColumn& column) {
   return column.unit.empty() ? column.name : column.name + " (" + column.unit + ")";
 }
@@ -46,10 +49,10 @@ CurvePlot over_time(const SampledMotion& motion, std::size_t column) {
 
 }  // namespace
 
-PlotGroup phase_plots(const OscillateRun& run, std::size_t most) {
+PlotGroup phase_plots(const OscillateRun& run) {
   const SampledMotion& motion = *run.motion;
   PlotGroup group{"seen at", {}};
-  for (std::size_t k = 0; k < std::min(most, motion.seen); ++k) {
+  for (std::size_t k = 0; k < std::min(most_phase_planes, motion.seen); ++k) {
     const std::size_t x = 1 + k, v = 1 + motion.seen + k;
     ScatterPlot plot;
     plot.title = "Phase plane of " + motion.columns[x].name;
@@ -75,7 +78,7 @@ PlotGroup contact_plots(const OscillateRun& run) {
   return {"", {{"", {law, over_time(motion, force)}}}};
 }
 
-PlotGroup mode_plots(const OscillateRun& run, std::size_t most) {
+PlotGroup mode_plots(const OscillateRun& run) {
   const series::Pod& pod = run.modes->pod;
   const bool beam = run.system.kind == SystemKind::cantilever;
   CurvePlot plot;
@@ -86,7 +89,7 @@ PlotGroup mode_plots(const OscillateRun& run, std::size_t most) {
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   if (beam) std::ranges::sort(order, {}, [&](std::size_t i) { return run.system.points[i]; });
   for (const std::size_t i : order) plot.x_values.push_back(beam ? run.system.points[i] : static_cast<double>(i + 1));
-  for (Eigen::Index k = 0; k < std::min(pod.modes.cols(), at(most)); ++k) {
+  for (Eigen::Index k = 0; k < std::min(pod.modes.cols(), most_mode_shapes); ++k) {
     Series series{fmt::format("{}: {:.3f} %", k + 1, 100.0 * pod.values(k) / pod.values.sum()), {}, Style::line};
     for (const std::size_t i : order) series.y.push_back(pod.modes(at(i), k));
     plot.series.push_back(std::move(series));

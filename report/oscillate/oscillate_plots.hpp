@@ -6,14 +6,14 @@
 /// The plots of a report on stick–slip motion.
 namespace jointid::report {
 
-/// Velocity over displacement of each of what is seen, at most `most` of them, with the points of its Poincaré section.
-PlotGroup phase_plots(const OscillateRun& run, std::size_t most);
+/// Velocity over displacement of each of what is seen, the first sixteen at most, with the points of its Poincaré section.
+PlotGroup phase_plots(const OscillateRun& run);
 
 /// Friction over relative velocity, and both over time.
 PlotGroup contact_plots(const OscillateRun& run);
 
-/// Proper orthogonal modes over the places where they are seen.
-PlotGroup mode_plots(const OscillateRun& run, std::size_t most);
+/// Proper orthogonal modes over the places where they are seen, the first six at most.
+PlotGroup mode_plots(const OscillateRun& run);
 
 /// Values over the parameter.
 PlotGroup sweep_plot(const OscillateRun& run);
