@@ -238,5 +238,40 @@ TEST_F(CoupleIdentified, SaysWhatItCannotDo) {
   EXPECT_THAT(error_of("identified = \"mount.toml\"\ndofs = [\"1:+Y\"]"), HasSubstr("are named"));
 }
 
+TEST_F(CoupleIdentified, RefusesWhatHasNoOneMatrixOrOtherErrors) {
+  const std::string identified = "identified = \"mount.toml\"";
+  const auto refused = [&](const std::string& where, const std::string& added) {
+    std::string text = likelihood();
+    const std::size_t line = where.empty() ? text.size() : text.find('\n', text.find(where)) + 1;
+    write("mount.toml", text.insert(line, added));
+    return error_of(identified);
+  };
+  EXPECT_THAT(refused("method = ", "bounds = { \"K(1,1)\" = \"positive\" }\n"), HasSubstr("bounds and ties"));
+  EXPECT_THAT(refused("[joint]", "bands = [[400, 550], [550, 1000]]\n"), HasSubstr("has bands"));
+  EXPECT_THAT(refused("", "\n[[data.gains]]\ngain = 0.01\n"), HasSubstr("gains and masses"));
+  EXPECT_THAT(refused("[data]", "regenerate = [\"substructures\"]\n"), HasSubstr("[data] regenerate"));
+  write("mount.toml", "[data]\nparts = [\"a.h5\"]\n[couple]\njoin = [[\"1:+Y\", \"2:+Y\"]]\n");
+  EXPECT_THAT(error_of(identified), HasSubstr("mount.toml"));
+}
+
+TEST_F(CoupleIdentified, RefusesASolutionThatIsNotToBeUsed) {
+  problems::Problem wrong = problem_;
+  for (Complex& value : wrong.assembly.values) value = 1.0 / value;  // accelerances taken for receptances would be as far off
+  problems::write(wrong, folder_, {.format = "h5", .seed = 1});
+  write("mount.toml", likelihood());
+  EXPECT_THAT(error_of("identified = \"mount.toml\""), HasSubstr("no usable solution"));
+}
+
+TEST_F(CoupleIdentified, NamedDofsTakeTheOrderOfTheScene) {
+  write("mount.toml", likelihood());
+  const Scene scene = read_scene(folder_ / "mount.toml");
+  ASSERT_EQ(scene.joints.size(), 1u);
+  std::string dofs;
+  for (const frf::Dof& dof : scene.joints[0].dofs) dofs += (dofs.empty() ? "\"" : ", \"") + dof.name() + "\"";
+  tasks::couple(couple_scene("identified = \"mount.toml\""), folder_ / "left_out.h5", false);
+  tasks::couple(couple_scene("identified = \"mount.toml\"\ndofs = [" + dofs + "]"), folder_ / "named.h5", false);
+  EXPECT_EQ(frf::load(*frf::open_hdf5(folder_ / "named.h5")).values, frf::load(*frf::open_hdf5(folder_ / "left_out.h5")).values);
+}
+
 }  // namespace
 }  // namespace jointid::ident
