@@ -213,6 +213,13 @@ void place_covariances(const std::vector<Complex>& from, std::size_t line, const
   }
 }
 
+/// Rows and columns of a part as those of H.
+SharedColumns in_line(SharedColumns shared, const std::vector<std::size_t>& rows, const std::vector<std::size_t>& columns) {
+  for (Index& row : shared.rows) row = at(rows[static_cast<std::size_t>(row)]);
+  for (Index& column : shared.columns) column = at(columns[static_cast<std::size_t>(column)]);
+  return shared;
+}
+
 /// The share of a covariance of `responses` that counts: all of it where nothing tells what it comes from.
 double worth(std::size_t responses, double freedom) {
   return freedom > 0.0 ? freedom / (static_cast<double>(responses) + freedom) : 1.0;
@@ -301,7 +308,12 @@ void AssemblyReader::read(const frf::Block& block, const Results& to) {
       part.reader.read_covariance(part_lines, scratch);
       const double share = work.frame.with_errors ? worth(part.rows.size(), part.reader.covariance_freedom()) : 1.0;
       for (Complex& value : scratch) value *= share;  // variances are read for themselves
-      for (std::size_t i = 0; i < lines.size(); ++i) place_covariances(scratch, i, part.rows, part.columns, input[i].variance.covariance);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        place_covariances(scratch, i, part.rows, part.columns, input[i].variance.covariance);
+        for (SharedColumns& shared : part.reader.shared_columns(part_lines[i])) {
+          input[i].variance.shared.push_back(in_line(std::move(shared), part.rows, part.columns));
+        }
+      }
     }
     const auto couple = [&](std::size_t i) {
       CoupledLine line = couple_line(input[i].h, input[i].variance, header_.frequency_hz[lines[i]], work.frame, layout_, options);

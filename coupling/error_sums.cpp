@@ -5,6 +5,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/blas.hpp"
+#include "dense/cholesky.hpp"
 
 namespace jointid::coupling {
 namespace {
@@ -17,6 +18,7 @@ class PartErrors {
   PartErrors(const MatrixRef& h, const LineVariance& variance, Index connected, const std::vector<Index>& twin)
       : h_(h), rows_(h.rows()), connected_(connected), twin_(twin), terms_(static_cast<std::size_t>(h.size())) {
     const RealMatrix plus = variance.real + variance.imaginary, minus = variance.real - variance.imaginary;
+    for (const SharedColumns& shared : variance.shared) add_shared(variance, shared);
     for (Index l = 0; l < h.cols(); ++l) {
       const bool shared = !variance.covariance.empty() && !variance.covariance[static_cast<std::size_t>(l)].isZero(0.0);
       shared ? add_column(l, plus.col(l), variance.covariance[static_cast<std::size_t>(l)]) : add_independent(l, plus.col(l), minus.col(l));
@@ -39,10 +41,31 @@ class PartErrors {
   }
   Index column_of(Index row) const { return row < connected_ ? row : twin_[static_cast<std::size_t>(row - connected_)]; }
 
+  /// Errors of columns that have something in common, e_l = K_l Σ_m W_lm ε_m with ρ = W Wᴴ.
+  void add_shared(const LineVariance& variance, const SharedColumns& columns) {
+    const ComplexMatrix between = dense::semidefinite_cholesky(columns.correlation);
+    const std::size_t size = columns.rows.size();
+    for (Index l = 0; l < between.rows(); ++l) {
+      const Index column = columns.columns[static_cast<std::size_t>(l)];
+      const ComplexMatrix own = covariance_factor(variance, columns.rows, column);
+      for (Index i = 0; i < own.rows(); ++i) {
+        for (Index m = 0; m <= l; ++m) {
+          for (Index k = 0; k <= i; ++k) {
+            const Complex factor = own(i, k) * between(l, m);
+            if (factor == Complex(0.0)) continue;
+            at(columns.rows[static_cast<std::size_t>(i)], column)
+                .push_back({count_ + static_cast<std::size_t>(m) * size + static_cast<std::size_t>(k), factor});
+          }
+        }
+      }
+    }
+    count_ += columns.columns.size() * size;
+  }
+
   /// `difference`: of the variances of real and imaginary part, whose errors are independent.
   void add_independent(Index l, const Eigen::VectorXd& variance, const Eigen::VectorXd& difference) {
     for (Index k = 0; k < rows_; ++k) {
-      if (!(variance[k] > 0.0) || !std::isfinite(variance[k])) continue;
+      if (!(variance[k] > 0.0) || !std::isfinite(variance[k]) || !at(k, l).empty()) continue;
       const Index back_row = row_of(l), back_column = column_of(k);
       const bool has_back = back_row >= 0 && back_column >= 0 && back_column < l && !of(back_row, back_column).empty();
       if (has_back && is_one_measurement(h_(k, l), h_(back_row, back_column))) {
@@ -57,8 +80,9 @@ class PartErrors {
   void add_column(Index l, const Eigen::VectorXd& variance, const ComplexMatrix& covariance) {
     std::vector<Index> some;
     for (Index k = 0; k < rows_; ++k) {
-      if (variance[k] > 0.0 && std::isfinite(variance[k])) some.push_back(k);
+      if (variance[k] > 0.0 && std::isfinite(variance[k]) && at(k, l).empty()) some.push_back(k);
     }
+    if (some.empty()) return;
     const Eigen::VectorXd size = variance(some).cwiseSqrt();
     ComplexMatrix factor = size.cwiseInverse().asDiagonal() * covariance(some, some) * size.cwiseInverse().asDiagonal();
     factor.diagonal().setConstant(1.0 + 1e-9);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "frf/noise/variance_law.hpp"
 #include "frf/set/h1.hpp"
@@ -112,6 +113,27 @@ double PartReader::covariance_freedom() const {
     if (freedom > 0.0 && (least == 0.0 || freedom < least)) least = freedom;
   }
   return least;
+}
+
+std::vector<SharedColumns> PartReader::shared_columns(std::size_t line) {
+  std::vector<SharedColumns> out;
+  for (const frf::BlockPiece& piece : pieces_) {
+    frf::FrfSource& source = system_->source(piece.source);
+    if (!source.has_reference_correlation() || piece.references.size() < 2) continue;
+    const std::size_t size = piece.references.size(), own = system_->source_line(piece.source, line);
+    std::vector<Complex> correlation(size * size);
+    source.read_reference_correlation(std::span(&own, 1), piece.references, correlation);
+    SharedColumns shared{{}, {}, ComplexMatrix(at(size), at(size))};
+    for (const std::size_t row : piece.rows) shared.rows.push_back(at(row));
+    for (const std::size_t column : piece.columns) shared.columns.push_back(at(column));
+    for (std::size_t m = 0; m < size; ++m) {
+      for (std::size_t n = 0; n < size; ++n) {
+        shared.correlation(at(m), at(n)) = piece.reference_sign[m] * piece.reference_sign[n] * correlation[m * size + n];
+      }
+    }
+    if (shared.correlation.allFinite()) out.push_back(std::move(shared));
+  }
+  return out;
 }
 
 void PartReader::read_covariance(std::span<const std::size_t> lines, std::span<Complex> out) {

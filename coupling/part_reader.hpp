@@ -4,6 +4,7 @@
 
 #include "coupling/assembly.hpp"
 #include "coupling/condition.hpp"
+#include "coupling/propagation.hpp"
 #include "frf/noise/noise.hpp"
 
 namespace jointid::coupling {
@@ -32,6 +33,9 @@ class PartReader {
 
   /// Covariances of the rows of each column, out[line, column, row, row]; 0 where independent or not known.
   void read_covariance(std::span<const std::size_t> lines, std::span<Complex> out);
+
+  /// What the errors of its columns have in common on a line where files tell, rows and columns counted as above.
+  std::vector<SharedColumns> shared_columns(std::size_t line);
 
  private:
   void read_piece(const frf::BlockPiece& piece, std::span<const std::size_t> lines, std::vector<Complex>& values,

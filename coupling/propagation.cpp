@@ -4,6 +4,7 @@
 
 #include "base/eigen.hpp"
 #include "coupling/jumps.hpp"
+#include "dense/cholesky.hpp"
 #include "dense/lu.hpp"
 
 namespace jointid::coupling {
@@ -96,10 +97,10 @@ ComplexMatrix whole_left(const Sensitivity& of, const Wanted& wanted, Index rows
   return left;
 }
 
-/// |R|² with the 1 of columns behind b.
-RealMatrix whole_right(const Sensitivity& of, const Wanted& wanted, Index columns) {
-  RealMatrix right = RealMatrix::Zero(columns, of.right.cols());
-  right.topRows(of.right.rows()) = of.right.cwiseAbs2();
+/// R with the 1 of columns behind b.
+ComplexMatrix whole_right(const Sensitivity& of, const Wanted& wanted, Index columns) {
+  ComplexMatrix right = ComplexMatrix::Zero(columns, of.right.cols());
+  right.topRows(of.right.rows()) = of.right;
   for (Index c = 0; c < right.cols(); ++c) {
     const Index own = wanted.columns[static_cast<std::size_t>(c)];
     if (own >= of.right.rows()) right(own, c) += 1.0;
@@ -107,12 +108,38 @@ RealMatrix whole_right(const Sensitivity& of, const Wanted& wanted, Index column
   return right;
 }
 
+/// What columns that share errors add to the covariances of the result.
+void add_between_columns(const ComplexMatrix& left, const ComplexMatrix& right, const LineVariance& variance,
+                         const SharedColumns& shared, std::vector<ComplexMatrix>& out) {
+  const std::size_t count = shared.columns.size();
+  std::vector<ComplexMatrix> moved;  // L K of each column
+  for (const Index l : shared.columns) {
+    const bool counts = !right.row(l).isZero(0.0);
+    moved.push_back(counts ? ComplexMatrix(left(Eigen::all, shared.rows) * covariance_factor(variance, shared.rows, l))
+                           : ComplexMatrix());
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const Complex correlation = shared.correlation(at(i), at(k));
+      if (moved[i].size() == 0 || moved[k].size() == 0 || !(std::abs(correlation) > 0.0)) continue;
+      const ComplexMatrix between = correlation * (moved[i] * moved[k].adjoint());
+      for (Index c = 0; c < right.cols(); ++c) {
+        const Complex by = right(shared.columns[i], c) * std::conj(right(shared.columns[k], c));
+        if (by == Complex(0.0)) continue;
+        const ComplexMatrix one_side = by * between;
+        out[static_cast<std::size_t>(c)] += one_side + one_side.adjoint();
+      }
+    }
+  }
+}
+
 /// Covariances of the result, and on their diagonals what those of H add to the variances of its entries. What is not known counts
 /// for nothing: the variances say where that matters.
 std::vector<ComplexMatrix> propagated_covariance(const Sensitivity& of, const LineVariance& variance, const RealMatrix& plus,
                                                  const Wanted& wanted) {
   const ComplexMatrix left = whole_left(of, wanted, plus.rows());
-  const RealMatrix right = whole_right(of, wanted, plus.cols());
+  const ComplexMatrix whole = whole_right(of, wanted, plus.cols());
+  const RealMatrix right = whole.cwiseAbs2();
   std::vector<ComplexMatrix> out(wanted.columns.size(), ComplexMatrix::Zero(left.rows(), left.rows()));
   for (Index l = 0; l < plus.cols(); ++l) {
     if (right.row(l).isZero(0.0)) continue;
@@ -129,10 +156,23 @@ std::vector<ComplexMatrix> propagated_covariance(const Sensitivity& of, const Li
       if (right(l, k) != 0.0) out[static_cast<std::size_t>(k)] += right(l, k) * between;
     }
   }
+  for (const SharedColumns& shared : variance.shared) add_between_columns(left, whole, variance, shared, out);
   return out;
 }
 
 }  // namespace
+
+ComplexMatrix covariance_factor(const LineVariance& variance, const std::vector<Index>& rows, Index l) {
+  ComplexMatrix c = variance.covariance[static_cast<std::size_t>(l)](rows, rows);
+  for (Index i = 0; i < c.rows(); ++i) {
+    const Index row = rows[static_cast<std::size_t>(i)];
+    c(i, i) = or_zero(variance.real(row, l) + variance.imaginary(row, l));
+    if (c(i, i) != Complex(0.0)) continue;
+    c.row(i).setZero();
+    c.col(i).setZero();
+  }
+  return dense::semidefinite_cholesky(c);
+}
 
 Sensitivity sensitivity(const MatrixRef& h, const Conditions& conditions, const MatrixRef& s_inverse, const Wanted& wanted,
                         Index coordinates) {

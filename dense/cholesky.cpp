@@ -1,6 +1,7 @@
 #include "dense/cholesky.hpp"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 namespace jointid::dense {
 
@@ -15,6 +16,21 @@ std::optional<MatrixXd> cholesky(const Ref<const MatrixXd>& a) {
 }
 
 bool cholesky_in_place(Ref<MatrixXd> a) { return Eigen::LLT<Ref<MatrixXd>>(a).info() == Eigen::Success; }
+
+MatrixXcd semidefinite_cholesky(const Ref<const MatrixXcd>& a) {
+  constexpr double rounding = 1e-12;
+  const Eigen::Index n = a.rows();
+  MatrixXcd l = MatrixXcd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double diagonal = a(k, k).real(), pivot = diagonal - l.row(k).head(k).squaredNorm();
+    if (!(pivot > rounding * diagonal)) continue;
+    const Eigen::Index below = n - k - 1;
+    const double root = std::sqrt(pivot);
+    l(k, k) = root;
+    l.col(k).tail(below) = (a.col(k).tail(below) - l.bottomLeftCorner(below, k) * l.row(k).head(k).adjoint()) / root;
+  }
+  return l;
+}
 
 void solve_lower(const Ref<const MatrixXd>& l, Ref<MatrixXd> b) { l.triangularView<Eigen::Lower>().solveInPlace(b); }
 

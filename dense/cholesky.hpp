@@ -11,6 +11,10 @@ std::optional<Eigen::MatrixXd> cholesky(const Eigen::Ref<const Eigen::MatrixXd>&
 /// The same in place: L replaces the lower triangle of A. False when A is not positive definite; it is spoilt then.
 bool cholesky_in_place(Eigen::Ref<Eigen::MatrixXd> a);
 
+/// Lower L of A = L Lᴴ, A Hermitian and positive semidefinite, of which the lower triangle is read: a column whose pivot is below
+/// 1e-12 of its diagonal element, which rounding makes, is zero. L of a multiple c A is √c L.
+Eigen::MatrixXcd semidefinite_cholesky(const Eigen::Ref<const Eigen::MatrixXcd>& a);
+
 /// L⁻¹ B and L⁻ᵀ B in place, L in a lower triangle.
 void solve_lower(const Eigen::Ref<const Eigen::MatrixXd>& l, Eigen::Ref<Eigen::MatrixXd> b);
 void solve_lower_transposed(const Eigen::Ref<const Eigen::MatrixXd>& l, Eigen::Ref<Eigen::MatrixXd> b);

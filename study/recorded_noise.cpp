@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/eigen.hpp"
+#include "dense/cholesky.hpp"
 
 namespace jointid::study {
 namespace {
@@ -24,6 +25,15 @@ minimise::Correlation correlation_at(const frf::FrfSet& set, std::size_t line, s
     }
   }
   return minimise::Correlation::of(rows, known, covariance, covariance.diagonal().real());
+}
+
+/// Lower W of ρ = W Wᴴ; the identity where it is not known.
+Eigen::MatrixXcd between_references(const frf::FrfSet& set, std::size_t line) {
+  const auto columns = at(set.header.reference.size());
+  const Complex* of = set.reference_correlation.data() + static_cast<Eigen::Index>(line) * columns * columns;
+  const Eigen::MatrixXcd correlation = Eigen::Map<const Eigen::MatrixXcd>(of, columns, columns).transpose();
+  if (!correlation.allFinite()) return Eigen::MatrixXcd::Identity(columns, columns);
+  return dense::semidefinite_cholesky(correlation);
 }
 
 }  // namespace
@@ -55,6 +65,7 @@ RecordedNoise::RecordedNoise(const frf::Excerpt& clean)
   if (clean.set.covariance.empty()) return;
   for (std::size_t line = 0; line < line_start_.size(); ++line) {
     for (std::size_t c = 0; c < references_; ++c) correlations_.push_back(correlation_at(clean.set, line, c));
+    if (!clean.set.reference_correlation.empty()) between_.push_back(between_references(clean.set, line));
   }
 }
 
@@ -63,13 +74,21 @@ void RecordedNoise::pollute(frf::FrfSet& set, const RandomStream& stream) const 
   for (std::size_t line = 0; line < line_start_.size(); ++line) {
     for (std::size_t c = 0; c < references_; ++c) {
       for (std::size_t r = 0; r < responses_; ++r) {
-        const auto normal = normal_numbers(stream, line_start_[line] + entry_[r * references_ + c]);
-        errors[r] = {normal[0], normal[1]};
+        const auto independent = [&](std::size_t reference) {
+          const auto normal = normal_numbers(stream, line_start_[line] + entry_[r * references_ + reference]);
+          return Complex(normal[0], normal[1]);
+        };
+        if (between_.empty()) {
+          errors[r] = independent(c);
+          continue;
+        }
+        errors[r] = 0.0;
+        for (std::size_t n = 0; n <= c; ++n) errors[r] += between_[line](at(c), at(n)) * independent(n);
       }
       if (!correlations_.empty()) correlations_[line * references_ + c].colour(errors);
       for (std::size_t r = 0; r < responses_; ++r) {
-        const std::size_t at = set.index(line, r, c);
-        set.values[at] += Complex(deviation_[at].real() * errors[r].real(), deviation_[at].imag() * errors[r].imag());
+        const std::size_t to = set.index(line, r, c);
+        set.values[to] += Complex(deviation_[to].real() * errors[r].real(), deviation_[to].imag() * errors[r].imag());
       }
     }
   }

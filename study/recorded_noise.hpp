@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "base/random.hpp"
 #include "frf/set/excerpt.hpp"
 #include "frf/set/frf_source.hpp"
@@ -25,6 +27,7 @@ class RecordedNoise {
   std::vector<std::uint64_t> line_start_, entry_;  ///< of Excerpt
   std::vector<Complex> deviation_;                 ///< of real and imaginary part, [F,R,C]
   std::vector<minimise::Correlation> correlations_;  ///< over the responses, [F,C]; empty without covariances
+  std::vector<Eigen::MatrixXcd> between_;            ///< factor of the correlation of references, [F]; empty without
   std::size_t responses_, references_;
 };
 

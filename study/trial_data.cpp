@@ -42,13 +42,19 @@ class Recorder final : public frf::FrfSource {
     const std::vector<std::size_t> references(references_.begin(), references_.end());
     const frf::Block block{lines, responses, references};
     frf::Excerpt out = frf::excerpt(*source_, block);
-    if (keep_covariance_) out.set.covariance = covariance_of(*source_, block);
+    if (!keep_covariance_) return out;
+    out.set.covariance = covariance_of(*source_, block);
+    if (source_->has_reference_correlation()) {
+      out.set.reference_correlation.resize(lines.size() * references.size() * references.size());
+      source_->read_reference_correlation(lines, references, out.set.reference_correlation);
+    }
     return out;
   }
 
   void keep_covariance() { keep_covariance_ = true; }
   bool has_covariance() const override { return source_->has_covariance(); }
   frf::FactorShape factor_shape() const override { return source_->factor_shape(); }
+  bool has_reference_correlation() const override { return source_->has_reference_correlation(); }
 
  private:
   void remember(const frf::Block& block) {
@@ -70,6 +76,10 @@ class Recorder final : public frf::FrfSource {
   void do_read_covariance(const frf::Block& pairs, std::span<Complex> out) override { read_pairs(*source_, pairs, out); }
   void do_read_factor(const frf::Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
     source_->read_factor(block, rows, diagonal);
+  }
+  void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                     std::span<Complex> out) override {
+    source_->read_reference_correlation(lines, references, out);
   }
 
   std::unique_ptr<frf::FrfSource> source_;

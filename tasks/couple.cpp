@@ -125,7 +125,7 @@ CoupledFile write(coupling::AssemblyReader& reader, const std::vector<std::size_
     variance.resize(header.noise == frf::NoiseRecord::variance ? block.size() : 0);
     covariance.resize(reader.has_covariance() ? count * frf::pair_count(responses.size()) * references.size() : 0);
     reader.read(block, values, variance, std::span(records).subspan(first, count), covariance);
-    writer.write_lines(first, count, values, variance, {}, {covariance, {}, {}});
+    writer.write_lines(first, count, values, variance, {}, {covariance, {}, {}, {}});
     level.add(values);
   }
   stop_if(control.interrupted);

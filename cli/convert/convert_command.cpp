@@ -24,8 +24,10 @@ bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
   const frf::FrfHeader& header = source.header();
   const frf::FactorShape stored = source.factor_shape();
   const frf::FactorShape shape = stored.is_smaller(header.response.size()) ? stored : frf::FactorShape{};
-  frf::Hdf5Writer writer(path, header, {.covariance = source.has_covariance(), .factor = shape});
-  std::vector<Complex> values, variance, pairs, rows;
+  frf::Hdf5Writer writer(
+      path, header,
+      {.covariance = source.has_covariance(), .factor = shape, .reference_correlation = source.has_reference_correlation()});
+  std::vector<Complex> values, variance, pairs, rows, correlation;
   std::vector<double> coherence, diagonal;
   Progress progress;
   const bool complete = for_each_piece(header, writer.lines_per_chunk(), [&](const frf::Block& block) {
@@ -47,8 +49,13 @@ bool stream_to_hdf5(frf::FrfSource& source, const Path& path) {
       pairs.resize(block.lines.size() * frf::pair_count(header.response.size()) * header.reference.size());
       source.read_covariance_pairs(block.lines, pairs);
     }
+    if (source.has_reference_correlation()) {
+      correlation.resize(block.lines.size() * header.reference.size() * header.reference.size());
+      source.read_reference_correlation(block.lines, block.references, correlation);
+    }
     progress.count("converting", block.lines.front(), header.lines());
-    writer.write_lines(block.lines.front(), block.lines.size(), values, variance, coherence, {pairs, rows, diagonal});
+    writer.write_lines(block.lines.front(), block.lines.size(), values, variance, coherence,
+                       {pairs, rows, diagonal, correlation});
     return !interrupted();
   });
   if (complete) writer.finish();

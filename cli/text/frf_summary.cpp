@@ -24,8 +24,10 @@ std::string lines_text(const std::vector<double>& hz) {
 
 std::string covariance_text(const FrfCensus& census) {
   if (!census.covariance) return {};
-  if (census.factor.rank == 0) return ", covariance between responses";
-  return fmt::format(", covariance between responses of rank {}{}", census.factor.rank, census.factor.diagonal ? " plus a diagonal" : "");
+  const char* between = census.references ? "responses and between references" : "responses";
+  if (census.factor.rank == 0) return fmt::format(", covariance between {}", between);
+  return fmt::format(", covariance between {} of rank {}{}", between, census.factor.rank,
+                     census.factor.diagonal ? " plus a diagonal" : "");
 }
 
 std::string noise_text(const frf::FrfHeader& header, const FrfCensus& census) {
@@ -54,6 +56,7 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
   std::vector<Complex> values;
   FrfCensus census;
   census.covariance = source.has_covariance();
+  census.references = source.has_reference_correlation();
   census.factor = source.factor_shape();
   census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
     if (interrupted()) return false;

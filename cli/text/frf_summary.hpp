@@ -13,6 +13,7 @@ struct FrfCensus {
   std::size_t missing = 0;    ///< values that are not measured (NaN)
   std::size_t zero_frfs = 0;  ///< response–reference pairs that are zero, or not measured, on every line
   bool covariance = false;    ///< the file holds covariances between responses
+  bool references = false;    ///< and between references
   frf::FactorShape factor{};  ///< these are stored as a factor, or of rank 0
   bool complete = true;       ///< false when it was interrupted
 };

@@ -38,10 +38,12 @@ void write_hdf5(const FrfSet& set, const std::filesystem::path& path, const Hdf5
   with.covariance = set.has_covariance();
   const bool factor = set.factor.shape().is_smaller(set.header.response.size());
   with.factor = factor ? set.factor.shape() : FactorShape{};
+  with.reference_correlation = !set.reference_correlation.empty();
   const std::vector<Complex> pairs = factor ? std::vector<Complex>() : covariance_pairs(set);
   Hdf5Writer writer(path, set.header, with);
   writer.write_lines(0, set.header.lines(), set.values, set.variance, set.coherence,
-                     factor ? CovarianceLines{{}, set.factor.rows, set.factor.diagonal} : CovarianceLines{pairs, {}, {}});
+                     factor ? CovarianceLines{{}, set.factor.rows, set.factor.diagonal, set.reference_correlation}
+                            : CovarianceLines{pairs, {}, {}, set.reference_correlation});
   writer.finish();
 }
 

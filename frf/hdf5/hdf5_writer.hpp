@@ -18,6 +18,7 @@ struct Hdf5WriteOptions {
   int compression = 0;                              ///< deflate level 0 (none, the fastest to read) … 9
   bool covariance = false;                          ///< lines carry covariances: layout version 2, else 1
   FactorShape factor = {};                          ///< in this form; of rank 0 as pairs
+  bool reference_correlation = false;               ///< lines carry that, too
 };
 
 /// Writes a jointid-frf file line by line, so that a set larger than memory can be made. Until `finish` the

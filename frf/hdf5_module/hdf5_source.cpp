@@ -18,7 +18,8 @@ namespace {
 using hdf5::Dataset;
 using hdf5::Object;
 
-constexpr const char *layout_name = "jointid-frf", *factor_name = "covariance_factor", *diagonal_name = "covariance_diagonal";
+constexpr const char *layout_name = "jointid-frf", *factor_name = "covariance_factor", *diagonal_name = "covariance_diagonal",
+                     *correlation_name = "reference_correlation";
 
 void require_layout(const Object& file) {
   const auto format = hdf5::text_attribute(file, "format");
@@ -165,10 +166,16 @@ class Hdf5Source final : public FrfSource {
     if (pairs || factor) require_version_two(pairs ? "covariance" : factor_name);
     if (pairs) open_pairs();
     if (factor) open_factor(diagonal);
+    if (!hdf5::has(file_, correlation_name)) return;
+    if (!pairs && !factor) {
+      fail(file_, std::string("has a dataset ") + correlation_name + " without covariances", "write the covariances, too");
+    }
+    reference_correlation_.emplace(file_, correlation_name,
+                                   std::array{header_.lines(), header_.reference.size(), header_.reference.size()});
   }
 
   void require_no_factor() const {
-    for (const char* name : {factor_name, diagonal_name}) {
+    for (const char* name : {factor_name, diagonal_name, correlation_name}) {
       if (hdf5::has(file_, name)) fail(file_, std::string("has a dataset ") + name + " without variance", "write the variances, too");
     }
   }
@@ -221,6 +228,12 @@ class Hdf5Source final : public FrfSource {
 
   bool has_covariance() const override { return covariance_ || factor_; }
   FactorShape factor_shape() const override { return shape_; }
+  bool has_reference_correlation() const override { return reference_correlation_.has_value(); }
+
+  void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                     std::span<Complex> out) override {
+    reference_correlation_->read({lines, references, references}, out);
+  }
 
   void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal) override {
     std::vector<std::size_t> stored;
@@ -250,6 +263,7 @@ class Hdf5Source final : public FrfSource {
   FactorShape shape_;
   std::optional<hdf5::LineReader<Complex>> factor_;
   std::optional<hdf5::LineReader<double>> diagonal_;
+  std::optional<hdf5::LineReader<Complex>> reference_correlation_;
 };
 
 }  // namespace

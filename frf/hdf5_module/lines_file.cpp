@@ -35,6 +35,7 @@ class Lines {
         lines_per_chunk_(choose_lines_per_chunk(header, options.lines_per_chunk)),
         with_covariance_(options.covariance),
         factor_(options.factor),
+        with_reference_correlation_(options.reference_correlation),
         written_(header.lines(), false) {
     output_.require(write_header() && create_datasets(options.compression));
   }
@@ -49,7 +50,8 @@ class Lines {
     assert(covariance.pairs.size() == (with_covariance_ && factor_.rank == 0 ? count * pairs() * header_.reference.size() : 0));
     assert(covariance.rows.size() == (with_covariance_ ? values.size() * factor_.rank : 0));
     assert(covariance.diagonal.size() == (with_covariance_ && factor_.diagonal ? values.size() : 0));
-    const std::size_t rows = header_.response.size();
+    const std::size_t rows = header_.response.size(), references = header_.reference.size();
+    assert(covariance.reference_correlation.size() == (with_reference_correlation_ ? count * references * references : 0));
     write_scaled(frf_, rows, first, count, values, [](const LineScale& s, Complex h) { return s.value(h); });
     if (!variance.empty()) {
       write_scaled(noise_, rows, first, count, variance, [](const LineScale& s, Complex v) { return s.variance(v); });
@@ -61,6 +63,10 @@ class Lines {
     if (!covariance.rows.empty()) {
       write_scaled(covariance_, rows * factor_.rank, first, count, covariance.rows,
                    [](const LineScale& s, Complex v) { return s.factor(v); });
+    }
+    if (!covariance.reference_correlation.empty()) {
+      output_.require(write_slab(reference_correlation_, hdf5::complex_type(), references, first, count,
+                                 covariance.reference_correlation.data()));
     }
     if (!covariance.diagonal.empty()) write_diagonal(first, count, covariance.diagonal);
     if (!coherence.empty()) {
@@ -74,7 +80,8 @@ class Lines {
     if (missing != written_.end()) {
       output_.fail("line " + std::to_string(missing - written_.begin() + 1) + " was never written");
     }
-    const bool closed = frf_.close() && noise_.close() && covariance_.close() && diagonal_.close();
+    const bool closed =
+        frf_.close() && noise_.close() && covariance_.close() && diagonal_.close() && reference_correlation_.close();
     output_.finish(closed);
   }
 
@@ -114,6 +121,11 @@ class Lines {
     if (ok && with_covariance_ && factor_.diagonal) {
       diagonal_ = hdf5::create_lines(output_.file(), "covariance_diagonal", real, dims, lines_per_chunk_, compression);
       ok = diagonal_.is_open();
+    }
+    if (ok && with_reference_correlation_) {
+      reference_correlation_ = hdf5::create_lines(output_.file(), "reference_correlation", complex, {dims[0], dims[2], dims[2]},
+                                                  lines_per_chunk_, compression);
+      ok = reference_correlation_.is_open();
     }
     return ok;
   }
@@ -167,11 +179,13 @@ class Lines {
   std::size_t lines_per_chunk_;
   bool with_covariance_;
   FactorShape factor_;
+  bool with_reference_correlation_;
   std::vector<bool> written_;
   Handle frf_;
   Handle noise_;
   Handle covariance_;  ///< pairs, or rows of the factor
   Handle diagonal_;
+  Handle reference_correlation_;
   std::vector<Complex> scaled_;
 };
 

@@ -28,11 +28,12 @@ struct CovarianceFactor {
   FactorShape shape() const { return {rank, !diagonal.empty()}; }
 };
 
-/// Covariances of some lines in one of their two forms, or none.
+/// Covariances of some lines in one of their two forms, or none, and what references have in common.
 struct CovarianceLines {
   std::span<const Complex> pairs{};     ///< [line, P, C] FrfSet::covariance
   std::span<const Complex> rows{};      ///< [line, R, K, C]
   std::span<const double> diagonal{};   ///< [line, R, C]
+  std::span<const Complex> reference_correlation{};  ///< [line, C, C], beside either form
 };
 
 }  // namespace jointid::frf

@@ -85,6 +85,13 @@ void validate(const FrfSet& set) {
          "give one for each line, pair of responses (r, s ≤ r) and reference");
   }
   require_factor(set);
+  if (!set.reference_correlation.empty() &&
+      (!set.has_covariance() || set.reference_correlation.size() != lines * references * references)) {
+    fail(set.header, "reference_correlation",
+         fmt::format("{} numbers, where {} lines and {} references, squared, make {}{}", set.reference_correlation.size(), lines,
+                     references, lines * references * references, set.has_covariance() ? "" : ", and there are no covariances"),
+         "give one for each line and two references, beside covariances");
+  }
   const auto require = [&](const char* what, std::size_t count, bool optional) {
     if (count == wanted || (optional && count == 0)) return;
     fail(set.header, what,

@@ -66,9 +66,12 @@ inline bool has(const std::vector<Dof>& dofs, const Dof& dof) { return find_coor
 /// An FRF set in memory. Values are receptance in SI units, NaN where not measured; element (line, r, c) is at
 /// (line·R + r)·C + c. `variance` holds the variances of real and imaginary part as a complex number; it and
 /// `coherence` are empty or as long as `values`. `covariance` of the errors e of one line and reference over the responses,
-/// E[e_r e_s*] for s ≤ r at (line·P + pair_index(r, s))·C + c, P = pair_count(R): it stands beside `variance`, and says in what the
-/// errors of two FRFs have in common. The errors are taken as circular, E[e_r e_s] = 0; where `variance` tells real and imaginary part
-/// apart, its sum is the diagonal of the covariance. `factor` may stand in its place.
+/// E[e_r e_s*] for s ≤ r at (line·P + pair_index(r, s))·C + c, P = pair_count(R): it stands beside `variance`, and says in what
+/// the errors of two FRFs have in common. The errors are taken as circular, E[e_r e_s] = 0; where `variance` tells real and
+/// imaginary part apart, its sum is the diagonal of the covariance. `factor` may stand in its place. `reference_correlation` ρ,
+/// Hermitian with a diagonal of 1, says what FRFs to different references have in common, as those of forces that act at once do:
+/// E[e_rm e_sn*] = ρ_mn (K_m K_nᴴ)_rs of references m and n, K_m the lower Cholesky factor of the covariance of m. Without it
+/// references are independent.
 struct FrfSet {
   FrfHeader header;
   std::vector<Complex> values;     ///< [F,R,C]
@@ -76,6 +79,7 @@ struct FrfSet {
   std::vector<double> coherence;   ///< [F,R,C] or empty
   std::vector<Complex> covariance{};  ///< [F,P,C] or empty, of the receptance
   CovarianceFactor factor{};          ///< where it is smaller
+  std::vector<Complex> reference_correlation{};  ///< [F,C,C] or empty, beside covariances
 
   bool has_covariance() const { return !covariance.empty() || factor.any(); }
 
@@ -89,7 +93,8 @@ constexpr std::size_t pair_count(std::size_t responses) { return responses * (re
 constexpr std::size_t pair_index(std::size_t r, std::size_t s) { return pair_count(r) + s; }
 
 /// Throws InputError (data) as validate() of the header, and where values, variance, coherence or covariance are not as long as
-/// the header says, and where there are both covariances and a factor of them.
+/// the header says, where there are both covariances and a factor of them, and where there is a correlation of references without
+/// any.
 void validate(const FrfSet& set);
 
 }  // namespace jointid::frf

@@ -27,8 +27,20 @@ class MemorySource final : public FrfSource {
   bool in_memory() const override { return true; }
   bool has_covariance() const override { return set_->has_covariance(); }
   FactorShape factor_shape() const override { return set_->factor.shape(); }
+  bool has_reference_correlation() const override { return !set_->reference_correlation.empty(); }
 
  private:
+  void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                     std::span<Complex> out) override {
+    const std::size_t columns = header_.reference.size();
+    std::size_t next = 0;
+    for (const std::size_t line : lines) {
+      for (const std::size_t m : references) {
+        for (const std::size_t n : references) out[next++] = set_->reference_correlation[(line * columns + m) * columns + n];
+      }
+    }
+  }
+
   void do_read_covariance(const Block& pairs, std::span<Complex> out) override {
     if (set_->factor.any()) return FrfSource::do_read_covariance(pairs, out);
     const std::size_t rows = pair_count(header_.response.size()), columns = header_.reference.size();
@@ -232,6 +244,37 @@ void FrfSource::read_factor(const Block& block, std::span<Complex> rows, std::sp
   }
 }
 
+void FrfSource::read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                           std::span<Complex> out) {
+  const std::size_t size = references.size();
+  assert(has_reference_correlation() && out.size() == lines.size() * size * size);
+  if (out.empty()) return;
+  do_read_reference_correlation(lines, references, out);
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    const Complex* of = out.data() + l * size * size;
+    for (std::size_t m = 0; m < size; ++m) {
+      for (std::size_t n = 0; n <= m; ++n) {
+        const Complex value = of[m * size + n];
+        if (std::isnan(value.real()) || std::isnan(value.imag())) continue;
+        const bool right = m == n
+                               ? std::abs(value - 1.0) <= rounding
+                               : std::abs(value) <= 1.0 + rounding && std::abs(value - std::conj(of[n * size + m])) <= rounding;
+        if (right) continue;
+        fail(header_,
+             fmt::format("correlation of references {} and {}, line {}", header_.reference[references[m]].name(),
+                         header_.reference[references[n]].name(), lines[l] + 1),
+             fmt::format("{:g} + {:g}i is none: it must be Hermitian, at most 1, and 1 of a reference with itself", value.real(),
+                         value.imag()),
+             "export it again, or leave it out");
+      }
+    }
+  }
+}
+
+void FrfSource::do_read_reference_correlation(std::span<const std::size_t>, std::span<const std::size_t>, std::span<Complex>) {
+  throw std::logic_error("a source whose references are correlated must say how");
+}
+
 void FrfSource::do_read_factor(const Block&, std::span<Complex>, std::span<double>) {
   throw std::logic_error("a source whose covariances have a factor must read it");
 }
@@ -263,6 +306,10 @@ FrfSet load_with_covariance(FrfSource& source) {
   if (!source.has_covariance()) return set;
   const FrfHeader& header = set.header;
   const auto lines = indices(header.lines()), responses = indices(header.response.size()), references = indices(header.reference.size());
+  if (source.has_reference_correlation()) {
+    set.reference_correlation.resize(lines.size() * references.size() * references.size());
+    source.read_reference_correlation(lines, references, set.reference_correlation);
+  }
   if (const FactorShape shape = source.factor_shape(); shape.rank > 0) {
     set.factor.rank = shape.rank;
     set.factor.rows.resize(set.values.size() * shape.rank);

@@ -74,6 +74,16 @@ class FrfSource {
   /// All of them of some lines as they are stored, [line, pair, reference], as FrfSet::covariance.
   void read_covariance_pairs(std::span<const std::size_t> lines, std::span<Complex> out);
 
+  /// Whether the errors of FRFs to different references have something in common (FrfSet::reference_correlation); only beside
+  /// covariances.
+  virtual bool has_reference_correlation() const { return false; }
+
+  /// Of some lines and references, out[(line · n + i) · n + k] of the i-th and k-th of n references. NaN where not known. Only
+  /// when has_reference_correlation(). Throws InputError where it is no correlation: a diagonal other than 1, an element above 1
+  /// or not the conjugate of its mirror image.
+  void read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                  std::span<Complex> out);
+
   /// Whether FRFs are worked out of others and the source says which errors they share: coupled ones, with variances.
   virtual bool has_error_sums() const { return false; }
 
@@ -100,7 +110,9 @@ class FrfSource {
   virtual void do_read_covariance(const Block& pairs, std::span<Complex> out);
   virtual void do_read_factor(const Block& block, std::span<Complex> rows, std::span<double> diagonal);
   virtual std::vector<ErrorSums> do_read_error_sums(const Block& block);
-  /// The same of another source, for one that hands it on.
+  virtual void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                             std::span<Complex> out);
+  /// do_read_covariance() of another source, for one that hands it on.
   static void read_pairs(FrfSource& of, const Block& pairs, std::span<Complex> out) { of.do_read_covariance(pairs, out); }
 
   FrfHeader header_;

@@ -20,6 +20,7 @@ class KeptSource final : public FrfSource {
   bool has_covariance() const override { return source_->has_covariance(); }
   FactorShape factor_shape() const override { return source_->factor_shape(); }
   bool has_error_sums() const override { return source_->has_error_sums(); }
+  bool has_reference_correlation() const override { return source_->has_reference_correlation(); }
 
  private:
   template <class T>
@@ -33,6 +34,10 @@ class KeptSource final : public FrfSource {
     source_->read_factor(block, rows, diagonal);
   }
   std::vector<ErrorSums> do_read_error_sums(const Block& block) override { return source_->read_error_sums(block); }
+  void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                     std::span<Complex> out) override {
+    source_->read_reference_correlation(lines, references, out);
+  }
 
   std::unique_ptr<FrfSource> source_;
   std::size_t room_ = 0;  ///< bytes

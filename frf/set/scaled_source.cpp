@@ -14,6 +14,7 @@ class ScaledSource final : public FrfSource {
 
   bool has_covariance() const override { return source_->has_covariance(); }
   FactorShape factor_shape() const override { return source_->factor_shape(); }
+  bool has_reference_correlation() const override { return source_->has_reference_correlation(); }
 
  private:
   /// Calls change(factor, value) for every entry of a block.
@@ -71,6 +72,22 @@ class ScaledSource final : public FrfSource {
         for (const std::size_t c : block.references) {
           if (diagonal.empty()) break;
           diagonal[at++] *= std::norm(scale_.line[line] * (scale_.response[r] * scale_.reference[c]));
+        }
+      }
+    }
+  }
+
+  /// A factor of all lines and responses alike turns errors to all references; of those of the references the signs are left.
+  void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                     std::span<Complex> out) override {
+    source_->read_reference_correlation(lines, references, out);
+    std::size_t next = 0;
+    for (std::size_t l = 0; l < lines.size(); ++l) {
+      for (const std::size_t m : references) {
+        for (const std::size_t n : references) {
+          const double sign = (scale_.reference[m] < 0.0) == (scale_.reference[n] < 0.0) ? 1.0 : -1.0;
+          out[next] = sign * (scale_.conjugate ? std::conj(out[next]) : out[next]);
+          ++next;
         }
       }
     }

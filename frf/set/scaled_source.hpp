@@ -16,6 +16,7 @@ struct EntryScale {
 
 /// What a source hands out under another header, times the factors. Variances: of a factor a + ib on independent real and
 /// imaginary parts, (a²v + b²w, b²v + a²w). Covariances: of factors f and g, f g* C, of the conjugate of C where asked.
+/// Correlations of references: times the signs of theirs, the conjugate where asked.
 std::unique_ptr<FrfSource> scaled_source(std::unique_ptr<FrfSource> source, FrfHeader header, EntryScale scale);
 
 /// The variances of factor · (value with the variances v).

@@ -21,9 +21,10 @@ struct StoredError {
   bool is_known() const { return group != none; }
 };
 
-/// Covariances of the measured FRFs of one system over some coordinates: a group is the FRFs of one file to one reference, errors of
-/// different groups are independent. Taken from files that have covariances and whose variances count (variance_origin()); where
-/// those come from few averages by a CovarianceLaw over all lines, as variances are (smoothed_laws()), else as the file has them.
+/// Covariances of the measured FRFs of one system over some coordinates: a group is the FRFs of one file to one reference, or to
+/// all of them where the file says what these have in common; errors of different groups are independent. Taken from files that
+/// have covariances and whose variances count (variance_origin()); where those come from few averages by a CovarianceLaw over all
+/// lines, as variances are (smoothed_laws()), else as the file has them.
 class FrfCovariances {
  public:
   /// Rows and columns of a part of the coordinates that is read.
@@ -49,30 +50,43 @@ class FrfCovariances {
   StoredError error(std::size_t i, std::size_t row, std::size_t column) const;
 
   /// Whether its variance is that of the law, the diagonal of the group's covariance.
-  bool by_law(const StoredError& error) const { return groups_[error.group].law.constant.size() > 0; }
+  bool by_law(const StoredError& error) const {
+    const Column& first = columns_[groups_[error.group].front()];
+    return columns_[groups_[error.group][error.member / first.responses.size()]].law.constant.size() > 0;
+  }
 
  private:
-  struct Group {
+  /// FRFs of a file to one reference.
+  struct Column {
     std::size_t source, reference;
-    std::vector<std::size_t> responses;
+    std::vector<std::size_t> responses;  ///< the same in all columns of a group
     bool by_law;
     CovarianceLaw law;
   };
+  /// FRF `member` of a column of a group.
+  struct StoredFrf {
+    std::size_t group = StoredError::none, column = 0, member = 0;
+    double sign = 1.0;
+  };
   /// The stored FRF of a place, and that of the transposed one, which stands in for it where it was not measured (reciprocity).
   struct Place {
-    StoredError direct, mirrored;
+    StoredFrf direct, mirrored;
   };
 
   void add(const frf::BlockPiece& piece, const FrfCovariances::Rectangle& rectangle, bool by_law);
-  StoredError stored(std::size_t source, std::size_t response, std::size_t reference, bool by_law);
-  std::vector<std::size_t> source_lines(const Group& group, std::span<const std::size_t> lines) const;
+  StoredFrf stored(std::size_t source, std::size_t response, std::size_t reference, bool by_law);
+  std::size_t group_of(std::size_t source);
+  Eigen::MatrixXcd joined(const std::vector<std::size_t>& group, std::span<const Complex> correlation,
+                          const std::vector<Eigen::MatrixXcd>& of_column) const;
+  std::vector<std::size_t> source_lines(std::size_t source, std::span<const std::size_t> lines) const;
 
   frf::FrfSystem& system_;
   std::size_t size_;
-  std::vector<Group> groups_;
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::size_t>> groups_;  ///< columns of each
   std::vector<Place> places_;  ///< [row, column]
   std::vector<std::vector<Eigen::MatrixXcd>> covariances_;  ///< [line][group]
-  std::vector<std::vector<std::vector<bool>>> measured_;    ///< [line][group][member]
+  std::vector<std::vector<std::vector<bool>>> measured_;    ///< the same, [member]
 };
 
 }  // namespace jointid::ident

@@ -65,8 +65,9 @@ class Run {
       Spectra all = transform(transformer, 0, interrupted);
       const SeveralForces spectra{all.lines, made_.averages.size(), all.responses,
                                   all.count, std::move(all.force),  std::move(all.motion)};
-      const std::vector<Estimate> of_forces = estimate(spectra, made_.averages[0].effective, form());
-      for (std::size_t c = 0; c < of_forces.size(); ++c) store(of_forces[c], kinds_, c, made_);
+      SeveralEstimates made = estimate(spectra, made_.averages[0].effective, form());
+      for (std::size_t c = 0; c < made.of_force.size(); ++c) store(made.of_force[c], kinds_, c, made_);
+      if (made_.set.has_covariance()) made_.set.reference_correlation = std::move(made.reference_correlation);
       return std::move(made_);
     }
     for (std::size_t c = 0; c < made_.averages.size(); ++c) {
@@ -209,7 +210,7 @@ class Run {
       if (of.effective > 1.0 && (header.averages == 0.0 || of.effective < header.averages)) header.averages = of.effective;
     }
     made_.set.variance.resize(size);
-    if (kinds_.size() == 1) return;
+    if (kinds_.size() == 1 && !several()) return;
     made_.set.factor.rank = factor_shape().rank;
     if (made_.set.factor.any()) {
       made_.set.factor.rows.resize(size * made_.set.factor.rank);

@@ -24,13 +24,23 @@ Eigen::MatrixXcd line_of(const std::vector<Complex>& spectra, std::size_t rows, 
 }
 
 /// With `pairs` or the rows of a factor of a rank.
-void append_unknown(std::size_t responses, std::size_t pairs, std::size_t rank, std::vector<Estimate>& out) {
-  for (Estimate& of : out) {
+void append_unknown(std::size_t responses, std::size_t pairs, std::size_t rank, SeveralEstimates& out) {
+  for (Estimate& of : out.of_force) {
     of.frf.insert(of.frf.end(), responses, unknown);
     of.coherence.insert(of.coherence.end(), responses, nan);
     of.variance.insert(of.variance.end(), responses, unknown);
     of.covariance.insert(of.covariance.end(), pairs, unknown);
     of.factor.insert(of.factor.end(), responses * rank, unknown);
+  }
+  const std::size_t forces = out.of_force.size();
+  out.reference_correlation.insert(out.reference_correlation.end(), forces * forces, unknown);
+}
+
+void append_correlation(const Eigen::MatrixXcd& inverse, std::vector<Complex>& out) {
+  for (Eigen::Index c = 0; c < inverse.rows(); ++c) {
+    for (Eigen::Index d = 0; d < inverse.cols(); ++d) {
+      out.push_back(c == d ? 1.0 : inverse(d, c) / std::sqrt(inverse(c, c).real() * inverse(d, d).real()));
+    }
   }
 }
 
@@ -49,10 +59,10 @@ void append_pairs(const Eigen::MatrixXcd& residual, double factor, Estimate& out
 
 }  // namespace
 
-std::vector<Estimate> estimate(const SeveralForces& spectra, double effective, CovarianceForm form) {
+SeveralEstimates estimate(const SeveralForces& spectra, double effective, CovarianceForm form) {
   const bool pairs = form == CovarianceForm::pairs;
   const std::size_t rank = pairs ? 0 : spectra.count - std::min(spectra.count, spectra.forces);
-  std::vector<Estimate> out(spectra.forces);
+  SeveralEstimates out{std::vector<Estimate>(spectra.forces), {}};
   const double freedom = effective - static_cast<double>(spectra.forces);
   for (std::size_t line = 0; line < spectra.lines; ++line) {
     const Eigen::MatrixXcd x = line_of(spectra.motion, spectra.responses, spectra.count, spectra.lines, line);
@@ -73,17 +83,19 @@ std::vector<Estimate> estimate(const SeveralForces& spectra, double effective, C
     const Eigen::MatrixXcd residual = pairs ? Eigen::MatrixXcd(e * e.adjoint()) : Eigen::MatrixXcd();
     const Eigen::MatrixXcd factor = pairs ? Eigen::MatrixXcd() : Eigen::MatrixXcd(residual_factor(e, f).transpose());
     const Eigen::VectorXd squares = e.rowwise().squaredNorm();
+    append_correlation(inverse, out.reference_correlation);
     for (std::size_t c = 0; c < spectra.forces; ++c) {
+      Estimate& of = out.of_force[c];
       const double scale = 1.0 / size(at(c));
       for (std::size_t r = 0; r < spectra.responses; ++r) {
         const double left = squares[at(r)] / x.row(at(r)).squaredNorm();
-        out[c].frf.push_back(scale * h(at(r), at(c)));
-        out[c].coherence.push_back(freedom > 0.0 ? 1.0 - left : nan);
+        of.frf.push_back(scale * h(at(r), at(c)));
+        of.coherence.push_back(freedom > 0.0 ? 1.0 - left : nan);
       }
       const double size_of_error = freedom > 0.0 ? scale * scale * inverse(at(c), at(c)).real() / freedom : nan;
-      append_variances(squares, size_of_error, out[c]);
-      if (pairs) append_pairs(residual, size_of_error, out[c]);
-      for (const Complex& value : factor.reshaped()) out[c].factor.push_back(std::sqrt(size_of_error) * value);
+      append_variances(squares, size_of_error, of);
+      if (pairs) append_pairs(residual, size_of_error, of);
+      for (const Complex& value : factor.reshaped()) of.factor.push_back(std::sqrt(size_of_error) * value);
     }
   }
   return out;
