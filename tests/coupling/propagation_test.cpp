@@ -108,15 +108,35 @@ void tell_covariances(frf::FrfSet& set, std::uint64_t seed) {
   }
 }
 
-/// Against what differences by every FRF of the parts make of their covariances.
-TEST(Propagation, CovariancesAreThoseByDifferences) {
-  const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
+/// Of forces that acted at once: covariances of all references alike but for their size.
+void tell_references(frf::FrfSet& set) {
+  const std::size_t rows = set.header.response.size(), columns = set.header.reference.size();
+  for (std::size_t c = 0; c < columns; ++c) {
+    const double larger = 1.0 + 0.3 * static_cast<double>(c);
+    for (std::size_t p = 0; p < frf::pair_count(rows); ++p)
+      set.covariance[p * columns + c] = larger * set.covariance[p * columns];
+    for (std::size_t r = 0; r < rows; ++r) set.variance[r * columns + c] = larger * set.variance[r * columns];
+    for (std::size_t d = 0; d < columns; ++d) {
+      const double apart = static_cast<double>(c) - static_cast<double>(d);
+      set.reference_correlation.push_back(std::polar(std::exp(-std::abs(apart)), 0.7 * apart));
+    }
+  }
+}
+
+std::vector<frf::FrfSet> sets_with_covariances(const problems::CouplingProblem& problem, bool references) {
   std::vector<frf::FrfSet> sets;
   for (const frf::FrfSet& part : problem.parts) {
     const frf::NoiseModel noise{.kind = frf::NoiseKind::circular, .level = 1e-6, .reciprocal = false};
     sets.push_back(frf::polluted(some_lines(part, {60}), noise, 3, 0, sets.size()));
+    sets.back().header.averages = 0.0;
     tell_covariances(sets.back(), sets.size());
+    if (references) tell_references(sets.back());
   }
+  return sets;
+}
+
+/// Against what differences by every FRF of the parts make of their covariances.
+void expect_covariances_by_differences(const problems::CouplingProblem& problem, std::vector<frf::FrfSet> sets) {
   AssemblyReader reader(problems::parts_of(problem, sets), problem.declared(), {.uncertainty = true}, "test");
   ASSERT_TRUE(reader.has_covariance());
   const std::size_t rows = reader.header().response.size(), columns = reader.header().reference.size(), line = 0;
@@ -128,6 +148,21 @@ TEST(Propagation, CovariancesAreThoseByDifferences) {
   std::vector<Complex> expected(covariance.size(), 0.0);
   for (frf::FrfSet& set : sets) {
     const std::size_t own_rows = set.header.response.size(), own_columns = set.header.reference.size();
+    std::vector<std::vector<std::vector<Complex>>> by_column;
+    const auto stored = [&](std::size_t k, std::size_t m, std::size_t l) {
+      const Complex value = set.covariance[frf::pair_index(std::max(k, m), std::min(k, m)) * own_columns + l];
+      return k < m ? std::conj(value) : value;
+    };
+    const auto add = [&](std::size_t l, std::size_t n, std::size_t k, std::size_t m, Complex c) {
+      for (std::size_t r = 0; r < rows; ++r) {
+        for (std::size_t s = 0; s <= r; ++s) {
+          for (std::size_t j = 0; j < columns; ++j) {
+            expected[frf::pair_index(r, s) * columns + j] +=
+                by_column[l][k][r * columns + j] * c * std::conj(by_column[n][m][s * columns + j]);
+          }
+        }
+      }
+    };
     for (std::size_t l = 0; l < own_columns; ++l) {
       std::vector<std::vector<Complex>> by;
       for (std::size_t k = 0; k < own_rows; ++k) {
@@ -138,17 +173,15 @@ TEST(Propagation, CovariancesAreThoseByDifferences) {
         value = kept;
         for (std::size_t i = 0; i < values.size(); ++i) by.back()[i] = (by.back()[i] - values[i]) / step;
       }
-      for (std::size_t k = 0; k < own_rows; ++k) {
-        for (std::size_t m = 0; m < own_rows; ++m) {
-          const Complex stored = set.covariance[frf::pair_index(std::max(k, m), std::min(k, m)) * own_columns + l];
-          const Complex c = k < m ? std::conj(stored) : stored;
-          for (std::size_t r = 0; r < rows; ++r) {
-            for (std::size_t s = 0; s <= r; ++s) {
-              for (std::size_t j = 0; j < columns; ++j) {
-                expected[frf::pair_index(r, s) * columns + j] += by[k][r * columns + j] * c * std::conj(by[m][s * columns + j]);
-              }
-            }
-          }
+      by_column.push_back(std::move(by));
+    }
+    for (std::size_t l = 0; l < own_columns; ++l) {
+      for (std::size_t n = 0; n < own_columns; ++n) {
+        if (l != n && set.reference_correlation.empty()) continue;
+        const double larger = l == n ? 1.0 : std::sqrt(stored(0, 0, n).real() / stored(0, 0, l).real());
+        const Complex between = l == n ? 1.0 : set.reference_correlation[l * own_columns + n];
+        for (std::size_t k = 0; k < own_rows; ++k) {
+          for (std::size_t m = 0; m < own_rows; ++m) add(l, n, k, m, between * larger * stored(k, m, l));
         }
       }
     }
@@ -163,6 +196,16 @@ TEST(Propagation, CovariancesAreThoseByDifferences) {
       }
     }
   }
+}
+
+TEST(Propagation, CovariancesAreThoseByDifferences) {
+  const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
+  expect_covariances_by_differences(problem, sets_with_covariances(problem, false));
+}
+
+TEST(Propagation, CovariancesOfReferencesOfOneMeasurementAreThoseByDifferences) {
+  const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
+  expect_covariances_by_differences(problem, sets_with_covariances(problem, true));
 }
 
 /// E[e_i e*_k] of two FRFs of a line.
@@ -230,14 +273,7 @@ TEST(ErrorSums, AddUpToTheVariances) {
 
 TEST(ErrorSums, HaveTheCovariancesOfFiles) {
   const problems::CouplingProblem problem = problems::make_coupling("coupling-A");
-  std::vector<frf::FrfSet> sets;
-  for (const frf::FrfSet& part : problem.parts) {
-    const frf::NoiseModel noise{.kind = frf::NoiseKind::circular, .level = 1e-6, .reciprocal = false};
-    sets.push_back(frf::polluted(some_lines(part, {60}), noise, 3, 0, sets.size()));
-    sets.back().header.averages = 0.0;
-    tell_covariances(sets.back(), sets.size());
-  }
-  expect_sums_of(problem, sets);
+  for (const bool references : {false, true}) expect_sums_of(problem, sets_with_covariances(problem, references));
 }
 
 /// Covariances of files told by a factor: all its columns, and none of its own.

@@ -184,6 +184,85 @@ TEST_F(CovarianceFactorFile, IsHandedOnByEverySource) {
   expect_pairs(covariance_pairs(of_factor), of_pairs.covariance, 1e-12);
 }
 
+/// With references of one measurement; nothing is known of line 2.
+FrfSet correlated_set(FrfSet set) {
+  for (std::size_t line = 0; line < lines; ++line) {
+    const Complex value = line == 2 ? Complex(nan(""), nan("")) : Complex(0.1 * static_cast<double>(line), -0.6);
+    const std::array<Complex, 4> all = {line == 2 ? value : 1.0, value, std::conj(value), line == 2 ? value : 1.0};
+    set.reference_correlation.insert(set.reference_correlation.end(), all.begin(), all.end());
+  }
+  return set;
+}
+
+TEST_F(CovarianceFactorFile, ReferencesOfOneMeasurementStayBesideEitherForm) {
+  for (const bool pairs : {false, true}) {
+    const FrfSet factored = factored_set(Quantity::accelerance, true);
+    const FrfSet set = correlated_set(pairs ? packed(factored) : factored);
+    write_hdf5(set, path("a.h5"));
+    const auto source = open_hdf5(path("a.h5"));
+    EXPECT_TRUE(source->has_reference_correlation());
+    const FrfSet read = load_with_covariance(*source);
+    validate(read);
+    expect_pairs(read.reference_correlation, set.reference_correlation, 1e-14);
+    const std::vector<std::size_t> some = {1, 3}, turned = {1, 0};
+    std::vector<Complex> out(8);
+    KeptSource kept(from_memory(set));
+    ASSERT_TRUE(kept.has_reference_correlation());
+    kept.read_reference_correlation(some, turned, out);
+    EXPECT_EQ(out[1], std::conj(set.reference_correlation[4 + 1]));
+    EXPECT_EQ(out[4 + 2], set.reference_correlation[12 + 1]);
+    write_hdf5(factored, path("b.h5"));
+    EXPECT_FALSE(open_hdf5(path("b.h5"))->has_reference_correlation());
+  }
+}
+
+/// The errors turn with the FRFs: by a sign of one reference, to the conjugate.
+TEST_F(CovarianceFactorFile, CorrectionsTurnWhatReferencesHaveInCommon) {
+  const FrfSet set = correlated_set(factored_set(Quantity::receptance, true));
+  Corrections corrections;
+  corrections.conjugate = true;
+  corrections.flip = dofs({"9:+Z"});
+  corrections.delay = 1e-3;
+  corrections.reference_gain = {{Dof::parse("1:+X"), 2.0}};
+  const FrfSet read = load_with_covariance(*corrected(from_memory(set), corrections));
+  for (std::size_t line = 0; line < lines; ++line) {
+    const Complex before = set.reference_correlation[4 * line + 1], after = read.reference_correlation[4 * line + 1];
+    if (line == 2) continue;
+    EXPECT_LE(std::abs(after + std::conj(before)), 1e-14);
+    EXPECT_EQ(read.reference_correlation[4 * line + 3], 1.0);
+  }
+}
+
+TEST_F(CovarianceFactorFile, CorrelationsThatAreNoneAreOneClearError) {
+  const auto message = [&](std::size_t at, Complex value) {
+    FrfSet set = correlated_set(factored_set(Quantity::receptance, true));
+    set.reference_correlation[at] = value;
+    write_hdf5(set, path("a.h5"));
+    return message_of([&] { load_with_covariance(*open_hdf5(path("a.h5"))); });
+  };
+  EXPECT_THAT(message(0, 0.9), HasSubstr("correlation of references 1:+X and 1:+X, line 1: 0.9 + 0i is none"));
+  EXPECT_THAT(message(4 + 2, {0.0, 3.0}), HasSubstr("correlation of references 9:+Z and 1:+X, line 2: 0 + 3i is none"));
+  EXPECT_THAT(message(4 + 2, {0.1, -0.6}), HasSubstr("it must be Hermitian"));
+  const FrfSet set = correlated_set(factored_set(Quantity::receptance, true));
+  EXPECT_THAT(message_after(
+                  [](hid_t file) {
+                    H5Ldelete(file, "covariance_factor", H5P_DEFAULT);
+                    H5Ldelete(file, "covariance_diagonal", H5P_DEFAULT);
+                  },
+                  set),
+              HasSubstr("has a dataset reference_correlation without covariances; write the covariances, too"));
+  EXPECT_THAT(message_after(
+                  [](hid_t file) {
+                    replace(file, "reference_correlation", {lines, columns, 3}, true);
+                  },
+                  set),
+              HasSubstr("dataset reference_correlation: has dimensions [4,2,3] where"));
+  FrfSet alone = factored_set(Quantity::receptance, true);
+  alone.reference_correlation = set.reference_correlation;
+  alone.factor = {};
+  EXPECT_THAT(message_of([&] { validate(alone); }), HasSubstr("and there are no covariances"));
+}
+
 TEST_F(CovarianceFactorFile, ThatIsBrokenIsOneClearError) {
   const auto real = [](hid_t file, const std::array<hsize_t, 3>& dims) { replace(file, "covariance_diagonal", dims, false); };
   EXPECT_THAT(message_after([](hid_t file) { replace(file, "covariance", {lines, 28, columns}, true); }),

@@ -126,6 +126,29 @@ frf::FrfSet sample(const std::string& file, const Dofs& responses, const Dofs& r
   return set;
 }
 
+/// With covariances a_c Σ and references that have something in common, as those of forces that act at once do.
+frf::FrfSet sample_of_one_measurement(const std::string& file, const Dofs& responses, const Dofs& references, unsigned seed) {
+  frf::FrfSet set = sample(file, responses, references, seed);
+  Normal normal(seed + 100);
+  const std::size_t rows = responses.size(), columns = references.size(), pairs = frf::pair_count(rows);
+  for (std::size_t line = 0; line < 2; ++line) {
+    const MatrixXcd root = normal.matrix(at(columns), at(columns + 1));
+    const MatrixXcd forces = root * root.adjoint();
+    for (std::size_t c = 0; c < columns; ++c) {
+      const double larger = 1.0 + 0.7 * static_cast<double>(c);
+      for (std::size_t p = 0; p < pairs; ++p) {
+        set.covariance[(line * pairs + p) * columns + c] = larger * set.covariance[(line * pairs + p) * columns];
+      }
+      for (std::size_t r = 0; r < rows; ++r) set.variance[set.index(line, r, c)] = larger * set.variance[set.index(line, r, 0)];
+      for (std::size_t d = 0; d < columns; ++d) {
+        const Complex value = forces(at(c), at(d)) / std::sqrt(forces(at(c), at(c)).real() * forces(at(d), at(d)).real());
+        set.reference_correlation.push_back(c == d ? 1.0 : value);
+      }
+    }
+  }
+  return set;
+}
+
 struct Sets {
   std::vector<frf::FrfSet> substructures, assembly;
 };
@@ -156,6 +179,7 @@ void add_by_differences(Sets sets, const Dofs& coordinates, std::vector<frf::Frf
   frf::FrfSet& set = (sets.*which)[k];
   const VectorXcd before = values_of(observed(sets, coordinates));
   const std::size_t rows = set.header.response.size(), columns = set.header.reference.size();
+  std::vector<MatrixXcd> by_column, scaled;  // what each FRF does; a covariance in parts of its first element's root
   for (std::size_t c = 0; c < columns; ++c) {
     MatrixXcd by(before.size(), at(rows)), covariance(at(rows), at(rows));
     for (std::size_t r = 0; r < rows; ++r) {
@@ -171,17 +195,20 @@ void add_by_differences(Sets sets, const Dofs& coordinates, std::vector<frf::Frf
       }
     }
     sum += by * covariance * by.adjoint();
+    by_column.push_back(by);
+    scaled.push_back(covariance / std::sqrt(covariance(0, 0).real()));
+  }
+  for (std::size_t c = 0; c < columns && !set.reference_correlation.empty(); ++c) {
+    for (std::size_t d = 0; d < columns; ++d) {
+      if (c == d) continue;
+      const MatrixXcd between = set.reference_correlation[c * columns + d] * (scaled[c] * scaled[d](0, 0).real());
+      sum += by_column[c] * between * by_column[d].adjoint();
+    }
   }
 }
 
-/// Two parts, FRFs there and back, signs, an assembly in two files of which one has no covariances.
-TEST(FrfCovariances, AreThoseOfTheObservationsByDifferences) {
-  const Dofs coordinates = dofs({"1:+X", "2:+X", "3:+X", "4:+X", "5:+X"});
-  const Dofs part = dofs({"1:+X", "4:-X", "2:+X"}), other = dofs({"5:+X", "3:+X"});
-  Sets sets{{sample("a", part, dofs({"2:+X", "1:-X", "4:+X"}), 1), sample("b", other, other, 2)},
-            {sample("c", coordinates, dofs({"1:+X", "3:+X", "5:+X"}), 3),
-             sample("d", dofs({"1:+X", "2:-X", "4:+X"}), dofs({"2:+X", "4:+X"}), 4)}};
-  sets.assembly[1].covariance.clear();
+/// What the likelihood takes for the covariance of its observations is that by differences.
+void expect_by_differences(const Sets& sets, const Dofs& coordinates) {
   const LineData data = observed(sets, coordinates);
   ASSERT_TRUE(data.correlation);
   const VectorXcd values = values_of(data);
@@ -208,6 +235,26 @@ TEST(FrfCovariances, AreThoseOfTheObservationsByDifferences) {
       EXPECT_NEAR(std::abs(scale * found(i, k) - expected(i, k)), 0.0, 1e-9 * scale) << i << " " << k;
     }
   }
+}
+
+/// Two parts, FRFs there and back, signs, an assembly in two files of which one has no covariances.
+TEST(FrfCovariances, AreThoseOfTheObservationsByDifferences) {
+  const Dofs coordinates = dofs({"1:+X", "2:+X", "3:+X", "4:+X", "5:+X"});
+  const Dofs part = dofs({"1:+X", "4:-X", "2:+X"}), other = dofs({"5:+X", "3:+X"});
+  Sets sets{{sample("a", part, dofs({"2:+X", "1:-X", "4:+X"}), 1), sample("b", other, other, 2)},
+            {sample("c", coordinates, dofs({"1:+X", "3:+X", "5:+X"}), 3),
+             sample("d", dofs({"1:+X", "2:-X", "4:+X"}), dofs({"2:+X", "4:+X"}), 4)}};
+  sets.assembly[1].covariance.clear();
+  expect_by_differences(sets, coordinates);
+}
+
+/// The same with forces that acted at once in a part and on the assembly.
+TEST(FrfCovariances, OfReferencesOfOneMeasurementAreThoseByDifferences) {
+  const Dofs coordinates = dofs({"1:+X", "2:+X", "3:+X", "4:+X", "5:+X"});
+  const Dofs part = dofs({"1:+X", "4:-X", "2:+X"}), other = dofs({"5:+X", "3:+X"});
+  expect_by_differences({{sample_of_one_measurement("a", part, dofs({"2:+X", "1:-X", "4:+X"}), 1), sample("b", other, other, 2)},
+                         {sample_of_one_measurement("c", coordinates, dofs({"1:+X", "3:-X", "5:+X"}), 3)}},
+                        coordinates);
 }
 
 TEST(FrfCovariances, CostNothingWhereThereAreNone) {
@@ -248,6 +295,36 @@ TEST(RecordedNoise, ScattersByTheCovariancesOfTheSet) {
       const double size = std::sqrt(of(r, r).real() * of(s, s).real());
       EXPECT_NEAR(std::abs(sum(at(r), at(s)) - of(r, s)) / size, 0.0, 5.0 / std::sqrt(draws));
       EXPECT_NEAR(std::abs(across(at(r), at(s))) / size, 0.0, 0.2);
+    }
+  }
+}
+
+TEST(RecordedNoise, ScattersByWhatReferencesHaveInCommon) {
+  const frf::FrfSet clean = sample_of_one_measurement("a", dofs({"1:+X", "2:+X", "3:+X"}), dofs({"1:+X", "2:+X"}), 6);
+  const study::RecordedNoise noise(frf::whole(clean));
+  constexpr int draws = 4000;
+  MatrixXcd across = MatrixXcd::Zero(3, 3);
+  for (std::uint64_t trial = 0; trial < draws; ++trial) {
+    frf::FrfSet set = clean;
+    noise.pollute(set, {9, trial, 0});
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t s = 0; s < 3; ++s) {
+        across(at(r), at(s)) += (set.values[set.index(1, r, 1)] - clean.values[clean.index(1, r, 1)]) *
+                                std::conj(set.values[set.index(1, s, 0)] - clean.values[clean.index(1, s, 0)]) / double{draws};
+      }
+    }
+  }
+  const Complex correlation = clean.reference_correlation[4 + 2];  // of line 1, second with first
+  ASSERT_GT(std::abs(correlation), 0.2);
+  for (std::size_t r = 0; r < 3; ++r) {
+    for (std::size_t s = 0; s < 3; ++s) {
+      const auto of = [&](std::size_t i, std::size_t k, std::size_t c) {
+        const Complex value = clean.covariance[(6 + frf::pair_index(std::max(i, k), std::min(i, k))) * 2 + c];
+        return i < k ? std::conj(value) : value;
+      };
+      const double size = std::sqrt(of(r, r, 1).real() * of(s, s, 0).real());
+      const Complex expected = correlation * std::sqrt(1.7) * of(r, s, 0);  // a of both: 1.7 and 1
+      EXPECT_LT(std::abs(across(at(r), at(s)) - expected), 5.0 / std::sqrt(draws) * size) << r << " " << s;
     }
   }
 }

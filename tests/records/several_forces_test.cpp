@@ -63,7 +63,7 @@ TEST(SeveralForces, OfOneIsH1) {
   for (std::uint64_t i = 0; i < 12; ++i) spectra.force.emplace_back(normal_numbers({5, 0}, i)[0], normal_numbers({5, 0}, i)[1]);
   for (std::uint64_t i = 0; i < 24; ++i) spectra.motion.emplace_back(normal_numbers({6, 0}, i)[0], normal_numbers({6, 0}, i)[1]);
   const Estimate plain = estimate(spectra, Estimator::h1, NoiseFrom::residuals, 5.5);
-  const Estimate general = estimate(SeveralForces{2, 1, 2, 6, spectra.force, spectra.motion}, 5.5).front();
+  const Estimate general = estimate(SeveralForces{2, 1, 2, 6, spectra.force, spectra.motion}, 5.5).of_force.front();
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_LE(std::abs(general.frf[i] - plain.frf[i]), 1e-13);
     EXPECT_NEAR(general.coherence[i], plain.coherence[i], 1e-13);
@@ -75,9 +75,22 @@ TEST(SeveralForces, OfOneIsH1) {
 /// Over 150 tests and the lines, which are independent without overlap but for what the window mixes.
 TEST(SeveralForces, StateTheirCovariances) {
   std::array<std::array<Complex, 3>, two> scatter{}, stated{};
+  std::array<Complex, 4> between{}, stated_between{};  // [r, s] of the first force with the second
   for (std::uint64_t trial = 0; trial < 150; ++trial) {
     const MeasuredFrfs made = make_frfs(std::vector{two_shakers(512, 0.3, trial)}, segments());
     for (std::size_t line = 3; line + 3 < made.set.header.lines(); ++line) {
+      const auto covariance = [&](std::size_t r, std::size_t s, std::size_t c) {
+        const Complex value = made.set.covariance[(line * 3 + frf::pair_index(std::max(r, s), std::min(r, s))) * two + c];
+        return r < s ? std::conj(value) : value;
+      };
+      const double larger = std::sqrt(covariance(0, 0, 1).real() / covariance(0, 0, 0).real());
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto error = [&](std::size_t r, std::size_t c) {
+          return made.set.values[made.set.index(line, r, c)] - gains[r][c];
+        };
+        between[i] += error(i / two, 0) * std::conj(error(i % two, 1));
+        stated_between[i] += made.set.reference_correlation[line * 4 + 1] * larger * covariance(i / two, i % two, 0);
+      }
       for (std::size_t c = 0; c < two; ++c) {
         const auto error = [&](std::size_t r) { return made.set.values[made.set.index(line, r, c)] - gains[r][c]; };
         for (std::size_t r = 0; r < two; ++r) {
@@ -93,6 +106,7 @@ TEST(SeveralForces, StateTheirCovariances) {
     for (std::size_t pair = 0; pair < 3; ++pair)
       EXPECT_LE(std::abs(scatter[c][pair] / stated[c][pair] - 1.0), 0.15) << c << " " << pair;
   }
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_LE(std::abs(between[i] / stated_between[i] - 1.0), 0.15) << i;
 }
 
 TEST(SeveralForces, ThatAreOneGiveNothing) {
