@@ -145,6 +145,33 @@ void put_factor(const FrfSet& set, std::vector<std::size_t>& first, FrfSet& out)
   for (const std::size_t column : places.column) first[column] += rank;
 }
 
+/// What references of one set have in common that no other set has, too.
+void put_reference_correlation(const std::vector<FrfSet>& sets, FrfSet& out) {
+  const std::size_t size = out.header.reference.size();
+  const auto is_of_one = [&](const Dof& reference) {
+    return std::ranges::count_if(sets, [&](const FrfSet& set) { return has(set.header.reference, reference); }) == 1;
+  };
+  for (const FrfSet& set : sets) {
+    if (set.reference_correlation.empty()) continue;
+    const std::vector<Dof>& own = set.header.reference;
+    for (std::size_t line = 0; line < set.header.lines(); ++line) {
+      for (std::size_t c = 0; c < own.size(); ++c) {
+        for (std::size_t d = 0; d < own.size(); ++d) {
+          if (c == d || !is_of_one(own[c]) || !is_of_one(own[d])) continue;
+          if (out.reference_correlation.empty()) {
+            out.reference_correlation.assign(out.header.lines() * size * size, 0.0);
+            for (std::size_t i = 0; i < out.header.lines() * size; ++i) out.reference_correlation[i * size + i % size] = 1.0;
+          }
+          const std::size_t row = find_coordinate(out.header.reference, own[c]),
+                            column = find_coordinate(out.header.reference, own[d]);
+          out.reference_correlation[(line * size + row) * size + column] =
+              set.reference_correlation[(line * own.size() + c) * own.size() + d];
+        }
+      }
+    }
+  }
+}
+
 /// Between FRFs to one reference that are of different sets.
 void put_independence(FrfSet& out) {
   const std::size_t rows = out.header.response.size(), columns = out.header.reference.size(), pairs = pair_count(rows);
@@ -193,6 +220,7 @@ FrfSet merged(std::vector<FrfSet> sets) {
   for (const FrfSet& set : sets) {
     if (out.factor.any()) put_factor(set, first, out);
   }
+  if (out.header.noise == NoiseRecord::variance) put_reference_correlation(sets, out);
   if (out.covariance.empty()) return out;
   for (const FrfSet& set : sets) put_covariance(set, out);
   put_independence(out);

@@ -99,6 +99,32 @@ TEST(MergedSet, KeepsCovariancesAndTakesSetsForIndependent) {
   EXPECT_TRUE(merged({plain, set_of("d", {"9:+Z"}, {"1:+Z"}, 1.0)}).covariance.empty());
 }
 
+/// References 1 and 4 of the first set acted at once, and 4 is in the other set, too; 5 and 6 are of that one alone.
+TEST(MergedSet, KeepsWhatReferencesOfOneSetHaveInCommon) {
+  FrfSet first = with_covariance(set_of("a", {"1:+Z", "2:+Z"}, {"1:+Z", "4:+Y"}, 1.0));
+  FrfSet second = with_covariance(set_of("b", {"3:+Z"}, {"4:+Y", "5:+Z", "6:+Z"}, 100.0));
+  const Complex value(0.3, -0.4);
+  for (int line = 0; line < 2; ++line) {
+    first.reference_correlation.insert(first.reference_correlation.end(), {1.0, value, std::conj(value), 1.0});
+    second.reference_correlation.insert(second.reference_correlation.end(),
+                                        {1.0, 0.2, 0.2, 0.2, 1.0, std::conj(value), 0.2, value, 1.0});
+  }
+  const FrfSet out = merged({first, second});
+  validate(out);
+  for (std::size_t line = 0; line < 2; ++line) {
+    for (std::size_t m = 0; m < 4; ++m) {
+      for (std::size_t n = 0; n < 4; ++n) {
+        Complex expected = m == n ? 1.0 : 0.0;
+        if (m == 3 && n == 2) expected = value;
+        if (m == 2 && n == 3) expected = std::conj(value);
+        EXPECT_EQ(out.reference_correlation[(line * 4 + m) * 4 + n], expected) << m << " " << n;
+      }
+    }
+  }
+  second.reference_correlation.clear();
+  EXPECT_TRUE(merged({first, second}).reference_correlation.empty());
+}
+
 TEST(MergedSet, RefusesOtherLinesAndFrfsTwice) {
   FrfSet other = set_of("b", {"2:+Z"}, {"1:+Z"}, 1.0);
   other.header.frequency_hz[1] = 25.0;
