@@ -65,10 +65,10 @@ RC_GTEST_PROP(ResidualFactor, OfSeveralForcesIsThePlainSumOverTheSegments, ()) {
   const SeveralForces spectra{lines, forces, responses, count, random_numbers(count * forces * lines, seed, 1),
                               random_numbers(count * responses * lines, seed, 2)};
   const double effective = static_cast<double>(forces) + 0.5;
-  const std::vector<Estimate> factored = estimate(spectra, effective, CovarianceForm::factor), paired = estimate(spectra, effective);
+  const SeveralEstimates factored = estimate(spectra, effective, CovarianceForm::factor), paired = estimate(spectra, effective);
   for (std::size_t c = 0; c < forces; ++c) {
-    RC_ASSERT(factored[c].factor.size() == lines * responses * (count - forces));
-    RC_ASSERT(difference(factored[c], paired[c], lines, responses) < 1e-9);
+    RC_ASSERT(factored.of_force[c].factor.size() == lines * responses * (count - forces));
+    RC_ASSERT(difference(factored.of_force[c], paired.of_force[c], lines, responses) < 1e-9);
   }
 }
 
