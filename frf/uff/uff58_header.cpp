@@ -89,7 +89,6 @@ class RecordLine {
 
 DofRecord parse_dof(const RecordLine& record, std::size_t begin) {
   DofRecord dof;
-  dof.entity = record.text(begin + 1, 10);
   dof.node = record.integer(begin + 11, 10, "node");
   dof.direction = record.code(begin + 21, 4, "direction code", -6, 6);
   return dof;
@@ -126,7 +125,6 @@ AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
   const RecordLine record(line, number, place);
   AxisRecord axis;
   axis.data_type = record.code(0, 10, "specific data type", 0, 999);
-  axis.label = record.text(26, 20);
   axis.unit = record.text(47, 20);
   return axis;
 }
@@ -145,8 +143,8 @@ std::string DofRecord::name() const {
 
 Header58 parse_header58(const std::array<std::string, header_lines>& lines, const Place& place) {
   Header58 header;
-  for (std::size_t i = 0; i < header.id.size(); ++i)
-    header.id[i] = to_utf8(trim(one_byte_per_column(lines[i])));
+  constexpr std::size_t id_lines = 5;
+  for (std::size_t i = 0; i < id_lines; ++i) header.id.push_back(to_utf8(trim(one_byte_per_column(lines[i]))));
   const RecordLine record6(lines[5], 6, place);
   header.function_type = record6.code(0, 5, "function type", 0, 9999);
   header.load_case = record6.integer(20, 10, "load case");

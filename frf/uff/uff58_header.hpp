@@ -27,16 +27,14 @@ inline constexpr int type_frequency = 18;
 /// Number of header lines of a dataset 58.
 inline constexpr std::size_t header_lines = 11;
 
-/// Records 8–11: what stands on an axis. Labels are UTF-8.
+/// Records 8–11: what stands on an axis.
 struct AxisRecord {
   int data_type = 0;
-  std::string label;
   std::string unit;
 };
 
 /// Half of record 6. Direction codes: 0 scalar, ±1…3 translations, ±4…6 rotations.
 struct DofRecord {
-  std::string entity;
   std::int64_t node = 0;
   int direction = 0;
 
@@ -48,7 +46,7 @@ struct DofRecord {
 
 /// Records 1–11 of a dataset 58 or 58b ("Function at Nodal DOF", revision of 30 June 1999).
 struct Header58 {
-  std::array<std::string, 5> id;
+  std::vector<std::string> id;  ///< five lines, UTF-8
   int function_type = 0;
   std::int64_t load_case = 0;
   DofRecord response;

@@ -97,10 +97,26 @@ class CatalogueBuilder {
     header_.nodes = read_nodes(file_, datasets_, units);
     if (!spectra_) attach_coherences(file_, catalogue_);
     validate(header_);
+    forget_id_lines();
     return std::move(catalogue_);
   }
 
  private:
+  /// Of tens of thousands of records that nobody asks for any more they take more memory than all else that is kept of these.
+  void forget_id_lines() {
+    for (Dataset& dataset : datasets_) {
+      if (dataset.function) dataset.function->id = {};
+    }
+    datasets_.shrink_to_fit();
+  }
+
+  /// Written with the numbers of the header's axis: nothing is to be compared line by line.
+  bool is_axis_of_first(const Header58& header) const {
+    const Header58& first = *datasets_[catalogue_.first_record].function;
+    return first.even && header.abscissa_first == first.abscissa_first && header.abscissa_step == first.abscissa_step &&
+           header.abscissa.data_type == first.abscissa.data_type && header.abscissa.unit == first.abscissa.unit;
+  }
+
   void set_axis(const Dataset& first) {
     require_readable(first);
     require_plausible_size(file_, first);
@@ -128,7 +144,7 @@ class CatalogueBuilder {
                              std::to_string(header_.lines()),
                          "put FRFs with different axes into different files");
     }
-    if (header.even) require_axis(catalogue_, dataset, even_abscissa(header));
+    if (header.even && !is_axis_of_first(header)) require_axis(catalogue_, dataset, even_abscissa(header));
     header_.precision = std::max(header_.precision, precision(dataset));
     require_plausible_size(file_, dataset);
     add(header_.response, header.response.dof());

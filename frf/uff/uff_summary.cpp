@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/error.hpp"
@@ -42,8 +43,10 @@ std::string over(const std::string& numerator, const std::string& denominator) {
 UffSummary::Function describe(const uff::Dataset& dataset) {
   const uff::Header58& header = *dataset.function;
   const bool ratio = header.denominator.data_type != 0;
+  std::array<std::string, 5> id;
+  std::ranges::copy(header.id, id.begin());
   return {.dataset = dataset.name(),
-          .id = header.id,
+          .id = std::move(id),
           .function_type = header.function_type,
           .function = uff::function_name(header.function_type),
           .response = header.response.name(),

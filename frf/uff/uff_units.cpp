@@ -120,7 +120,7 @@ Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, 
   }
   // That of the same motion over 1 N.
   Header58 motion = header;
-  motion.denominator = {.data_type = type_force, .label = {}, .unit = "N"};
+  motion.denominator = {.data_type = type_force, .unit = "N"};
   motion.reference.direction = static_cast<int>(Direction::x);
   return interpret_ordinate(motion, factors, given, place);
 }
