@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "virtualpoint/measured_errors.hpp"
@@ -38,8 +39,21 @@ class VirtualSource final : public frf::FrfSource {
   }
 
   bool has_covariance() const override { return errors_.known(); }
+  bool has_reference_correlation() const override {
+    return errors_.known() && (source_->has_reference_correlation() || shares_channels(references_));
+  }
 
  private:
+  static bool shares_channels(const Mixture& side) {
+    std::set<std::size_t> taken;
+    for (const auto& coordinate : side.shares) {
+      for (const Share& share : coordinate) {
+        if (!taken.insert(share.channel).second) return true;
+      }
+    }
+    return false;
+  }
+
   Needed needed(std::span<const std::size_t> responses, std::span<const std::size_t> references) const {
     return {PickedMixture(responses_, responses), PickedMixture(references_, references)};
   }
@@ -148,6 +162,59 @@ class VirtualSource final : public frf::FrfSource {
         }
       }
     }
+  }
+
+  /// References made of the same impacts share their errors: those of impact k are taken as √w_k times like ones over the responses, w_k the
+  /// mean over the measured responses of its variance in parts of that of all impacts. Exact where covariances of impacts differ by a
+  /// factor alone.
+  void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
+                                     std::span<Complex> out) override {
+    const std::vector<std::size_t> responses = first_indices(header_.response.size());
+    const Needed from = needed(responses, references);
+    const std::size_t columns = from.columns.channels.size(), size = references.size();
+    std::vector<Complex> measured(lines.size() * from.size());
+    errors_.read_variance(from.block(lines), measured);
+    std::vector<Complex> between;
+    if (source_->has_reference_correlation()) {
+      between.resize(lines.size() * columns * columns);
+      source_->read_reference_correlation(lines, from.columns.channels, between);
+    }
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+      const std::vector<double> root = roots(std::span(measured).subspan(line * from.size(), from.size()), columns);
+      const auto common = [&](std::size_t m, std::size_t n) {
+        Complex sum = 0.0;
+        for (const Share& a : from.columns.shares[m]) {
+          for (const Share& b : from.columns.shares[n]) {
+            Complex correlation = a.channel == b.channel ? 1.0 : 0.0;
+            if (!between.empty()) correlation = between[(line * columns + a.channel) * columns + b.channel];
+            if (correlation != Complex(0.0)) sum += a.factor * b.factor * root[a.channel] * root[b.channel] * correlation;
+          }
+        }
+        return sum;
+      };
+      std::vector<double> own;
+      for (std::size_t m = 0; m < size; ++m) own.push_back(std::sqrt(common(m, m).real()));
+      for (std::size_t m = 0; m < size; ++m) {
+        for (std::size_t n = 0; n < size; ++n) out[(line * size + m) * size + n] = m == n ? 1.0 : common(m, n) / (own[m] * own[n]);
+      }
+    }
+  }
+
+  /// √w of each impact, from the variances [response, impact] of a line; 1 where none is known.
+  static std::vector<double> roots(std::span<const Complex> variances, std::size_t columns) {
+    std::vector<double> sum(columns, 0.0), count(columns, 0.0);
+    for (std::size_t first = 0; first < variances.size(); first += columns) {
+      const auto total = [&](std::size_t c) { return variances[first + c].real() + variances[first + c].imag(); };
+      double all = 0.0;
+      for (std::size_t c = 0; c < columns; ++c) all += total(c);
+      if (!(all > 0.0) || !std::isfinite(all)) continue;
+      for (std::size_t c = 0; c < columns; ++c) {
+        sum[c] += total(c) / all;
+        count[c] += 1.0;
+      }
+    }
+    for (std::size_t c = 0; c < columns; ++c) sum[c] = count[c] > 0.0 ? std::sqrt(sum[c] / count[c]) : 1.0;
+    return sum;
   }
 
   /// Responses (r, s) of pair indices.
