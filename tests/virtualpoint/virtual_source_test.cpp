@@ -149,6 +149,45 @@ TEST(VirtualSource, CarriesVariancesAndCovariances) {
   }
 }
 
+/// Errors of all impacts alike but for their size: those of two virtual references as the Kronecker product of both sides has
+/// them.
+TEST(VirtualSource, ReferencesShareTheErrorsOfTheirImpacts) {
+  Interface in = with_others(8);
+  const std::size_t rows = 13, columns = 10;
+  in.set.header.noise = frf::NoiseRecord::variance;
+  const Eigen::MatrixXcd root = in.random_matrix(at(rows), 20), common = root * root.adjoint();
+  Eigen::VectorXd size(at(columns));
+  for (std::size_t c = 0; c < columns; ++c) size[at(c)] = 1.0 + std::abs(in.number());
+  in.set.covariance.resize(in.set.header.lines() * frf::pair_count(rows) * columns);
+  for (std::size_t line = 0; line < in.set.header.lines(); ++line) {
+    for (std::size_t r = 0; r < rows; ++r) {
+      for (std::size_t c = 0; c < columns; ++c) {
+        const double part = 0.5 * size[at(c)] * common(at(r), at(r)).real();
+        in.set.variance.emplace_back(part, part);
+        for (std::size_t s = 0; s <= r; ++s) {
+          in.set.covariance[(line * frf::pair_count(rows) + frf::pair_index(r, s)) * columns + c] =
+              size[at(c)] * common(at(r), at(s));
+        }
+      }
+    }
+  }
+  const Eigen::MatrixXd right = whole_matrix(transformation(in.point, Side::impacts, in.set.header), columns, 9);
+  const Eigen::MatrixXd between = right * size.asDiagonal() * right.transpose();
+  ASSERT_GT(between.cwiseAbs()(1, 6) + between.cwiseAbs()(2, 4), 1e-3);
+  const auto source = virtual_source(frf::from_memory(in.set), {in.point});
+  ASSERT_TRUE(source->has_reference_correlation());
+  const frf::FrfSet out = load_with_covariance(*source);
+  validate(out);
+  for (std::size_t line = 0; line < in.set.header.lines(); ++line) {
+    for (std::size_t m = 0; m < 7; ++m) {
+      for (std::size_t n = 0; n < 7; ++n) {
+        const double wanted = between(at(m), at(n)) / std::sqrt(between(at(m), at(m)) * between(at(n), at(n)));
+        EXPECT_LT(std::abs(out.reference_correlation[(line * 7 + m) * 7 + n] - wanted), 1e-12) << m << " " << n;
+      }
+    }
+  }
+}
+
 /// The scatter of simulated errors is what the variances say, part by part.
 TEST(VirtualSource, VariancesAreThoseOfSimulatedErrors) {
   const Interface in(5);
