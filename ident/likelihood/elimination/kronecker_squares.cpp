@@ -12,7 +12,7 @@ namespace {
 /// Pairs of columns of one product: its result stays in the cache.
 constexpr std::size_t most_pairs = 64;
 
-struct Pair {
+struct ColumnPair {
   std::size_t first, second;  // columns of Y
 };
 
@@ -64,7 +64,7 @@ void KroneckerSquares::add_pairs(const Group& one, const Group& other, ComplexMa
       for (const std::size_t row : one.rows) *out++ = from[row];
     }
   }
-  std::vector<Pair> pairs;
+  std::vector<ColumnPair> pairs;
   for (std::size_t j = 0; j < other.columns.size(); ++j) {
     const std::size_t last = &one == &other ? j + 1 : one.columns.size();
     for (std::size_t i = 0; i < last; ++i) pairs.push_back({one.columns[i], other.columns[j]});

@@ -7,7 +7,7 @@ namespace jointid::ident {
 namespace {
 
 /// The places of all elements, one after the other.
-struct Places {
+struct ElementPlaces {
   const LineLayout& layout;
 
   Eigen::Index a() const { return at(layout.variables()); }
@@ -46,7 +46,7 @@ void add_shape(std::span<const ImpedanceTerm> terms, const std::vector<Element>&
 
 void take_right_sides(const LineLayout& layout, const LineData& data, const LineState& state, const LineFactors& factors,
                       const JointImpedance* joint, const SystematicTerms* terms, RightSides& out) {
-  const Places places{layout};
+  const ElementPlaces places{layout};
   const std::size_t shapes = joint ? joint->shapes().size() : 0, parts = joint ? joint->parts().size() : 0;
   const std::size_t errors = terms ? terms->unknowns : 0;
   out.unknowns.resize(parts + errors);
