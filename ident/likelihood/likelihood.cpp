@@ -319,7 +319,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     const Stopwatch watch(out.runtime_s.identifiability);
     out.identifiability = identifiability_of(plan, estimator, covariance, out);
     tell_calibration(plan, information, out);
-    if (fit.converged) tell_gains(suspect_gains(plan, estimator, whole, chi_square), out);
+    if (fit.converged) tell_gains(suspect_gains(plan, estimator, whole, chi_square, control), out);
   }
   if (control.judgement == Judgement::none) return;
   const Stopwatch watch(out.runtime_s.check);

@@ -5,6 +5,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "ident/likelihood/elimination/elimination_flops.hpp"
+#include "ident/plan/joint_impedance.hpp"
 #include "ident/scene/scene_failure.hpp"
 
 namespace jointid::ident {
@@ -124,26 +126,33 @@ void plan_prediction(Plan& plan, const LikelihoodPlan& own) {
   plan.predicted_references = joined(only_if(blocks.nn, own.others), only_if(blocks.jn || blocks.jj, plan.coordinates.joint));
 }
 
-/// Flops of linearising a line and eliminating its FRFs (line/line_model.hpp): normal equations of what was measured, Cholesky factors,
-/// back substitution for every unknown of the joint. Large lines are counted as those of circular errors, in complex numbers.
-Iteration iteration_cost(const LineLayout& layout, std::size_t unknowns, std::size_t lines) {
+/// Right-hand sides of a line's normal equations where unknowns that act alike share one, see RightSides.
+std::size_t shared_right_sides(const Plan& plan, const LikelihoodPlan& own) {
+  const double omega = angular(plan.lines.front().frequency_hz);
+  const JointImpedance joint(plan.restriction, *plan.columns, plan.omega0, omega);
+  return joint.shapes().size() + own.observations->systematic().size() + 1;
+}
+
+/// Flops of linearising a line and eliminating its FRFs: LineElimination where that pays, else by the rows of what was measured.
+/// Large lines are counted as those of circular errors, in complex numbers.
+Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
   constexpr std::size_t usual = 8;  // of the start, and where weights change; between them factors stay
+  const LineLayout& layout = own.observations->layout();
   const auto number = [](std::size_t i) { return static_cast<double>(i); };
-  const double v = number(layout.variables()), p = number(unknowns + 1), common = number(layout.y.size()) + p;
-  const double column = layout.others > 0 ? number(layout.x.size()) / number(layout.others) : 0.0;
-  const auto rows = [](double count, double width) { return 4.0 * count * width * width; };
-  const double normal = rows(number(layout.a.size()), column + common) + rows(number(layout.b.size()), common) +
-                        rows(number(layout.d.size()), 2.0 * column + common);
-  const double complex_flops = normal + 4.0 / 3.0 * v * v * v + 8.0 * v * v * p + 4.0 * v * p * p;
+  const std::size_t unknowns = plan.columns->size() + own.observations->systematic().size();
+  const std::size_t shared = plan.lines.empty() ? unknowns + 1 : shared_right_sides(plan, own);
+  const double v = number(layout.variables()), p = number(unknowns + 1), lines = number(plan.lines.size());
   Iteration out;
   out.expected = usual;
   out.complex = layout.is_large();
-  out.flops = number(lines) * (out.complex ? 1.0 : 2.0) * complex_flops;
-  out.matrix = (out.complex ? 1 : 2) * layout.variables();
-  const double width = (out.complex ? 1.0 : 2.0) * v + p;
+  const bool eliminates = elimination_pays(layout, shared);
+  const double each = eliminates ? flops_by_elimination(layout, shared) : flops_by_rows(layout, unknowns + 1);
+  out.flops = lines * (out.complex ? 1.0 : 2.0) * each;
+  out.matrix = eliminates ? std::max(layout.y.size(), layout.d.size()) : (out.complex ? 1 : 2) * layout.variables();
+  const double width = eliminates ? number(layout.y.size() + layout.d.size()) : (out.complex ? 1.0 : 2.0) * v + p;
   const double measured = 2.0 * v + number(layout.a.size() + layout.b.size() + layout.d.size());
-  out.memory_bytes = static_cast<std::size_t>(16.0 * 3.0 * measured * number(lines) + 2.0 * (out.complex ? 16.0 : 8.0) * width * width +
-                                              8.0 * 2.0 * v * p * number(lines));
+  out.memory_bytes = static_cast<std::size_t>(16.0 * 3.0 * measured * lines + 2.0 * (out.complex ? 16.0 : 8.0) * width * width +
+                                              8.0 * 2.0 * v * p * lines);
   return out;
 }
 
@@ -179,8 +188,7 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   plan.cost.equations_per_line = (use.nn ? n * (n + 1) / 2 : 0) + (own.blocks.assembly.jn ? n * j : 0) +
                                  (own.blocks.assembly.jj ? j * (j + 1) / 2 : 0);
   plan.cost.bytes_read = plan.entries_per_line * sizeof(Complex) * plan.lines.size();
-  const std::size_t unknowns = plan.columns->size() + own.observations->systematic().size();
-  plan.cost.iteration = iteration_cost(own.observations->layout(), unknowns, plan.lines.size());
+  plan.cost.iteration = iteration_cost(plan, own);
   plan_prediction(plan, own);
 }
 

@@ -1,5 +1,8 @@
 #include "ident/likelihood/findings/gain_scores.hpp"
 
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,30 +89,70 @@ void add_line(const ReducedLine& line, const std::vector<std::size_t>& columns, 
   }
 }
 
-Scores scores_of(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
-                 const SystematicLines& trials) {
+/// One line after the other, from `first` to `last`.
+class LineScores {
+ public:
+  LineScores(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials)
+      : plan_(plan), estimator_(estimator), fit_(fit), trials_(trials), unknowns_(trials.plan().unknowns()) {}
+
+  std::size_t unknowns() const { return fit_.theta.size() + unknowns_.size(); }
+  Scores none() const { return {Eigen::MatrixXd::Zero(at(unknowns()), at(unknowns())), Eigen::VectorXd::Zero(at(unknowns()))}; }
+
+  Scores of(std::size_t first, std::size_t last, LineModel& model, const Control& control) const {
+    Scores out = none();
+    for (std::size_t i = first; i < last; ++i) {
+      stop_if(control.interrupted);
+      if (fit_.line_weight[i] > 0.0) add(i, model, out);
+    }
+    return out;
+  }
+
+ private:
+  void add(std::size_t i, LineModel& model, Scores& out) const {
+    const Observations& observations = *likelihood_plan(plan_)->observations;
+    const std::size_t joint = plan_.columns->size(), known = fit_.theta.size();
+    LineData data = corrected_line(observations.lines()[i], observations.systematic(), std::span(fit_.theta).subspan(joint));
+    const std::shared_ptr<const SystematicTerms> declared = data.terms;
+    data.systematic = observations.systematic_frfs(i, trials_);
+    data = corrected_line(data, unknowns_, {});
+    data.terms = joined(declared.get(), known - joint, *data.terms);
+    const JointImpedance impedance(plan_.restriction, *plan_.columns, plan_.omega0, data.omega);
+    model.linearise(data, impedance, estimator_.impedance_of(i, fit_.theta), estimator_.state_of(i), true);
+    const auto reduced = model.reduce(0.0);
+    if (!reduced) return;
+    std::vector<std::size_t> columns = impedance.columns();
+    for (std::size_t column = joint; column < unknowns(); ++column) columns.push_back(column);
+    add_line(*reduced, columns, fit_.line_weight[i], out);
+  }
+
+  const Plan& plan_;
+  const LikelihoodEstimator& estimator_;
+  const LikelihoodFit& fit_;
+  const SystematicLines& trials_;
+  std::vector<SystematicUnknown> unknowns_;
+};
+
+/// In runs of lines, side by side; what they sum to does not depend on the number of threads.
+Scores scores_of(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+                 const Control& control) {
+  constexpr std::size_t most_runs = 16;
   const LikelihoodPlan& own = *likelihood_plan(plan);
   const Observations& observations = *own.observations;
-  const std::size_t joint = plan.columns->size(), known = fit.theta.size(), all = known + trials.plan().all().size();
-  Scores out{Eigen::MatrixXd::Zero(at(all), at(all)), Eigen::VectorXd::Zero(at(all))};
-  const std::vector<SystematicUnknown> unknowns = trials.plan().unknowns();
-  const auto phi = std::span(fit.theta).subspan(joint);
   const LineShares::Range lines = observations.shares().own(observations.lines().size());
-  LineModel model(observations.layout());
-  for (std::size_t i = lines.first; i < lines.last; ++i) {
-    if (!(fit.line_weight[i] > 0.0)) continue;
-    LineData data = corrected_line(observations.lines()[i], observations.systematic(), phi);
-    const std::shared_ptr<const SystematicTerms> declared = data.terms;
-    data.systematic = observations.systematic_frfs(i, trials);
-    data = corrected_line(data, unknowns, {});
-    data.terms = joined(declared.get(), known - joint, *data.terms);
-    const JointImpedance impedance(plan.restriction, *plan.columns, plan.omega0, data.omega);
-    model.linearise(data, impedance, estimator.impedance_of(i, fit.theta), estimator.state_of(i), true);
-    const auto reduced = model.reduce(0.0);
-    if (!reduced) continue;
-    std::vector<std::size_t> columns = impedance.columns();
-    for (std::size_t column = joint; column < all; ++column) columns.push_back(column);
-    add_line(*reduced, columns, fit.line_weight[i], out);
+  const LineScores line_scores(plan, estimator, fit, trials);
+  const std::size_t runs = std::min(most_runs, lines.size());
+  std::vector<Scores> each(runs);
+  const auto score = [&](std::size_t run) {
+    const auto begin = [&](std::size_t r) { return lines.first + r * lines.size() / runs; };
+    LineModel model(observations.layout());
+    each[run] = line_scores.of(begin(run), begin(run + 1), model, control);
+  };
+  oneapi::tbb::task_arena arena(control.threads == 0 ? oneapi::tbb::task_arena::automatic : static_cast<int>(control.threads));
+  arena.execute([&] { oneapi::tbb::parallel_for(std::size_t{0}, runs, score); });
+  Scores out = line_scores.none();
+  for (const Scores& run : each) {
+    out.information += run.information;
+    out.gradient += run.gradient;
   }
   observations.shares().sum({out.information.data(), static_cast<std::size_t>(out.information.size())});
   observations.shares().sum({out.gradient.data(), static_cast<std::size_t>(out.gradient.size())});
@@ -149,14 +192,14 @@ std::string other_file(const std::vector<Trial>& sensors, const std::vector<doub
 }  // namespace
 
 std::vector<GainSuspect> suspect_gains(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
-                                       const ChiSquare& chi_square) {
+                                       const ChiSquare& chi_square, const Control& control) {
   const LikelihoodPlan& own = *likelihood_plan(plan);
   Trials trials = trials_of(plan, *own.observations);
   const std::vector<Trial> sensors = trials.sensors;
   if (sensors.empty() || sensors.size() > most_sensors || !plan.scene.couple_first.pairs.empty()) return {};
   const SystematicLines lines(std::move(trials.plan), *plan.substructures, *plan.assembly,
                               own.observations->layout().coordinates);
-  Scores scores = left_of(scores_of(plan, estimator, fit, lines), fit.theta.size());
+  Scores scores = left_of(scores_of(plan, estimator, fit, lines, control), fit.theta.size());
   const Eigen::VectorXd at_first = scores.information.diagonal();
   const double inflation = std::sqrt(std::max(1.0, chi_square.value / std::max(1.0, chi_square.degrees_of_freedom)));
   std::vector<GainSuspect> out;

@@ -21,7 +21,7 @@ struct GainSuspect {
 /// three. Errors are counted as larger where χ² says so. A response and the reference at the same coordinate are one sensor,
 /// since FRFs there and back are averaged. Nothing is said with more than 256 sensors, where it would cost more than the fit.
 std::vector<GainSuspect> suspect_gains(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
-                                       const ChiSquare& chi_square);
+                                       const ChiSquare& chi_square, const Control& control);
 
 /// A finding for each.
 void tell_gains(const std::vector<GainSuspect>& suspects, Solution& out);

@@ -238,8 +238,12 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
 /// A full step with all lines at their minimum and linearised there: steps before may have had information and FRFs that were
 /// near, which leaves errors of first order in how near.
 void LikelihoodEstimator::finish_exactly(LikelihoodFit& fit, Relaxation until) {
-  lines_.relax(fit.theta);
-  lines_.linearise(fit.theta);
+  if (lines_.layout().is_large()) {
+    lines_.settle(fit.theta, Relaxation::end);
+  } else {
+    lines_.relax(fit.theta);
+    lines_.linearise(fit.theta);
+  }
   Eigen::VectorXd gradient;
   sum(fit.theta, fit.information, gradient);
   const double loss = total(fit.theta);
@@ -275,7 +279,8 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
   }
-  if (fit.converged) fit.converged = project(fit, settled, watch);
+  const bool stay = lines_.layout().is_large();  // lines are optimised and factored once more in the end
+  if (fit.converged) fit.converged = project(fit, settled, watch, stay ? From::last_project : From::anywhere);
   finish(fit);
   return fit;
 }

@@ -8,23 +8,26 @@
 #include "base/kernel.hpp"
 #include "dense/blas.hpp"
 #include "dense/lu.hpp"
+#include "ident/likelihood/elimination/elimination_flops.hpp"
 #include "ident/likelihood/line/normal_kernels.hpp"
 
 namespace jointid::ident {
-namespace {
-
-/// An FRF that was not measured may be this many times as large as those around it.
-constexpr double wide = 1e3;
-
-double largest(const ComplexMatrix& matrix) { return matrix.size() == 0 ? 0.0 : std::sqrt(matrix.cwiseAbs2().maxCoeff()); }
-
-}  // namespace
 
 bool LineModel::are_circular(const LineData& data) const {
   if (data.correlation && !data.correlation->is_circular()) return false;
   return std::ranges::all_of(std::array{&data.x, &data.y, &data.a, &data.b, &data.d}, [](const Channel* channel) {
     return std::ranges::all_of(channel->weight, [](const Complex& weight) { return weight.real() == weight.imag(); });
   });
+}
+
+/// Whether the line is one for LineElimination, which is made for the first of them.
+bool LineModel::eliminates(const LineData& data, const JointImpedance& joint) {
+  if (data.correlation || numbers_ == Numbers::real || numbers_ == Numbers::complex) return false;
+  const std::size_t right_sides = (joint_unknowns_ > 0 ? joint.shapes().size() : 0) + unknowns_ - joint_unknowns_ + 1;
+  if (numbers_ == Numbers::chosen && !elimination_pays(layout_, right_sides)) return false;
+  if (!are_circular(data)) return false;
+  if (!elimination_) elimination_ = std::make_unique<LineElimination>(layout_);
+  return true;
 }
 
 NormalRows::Run LineModel::column(std::size_t other) const {
@@ -161,8 +164,11 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   unknowns_ = joint_unknowns_ + (terms_ ? terms_->unknowns : 0);
   h_ = (p_.transpose() * z.transpose()) * state.x;  // hᵀ: N×n
   yh_ = state.x - state.y.transpose() * h_;
-  const bool pays = numbers_ == Numbers::complex || (numbers_ == Numbers::chosen && (layout_.is_large() || data.correlation));
-  complex_ = pays && are_circular(data);
+  const LineFactors factors{p_, py_, za_, h_, yh_, r_, c_, rest_b_};
+  eliminated_ = eliminates(data, joint) && elimination_->linearise(data, state, factors, with_joint ? &joint : nullptr, terms_);
+  if (eliminated_) return;
+  const bool pays = layout_.is_large() || data.correlation;
+  complex_ = (numbers_ == Numbers::chosen ? pays : numbers_ != Numbers::real) && are_circular(data);
   const std::size_t others = unknowns_ + 1;
   row_.assign(layout_.variables() + others, 0.0);
   complex_ ? complex_rows_.reset(layout_.variables() + others, layout_.x.size())
@@ -171,7 +177,7 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   if (correlation_) correlated_rows_.reset(*correlation_, (complex_ ? 1 : 2) * layout_.variables() + others);
   add_priors(data, state);
   if (!complex_ && !correlation_ && !terms_) {
-    plain_rows_.add_to(rows_, data, state, {p_, py_, za_, h_, yh_, r_, c_, rest_b_}, with_joint ? &joint : nullptr);
+    plain_rows_.add_to(rows_, data, state, factors, with_joint ? &joint : nullptr);
     return;
   }
   add_a(data, joint, state);
@@ -185,9 +191,8 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
            : correlated_rows_.add_to(Strided(rows_.values().data(), size, size, Eigen::OuterStride<>(at(rows_.stride()))));
 }
 
-void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight, double size) {
+void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight, double guess) {
   if (put_correlated_prior(variable, residual, weight)) return;
-  const double guess = 1.0 / (wide * size);
   if (complex_) {
     Eigen::MatrixXcd& normal = complex_rows_.normal();
     const Eigen::Index last = normal.rows() - 1, v = at(variable);
@@ -215,7 +220,7 @@ void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight
 
 void LineModel::add_priors(const LineData& data, const LineState& state) {
   prior_weight_.clear();
-  const double x_size = largest(state.x), y_size = largest(state.y);
+  const double x_guess = guessed_weight(state.x), y_guess = guessed_weight(state.y);
   const auto is_systematic = [&](std::size_t variable, Complex weight) {
     return terms_ && terms_->has(variable) && weight.real() > 0.0 && weight.imag() > 0.0;
   };
@@ -225,7 +230,7 @@ void LineModel::add_priors(const LineData& data, const LineState& state) {
       put_systematic_prior(i, data.x, i, current);
       continue;
     }
-    add_prior(i, data.x.value[i] - current, data.x.weight[i], x_size);
+    add_prior(i, data.x.value[i] - current, data.x.weight[i], x_guess);
   }
   for (std::size_t i = 0; i < layout_.y.size(); ++i) {
     const Complex current = state.y(at(layout_.y[i].row), at(layout_.y[i].column));
@@ -233,7 +238,7 @@ void LineModel::add_priors(const LineData& data, const LineState& state) {
       put_systematic_prior(layout_.x.size() + i, data.y, i, current);
       continue;
     }
-    add_prior(layout_.x.size() + i, data.y.value[i] - current, data.y.weight[i], y_size);
+    add_prior(layout_.x.size() + i, data.y.value[i] - current, data.y.weight[i], y_guess);
   }
 }
 
@@ -289,7 +294,10 @@ void LineModel::add_d(const LineData& data, const JointImpedance& joint, const L
   }
 }
 
-std::optional<ReducedLine> LineModel::reduce(double damping) { return complex_ ? reduce_complex(damping) : reduce_real(damping); }
+std::optional<ReducedLine> LineModel::reduce(double damping) {
+  if (eliminated_) return elimination_->reduce(damping);
+  return complex_ ? reduce_complex(damping) : reduce_real(damping);
+}
 
 /// U = L Lᴴ of the FRFs, and what is real in the Schur complement of the joint's unknowns, which are.
 std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
@@ -352,6 +360,7 @@ std::optional<ReducedLine> LineModel::reduce_real(double damping) {
 }
 
 LineStep LineModel::own_step(const LineStep& gradient) const {
+  if (eliminated_) return elimination_->own_step(gradient);
   if (!complex_) {
     LineStep step = gradient;
     solve_by_factor(real_factor_.data(), rows_.stride(), static_cast<std::size_t>(step.size()), step.data());

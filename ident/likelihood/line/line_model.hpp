@@ -3,32 +3,15 @@
 #include <memory>
 #include <optional>
 
+#include "ident/likelihood/elimination/line_elimination.hpp"
 #include "ident/likelihood/line/complex_rows.hpp"
 #include "ident/likelihood/line/correlated_rows.hpp"
 #include "ident/likelihood/line/line_state.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
 #include "ident/likelihood/line/plain_rows.hpp"
+#include "ident/likelihood/line/reduced_line.hpp"
 
 namespace jointid::ident {
-
-/// The part of a line's least-squares problem that is left for the joint unknowns once its FRFs are eliminated (Schur
-/// complement), and the way back to the FRFs.
-struct ReducedLine {
-  Eigen::MatrixXd information;  ///< p×p: Σ JᵀJ − WᵀU⁻¹W; p counts systematic errors, too
-  Eigen::VectorXd gradient;     ///< p: a step of the unknowns solves information · δθ = gradient
-  std::shared_ptr<const Eigen::MatrixXd> back;  ///< 2v×p, U⁻¹W; shared by copies: the largest part
-  LineStep own;                 ///< 2v, U⁻¹g: the step of the FRFs is own − back · δθ
-  double cost = 0.0;            ///< χ² of the linearised problem at δθ = 0
-
-  /// The FRFs' part of a step of the joint: −U⁻¹W δθ.
-  LineStep answer(const Eigen::VectorXd& step) const { return -(*back * step); }
-
-  /// Whether there is any information.
-  bool tells() const { return information.trace() > 0.0; }
-
-  /// χ² of the linearised problem after a step of the joint.
-  double cost_after(const Eigen::VectorXd& step) const { return cost - step.dot(2.0 * gradient - information * step); }
-};
 
 /// The linearised line (docs/formulas.md §11e). With P = (I + Y Z)⁻¹, G = Z A, R = X − A − Y Z A:
 ///   δA = P (R + δX − δY G − Y δZ A),  δD(r,k) = G_kᵀ δX_r + h_r (R_k + δX_k − δY G_k) + (X_rᵀ − h_r Y) δZ A_k,
@@ -37,13 +20,15 @@ struct ReducedLine {
 /// explicit one (Gauss–Newton). Not thread-safe: one per thread.
 ///
 /// All of it is linear in complex numbers. Where real and imaginary part of every FRF have the same weight (circular errors) the
-/// normal equations are complex, half as many, and taken so for lines of many FRFs and where errors depend on each other.
+/// normal equations are complex, half as many, and taken so for lines of many FRFs and where errors depend on each other. Where
+/// that takes fewer flops they are solved by their structure (LineElimination), if errors are independent.
 class LineModel {
  public:
   enum class Numbers {
     chosen,
     real,
-    complex  ///< where errors are circular
+    complex,    ///< where errors are circular
+    eliminated  ///< by LineElimination where they are circular and independent, and it can
   };
 
   explicit LineModel(const LineLayout& layout, Numbers numbers = Numbers::chosen)
@@ -71,10 +56,11 @@ class LineModel {
 
  private:
   bool are_circular(const LineData& data) const;
+  bool eliminates(const LineData& data, const JointImpedance& joint);
   std::optional<ReducedLine> reduce_real(double damping);
   std::optional<ReducedLine> reduce_complex(double damping);
   void add_priors(const LineData& data, const LineState& state);
-  void add_prior(std::size_t variable, Complex residual, Complex weight, double size);
+  void add_prior(std::size_t variable, Complex residual, Complex weight, double guess);
   void put_systematic_prior(std::size_t variable, const Channel& channel, std::size_t i, Complex current);
   bool put_correlated_prior(std::size_t variable, Complex residual, Complex weight);
   void add_a(const LineData& data, const JointImpedance& joint, const LineState& state);
@@ -91,6 +77,7 @@ class LineModel {
   const LineLayout& layout_;
   Numbers numbers_;
   bool complex_ = false;      ///< the normal equations of the line
+  bool eliminated_ = false;   ///< by elimination_
   std::size_t unknowns_ = 0;  ///< of the joint, and of systematic errors
   std::size_t joint_unknowns_ = 0;
   std::size_t place_ = 0;     ///< in the row that is being written
@@ -101,6 +88,7 @@ class LineModel {
   NormalRows rows_;
   PlainRows plain_rows_;
   ComplexRows complex_rows_;
+  std::unique_ptr<LineElimination> elimination_;        ///< once it is used
   const minimise::Correlation* correlation_ = nullptr;  ///< of the line's errors
   const SystematicTerms* terms_ = nullptr;    ///< of the line, while unknowns are asked for
   std::size_t first_element_ = 0;             ///< of the channel whose rows are written, see Correlation

@@ -5,16 +5,12 @@
 
 #include "ident/likelihood/line/element_rows.hpp"
 #include "ident/likelihood/line/line_data.hpp"
+#include "ident/likelihood/line/line_factors.hpp"
 #include "ident/likelihood/line/line_state.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
 #include "ident/plan/joint_impedance.hpp"
 
 namespace jointid::ident {
-
-/// What LineModel has of a line: P, P Y, Z A, hᵀ = PᵀZᵀX, X − Yᵀhᵀ, R, and where B is measured I − Z B and Y − B − Y Z B.
-struct LineFactors {
-  const ComplexMatrix &p, &py, &za, &h, &yh, &r, &c, &rest_b;
-};
 
 /// The rows of measured A, B and D of a line without correlated or systematic errors, as LineModel has them, eight elements at a time:
 /// column by column of X those that touch it, of which each is counted once for what all rows have in common.

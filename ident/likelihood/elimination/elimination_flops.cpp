@@ -1,0 +1,47 @@
+#include "ident/likelihood/elimination/elimination_flops.hpp"
+
+namespace jointid::ident {
+namespace {
+
+double number(std::size_t i) { return static_cast<double>(i); }
+
+/// Of a complex matrix product, half of a square, a Cholesky factor, and a solution by one of its sides.
+double product_flops(double rows, double columns, double depth) { return 8.0 * rows * columns * depth; }
+double factor_flops(double size) { return 4.0 / 3.0 * size * size * size; }
+double solve_flops(double size, double columns) { return 4.0 * size * size * columns; }
+
+double x_per_column(const LineLayout& layout) {
+  return layout.others > 0 ? number(layout.x.size()) / number(layout.others) : 0.0;
+}
+
+}  // namespace
+
+double flops_by_rows(const LineLayout& layout, std::size_t right_sides) {
+  const double v = number(layout.variables()), p = number(right_sides), common = number(layout.y.size()) + p;
+  const double column = x_per_column(layout);
+  const auto rows = [](double count, double width) { return 4.0 * count * width * width; };
+  return rows(number(layout.a.size()), column + common) + rows(number(layout.b.size()), common) +
+         rows(number(layout.d.size()), 2.0 * column + common) + factor_flops(v) + 2.0 * solve_flops(v, p) + 4.0 * v * p * p;
+}
+
+double flops_by_elimination(const LineLayout& layout, std::size_t right_sides) {
+  const double joint = number(layout.joint), others = number(layout.others), p = number(right_sides), y = number(layout.y.size());
+  const double d = number(layout.d.size()), run = x_per_column(layout), terms = others + (layout.b.empty() ? 0.0 : joint);
+  double both = 0.0;  // elements of Y, those off the diagonal twice
+  for (const Element& e : layout.y) both += e.row == e.column ? 1.0 : 2.0;
+  const double squares = terms * product_flops(joint, joint, joint) / 2.0 + product_flops(both, both, terms) / 2.0;
+  const double columns = others * (factor_flops(run) + solve_flops(run, 2.0 * (joint + p + others)) +
+                                   product_flops(joint, joint, run) / 2.0 + product_flops(joint, others + 2.0 * p, run));
+  const double sides = p * (product_flops(joint, joint, 2.0 * terms) + product_flops(joint, joint, 2.0 * others));
+  const double of_y = factor_flops(y) + solve_flops(y, 2.0 * p + d) + product_flops(p, p, y) / 2.0;
+  const double of_d =
+      16.0 * d * y + product_flops(d, d, y) / 2.0 + factor_flops(d) + product_flops(d, 2.0 * p, y) + solve_flops(d, 2.0 * p);
+  return squares + columns + sides + of_y + of_d;
+}
+
+bool elimination_pays(const LineLayout& layout, std::size_t right_sides) {
+  constexpr double share = 0.7;  // measured: its products are smaller ones
+  return layout.is_large() && flops_by_elimination(layout, right_sides) < share * flops_by_rows(layout, right_sides);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,76 @@
+#include "ident/likelihood/elimination/right_sides.hpp"
+
+#include "base/eigen.hpp"
+#include "base/kernel.hpp"
+
+namespace jointid::ident {
+namespace {
+
+/// The places of all elements, one after the other.
+struct ElementPlaces {
+  const LineLayout& layout;
+
+  Eigen::Index a() const { return at(layout.variables()); }
+  Eigen::Index b() const { return a() + at(layout.a.size()); }
+  Eigen::Index d() const { return b() + at(layout.b.size()); }
+  Eigen::Index end() const { return d() + at(layout.d.size()); }
+};
+
+void take_residuals(const LineLayout& layout, const LineData& data, const LineState& state, const LineFactors& f, Complex* out) {
+  const auto put = [&out](const std::vector<Element>& elements, const Channel& channel, const auto& predicted) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const bool measured = channel.weight[i] != Complex(0.0);
+      *out++ = measured ? channel.value[i] - predicted(at(elements[i].row), at(elements[i].column)) : Complex(0.0);
+    }
+  };
+  put(layout.x, data.x, state.x);
+  put(layout.y, data.y, state.y);
+  put(layout.a, data.a, ComplexMatrix(state.a + f.p * f.r));
+  if (!layout.b.empty()) put(layout.b, data.b, ComplexMatrix(state.b + f.p * f.rest_b));
+  put(layout.d, data.d, ComplexMatrix(state.x.transpose() * f.za + f.h.transpose() * f.r));
+}
+
+/// left(row)ᵀ S right(column) of every element, S the matrix of a shape.
+void add_shape(std::span<const ImpedanceTerm> terms, const std::vector<Element>& elements, const RowMatrixXc& left,
+               const ComplexMatrix& right, Complex* out) {
+  for (const Element& e : elements) {
+    const Complex* const l = left.data() + at(e.row) * left.cols();
+    const Complex* const r = right.data() + at(e.column) * right.rows();
+    Complex sum = 0.0;
+    for (const ImpedanceTerm& term : terms) sum += product(term.coefficient * l[term.row], r[term.column]);
+    *out++ = sum;
+  }
+}
+
+}  // namespace
+
+void take_right_sides(const LineLayout& layout, const LineData& data, const LineState& state, const LineFactors& factors,
+                      const JointImpedance* joint, const SystematicTerms* terms, RightSides& out) {
+  const ElementPlaces places{layout};
+  const std::size_t shapes = joint ? joint->shapes().size() : 0, parts = joint ? joint->parts().size() : 0;
+  const std::size_t errors = terms ? terms->unknowns : 0;
+  out.unknowns.resize(parts + errors);
+  out.values.setZero(places.end(), at(shapes + errors + 1));
+  const Eigen::Index last = out.values.cols() - 1;
+  take_residuals(layout, data, state, factors, out.values.col(last).data());
+  const RowMatrixXc of_rows = -factors.py, of_d = factors.yh.transpose();
+  for (std::size_t s = 0; s < shapes; ++s) {
+    const ImpedanceShape& shape = joint->shapes()[s];
+    const auto matrix = joint->terms().subspan(shape.first_term, shape.last_term - shape.first_term);
+    Complex* const column = out.values.col(at(s)).data();
+    add_shape(matrix, layout.a, of_rows, state.a, column + places.a());
+    add_shape(matrix, layout.b, of_rows, state.b, column + places.b());
+    add_shape(matrix, layout.d, of_d, state.a, column + places.d());
+    for (std::size_t i = shape.first_part; i < shape.last_part; ++i) {
+      out.unknowns[joint->parts()[i].unknown] = {at(s), joint->parts()[i].factor};
+    }
+  }
+  for (std::size_t u = 0; u < errors; ++u) out.unknowns[parts + u] = {at(shapes + u), 1.0};
+  for (std::size_t e = 0; errors > 0 && e + 1 < terms->first.size(); ++e) {
+    for (std::size_t t = terms->first[e]; t < terms->first[e + 1]; ++t) {
+      out.values(at(e), at(shapes + terms->terms[t].unknown)) -= terms->terms[t].derivative(out.values(at(e), last));
+    }
+  }
+}
+
+}  // namespace jointid::ident
