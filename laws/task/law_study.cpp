@@ -78,6 +78,7 @@ class Trials {
         state.response(k) = (*exact)(k) + state.deviation(k) * Complex(real, imaginary);
       }
     }
+    draw_forces(trial, data.states);
     LawIdentification found = identify_states(scene_, std::move(data));
     found.data = {};  // a thousand trials need not keep them
     found.steps.clear();
@@ -86,6 +87,17 @@ class Trials {
     each.fit.end.reset();
   }
     return found;
+  }
+
+  /// The forces that were measured, about the true ones.
+  void draw_forces(std::size_t trial, std::vector<response::MeasuredState>& states) const {
+    Numbers noise({.seed = options_.seed, .trial = trial, .set = 2});
+    for (response::MeasuredState& state : states) {
+      for (Eigen::Index k = 0; k < state.force_deviation.size(); ++k) {
+        const double real = noise.next(), imaginary = noise.next();
+        state.force.amplitudes(k) += state.force_deviation(k) * Complex(real, imaginary);
+      }
+    }
   }
 
   std::shared_ptr<const response::Receptance> drawn_parts(std::size_t trial) const {
@@ -157,7 +169,12 @@ LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
     ++out.usable;
     ++out.chosen[laws_text(found->laws())];
     out.chi_square += found->fit().chi_square / static_cast<double>(found->fit().freedom);
-    if (found->laws() == assumed.laws) add(*found, out.values);
+    const std::string truth = laws_text(assumed.laws);
+    const bool is_right = found->laws() == assumed.laws;
+    if (is_right) ++out.right;
+    if (!found->not_told_apart.empty()) ++out.undecided;
+    if (!is_right && std::ranges::find(found->not_told_apart, truth) == found->not_told_apart.end()) ++out.missed;
+    if (is_right) add(*found, out.values);
   }
   out.chi_square = out.usable > 0 ? out.chi_square / static_cast<double>(out.usable) : none;
   for (StudiedValue& value : out.values) {

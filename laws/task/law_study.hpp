@@ -33,6 +33,9 @@ struct LawStudy {
   bool assumed = true;            ///< told by the scene, else found from the measured levels
   std::size_t trials = 0, usable = 0, contradicting = 0;
   std::map<std::string, std::size_t> chosen;    ///< how often each combination of laws was
+  std::size_t right = 0;                        ///< usable trials whose chosen laws are the true ones …
+  std::size_t undecided = 0;                    ///< … that name others which the data cannot tell from those chosen …
+  std::size_t missed = 0;                       ///< … that name the true ones neither as chosen nor among those
   std::map<std::string, std::size_t> statuses;  ///< … and each status
   double chi_square = 0.0;                      ///< mean of χ² over its freedom, of the usable ones
   std::vector<StudiedValue> values;             ///< of each joint stiffness, limit and parameters
@@ -40,7 +43,7 @@ struct LawStudy {
 };
 
 /// Each trial draws the true FRFs of the parts about those of the files, by the files' variances, solves harmonic balance of the
-/// assumed laws over them, draws the phasors about these states, and identifies as identify_laws does, with the
+/// assumed laws over them, draws the phasors of responses and forces about these states, and identifies as identify_laws does, with the
 /// harmonics of the assumed states. Trial t depends on the seed and
 /// t alone, whatever the threads. Throws InputError as predict_law_bound, Interrupted when it is interrupted.
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options);
