@@ -68,19 +68,22 @@ class Neighbours {
   Neighbours(const Axis& axis, double periods, int orders, int degree) : axis_(axis), periods_(periods), orders_(orders), first_(2 + degree) {}
 
   struct Noise {
-    double variance = 0.0, freedom = 0.0;
+    Eigen::RowVectorXd variance;  ///< of each channel
+    double freedom = 0.0;
   };
-  Noise beside(int n, const Eigen::VectorXd& left) const {
-    double sum = 0.0;
+  /// `left`: [sample, channel]
+  Noise beside(int n, const Eigen::MatrixXd& left) const {
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(left.cols());
     int count = 0;
     for (int j = first_; j <= most_neighbours && j / periods_ <= widest; ++j) {
       for (const double order : {n - j / periods_, n + j / periods_}) {
         if (!is_between(order)) continue;
-        sum += std::norm(phasor(order, left));
+        sum += squares(order, left);
         ++count;
       }
     }
-    return {count > 0 ? sum / (2.0 * count) : 0.0, 2.0 * count};
+    if (count > 0) sum /= 2.0 * count;
+    return {sum, 2.0 * count};
   }
 
  private:
@@ -89,10 +92,12 @@ class Neighbours {
     return std::abs(order - nearest) >= 0.999 * first_ / periods_ && order > 0.0;
   }
 
-  Complex phasor(double order, const Eigen::VectorXd& left) const {
-    Complex sum = 0.0;
-    for (Eigen::Index i = 0; i < left.size(); ++i) sum += left(i) * std::polar(1.0, -order * axis_.phase(i));
-    return 2.0 / static_cast<double>(left.size()) * sum;
+  /// |phasor|² of each channel.
+  Eigen::RowVectorXd squares(double order, const Eigen::MatrixXd& left) const {
+    const Eigen::ArrayXd angle = order * axis_.phase.array();
+    const Eigen::RowVectorXd real = angle.cos().matrix().transpose() * left, imaginary = angle.sin().matrix().transpose() * left;
+    const double factor = 2.0 / static_cast<double>(left.rows());
+    return factor * factor * (real.cwiseAbs2() + imaginary.cwiseAbs2());
   }
 
   const Axis& axis_;
@@ -130,7 +135,7 @@ std::size_t sample_count(const Record& record, const OrderStretch& stretch) {
   return std::min(record.samples(), static_cast<std::size_t>(std::max(0.0, std::ceil(last)))) - std::min(record.samples(), first);
 }
 
-OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree) {
+OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree, NoiseOfOrders noise) {
   const int orders = harmonics.back() + 1;
   require_enough(record, stretch, orders);
   const Axis axis(record, stretch);
@@ -152,6 +157,10 @@ OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std
   fit.explained.resize(channels);
   const auto total = static_cast<double>(axis.s.size());
   const Neighbours neighbours(axis, stretch.periods(), orders, degree);
+  std::vector<Neighbours::Noise> noises;
+  if (noise == NoiseOfOrders::told) {
+    for (const int n : harmonics) noises.push_back(neighbours.beside(n, left));
+  }
   for (Eigen::Index c = 0; c < channels; ++c) {
     const double all = variance_of(samples.col(c));
     fit.explained(c) = all > 0.0 ? 1.0 - variance_of(left.col(c)) / all : 0.0;
@@ -164,10 +173,11 @@ OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std
       fit.value(row, c) = coefficient(0);
       if (degree > 0) fit.slope(row, c) = coefficient(1);
       if (degree > 1) fit.bend(row, c) = coefficient(2);
-      const Neighbours::Noise noise = neighbours.beside(n, left.col(c));
+      if (noises.empty()) continue;
+      const Neighbours::Noise& own = noises[static_cast<std::size_t>(row)];
       const double one = 0.5 * total * inverse(functions.place(n, 0), functions.place(n, 0));  // 1 for whole periods and degree 0
-      fit.deviation(row, c) = std::sqrt(noise.variance * one);
-      fit.freedom(row, c) = noise.freedom;
+      fit.deviation(row, c) = std::sqrt(own.variance(c) * one);
+      fit.freedom(row, c) = own.freedom;
     }
   }
   if (degree > 0) {

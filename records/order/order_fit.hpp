@@ -31,7 +31,10 @@ struct OrderFit {
 
 /// Least squares over the samples of the stretch (those whose τ is within it), orders 0 … the largest harmonic + 1, amplitudes of
 /// that degree (0 to 2). Throws InputError (data) where the stretch has less than 8 periods or an order is above 0.45 of the rate.
-OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree);
+/// Deviations cost more than all else: without them they are 0.
+enum class NoiseOfOrders { told, left_out };
+OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree,
+                    NoiseOfOrders noise = NoiseOfOrders::told);
 
 /// The stretch must lie in the record: its first sample and how many.
 std::size_t first_sample(const Record& record, const OrderStretch& stretch);

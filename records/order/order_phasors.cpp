@@ -91,25 +91,37 @@ OrderPhasors phasors_of(const OrderStretch& stretch, const OrderFit& fit) {
   return out;
 }
 
+/// The force alone.
+Record only(const Record& record, std::size_t channel) {
+  return {.file = record.file, .rate_hz = record.rate_hz, .channels = {record.channels[channel]}};
+}
+
+constexpr int most_rounds = 6;
+constexpr double settled_turn = 1e-9;  ///< rad over the stretch
+
+/// By how much the force's phase turns from the stretch's own in a second, rad/s.
+double turn_of(const Record& force, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree) {
+  const OrderFit fit = fit_orders(force, stretch, harmonics, degree, NoiseOfOrders::left_out);
+  return (fit.slope(0, 0) / fit.value(0, 0)).imag() * 2.0 / stretch.length_s;
+}
+
 /// The stretch with the frequency at which the force's own phase does not turn any more.
-OrderStretch steadied(const Record& record, std::size_t force, OrderStretch stretch) {
-  const Eigen::Index column = jointid::at(force);
-  for (int round = 0; round < 2; ++round) {
-    const OrderFit fit = fit_orders(record, stretch, {1}, 1);
-    stretch.omega += (fit.slope(0, column) / fit.value(0, column)).imag() * 2.0 / stretch.length_s;
+OrderStretch steadied(const Record& force, OrderStretch stretch, const std::vector<int>& harmonics) {
+  for (int round = 0; round < most_rounds; ++round) {
+    const double turn = turn_of(force, stretch, harmonics, 1);
+    stretch.omega += turn;
+    if (std::abs(turn) * stretch.length_s < settled_turn) break;
   }
   return stretch;
 }
 
 /// The stretch about the moment at which the force's instantaneous frequency is that of the line.
-OrderStretch centred(const Record& record, std::size_t force, OrderStretch stretch) {
-  const Eigen::Index column = jointid::at(force);
-  for (int round = 0; round < 2; ++round) {
-    const OrderFit fit = fit_orders(record, stretch, {1}, 2);
-    const double turns = (fit.slope(0, column) / fit.value(0, column)).imag() * 2.0 / stretch.length_s;
-    const double shift = -turns / stretch.rate;
+OrderStretch centred(const Record& force, OrderStretch stretch, const std::vector<int>& harmonics) {
+  for (int round = 0; round < most_rounds; ++round) {
+    const double turn = turn_of(force, stretch, harmonics, 2), shift = -turn / stretch.rate;
     stretch.middle_s += shift;
-    stretch.phase += shift * (stretch.omega + turns);
+    stretch.phase += shift * (stretch.omega + turn);
+    if (std::abs(turn) * stretch.length_s < settled_turn) break;
   }
   return stretch;
 }
@@ -142,7 +154,7 @@ OrderPhasors steady_phasors(const Record& record, const OrderOptions& options) {
   require_sound(record);
   const std::size_t force = force_channels(record).front();
   const PhaseTrack track(record, force, options.settle_s);
-  const OrderStretch stretch = steadied(record, force, track.whole());
+  const OrderStretch stretch = steadied(only(record, force), track.whole(), options.harmonics);
   const double hz = hertz(stretch.omega);
   constexpr double most_off = 1e-3;
   const OrderFit moving = fit_orders(record, stretch, options.harmonics, 1);
@@ -159,11 +171,12 @@ std::vector<OrderPhasors> sweep_phasors(const Record& record, const std::vector<
   const std::size_t force = force_channels(record).front();
   const PhaseTrack track(record, force, options.settle_s);
   require_one_sweep(record, force, track.course(options.periods));
+  const Record force_alone = only(record, force);
   std::vector<OrderPhasors> all;
   for (const double hz : lines_hz) {
     auto stretch = track.about(hz, options.periods);
     if (!stretch) continue;
-    *stretch = centred(record, force, *stretch);
+    *stretch = centred(force_alone, *stretch, options.harmonics);
     const OrderFit fit = fit_orders(record, *stretch, options.harmonics, 2);
     require_sine(record, force, fit, hz);
     OrderStretch half = *stretch;
@@ -172,7 +185,7 @@ std::vector<OrderPhasors> sweep_phasors(const Record& record, const std::vector<
     const double half_s = 0.5 * stretch->length_s;
     phasors.lag_bias = largest_ratio(record, fit.bend.row(0) / (half_s * half_s * stretch->rate), fit.value.row(0));
     if (half.periods() >= 8.0)
-      phasors.window_bias = largest_ratio(record, fit_orders(record, half, options.harmonics, 2).value.row(0) - fit.value.row(0), fit.value.row(0));
+      phasors.window_bias = largest_ratio(record, fit_orders(record, half, options.harmonics, 2, NoiseOfOrders::left_out).value.row(0) - fit.value.row(0), fit.value.row(0));
     all.push_back(std::move(phasors));
   }
   return all;

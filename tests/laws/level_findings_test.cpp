@@ -61,7 +61,7 @@ TEST_F(DriftingLevel, IsTold) {
   EXPECT_TRUE(found.drifts[0].is_told());
   EXPECT_EQ(found.drifts[0].level, 2u);
   EXPECT_EQ(found.drifts[0].freedom, 2);
-  EXPECT_THAT(found.notes, testing::Contains(HasSubstr("15 N speaks for another joint")));
+  EXPECT_THAT(found.notes, testing::Contains(HasSubstr("15.0 N speaks for another joint")));
   EXPECT_NE(found.status, LawStatus::ok);
 }
 

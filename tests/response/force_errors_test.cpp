@@ -85,7 +85,7 @@ TEST(ForceErrors, MoveLiftedRowsAsDifferencesSay) {
 /// Errors of the force of 2 % beside 0.3 % of the responses: stated, χ² is its freedom and estimates scatter by their deviations;
 /// left out, χ² is many times too large.
 TEST(ForceErrors, Count) {
-  const std::vector<Joint> truth = {{.name = "a", .friction = law("bilinear", {0.006, 200.0})}};
+  const std::vector<Joint> truth = {{.name = "a", .friction = law("ren", {0.004, 1.5, 200.0})}};
   const Structure structure = masses(1);
   auto exact = measure(structure, truth, {1.0, 3.0, 8.0, 16.0}, {18.4, 19.6, 20.8});
   ASSERT_FALSE(exact.empty());
@@ -103,8 +103,8 @@ TEST(ForceErrors, Count) {
     const LawFit fit = fit_laws(structure, states, LawUnknowns(truth), {.harmonics = {1, 3, 5}});
     ASSERT_EQ(word(fit.status), "converged");
     chi_square += fit.chi_square / static_cast<double>(fit.freedom) / draws;
-    const double error = fit.values(1) - 200.0;
-    squares += error * error / fit.covariance(1, 1) / draws;
+    const double error = fit.values(2) - 200.0;
+    squares += error * error / fit.covariance(2, 2) / draws;
     for (MeasuredState& state : states) state.force_deviation.resize(0, 0);
     const LawFit without = fit_laws(structure, states, LawUnknowns(truth), {.harmonics = {1, 3, 5}});
     ignored += without.chi_square / static_cast<double>(without.freedom) / draws;
