@@ -1,6 +1,7 @@
 #include "dense/qr.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 
 namespace jointid::dense {
 
@@ -19,7 +20,9 @@ MatrixXd triangle_of(const Eigen::Ref<const MatrixXd>& a) {
 Elimination eliminate(const Eigen::Ref<const MatrixXd>& a, const Eigen::Ref<const MatrixXd>& b) {
   const Eigen::HouseholderQR<MatrixXd> qr(a);
   MatrixXd turned = b;
-  turned.applyOnTheLeft(qr.householderQ().adjoint());
+  constexpr Eigen::Index panel = 32;  // columns that all reflections find in the cache
+  for (Eigen::Index c = 0; c < turned.cols(); c += panel)
+    turned.middleCols(c, std::min(panel, turned.cols() - c)).applyOnTheLeft(qr.householderQ().adjoint());
   return {qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>(), turned.topRows(a.cols()),
           turned.bottomRows(a.rows() - a.cols())};
 }

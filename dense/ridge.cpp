@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "dense/cholesky.hpp"
+#include "dense/gram.hpp"
 #include "dense/qr.hpp"
 
 namespace jointid::dense {
@@ -13,11 +14,13 @@ using Eigen::MatrixXd;
 Ridge::Ridge(MatrixXd b) : b_(std::move(b)) {
   const Eigen::Index size = std::min(b_.rows(), b_.cols());
   lower_ = MatrixXd::Identity(size, size);
-  auto lower = lower_.selfadjointView<Eigen::Lower>();
+  const auto add = [&](const MatrixXd& of) {
+    add_gram(of.data(), static_cast<std::size_t>(of.rows()), static_cast<std::size_t>(size), static_cast<std::size_t>(of.rows()), lower_.data());
+  };
   if (b_.rows() < b_.cols()) {
-    lower.rankUpdate(b_);
+    add(b_.transpose());
   } else {
-    lower.rankUpdate(b_.transpose());
+    add(b_);
   }
   cholesky_in_place(lower_);  // I + a square is positive definite
 }

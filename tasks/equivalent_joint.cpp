@@ -27,13 +27,12 @@ Residual residual(Complex value, Complex own, Complex d, Complex gap, Complex h)
 
 /// Σ|r|², and the Gauss–Newton step: r is a holomorphic function of h, so both parts of h come from one complex equation.
 struct HystereticStep {
-  double cost = 0.0;
+  double cost = 0.0, weight = 0.0;  ///< Σ|dr/dh|²
   Complex step;
 };
 HystereticStep evaluate(const JointLines& lines, Complex h) {
   HystereticStep out;
   Complex pull = 0.0;
-  double weight = 0.0;
   for (std::size_t i = 0; i < lines.a.size(); ++i) {
     const Complex d = determinant(lines, i);
     for (const auto& [value, own] : {std::pair(lines.h1[i], lines.a[i]), std::pair(lines.h3[i], lines.c[i])}) {
@@ -41,10 +40,10 @@ HystereticStep evaluate(const JointLines& lines, Complex h) {
       const double w = weight_of(lines, value);
       out.cost += w * std::norm(each.r);
       pull += w * std::conj(each.slope) * each.r;
-      weight += w * std::norm(each.slope);
+      out.weight += w * std::norm(each.slope);
     }
   }
-  out.step = weight > 0.0 ? -pull / weight : Complex(0.0);
+  out.step = out.weight > 0.0 ? -pull / out.weight : Complex(0.0);
   return out;
 }
 
@@ -109,6 +108,8 @@ EquivalentJoint equivalent_joint(const JointLines& lines) {
   out.stiffness = z.real();
   out.damping = z.imag();
   out.misfit = std::sqrt(here.cost / size);
+  const double freedom = 4.0 * static_cast<double>(lines.a.size()) - 2.0;
+  out.deviation = std::norm(z) * std::sqrt(here.cost / freedom / here.weight);
   out.settled = out.settled && std::isfinite(out.stiffness) && std::isfinite(out.damping) && std::isfinite(out.misfit);
   return out;
 }

@@ -6,28 +6,64 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
+#include "cli/equivalent/equivalent_page.hpp"
 #include "cli/text/progress.hpp"
+#include "laws/scene/read_law_scene.hpp"
+#include "report/laws/direct_page.hpp"
+#include "report/laws/direct_text.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::cli {
+
+namespace {
+
+std::vector<std::pair<std::string, Target>> outputs_of(const EquivalentArguments& arguments) {
+  return {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}};
+}
+
+/// Without a law, of levels of force.
+ExitCode take_direct_steps(const EquivalentArguments& arguments, const laws::LawScene& scene, std::ostream& out) {
+  check_targets(laws::files_of(scene), outputs_of(arguments));
+  const laws::DirectIdentification found = with_progress("reading", [&] { return laws::identify_directly(scene); });
+  if (arguments.json) write_target(*arguments.json, report::direct_json(scene, found), out);
+  if (arguments.csv) write_target(*arguments.csv, report::direct_csv(scene, found), out);
+  if (arguments.report) write_target(*arguments.report, report::direct_page(scene, found), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::direct_text(scene, found);
+  if (found.status == laws::LawStatus::ok) return ExitCode::done;
+  const std::string what = scene.file.string() + ": ";
+  if (laws::is_usable(found.status)) {
+    print_warning(what + "doubtful: " + found.message);
+    return ExitCode::done;
+  }
+  print_error(what + found.message);
+  return ExitCode::unusable;
+}
+
+}  // namespace
 
 void add_equivalent(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<EquivalentArguments>(
       app, chosen, "equivalent", "Find the stiffness and damping of a friction joint against its relative displacement");
-  command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] parts and [equivalent]")->required();
-  add_outputs(command, *arguments, "stiffness and damping", "them (input of `loading-curve`)");
+  command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] parts and [equivalent], or [[data.levels]] and [[joint.friction]]")
+      ->required();
+  add_outputs(command, *arguments, "stiffness and damping", "them (input of `loading-curve`)", "plots over displacement, and measured loops");
   command->footer(
       "Examples:\n  jointid problem write rig2 rig2 && jointid equivalent rig2/rig2.toml --csv joint.csv\n"
-      "  jointid loading-curve joint.csv --stiffness stiffness --damping damping --law ren");
+      "  jointid loading-curve joint.csv --stiffness stiffness --damping damping --law ren\n"
+      "  jointid problem write sdof-iwan iwan && jointid equivalent iwan/sdof-iwan.toml --report equivalent.html");
 }
 
 ExitCode execute(const EquivalentArguments& arguments, std::ostream& out) {
-  const ident::EquivalentScene scene = ident::read_equivalent_scene(arguments.scene);
-  check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}});
+  const std::string text = scene::read_text(arguments.scene);
+  if (laws::is_law_scene(text, arguments.scene)) return take_direct_steps(arguments, laws::parse_law_scene(text, arguments.scene), out);
+  const ident::EquivalentScene scene = ident::parse_equivalent_scene(text, arguments.scene);
+  check_targets(ident::files_of(scene), outputs_of(arguments));
   const std::vector<tasks::LevelJoint> levels =
       with_progress("reading and fitting", [&] { return tasks::find_equivalent(scene); });
   if (arguments.json) write_target(*arguments.json, equivalent_json(scene, levels), out);
   if (arguments.csv) write_target(*arguments.csv, equivalent_csv(levels), out);
-  if (!takes_output({arguments.json, arguments.csv})) out << equivalent_text(scene, levels);
+  if (arguments.report) write_target(*arguments.report, equivalent_page(scene, levels), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << equivalent_text(scene, levels);
   if (all_settled(levels)) return ExitCode::done;
   print_error(arguments.scene.string() + ": no stiffness and damping fit the FRFs of some levels");
   return ExitCode::unusable;

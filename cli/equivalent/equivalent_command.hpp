@@ -15,6 +15,7 @@ namespace jointid::cli {
 struct EquivalentArguments {
   std::filesystem::path scene;
   Target json, csv;
+  Target report{};  ///< HTML
 };
 
 /// Declares `equivalent`; choosing it stores it.

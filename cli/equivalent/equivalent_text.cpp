@@ -19,11 +19,20 @@ bool all_settled(const std::vector<tasks::LevelJoint>& levels) {
   return std::ranges::all_of(levels, [](const tasks::LevelJoint& level) { return level.joint.settled; });
 }
 
+std::string equivalent_title(const ident::EquivalentScene& scene) {
+  return fmt::format("equivalent stiffness and damping by ({}), FRFs of the parts {}", equation(scene),
+                     scene.real ? "made real (7.19)" : "as measured");
+}
+
 std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
-  text += fmt::format("equivalent stiffness and damping by ({}), FRFs of the parts {}\n\n", equation(scene),
-                      scene.real ? "made real (7.19)" : "as measured");
-  report::Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"misfit %"}, {"lines"}, {"", report::Align::left}});
+  text += equivalent_title(scene) + "\n\n";
+  text += equivalent_table(levels).text() + "\n± of either, as the residuals scatter; gains of whole FRFs that are off are not in it\n";
+  return text;
+}
+
+report::Table equivalent_table(const std::vector<tasks::LevelJoint>& levels) {
+  report::Table table({{"displacement m"}, {"k N/m"}, {"d N/m"}, {"±"}, {"misfit %"}, {"lines"}, {"", report::Align::left}});
   for (const tasks::LevelJoint& level : levels) {
     const tasks::EquivalentJoint& joint = level.joint;
     const char* remark = !joint.settled ? "not found"
@@ -31,9 +40,9 @@ std::string equivalent_text(const ident::EquivalentScene& scene, const std::vect
                              ? "not physical: the errors of the FRFs outweigh the joint"
                              : "";
     table.add({report::number(level.displacement), report::number(joint.stiffness), report::number(joint.damping),
-               fmt::format("{:.2f}", 100.0 * joint.misfit), fmt::format("{}", level.lines), remark});
+               fmt::format("{:.2g}", joint.deviation), fmt::format("{:.2f}", 100.0 * joint.misfit), fmt::format("{}", level.lines), remark});
   }
-  return text + table.text();
+  return table;
 }
 
 std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
@@ -46,6 +55,7 @@ std::string equivalent_json(const ident::EquivalentScene& scene, const std::vect
                              {"displacement", level.displacement},
                              {"stiffness", report::value(level.joint.stiffness)},
                              {"damping", report::value(level.joint.damping)},
+                             {"deviation", report::value(level.joint.deviation)},
                              {"misfit", report::value(level.joint.misfit)},
                              {"lines", level.lines},
                              {"settled", level.joint.settled}});

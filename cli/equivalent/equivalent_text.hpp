@@ -2,9 +2,16 @@
 
 #include <string>
 
+#include "report/text/table.hpp"
 #include "tasks/equivalent.hpp"
 
 namespace jointid::cli {
+
+/// A row for each level.
+report::Table equivalent_table(const std::vector<tasks::LevelJoint>& levels);
+
+/// "equivalent stiffness and damping by (7.18), FRFs of the parts made real (7.19)".
+std::string equivalent_title(const ident::EquivalentScene& scene);
 
 /// Stiffness and damping by displacement, for people.
 std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels);

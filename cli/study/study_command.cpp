@@ -18,6 +18,7 @@
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
+#include "laws/task/trial_file.hpp"
 #include "report/laws/law_study_text.hpp"
 #include "report/result/study_tables.hpp"
 #include "scene/text.hpp"
@@ -124,20 +125,41 @@ study::StudyRun run_watched(const Start& start, ident::Team& team) {
   return study::run_study(start.data, start.options, team, control);
 }
 
+/// The trials of a study of laws: text, as few numbers as they are.
+std::filesystem::path law_trials_file(const StudyArguments& arguments) {
+  return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.csv") : arguments.out;
+}
+
 ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& scene, std::ostream& out) {
-  const auto refuse = [&](const char* option) {
-    throw InputError({ErrorKind::usage, arguments.scene.string(), option, "studies of friction laws keep no file of trials and no page",
-                      "leave it out; --json and --csv have the statistics"});
-  };
-  if (arguments.resume) refuse("--resume");
-  if (!arguments.out.empty()) refuse("--out");
-  if (arguments.report) refuse("--report");
-  check_targets(laws::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}});
-  StudyProgress progress;
+  if (arguments.report) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "--report", "studies of friction laws have no page",
+                      "leave it out; --json and --csv have the statistics, --out every trial"});
+  }
+  const std::filesystem::path path = law_trials_file(arguments);
+  check_targets(laws::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--out", path.string()}});
   laws::LawStudyOptions options = {.trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments)};
+  laws::TrialFile file(path, {scene::read_text(arguments.scene), arguments.seed, laws::law_study_plan(scene)}, arguments.resume);
+  options.known = file.known();
+  std::atomic<std::size_t> done = 0;
+  StudyProgress progress;
   options.interrupted = interrupted;
-  options.progress = [&](std::size_t done, std::size_t total) { progress.show(done, total); };
-  const laws::LawStudy study = laws::study_laws(scene, options);
+  options.made = [&](const laws::LawTrial& trial) { file.add(trial); };
+  options.progress = [&](std::size_t so_far, std::size_t total) {
+    done = so_far;
+    progress.show(so_far, total);
+  };
+  const auto to_resume = [&] {
+    return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues", path.string(),
+                       std::max<std::size_t>(done, file.known().size()), arguments.trials);
+  };
+  const LastWords words(to_resume);
+  const laws::LawStudy study = [&] {
+    try {
+      return laws::study_laws(scene, options);
+    } catch (const Interrupted&) {
+      throw Interrupted(to_resume());
+    }
+  }();
   if (arguments.json) write_target(*arguments.json, report::law_study_json(study), out);
   if (arguments.csv) write_target(*arguments.csv, report::law_study_csv(study), out);
   if (!takes_output({arguments.json, arguments.csv})) out << report::law_study_text(scene, study);
@@ -152,7 +174,7 @@ void add_study(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
   add_trial_options(command, *arguments);
   command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
-  command->add_option("--out", arguments->out, "All results (HDF5); default: SCENE's name with .study.h5, here");
+  command->add_option("--out", arguments->out, "All trials (HDF5; CSV of friction laws); default: SCENE's name with .study.h5 or .study.csv, here");
   add_outputs(command, *arguments, "the statistics", "the unknowns' statistics", "tables and histograms");
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "frf/set/frf_system.hpp"
 #include "ident/plan/data_source.hpp"
+#include "laws/data/level_records.hpp"
 #include "weighting/line_selection.hpp"
 
 namespace jointid::laws {
@@ -30,12 +31,28 @@ ident::DataFile of_motions(ident::DataFile file) {
   return file;
 }
 
+/// Records of each level that has some.
+using Recordings = std::map<const ForceLevel*, LevelRecordings>;
+
+Recordings recordings_of(const LawScene& scene) {
+  Recordings all;
+  for (const ForceLevel& level : scene.levels) {
+    if (level.records) all.emplace(&level, LevelRecordings(level));
+  }
+  return all;
+}
+
 /// Those of the scene, or all that the parts and every file of responses have.
-std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts, PhasorFiles& files) {
+std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts, PhasorFiles& files, const Recordings& recordings) {
   if (!scene.responses.empty()) return scene.responses;
   std::vector<Dof> common = parts.responses();
   for (const ForceLevel& level : scene.levels) {
     if (level.planned) continue;
+    if (level.records) {
+      const std::vector<Dof>& own = recordings.at(&level).dofs();
+      std::erase_if(common, [&](const Dof& dof) { return !frf::has(own, dof); });
+      continue;
+    }
     for (const HarmonicFiles& each : level.harmonics) {
       const std::vector<Dof>& own = files.dofs(of_motions(each.responses));
       std::erase_if(common, [&](const Dof& dof) { return !frf::has(own, dof); });
@@ -76,11 +93,26 @@ weighting::LineSelection selection_of(const LawScene& scene) {
   return {.range_hz = scene.frequency.range_hz, .step_hz = scene.frequency.step_hz, .exclude_hz = scene.frequency.exclude_hz};
 }
 
+/// As [errors] says.
+Eigen::RowVectorXd deviations_of_force(const LawScene& scene, const Eigen::RowVectorXcd& force) {
+  return (scene.errors ? scene.errors->force / std::numbers::sqrt2 : 0.0) * force.cwiseAbs();
+}
+
 /// The states of one level.
 class LevelReader {
  public:
-  LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, PhasorFiles& files, LevelStates& to)
+  LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, PhasorFiles& files, Recordings& recordings,
+              LevelStates& to)
       : scene_(scene), level_(level), forces_(forces), to_(to) {
+    if (level.records) {
+      LevelRecordings& own = recordings.at(&level);
+      const auto phasors = own.phasors(to.responses, to.structure->frequency_hz());
+      for (std::size_t n = 0; n < phasors.size(); ++n)
+        harmonics_.push_back({level.harmonics[n].harmonic, phasors[n].responses, phasors[n].forces, {}, {}});
+      to.notes.insert(to.notes.end(), own.notes().begin(), own.notes().end());
+      find_lines();
+      return;
+    }
     for (const HarmonicFiles& each : level.harmonics) {
       harmonics_.push_back({each.harmonic, files.read(of_motions(each.responses), to.responses), {}, {}, {}});
       if (each.forces) harmonics_.back().forces = files.read(in_newton(*each.forces), level.force_dofs);
@@ -177,12 +209,26 @@ class LevelReader {
     state.force.harmonics.push_back(level_.amplitude ? 1 : data.harmonic);
     state.force.amplitudes.conservativeResize(state.force.amplitudes.rows() + 1, Eigen::NoChange);
     state.force.amplitudes.bottomRows(1) = row;
+    if (level_.per_force) return true;  // the responses would move with the force: its errors are not counted
+    state.force_deviation.conservativeResize(state.force.amplitudes.rows(), row.size());
+    state.force_deviation.bottomRows(1) = force_deviations(data, line, row, peak);
     return true;
+  }
+
+  /// Of Re and Im of each force: its file's, or those of [errors].
+  Eigen::RowVectorXd force_deviations(const HarmonicData& data, std::size_t line, const Eigen::RowVectorXcd& force, double peak) const {
+    Eigen::RowVectorXd out = deviations_of_force(scene_, force);
+    if (!data.forces || data.forces->variances.size() == 0) return out;
+    for (std::size_t i = 0; i < level_.force_dofs.size(); ++i) {
+      const double variance = data.forces->variances(at(data.force_line[line]), at(i));
+      if (variance > 0.0) out(column_of(level_.force_dofs[i])) = peak * std::sqrt(variance);
+    }
+    return out;
   }
 
   double deviation(const Phasors& phasors, Eigen::Index line, Eigen::Index r, double factor, double size) const {
     if (phasors.variances.size() > 0 && phasors.variances(line, r) > 0.0) return factor * std::sqrt(phasors.variances(line, r));
-    if (scene_.errors) return std::sqrt(0.5 * std::pow(scene_.errors->relative * size, 2) + std::pow(scene_.errors->floor, 2));
+    if (scene_.errors && scene_.errors->of_responses()) return std::sqrt(0.5 * std::pow(scene_.errors->relative * size, 2) + std::pow(scene_.errors->floor, 2));
     fail(phasors.file, "responses", "nobody says how exact they are",
          "give [errors] relative = 0.01 (or floor, m), or a file with variances or coherences");
   }
@@ -213,6 +259,7 @@ void add_planned(const LawScene& scene, const ForceLevel& level, const std::vect
     const Dof& dof = level.force_dofs.front();
     const std::size_t column = frf::find_coordinate(forces, dof);
     state.force.amplitudes(0, at(column)) = (forces[column] == dof ? 1.0 : -1.0) * *level.amplitude;
+    state.force_deviation = deviations_of_force(scene, state.force.amplitudes.row(0));
     state.response = Eigen::MatrixXcd::Zero(at(state.harmonics.size()), at(to.responses.size()));
     state.deviation = Eigen::MatrixXd::Ones(state.response.rows(), state.response.cols());
     to.states.push_back(std::move(state));
@@ -225,7 +272,8 @@ void add_planned(const LawScene& scene, const ForceLevel& level, const std::vect
 LevelStates read_level_states(const LawScene& scene, PhasorFiles files) {
   frf::FrfSystem parts("[data] parts", ident::open_all(scene.parts), frf::Composition::uncoupled, scene.reciprocity);
   LevelStates out;
-  out.responses = responses_of(scene, parts, files);
+  Recordings recordings = recordings_of(scene);
+  out.responses = responses_of(scene, parts, files, recordings);
   const std::vector<Dof> forces = forces_of(scene);
   std::vector<response::JointEnds> joints;
   for (const FrictionJoint& joint : scene.joints) joints.push_back({joint.positive, joint.negative});
@@ -235,7 +283,7 @@ LevelStates read_level_states(const LawScene& scene, PhasorFiles files) {
       add_planned(scene, level, forces, out);
       continue;
     }
-    LevelReader reader(scene, level, forces, files, out);
+    LevelReader reader(scene, level, forces, files, recordings, out);
     reader.read();
     for (const auto& [what, count] : reader.left_out()) {
       out.notes.push_back(level.name + ": left out: " + what + " (" + std::to_string(count) +

@@ -103,12 +103,17 @@ class JointReader {
     const auto assumed = table_.find("assumed");
     if (!assumed) return;
     if (leader_) assumed->fail("the joint has the law of " + scene_.joints[*leader_].beside.name, "say it there");
-    if (joint_.laws.size() != 1) assumed->fail("parameters of which of several laws?", "name one law");
+    const auto law = assumed->open_table().find("law");
+    if (!law && joint_.laws.size() != 1)
+      assumed->fail("parameters of which of several laws?", "name one law, or say which is assumed: { law = \"" + joint_.laws.front() + "\", … }");
+    joint_.assumed_law = law ? law->word(joint_.laws) : joint_.laws.front();
     std::vector<std::string> names;
-    for (const friction::LawParameter& parameter : friction::law(joint_.laws.front()).parameters) names.emplace_back(parameter.name);
-    const scene::Table values = assumed->table(names);
+    for (const friction::LawParameter& parameter : friction::law(joint_.assumed_law).parameters) names.emplace_back(parameter.name);
+    std::vector<std::string> keys = names;
+    keys.emplace_back("law");
+    const scene::Table values = assumed->table(keys);
     for (const std::string& name : names) joint_.assumed.push_back(values.require(name).number());
-    assumed->here([&] { return friction::make_element(joint_.laws.front(), joint_.assumed); });
+    assumed->here([&] { return friction::make_element(joint_.assumed_law, joint_.assumed); });
   }
 
   /// Names that some law of the joint, or what is unknown beside it, has.

@@ -18,6 +18,10 @@ std::vector<ident::NamedFile> files_of(const LawScene& scene) {
   for (const ident::DataFile& part : scene.parts) add(part, "[data] parts");
   for (const ForceLevel& level : scene.levels) {
     if (level.planned) continue;
+    if (level.records) {
+      for (const ident::Path& file : level.records->files) files.push_back({file, "[[data.levels]] records"});
+      continue;
+    }
     for (const HarmonicFiles& each : level.harmonics) {
       add(each.responses, "[[data.levels]] responses");
       if (each.forces) add(*each.forces, "[[data.levels]] forces");

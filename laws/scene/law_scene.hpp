@@ -7,6 +7,7 @@
 
 #include "ident/scene/scene.hpp"
 #include "ident/scene/scene_files.hpp"
+#include "records/file/read_record.hpp"
 #include "response/identify/law_constraints.hpp"
 #include "response/joint/joint.hpp"
 
@@ -17,7 +18,8 @@ struct FrictionJoint {
   frf::Dof positive;
   std::optional<frf::Dof> negative;
   std::vector<std::string> laws;  ///< to choose from, at least one; those of the joint that it is tied to
-  std::vector<double> assumed{};  ///< values of the parameters of its one law, for plans; empty when the scene tells none
+  std::vector<double> assumed{};  ///< values of the parameters of the law assumed, for plans; empty when the scene tells none
+  std::string assumed_law{};      ///< one of `laws`
   response::Joint beside;         ///< name and the spring, dashpot and cubic spring beside the law
 };
 
@@ -28,21 +30,35 @@ struct HarmonicFiles {
   std::optional<ident::DataFile> forces;
 };
 
+/// Time records of a level, of which phasors are taken.
+struct LevelRecords {
+  std::vector<ident::Path> files;
+  records::RecordOptions options;
+  std::vector<double> lines_hz;  ///< of the force of each record, as it was set; empty: found
+  double settle_s = 0.0;         ///< left out at the start of each
+  bool sweep = false;            ///< one slow sweep each; else steady vibration
+  int periods = 20;              ///< of a window of a sweep
+};
+
 /// One of [[data.levels]]: what was measured of the assembly at one force level.
 struct ForceLevel {
   std::string name;
   bool planned = false;  ///< nothing was measured yet: no files, an amplitude
-  std::vector<HarmonicFiles> harmonics;  ///< ascending
+  std::vector<HarmonicFiles> harmonics;  ///< ascending; without files where there are records
+  std::optional<LevelRecords> records{};  ///< in place of all files of phasors
   std::vector<frf::Dof> force_dofs;
   std::optional<double> amplitude;  ///< N, of harmonic 1 at the one force DOF; without files of forces
   bool rms = false;                 ///< the files hold root mean squares: peaks are √2 times their phasors (not of `per_force`)
   bool per_force = false;           ///< the responses are over the phasor of harmonic 1 of the force: FRFs at that level
 };
 
-/// Standard deviations of phasors whose files tell none: (relative·|Y|)²/2 + floor² of real and imaginary part each.
+/// Standard deviations of phasors whose files tell none: σ² = (relative·|Y|)²/2 + floor² of real and imaginary part each.
 struct PhasorErrors {
   double relative = 0.0;
   double floor = 0.0;  ///< m
+  double force = 0.0;  ///< σ² of Re P and Im P each = (force·|P|)²/2, of forces whose files tell none
+
+  bool of_responses() const { return relative > 0.0 || floor > 0.0; }
 };
 
 /// A scene of friction joints identified from vibration, checked for all that can be checked without opening the data.

@@ -64,14 +64,58 @@ void read_force(const scene::Table& table, const ident::Path& folder, ForceLevel
   if (level.per_force) per_force->fail("responses over which of several forces?", "give phasors of the responses themselves");
 }
 
+/// Keys that say something of time records.
+const std::vector<std::string> of_records = {"channels", "rate", "time", "lines", "settle", "sweep", "periods"};
+
+void read_lines(const scene::Item& item, LevelRecords& records) {
+  for (const scene::Item& hz : item.list_not_empty()) records.lines_hz.push_back(hz.positive());
+  if (records.sweep) item.fail("a sweep has no line of its own", "remove lines: its phasors are taken at those of the parts");
+  if (records.lines_hz.size() != records.files.size()) {
+    item.fail(std::to_string(records.lines_hz.size()) + " lines for " + std::to_string(records.files.size()) + " records",
+              "give the frequency of the force of each record in Hz, in the order of the files, or none: it is found");
+  }
+}
+
+void read_records(const scene::Table& table, const ident::Path& folder, ForceLevel& level) {
+  for (const char* key : {"responses", "forces", "amplitude", "per_force", "amplitudes"}) {
+    if (const auto both = table.find(key))
+      both->fail("there are records, too", "remove one: phasors of responses and forces are taken of the records");
+  }
+  LevelRecords records;
+  for (const scene::Item& file : one_or_several(table.require("records"))) records.files.push_back(folder / file.text_not_empty());
+  level.force_dofs = table.require("force_dofs").dofs();
+  if (const auto channels = table.find("channels")) {
+    for (const scene::Item& channel : channels->list_not_empty())
+      records.options.channels.push_back(channel.here([&] { return records::parse_channel(channel.text_not_empty()); }));
+  }
+  if (const auto rate = table.find("rate")) records.options.rate_hz = rate->positive();
+  if (const auto time = table.find("time")) records.options.time = time->text_not_empty();
+  if (const auto settle = table.find("settle")) records.settle_s = settle->not_negative();
+  if (const auto sweep = table.find("sweep")) records.sweep = sweep->boolean();
+  if (const auto periods = table.find("periods")) {
+    if (!records.sweep) periods->fail("steady records are one window each", "remove it, or say sweep = true");
+    records.periods = periods->whole(8, 10000);
+  }
+  if (const auto lines = table.find("lines")) read_lines(*lines, records);
+  level.records = std::move(records);
+}
+
 const std::array<std::string, 2> amplitude_words = {"peak", "rms"};
 
 ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::size_t number, std::vector<std::string>& names) {
-  const scene::Table table = item.table({"name", "harmonics", "responses", "forces", "amplitude", "force_dofs", "per_force", "amplitudes"});
+  const scene::Table table = item.table({"name", "harmonics", "responses", "forces", "amplitude", "force_dofs", "per_force", "amplitudes",
+                                         "records", "channels", "rate", "time", "lines", "settle", "sweep", "periods"});
   ForceLevel level;
   level.name = "level " + std::to_string(number);
   if (const auto name = table.find("name")) level.name = name->text_not_empty();
   for (const int harmonic : read_harmonics(table)) level.harmonics.push_back({harmonic, {}, {}});
+  if (table.find("records")) {
+    read_records(table, folder, level);
+    return level;
+  }
+  for (const std::string& key : of_records) {
+    if (const auto found = table.find(key)) found->fail("there are no records that it could say something of", "name files of time records, or remove it");
+  }
   const auto responses = table.find("responses");
   level.planned = !responses;
   if (responses) {
@@ -102,7 +146,7 @@ std::vector<ident::FurtherFile> level_files(LawScene& scene, const std::vector<s
   std::vector<ident::FurtherFile> files;
   const auto add = [&](ident::DataFile& file) { files.push_back({names[files.size()], &file}); };
   for (ForceLevel& level : scene.levels) {
-    if (level.planned) continue;
+    if (level.planned || level.records) continue;
     for (HarmonicFiles& each : level.harmonics) add(each.responses);
     for (HarmonicFiles& each : level.harmonics) {
       if (each.forces) add(*each.forces);

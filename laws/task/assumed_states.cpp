@@ -43,7 +43,7 @@ Laws from_scene(const LawScene& scene) {
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     const std::size_t leader = scene.constraints.leader(j).value_or(j);
     out.joints.push_back(scene.joints[j].beside);
-    out.laws.push_back(scene.joints[leader].laws.front());
+    out.laws.push_back(scene.joints[leader].assumed_law);
     out.joints.back().friction = friction::make_element(out.laws.back(), scene.joints[leader].assumed);
   }
   return out;
@@ -133,7 +133,8 @@ std::optional<Eigen::MatrixXcd> responses_of(const AssumedStates& assumed, const
 }
 
 AssumedStates assumed_states(const LawScene& scene) {
-  if (!scene.errors && std::ranges::any_of(scene.levels, is_planned))
+  const bool told_errors = scene.errors && scene.errors->of_responses();
+  if (!told_errors && std::ranges::any_of(scene.levels, is_planned))
     fail(scene, "[errors]", "nobody says how exact a planned level will be", "give relative = 0.01, or floor in m");
   const bool told = tells_laws(scene);
   if (!told && std::ranges::all_of(scene.levels, is_planned)) {

@@ -40,6 +40,8 @@ std::string fault_text(const DataFault& fault, const std::vector<frf::Dof>& resp
     case DataFault::Kind::force:
       return "the forces of " + (fault.level ? levels[*fault.level] : "every level") + " times " + gain_text(fault.gain) + " (" +
              cause(fault) + ")";
+    case DataFault::Kind::levels:
+      return "the forces of " + levels[*fault.level] + " and " + levels[fault.other_level] + " exchanged (files in another order)";
     case DataFault::Kind::response:
       break;
   }

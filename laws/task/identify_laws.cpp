@@ -77,6 +77,30 @@ void judge_data(const LawScene& scene, LawIdentification& found) {
   }
 }
 
+/// Levels that speak for other joints, and joints that no law here describes.
+void judge_levels(const LawScene& scene, LawIdentification& found) {
+  const LawFit& fit = found.fit();
+  std::vector<response::Joint> joints;
+  for (const response::FittedJoint& joint : fit.joints) joints.push_back(joint.joint);
+  std::vector<std::string> told;
+  found.one_sided = test_even_harmonics(found.steps, found.data.structure->joints());
+  for (const OneSidedJoint& joint : found.one_sided) {
+    if (joint.is_told()) told.push_back(one_sided_text(joint, scene.joints[joint.joint].beside.name));
+  }
+  if (!joints.empty()) {
+    const response::LawUnknowns unknowns = response::unknowns_of(std::move(joints), scene.constraints);
+    found.drifts = response::test_level_drift(found.data.structure, found.data.states, found.data.level, unknowns, fit);
+    if (!found.drifts.empty() && found.drifts.front().is_told()) told.push_back(drift_text(found.drifts.front(), scene, unknowns));
+  }
+  for (std::string& what : told) {
+    if (found.status == LawStatus::ok) {
+      found.status = LawStatus::doubtful;
+      found.message = what;
+    }
+    found.notes.push_back(std::move(what));
+  }
+}
+
 void find_rivals(LawIdentification& found) {
   constexpr double as_good = 2.0;
   const double best = found.compared.front().fit.aic;
@@ -85,17 +109,6 @@ void find_rivals(LawIdentification& found) {
     const bool minimum = fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
     if (i != found.chosen && minimum && fit.aic <= best + as_good)
       found.not_told_apart.push_back(laws_text(found.compared[i].laws));
-  }
-}
-
-void require_measured(const LawScene& scene) {
-  for (const ForceLevel& level : scene.levels) {
-    if (!level.planned) continue;
-    throw InputError({.kind = ErrorKind::data,
-                      .file = scene.file.string(),
-                      .place = "[[data.levels]] " + level.name,
-                      .problem = "nothing was measured: there are no responses",
-                      .remedy = "give responses; what the level would tell says `jointid plan --bound`"});
   }
 }
 
@@ -131,6 +144,17 @@ std::string laws_text(const std::vector<std::string>& laws) {
   return text;
 }
 
+void require_measured(const LawScene& scene) {
+  for (const ForceLevel& level : scene.levels) {
+    if (!level.planned) continue;
+    throw InputError({.kind = ErrorKind::data,
+                      .file = scene.file.string(),
+                      .place = "[[data.levels]] " + level.name,
+                      .problem = "nothing was measured: there are no responses",
+                      .remedy = "give responses; what the level would tell says `jointid plan --bound`"});
+  }
+}
+
 std::vector<response::DirectStep> direct_steps(const LevelStates& data) {
   std::vector<response::DirectStep> steps;
   for (const response::MeasuredState& state : data.states) steps.push_back(response::direct_step(*data.structure, state));
@@ -155,6 +179,7 @@ LawIdentification identify_states(const LawScene& scene, LevelStates data, const
   found.chosen = response::chosen_law(found.compared);
   judge_fit(found);
   judge_data(scene, found);
+  judge_levels(scene, found);
   find_rivals(found);
   for (std::string& what : unseen(scene, found.fit().joints)) found.notes.push_back(std::move(what));
   return found;

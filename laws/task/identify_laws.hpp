@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "laws/data/level_states.hpp"
+#include "laws/task/level_findings.hpp"
 #include "response/identify/consistency.hpp"
 #include "response/identify/direct_step.hpp"
 #include "response/identify/law_choice.hpp"
@@ -23,6 +24,8 @@ struct LawIdentification {
   response::Consistency consistency;             ///< of the states with the parts, whatever the laws are
   std::vector<response::DirectStep> steps;       ///< of each state, no law in them
   std::vector<response::LawCandidate> compared;  ///< best first
+  std::vector<response::LevelDrift> drifts;      ///< of every level, the one that speaks most against the others first
+  std::vector<OneSidedJoint> one_sided;          ///< of every joint
   std::size_t chosen = 0;                        ///< of compared
   std::vector<std::string> not_told_apart;       ///< laws within 2 of the smallest AIC, the chosen one aside
   std::vector<std::string> notes;                ///< one phrase each
@@ -36,6 +39,9 @@ std::string laws_text(const std::vector<std::string>& laws);
 
 /// What the states do not show of the joints, one phrase each, with the joint's name.
 std::vector<std::string> unseen(const LawScene& scene, const std::vector<response::FittedJoint>& joints);
+
+/// Throws InputError (data) that names a level which is only planned.
+void require_measured(const LawScene& scene);
 
 /// F and Q of every state without a law.
 std::vector<response::DirectStep> direct_steps(const LevelStates& data);

@@ -1,8 +1,8 @@
 #include "laws/task/law_study.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -10,6 +10,7 @@
 #include "base/control.hpp"
 #include "base/parallel.hpp"
 #include "base/random.hpp"
+#include "base/statistics.hpp"
 #include "laws/task/assumed_states.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "response/structure/corrected_receptance.hpp"
@@ -52,13 +53,21 @@ class Trials {
     scene_.harmonics = assumed.harmonics;
   }
 
-  /// Of every trial; empty where the drawn parts have no response.
-  std::vector<std::optional<LawIdentification>> run() {
-    for_each_index(results_.size(), options_.threads, [this](std::size_t trial) {
+  std::vector<LawTrial> run() {
+    std::vector<bool> known(results_.size(), false);
+    for (const LawTrial& trial : options_.known) {
+      if (trial.trial >= results_.size()) continue;
+      results_[trial.trial] = trial;
+      if (!known[trial.trial]) ++done_;
+      known[trial.trial] = true;
+    }
+    for_each_index(results_.size(), options_.threads, [&](std::size_t trial) {
+      if (known[trial]) return;
       stop_if(options_.interrupted);
-      results_[trial] = identified(trial);
+      results_[trial] = made(trial);
       const std::scoped_lock lock(mutex_);
       ++done_;
+      if (options_.made) options_.made(results_[trial]);
       if (options_.progress) options_.progress(done_, results_.size());
     });
     stop_if(options_.interrupted);
@@ -78,14 +87,44 @@ class Trials {
         state.response(k) = (*exact)(k) + state.deviation(k) * Complex(real, imaginary);
       }
     }
-    LawIdentification found = identify_states(scene_, std::move(data));
-    found.data = {};  // a thousand trials need not keep them
-    found.steps.clear();
-    for (response::LawCandidate& each : found.compared) {
-    each.fit.states.clear();
-    each.fit.end.reset();
+    draw_forces(trial, data.states);
+    return identify_states(scene_, std::move(data));
   }
-    return found;
+
+  LawTrial made(std::size_t trial) const {
+    LawTrial out;
+    out.trial = trial;
+    const auto found = identified(trial);
+    if (!found) {
+      out.status = "no_response";
+      out.chi_square = nan;
+      return out;
+    }
+    out.status = word(found->status);
+    out.usable = is_usable(found->status);
+    out.laws = laws_text(found->laws());
+    out.contradicts = found->consistency.contradicts();
+    out.chi_square = found->fit().chi_square / static_cast<double>(found->fit().freedom);
+    out.undecided = !found->not_told_apart.empty();
+    const bool is_right = found->laws() == assumed_.laws;
+    out.missed = !is_right && std::ranges::find(found->not_told_apart, laws_text(assumed_.laws)) == found->not_told_apart.end();
+    if (!out.usable || !is_right) return out;
+    for (const auto& [joint, value] : values_of(found->fit().joints)) {
+      const auto interval = value.ci95.value_or(std::array{nan, nan});
+      out.values.push_back({value.value, interval[0], interval[1]});
+    }
+    return out;
+  }
+
+  /// The forces that were measured, about the true ones.
+  void draw_forces(std::size_t trial, std::vector<response::MeasuredState>& states) const {
+    Numbers noise({.seed = options_.seed, .trial = trial, .set = 2});
+    for (response::MeasuredState& state : states) {
+      for (Eigen::Index k = 0; k < state.force_deviation.size(); ++k) {
+        const double real = noise.next(), imaginary = noise.next();
+        state.force.amplitudes(k) += state.force_deviation(k) * Complex(real, imaginary);
+      }
+    }
   }
 
   std::shared_ptr<const response::Receptance> drawn_parts(std::size_t trial) const {
@@ -108,35 +147,28 @@ class Trials {
   LawScene scene_;
   const AssumedStates& assumed_;
   const LawStudyOptions& options_;
-  std::vector<std::optional<LawIdentification>> results_;
+  std::vector<LawTrial> results_;
   std::mutex mutex_;
   std::size_t done_ = 0;
 };
 
-/// Adds what a usable trial with the assumed laws tells.
-void add(const LawIdentification& found, std::vector<StudiedValue>& values) {
-  const auto told = values_of(found.fit().joints);
-  for (std::size_t i = 0; i < std::min(told.size(), values.size()); ++i) {
-    const friction::FittedValue& value = told[i].second;
-    if (!std::isfinite(value.value)) continue;
-    const double error = value.value - values[i].truth;
+void add(const LawTrial& trial, std::vector<StudiedValue>& values) {
+  for (std::size_t i = 0; i < std::min(trial.values.size(), values.size()); ++i) {
+    const LawTrial::Value& told = trial.values[i];
+    if (!std::isfinite(told.value)) continue;
+    const double error = told.value - values[i].truth;
     ++values[i].trials;
     values[i].bias += error;
     values[i].rms_error += error * error;
-    if (value.ci95 && (*value.ci95)[0] <= values[i].truth && values[i].truth <= (*value.ci95)[1]) ++values[i].covered;
+    if (told.low <= values[i].truth && values[i].truth <= told.high) ++values[i].covered;
   }
 }
 
-}  // namespace
-
-LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
-  const AssumedStates assumed = assumed_states(scene);
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+LawStudy plan_of(const LawScene& scene, const AssumedStates& assumed) {
   LawStudy out;
   out.laws = assumed.laws;
   out.assumed = assumed.told;
   out.notes = assumed.data.notes;
-  out.trials = options.trials;
   const response::LawFit bound = response::bound_of_laws(assumed.data.structure, assumed.data.states,
                                                          response::unknowns_of(assumed.joints, scene.constraints), assumed.harmonics);
   for (const auto& [j, value] : values_of(bound.joints)) {
@@ -144,26 +176,37 @@ LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
                           .name = value.name,
                           .unit = value.unit,
                           .truth = value.value,
-                          .bound = value.std_error.value_or(none)});
+                          .bound = value.std_error.value_or(nan)});
   }
-  for (const auto& found : Trials(scene, assumed, options).run()) {
-    if (!found) {
-      ++out.statuses["no_response"];
-      continue;
-    }
-    ++out.statuses[std::string(word(found->status))];
-    if (found->consistency.contradicts()) ++out.contradicting;
-    if (!is_usable(found->status)) continue;
+  return out;
+}
+
+}  // namespace
+
+LawStudy law_study_plan(const LawScene& scene) { return plan_of(scene, assumed_states(scene)); }
+
+LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
+  const AssumedStates assumed = assumed_states(scene);
+  LawStudy out = plan_of(scene, assumed);
+  out.trials = options.trials;
+  const std::string truth = laws_text(assumed.laws);
+  for (const LawTrial& trial : Trials(scene, assumed, options).run()) {
+    ++out.statuses[trial.status];
+    if (trial.contradicts) ++out.contradicting;
+    if (!trial.usable) continue;
     ++out.usable;
-    ++out.chosen[laws_text(found->laws())];
-    out.chi_square += found->fit().chi_square / static_cast<double>(found->fit().freedom);
-    if (found->laws() == assumed.laws) add(*found, out.values);
+    ++out.chosen[trial.laws];
+    out.chi_square += trial.chi_square;
+    if (trial.laws == truth) ++out.right;
+    if (trial.undecided) ++out.undecided;
+    if (trial.missed) ++out.missed;
+    add(trial, out.values);
   }
-  out.chi_square = out.usable > 0 ? out.chi_square / static_cast<double>(out.usable) : none;
+  out.chi_square = out.usable > 0 ? out.chi_square / static_cast<double>(out.usable) : nan;
   for (StudiedValue& value : out.values) {
     const auto count = static_cast<double>(value.trials);
-    value.bias = value.trials > 0 ? value.bias / count : none;
-    value.rms_error = value.trials > 0 ? std::sqrt(value.rms_error / count) : none;
+    value.bias = value.trials > 0 ? value.bias / count : nan;
+    value.rms_error = value.trials > 0 ? std::sqrt(value.rms_error / count) : nan;
   }
   return out;
 }

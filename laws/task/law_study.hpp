@@ -11,12 +11,30 @@
 
 namespace jointid::laws {
 
+/// What one trial found; all that the statistics of a study need.
+struct LawTrial {
+  /// A number with its 95 % interval; NaN where there is none.
+  struct Value {
+    double value = 0.0, low = 0.0, high = 0.0;
+  };
+  std::size_t trial = 0;
+  std::string status;         ///< word of LawStatus, "no_response" where the drawn parts have none
+  std::string laws;           ///< chosen, as laws_text()
+  bool usable = false, contradicts = false;
+  bool undecided = false;     ///< other laws are as good
+  bool missed = false;        ///< the true ones neither chosen nor among those
+  double chi_square = 0.0;    ///< over its freedom; NaN where nothing was fitted
+  std::vector<Value> values;  ///< as LawStudy::values; none unless usable with the true laws
+};
+
 struct LawStudyOptions {
   std::size_t trials = 1000;
   std::uint64_t seed = 1;
   std::size_t threads = 1;
   std::function<bool()> interrupted{};                                   ///< asked between trials, by any thread
   std::function<void(std::size_t done, std::size_t total)> progress{};  ///< by one thread at a time
+  std::vector<LawTrial> known{};                                        ///< trials that were made before, which are not made again
+  std::function<void(const LawTrial&)> made{};                          ///< told of each new one, by one thread at a time
 };
 
 /// One number of a joint over the trials whose laws are those assumed and whose fit is usable.
@@ -33,14 +51,20 @@ struct LawStudy {
   bool assumed = true;            ///< told by the scene, else found from the measured levels
   std::size_t trials = 0, usable = 0, contradicting = 0;
   std::map<std::string, std::size_t> chosen;    ///< how often each combination of laws was
+  std::size_t right = 0;                        ///< usable trials whose chosen laws are the true ones …
+  std::size_t undecided = 0;                    ///< … that name others which the data cannot tell from those chosen …
+  std::size_t missed = 0;                       ///< … that name the true ones neither as chosen nor among those
   std::map<std::string, std::size_t> statuses;  ///< … and each status
   double chi_square = 0.0;                      ///< mean of χ² over its freedom, of the usable ones
   std::vector<StudiedValue> values;             ///< of each joint stiffness, limit and parameters
   std::vector<std::string> notes;
 };
 
+/// What a study is of: laws, truth and bounds of its values; no trial.
+LawStudy law_study_plan(const LawScene& scene);
+
 /// Each trial draws the true FRFs of the parts about those of the files, by the files' variances, solves harmonic balance of the
-/// assumed laws over them, draws the phasors about these states, and identifies as identify_laws does, with the
+/// assumed laws over them, draws the phasors of responses and forces about these states, and identifies as identify_laws does, with the
 /// harmonics of the assumed states. Trial t depends on the seed and
 /// t alone, whatever the threads. Throws InputError as predict_law_bound, Interrupted when it is interrupted.
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options);

@@ -64,15 +64,6 @@ void add_rod(Structure& structure, std::int64_t one, std::int64_t other) {
                 {{4.0 * bending, 2.0 * bending}, {2.0 * bending, 4.0 * bending}});
 }
 
-Structure parts() {
-  Structure result = merged(half_and_half(wide, 1.04, 101), half_and_half(narrow, 0.915, 201));
-  add_rod(result, 102, 202);
-  add_rod(result, 116, 216);
-  for (const frf::Dof& middle : {middle_1, middle_2}) result.add(Kind::mass, {middle}, {{block_mass}});
-  result.add_proportional_damping(steel_loss_factor);
-  return result;
-}
-
 /// With k + id between the middles, excited at the first.
 frf::FrfSet with_joint(Structure structure, double stiffness, double damping, const std::string& file) {
   structure.add(Kind::stiffness, {middle_1, middle_2}, stiffness);
@@ -127,6 +118,17 @@ Complex factor(const std::array<double, 4>& uniform, double phase) {
 
 }  // namespace
 
+Structure rig_two_structure() {
+  Structure result = merged(half_and_half(wide, 1.04, 101), half_and_half(narrow, 0.915, 201));
+  add_rod(result, 102, 202);
+  add_rod(result, 116, 216);
+  for (const frf::Dof& middle : {middle_1, middle_2}) result.add(Kind::mass, {middle}, {{block_mass}});
+  result.add_proportional_damping(steel_loss_factor);
+  return result;
+}
+
+std::array<frf::Dof, 2> rig_two_middles() { return {middle_1, middle_2}; }
+
 std::vector<ProblemInfo> list_rig_two() {
   std::vector<ProblemInfo> out;
   for (const Clamping& each : clampings()) out.push_back({each.name, each.description});
@@ -143,7 +145,7 @@ RigTwo make_rig_two(const std::string& name) {
              .limit = 0.0, .displacements = {}, .parts = {}, .levels = {}, .rigid = {}, .scene = {}};
   const auto element = friction::make_element("ren", rig.element);
   rig.limit = element->limit();
-  const Structure structure = parts();
+  const Structure structure = rig_two_structure();
   rig.parts = frequency_response(
       structure,
       {.response = {middle_1, middle_2}, .reference = {middle_1, middle_2}, .frequency_hz = frequencies({48.0, 0.25, 41})});

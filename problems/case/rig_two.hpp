@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -8,6 +9,7 @@
 #include "frf/set/frf_set.hpp"
 #include "problems/case/problem_info.hpp"
 #include "problems/case/write_options.hpp"
+#include "problems/structure/structure.hpp"
 
 namespace jointid::problems {
 
@@ -26,6 +28,10 @@ struct RigTwo {
   frf::FrfSet rigid;                    ///< the same with the joint clamped until it does not slip
   std::string scene;                    ///< TOML text for `jointid equivalent`
 };
+
+/// The beams, rods and blocks without the joint, and the two middles, between which it is.
+Structure rig_two_structure();
+std::array<frf::Dof, 2> rig_two_middles();
 
 std::vector<ProblemInfo> list_rig_two();
 

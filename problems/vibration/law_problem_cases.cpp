@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "problems/case/rig_two.hpp"
 #include "problems/structure/beam.hpp"
 
 namespace jointid::problems {
@@ -64,10 +65,24 @@ LawProblem mass_with_iwan() {
           .frequency_hz = lines(80.0, 5.0, 12)};
 }
 
+LawProblem rig_two_with_ren() {
+  const auto [first, second] = rig_two_middles();
+  const RigTwo rig = make_rig_two("rig2");
+  return {.name = "rig2-laws",
+          .description = "rig two (200 N) with its Ren joint, which moves a hundred times less than the beams, at six force levels",
+          .parts = {rig_two_structure()},
+          .joints = {{"joint", {first, second}, "ren", rig.element, {"bilinear", "ren"}}},
+          .responses = {first, second},
+          .force = first,
+          .levels = {1.0, 2.0, 4.0, 8.0, 12.0, 16.0},
+          .frequency_hz = lines(48.0, 1.1, 8),
+          .noise = 0.003};
+}
+
 namespace {
 
 const std::vector<LawProblem>& all_law_problems() {
-  static const std::vector<LawProblem> all = {frame_with_joints(), mass_with_iwan()};
+  static const std::vector<LawProblem> all = {frame_with_joints(), mass_with_iwan(), rig_two_with_ren()};
   return all;
 }
 

@@ -10,6 +10,7 @@ namespace jointid::problems {
 
 LawProblem frame_with_joints();  ///< frame-laws
 LawProblem mass_with_iwan();     ///< sdof-iwan
+LawProblem rig_two_with_ren();   ///< rig2-laws
 
 std::vector<ProblemInfo> list_law_problems();
 bool is_law_problem(const std::string& name);

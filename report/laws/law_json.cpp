@@ -1,22 +1,13 @@
 #include <nlohmann/json.hpp>
 
 #include "report/laws/law_text.hpp"
-#include "base/complex.hpp"
 #include "report/json_value.hpp"
-#include "laws/task/contradiction.hpp"
+#include "report/laws/state_json.hpp"
 
 namespace jointid::report {
 namespace {
 
 using laws::LawIdentification;
-
-Json phasor(Complex number) { return {value(number.real()), value(number.imag())}; }
-
-Json column(const Eigen::MatrixXcd& rows, Eigen::Index at) {
-  Json out = Json::array();
-  for (Eigen::Index n = 0; n < rows.rows(); ++n) out.push_back(phasor(rows(n, at)));
-  return out;
-}
 
 Json fitted(const friction::FittedValue& of) {
   Json out = {{"name", of.name}, {"unit", of.unit}, {"value", value(of.value)}, {"std_error", value(of.std_error)}};
@@ -64,21 +55,7 @@ Json covariance(const Eigen::MatrixXd& matrix) {
 
 Json state(const laws::LawScene& scene, const LawIdentification& found, std::size_t i) {
   const response::MeasuredState& measured = found.data.states[i];
-  const response::DirectStep& step = found.steps[i];
-  Json out = {{"level", scene.levels[found.data.level[i]].name},
-              {"frequency", value(hertz(measured.omega))},
-              {"harmonics", measured.harmonics},
-              {"joints", Json::array()}};
-  for (Eigen::Index j = 0; j < step.joint_force.cols(); ++j) {
-    Json one = {{"motion", column(step.joint_motion, j)},
-                {"motion_deviation", column(step.motion_deviation, j)},
-                {"force", column(step.joint_force, j)},
-                {"force_deviation", column(step.force_deviation, j)}};
-    one["equivalent"] = step.equivalent.size() > 0 ? phasor(step.equivalent(j)) : Json();
-    one["equivalent_deviation"] = step.equivalent.size() > 0 ? phasor(step.equivalent_deviation(j)) : Json();
-    out["joints"].push_back(one);
-  }
-  out["separation"] = value(step.separation);
+  Json out = state_json(scene.levels[found.data.level[i]].name, measured, found.steps[i]);
   out["residual"] = Json();
   if (i < found.fit().states.size()) {
     const Eigen::VectorXd residual = response::in_deviations(measured, found.fit().states[i].response - measured.response);
@@ -87,23 +64,15 @@ Json state(const laws::LawScene& scene, const LawIdentification& found, std::siz
   return out;
 }
 
-Json consistency(const laws::LawScene& scene, const LawIdentification& found) {
-  using Kind = response::DataFault::Kind;
-  const std::vector<std::string> levels = laws::level_names(scene);
-  const response::Consistency& test = found.consistency;
-  Json out = {{"chi_square", value(test.chi_square)},
-              {"freedom", test.freedom},
-              {"limit", value(test.limit)},
-              {"contradicts", test.contradicts()},
-              {"faults", Json::array()}};
-  for (const response::DataFault& fault : test.faults) {
-    const auto name = [&](Eigen::Index response) { return found.data.responses[static_cast<std::size_t>(response)].name(); };
-    Json one = {{"text", laws::fault_text(fault, found.data.responses, levels)}, {"chi_square", value(fault.chi_square)}};
-    if (fault.kind != Kind::force) one["dofs"] = {name(fault.first)};
-    if (fault.kind == Kind::exchanged) one["dofs"].push_back(name(fault.second));
-    if (fault.kind != Kind::exchanged) one["gain"] = phasor(fault.gain);
-    if (fault.level) one["level"] = levels[*fault.level];
-    out["faults"].push_back(one);
+Json drifts(const laws::LawScene& scene, const LawIdentification& found) {
+  Json out = Json::array();
+  for (const response::LevelDrift& drift : found.drifts) {
+    out.push_back({{"level", scene.levels[drift.level].name},
+                   {"chi_square", value(drift.chi_square)},
+                   {"freedom", drift.freedom},
+                   {"told", drift.is_told()},
+                   {"change", values(std::span(drift.change.data(), static_cast<std::size_t>(drift.change.size())))},
+                   {"deviation", values(std::span(drift.deviation.data(), static_cast<std::size_t>(drift.deviation.size())))}});
   }
   return out;
 }
@@ -123,7 +92,9 @@ std::string law_json(const laws::LawScene& scene, const LawIdentification& found
               {"dofs", frf::names(found.data.responses)},
               {"states", Json::array()},
               {"notes", found.notes}};
-  out["consistency"] = consistency(scene, found);
+  out["consistency"] = consistency_json(scene, found.data, found.consistency);
+  out["drift"] = drifts(scene, found);
+  out["even_harmonics"] = even_harmonics_json(scene, found.one_sided);
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) out["joints"].push_back(joint(scene, found, j));
   for (const response::LawCandidate& each : found.compared) out["compared"].push_back(candidate(each));
   for (std::size_t i = 0; i < found.data.states.size(); ++i) out["states"].push_back(state(scene, found, i));

@@ -50,7 +50,11 @@ std::string law_study_summary(const laws::LawStudy& study) {
   std::string text = fmt::format("{} trials, {} usable; laws {}: {}\n", study.trials, study.usable,
                                  study.assumed ? "assumed" : "found from the measured levels", laws::laws_text(study.laws));
   text += "status: " + counts(study.statuses) + "\n";
-  if (!study.chosen.empty()) text += "laws chosen: " + counts(study.chosen) + "\n";
+  if (!study.chosen.empty()) {
+    text += "laws chosen: " + counts(study.chosen) + "\n";
+    text += fmt::format("the true laws are chosen in {} of {}, others are as good in {}, the true ones are ruled out in {}\n", study.right,
+                        study.usable, study.undecided, study.missed);
+  }
   return text + fmt::format("χ² over its freedom {}, data that contradict each other in {} trials\n",
                             study.usable > 0 ? fmt::format("{:.3f}", study.chi_square) : "–", study.contradicting);
 }
@@ -69,6 +73,9 @@ std::string law_study_json(const laws::LawStudy& study) {
               {"usable", study.usable},
               {"contradicting", study.contradicting},
               {"chosen", study.chosen},
+              {"right", study.right},
+              {"undecided", study.undecided},
+              {"missed", study.missed},
               {"statuses", study.statuses},
               {"chi_square", value(study.chi_square)},
               {"values", Json::array()},

@@ -4,19 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
-#include "base/complex.hpp"
+#include "base/statistics.hpp"
 #include "base/text.hpp"
-#include "report/laws/direct_bins.hpp"
-#include "friction/curve/equivalent.hpp"
+#include "report/laws/direct_text.hpp"
 
 namespace jointid::report {
 namespace {
 
 using laws::LawIdentification;
-
-constexpr std::size_t most_bins = 10;
 
 std::string interval_text(const friction::FittedValue& value) {
   if (!value.ci95) return "–";
@@ -35,20 +31,6 @@ std::string harmonics_text(const std::vector<int>& numbers) {
   return text;
 }
 
-std::string data_text(const laws::LawScene& scene, const LawIdentification& found) {
-  std::set<double> lines;
-  std::set<int> harmonics;
-  for (const response::MeasuredState& state : found.data.states) {
-    lines.insert(state.omega);
-    harmonics.insert(state.harmonics.begin(), state.harmonics.end());
-  }
-  return fmt::format("{} state{} of {} level{}: {} line{} from {:.6g} to {:.6g} Hz, {} response{}, harmonics {}\n",
-                     found.data.states.size(), found.data.states.size() == 1 ? "" : "s", scene.levels.size(),
-                     scene.levels.size() == 1 ? "" : "s", lines.size(), lines.size() == 1 ? "" : "s",
-                     hertz(*lines.begin()), hertz(*lines.rbegin()), found.data.responses.size(),
-                     found.data.responses.size() == 1 ? "" : "s", harmonics_text({harmonics.begin(), harmonics.end()}));
-}
-
 std::string choice_text(const LawIdentification& found) {
   std::string text = "law: " + laws::laws_text(found.laws());
   if (!found.not_told_apart.empty()) {
@@ -64,11 +46,12 @@ std::string fit_text(const response::LawFit& fit) {
   return text + "\n";
 }
 
-std::string consistency_text(const LawIdentification& found) {
-  const response::Consistency& test = found.consistency;
-  if (test.freedom == 0) return {};
-  return fmt::format("without any law: χ² = {:.5g} of {} degrees of freedom, at most {:.5g} is to be expected\n", test.chi_square,
-                     static_cast<long>(test.freedom), test.limit);
+/// By how much χ² would fall were the level's parameters its own, and by how much at most by chance.
+std::pair<std::string, std::string> drift_cells(const LawIdentification& found, std::size_t level) {
+  const auto drift = std::ranges::find(found.drifts, level, &response::LevelDrift::level);
+  if (drift == found.drifts.end() || drift->freedom == 0) return {"–", "–"};
+  return {fmt::format("−{:.3g}", drift->chi_square),
+          fmt::format("{:.3g}", chi_square_quantile(static_cast<double>(drift->freedom), 4.0))};
 }
 
 }  // namespace
@@ -99,30 +82,12 @@ Table joint_table(const response::FittedJoint& joint) {
 }
 
 Table direct_table(const LawIdentification& found, std::size_t joint) {
-  Table table({{"|Q₁| m"}, {"k_e N/m"}, {"±"}, {"d_e N/m"}, {"±"}, {"states"}, {"law k_e"}, {"law d_e"}});
-  const bool fitted = joint < found.fit().joints.size() && found.fit().joints[joint].joint.friction != nullptr;
-  for (const DirectBin& bin : direct_bins(found.steps, at(joint), most_bins)) {
-    std::vector<std::string> cells = {number(bin.motion),
-                                      number(bin.equivalent.real(), bin.deviation.real()),
-                                      fmt::format("{:.2g}", bin.deviation.real()),
-                                      number(bin.equivalent.imag(), bin.deviation.imag()),
-                                      fmt::format("{:.2g}", bin.deviation.imag()),
-                                      std::to_string(bin.states),
-                                      "–",
-                                      "–"};
-    if (fitted) {
-      const response::Joint& law = found.fit().joints[joint].joint;
-      const friction::Equivalent by_law = friction::equivalent(*law.friction, bin.motion);
-      cells[6] = number(by_law.stiffness + law.stiffness);
-      cells[7] = number(by_law.damping);
-    }
-    table.add(cells);
-  }
-  return table;
+  const response::Joint none;
+  return direct_table(found.steps, joint, joint < found.fit().joints.size() ? &found.fit().joints[joint].joint : &none);
 }
 
 Table level_table(const laws::LawScene& scene, const LawIdentification& found) {
-  Table table({{"level", Align::left}, {"states"}, {"rms residual"}, {"largest"}});
+  Table table({{"level", Align::left}, {"states"}, {"rms residual"}, {"largest"}, {"χ² alone"}, {"chance"}});
   for (std::size_t level = 0; level < scene.levels.size(); ++level) {
     double sum = 0.0, largest = 0.0;
     Eigen::Index count = 0;
@@ -136,20 +101,21 @@ Table level_table(const laws::LawScene& scene, const LawIdentification& found) {
       count += residual.size();
       ++states;
     }
+    const auto drift = drift_cells(found, level);
     table.add({scene.levels[level].name, std::to_string(states),
                count > 0 ? fmt::format("{:.2f}", std::sqrt(sum / static_cast<double>(count))) : "–",
-               count > 0 ? fmt::format("{:.1f}", largest) : "–"});
+               count > 0 ? fmt::format("{:.1f}", largest) : "–", drift.first, drift.second});
   }
   return table;
 }
 
 std::string law_text(const laws::LawScene& scene, const LawIdentification& found) {
-  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + data_text(scene, found) + "\n" + choice_text(found) +
+  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + states_text(scene, found.data) + "\n" + choice_text(found) +
                      law_table(found).text() + "\n";
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
     text += scene.joints[j].beside.name + ": " + found.laws()[j] + "\n" + joint_table(found.fit().joints[j]).text() + "\n";
   }
-  text += fit_text(found.fit()) + consistency_text(found) + "residuals in standard deviations\n" + level_table(scene, found).text() + "\n";
+  text += fit_text(found.fit()) + consistency_text(found.consistency) + "residuals in standard deviations\n" + level_table(scene, found).text() + "\n";
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     text += scene.joints[j].beside.name + ": stiffness and damping without a law\n" + direct_table(found, j).text() + "\n";
   }

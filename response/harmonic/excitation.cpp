@@ -5,9 +5,14 @@
 namespace jointid::response {
 
 Eigen::VectorXcd Excitation::of(int harmonic) const {
+  const Eigen::Index found = row(harmonic);
+  if (found < 0) return Eigen::VectorXcd::Zero(amplitudes.cols());
+  return amplitudes.row(found).transpose();
+}
+
+Eigen::Index Excitation::row(int harmonic) const {
   const auto found = std::ranges::find(harmonics, harmonic);
-  if (found == harmonics.end()) return Eigen::VectorXcd::Zero(amplitudes.cols());
-  return amplitudes.row(found - harmonics.begin()).transpose();
+  return found == harmonics.end() ? -1 : found - harmonics.begin();
 }
 
 Excitation Excitation::single(Complex amplitude) { return {{1}, Eigen::MatrixXcd::Constant(1, 1, amplitude)}; }

@@ -14,6 +14,8 @@ struct Excitation {
 
   /// P_n, zero for a harmonic that is not there.
   Eigen::VectorXcd of(int harmonic) const;
+  /// Its row of the amplitudes, or −1.
+  Eigen::Index row(int harmonic) const;
 
   /// A force at one place with one harmonic.
   static Excitation single(Complex amplitude);

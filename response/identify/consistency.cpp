@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/statistics.hpp"
 #include "dense/cholesky.hpp"
@@ -46,13 +47,19 @@ Piece piece_of(const Receptance& structure, const MeasuredState& state, const Ha
   const Weights first(own, part.to_joints);
   piece.weight = first.left;
   const std::vector<ReceptanceError> errors = structure.errors(n * state.omega);
-  if (errors.empty()) return piece;
+  const bool has_force_errors = state.knows_force_errors() && state.force.row(n) >= 0;
+  if (errors.empty() && !has_force_errors) return piece;
   Eigen::VectorXcd acting(structure.joints() + structure.forces());
   acting << first.to_forces * piece.difference(), state.force.of(n);
   Eigen::MatrixXcd covariance = own;
   for (const ReceptanceError& error : errors) {
     const Eigen::VectorXcd moved = (error.shape * acting).tail(structure.responses());
     covariance += 0.5 * (error.variance.real() + error.variance.imag()) * moved * moved.adjoint();
+  }
+  if (has_force_errors) {
+    const Eigen::MatrixXcd by_force = structure.at(n * state.omega).bottomRightCorner(structure.responses(), structure.forces());
+    const Eigen::VectorXd variance = state.force_deviation.row(state.force.row(n)).transpose().cwiseAbs2();
+    covariance += by_force * variance.cast<Complex>().asDiagonal() * by_force.adjoint();
   }
   piece.weight = Weights(covariance, part.to_joints).left;
   return piece;
@@ -99,6 +106,16 @@ Complex best_gain(const std::vector<Piece>& pieces, const DataFault& fault) {
   return own > 0.0 ? 1.0 - against / own : Complex(1.0);
 }
 
+/// With those of the state of another level at the same line, if there is one.
+void exchange_forces(std::vector<MeasuredState>& states, const std::vector<std::size_t>& level, std::size_t i, std::size_t other) {
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    if (level[k] != other || states[k].omega != states[i].omega) continue;
+    std::swap(states[k].force, states[i].force);
+    std::swap(states[k].force_deviation, states[i].force_deviation);
+    return;
+  }
+}
+
 void mend(std::vector<MeasuredState>& states, const std::vector<std::size_t>& level, const DataFault& fault) {
   for (std::size_t i = 0; i < states.size(); ++i) {
     MeasuredState& state = states[i];
@@ -114,6 +131,9 @@ void mend(std::vector<MeasuredState>& states, const std::vector<std::size_t>& le
         state.response.col(fault.first).swap(state.response.col(fault.second));
         state.deviation.col(fault.first).swap(state.deviation.col(fault.second));
         break;
+      case DataFault::Kind::levels:
+        if (level[i] == *fault.level) exchange_forces(states, level, i, fault.other_level);
+        break;
     }
   }
 }
@@ -123,9 +143,12 @@ std::vector<DataFault> possible(Eigen::Index responses, const std::vector<std::s
   std::vector<DataFault> all;
   for (Eigen::Index r = 0; r < responses; ++r) all.push_back({.kind = response, .first = r});
   all.push_back({.kind = force});
-  const std::set<std::size_t> levels(level.begin(), level.end());
-  for (const std::size_t each : levels) {
-    if (levels.size() > 1) all.push_back({.kind = force, .level = each});
+  const std::set<std::size_t> numbers(level.begin(), level.end());
+  for (const std::size_t each : numbers) {
+    if (numbers.size() > 1) all.push_back({.kind = force, .level = each});
+    for (const std::size_t other : numbers) {
+      if (other < each) all.push_back({.kind = levels, .level = other, .other_level = each});
+    }
   }
   for (Eigen::Index r = 0; r < responses; ++r) {
     for (Eigen::Index s = 0; s < r; ++s) all.push_back({.kind = exchanged, .first = s, .second = r});
@@ -136,7 +159,7 @@ std::vector<DataFault> possible(Eigen::Index responses, const std::vector<std::s
 /// The fault with its gain, found again from states that the first one mended: their weights are better.
 DataFault tried(const Receptance& structure, const std::vector<MeasuredState>& states, const std::vector<std::size_t>& level,
                 const std::vector<Piece>& pieces, DataFault fault) {
-  const bool has_gain = fault.kind != DataFault::Kind::exchanged;
+  const bool has_gain = fault.kind == DataFault::Kind::response || fault.kind == DataFault::Kind::force;
   if (has_gain) fault.gain = best_gain(pieces, fault);
   for (int round = 0;; ++round) {
     std::vector<MeasuredState> mended = states;

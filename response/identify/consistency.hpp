@@ -9,12 +9,14 @@
 
 namespace jointid::response {
 
-/// One mistake of a measurement that would make states agree with the structure: phasors times `gain`, or two responses exchanged.
+/// One mistake of a measurement that would make states agree with the structure: phasors times `gain`, or two responses or the forces of
+/// two levels exchanged.
 struct DataFault {
-  enum class Kind { response, force, exchanged };
+  enum class Kind { response, force, exchanged, levels };
   Kind kind = Kind::response;
   Eigen::Index first = 0, second = 0;   ///< responses of the receptance
   std::optional<std::size_t> level{};   ///< of a force; empty: of all
+  std::size_t other_level = 0;          ///< whose forces are those of `level`, and the other way round
   Complex gain = 1.0;                   ///< by which what was measured is to be multiplied
   double chi_square = 0.0;              ///< of the consistency with it mended
 };
@@ -33,7 +35,7 @@ struct Consistency {
 ///
 ///   min_F rᴴ C⁻¹ r,  r = Y_n − H_mP_n + H_mW F,  C = diag(σ²) + Σ_e var_e m_e m_eᴴ,
 ///
-/// m_e what an error of the structure's FRFs moves the responses by under F and P_n, to first order; their sum is χ² of `freedom`
+/// m_e what an error of the structure's FRFs moves the responses by under F and P_n, or one of P_n, to first order; their sum is χ² of `freedom`
 /// degrees of freedom. States of one line share the errors of the structure, so that the limit is that of a sum of as many equal
 /// numbers as there are levels. `level` of each state. A fault is told when it takes away 9 tenths of what is above the freedom, and
 /// its χ² is at most twice that of the best.

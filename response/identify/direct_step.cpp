@@ -96,6 +96,7 @@ class OneHarmonic {
       add(sum, inverse_.to_forces * moved.tail(structure_.responses()), moved.head(force.size()), error.variance.real(),
           error.variance.imag());
     }
+    add_force_errors(sum);
     return sum;
   }
 
@@ -108,6 +109,17 @@ class OneHarmonic {
     const Complex i(0.0, 1.0);
     sum.add(by_force, by_motion, equivalent, motion, real);
     sum.add(i * by_force, i * by_motion, equivalent, motion, imaginary);
+  }
+
+  void add_force_errors(Scatter& sum) const {
+    const Eigen::Index row = state_.force.row(n_);
+    if (n_ == 0 || row < 0 || !state_.knows_force_errors()) return;
+    const Eigen::MatrixXcd by_force = structure_.at(n_ * state_.omega).rightCols(structure_.forces());
+    for (Eigen::Index p = 0; p < by_force.cols(); ++p) {
+      const double variance = squared(state_.force_deviation(row, p));
+      add(sum, inverse_.to_forces * by_force.col(p).tail(structure_.responses()), by_force.col(p).head(structure_.joints()), variance,
+          variance);
+    }
   }
 
   const Receptance& structure_;

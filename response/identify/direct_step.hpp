@@ -10,8 +10,8 @@ struct DirectStep {
   std::vector<int> harmonics;     ///< of the state's responses
   Eigen::MatrixXcd joint_force;   ///< F_n, [harmonic, joint]
   Eigen::MatrixXcd joint_motion;  ///< Q_n, [harmonic, joint]
-  /// Standard deviations of real and imaginary part, to first order, of the responses' errors and of those that the structure
-  /// knows of its receptances, all independent. [harmonic, joint]
+  /// Standard deviations of real and imaginary part, to first order, of the errors of responses and forces and of those that the
+  /// structure knows of its receptances, all independent. [harmonic, joint]
   Eigen::MatrixXcd force_deviation, motion_deviation;
   /// F₁/Q₁ = k_e + i d_e of each joint (R4.42), and deviations of real and imaginary part; empty without harmonic 1.
   Eigen::VectorXcd equivalent, equivalent_deviation;

@@ -22,7 +22,7 @@ FitOfHarmonics better(FitOfHarmonics a, FitOfHarmonics b) {
 
 bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>& states) {
   return std::ranges::any_of(states, [&](const MeasuredState& state) {
-    return std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
+    return state.knows_force_errors() || std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
   });
 }
 

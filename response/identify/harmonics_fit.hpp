@@ -56,7 +56,7 @@ class HarmonicsFits {
   FitWays ways_;
 };
 
-/// Whether the structure tells errors of its receptances at a measured harmonic.
+/// Whether the structure tells errors of its receptances at a measured harmonic, or a state those of its forces.
 bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>& states);
 
 }  // namespace jointid::response

@@ -13,6 +13,8 @@ class Information {
   explicit Information(const Eigen::MatrixXd& jacobian);
 
   bool sees_all() const { return unseen_.cols() == 0; }
+  /// How many directions are seen.
+  Eigen::Index rank() const { return scale_.size() - unseen_.cols(); }
   /// Of the unknowns, along what is seen.
   const Eigen::MatrixXd& covariance() const { return covariance_; }
   /// Of a function of the unknowns with this gradient; nothing when it changes along what is not seen.

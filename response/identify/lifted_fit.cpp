@@ -17,6 +17,7 @@ namespace jointid::response {
 namespace {
 
 constexpr double tolerances[] = {0.3, 0.1, 0.03, 0.01};   ///< of the joint's force
+constexpr double all_tolerances[] = {0.03, 0.01};         ///< of all lines, where some told the numbers
 constexpr double last_tolerances[] = {0.01, 1e-3, 1e-4};  ///< from another fit
 constexpr int most_lifted_steps = 30;                                ///< with one tolerance
 constexpr double least_gain = 1e-3, least_share_gained = 3e-3;  ///< of Σr², and of it relatively: a step that lowers it by less
@@ -44,13 +45,15 @@ class LiftedProblem {
     for (const StateModel& model : models(layout_.no_errors())) harmonics_of_.push_back(model.harmonics());
   }
 
-  /// Forces of the direct step, and those of the law at its motions where it has none.
-  std::optional<Point> start() {
-    Point point = {unknowns_.start(), {}, layout_.no_errors()};
+  /// Forces of the direct step, and those of the law with these numbers at its motions where it has none.
+  std::optional<Point> start(const Eigen::VectorXd& numbers) {
+    Point point = {numbers, {}, layout_.no_errors()};
+    const auto joints = unknowns_.at_numbers(numbers);
+    if (!joints) return std::nullopt;
     try {
       for (const MeasuredState& state : states_) {
         const DirectStep step = direct_step(*structure_, state);
-        add_state(unknowns_.joints(), step.harmonics, step.joint_motion, step.joint_force, point);
+        add_state(*joints, step.harmonics, step.joint_motion, step.joint_force, point);
       }
     } catch (const InputError&) {
       return std::nullopt;
@@ -176,6 +179,24 @@ class LiftedProblem {
   std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
 };
 
+/// States of some lines, evenly among all of them, where there are many; else nothing.
+std::vector<MeasuredState> some_lines(const std::vector<MeasuredState>& states) {
+  constexpr std::size_t enough = 20;
+  std::vector<double> lines;
+  for (const MeasuredState& state : states) lines.push_back(state.omega);
+  std::ranges::sort(lines);
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  if (lines.size() < 2 * enough) return {};
+  std::vector<MeasuredState> some;
+  for (const MeasuredState& state : states) {
+    const auto place = static_cast<std::size_t>(std::ranges::lower_bound(lines, state.omega) - lines.begin());
+    // Of every stretch of as many lines the middle one.
+    const std::size_t stretch = place * enough / lines.size(), middle = (2 * stretch + 1) * lines.size() / (2 * enough);
+    if (place == middle) some.push_back(state);
+  }
+  return some;
+}
+
 std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point, std::span<const double> tolerance) {
   if (!point) return std::nullopt;
   int steps = 0;
@@ -191,8 +212,14 @@ std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point,
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work) {
+  const std::vector<MeasuredState> some = some_lines(states);
   LiftedProblem problem(structure, states, unknowns, harmonics, work);
-  return fit(problem, problem.start(), tolerances);
+  if (!some.empty()) {
+    LiftedProblem few(structure, some, unknowns, harmonics, work);
+    const auto found = fit(few, few.start(unknowns.start()), tolerances);
+    if (found) return fit(problem, problem.start(found->numbers), all_tolerances);
+  }
+  return fit(problem, problem.start(unknowns.start()), tolerances);
 }
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,

@@ -39,6 +39,9 @@ LiftedLines::Line LiftedLines::eliminated(const LineLayout::Line& own, const std
       if (count > 0 && harmonics_[own.states[s]].find(number) >= 0)
         others.middleCols(first, count) = states[s].by_errors(number);
     }
+    for (const LineLayout::Force& each : own.forces) {
+      if (each.state == own.states[s]) others.middleCols(each.first, each.count) = states[s].by_forces(each.number);
+    }
     others.middleCols(own.errors, slopes.size()) = of_state.by_parameter;
     others.rightCols(1) = of_state.residual - others.leftCols(own.errors) * errors;
     line.states.push_back(dense::eliminate(of_state.by_force, others));

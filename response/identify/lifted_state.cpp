@@ -86,9 +86,16 @@ LiftedRows LiftedState::rows(const LawUnknowns& unknowns, const Eigen::VectorXd&
 
 Eigen::MatrixXd LiftedState::by_errors(int harmonic) const {
   const Eigen::Index n = model_.harmonics().find(harmonic);
-  const Eigen::MatrixXd shares = model_.error_shares(harmonic, force_.row(n).transpose());
+  return moved_rows(n, model_.error_shares(harmonic, force_.row(n).transpose()));
+}
+
+Eigen::MatrixXd LiftedState::by_forces(int harmonic) const {
+  return moved_rows(model_.harmonics().find(harmonic), model_.force_shares(harmonic));
+}
+
+Eigen::MatrixXd LiftedState::moved_rows(Eigen::Index harmonic, const Eigen::MatrixXd& shares) const {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(measured_numbers(model_.state()) + weight_.size(), shares.cols());
-  add_moved(n, shares, columns);
+  add_moved(harmonic, shares, columns);
   return columns;
 }
 

@@ -30,10 +30,14 @@ class LiftedState {
   LiftedRows rows(const LawUnknowns& unknowns, const Eigen::VectorXd& slopes) const;
   /// What the structure's errors at one harmonic do to the rows, two columns each. [rows, 2 · errors]
   Eigen::MatrixXd by_errors(int harmonic) const;
+  /// The same of the errors of the measured forces at it. [rows, 2 · forces]
+  Eigen::MatrixXd by_forces(int harmonic) const;
 
  private:
   /// Adds to these columns of rows what changes of Q_n and X_n at one harmonic do, given as Re and Im of each joint, then response.
   void add_moved(Eigen::Index harmonic, const Eigen::MatrixXd& moved, Eigen::Ref<Eigen::MatrixXd> columns) const;
+
+  Eigen::MatrixXd moved_rows(Eigen::Index harmonic, const Eigen::MatrixXd& shares) const;
 
   const StateModel& model_;
   CondensedEquations equations_;

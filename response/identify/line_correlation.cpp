@@ -14,7 +14,7 @@ LineLayout::LineLayout(const std::vector<StateModel>& models, const Receptance& 
     const double omega = models[i].state().omega;
     auto line = std::ranges::find(lines_, omega, &Line::omega);
     if (line == lines_.end()) {
-      line = lines_.insert(lines_.end(), {omega, {}, {}, {}, 0});
+      line = lines_.insert(lines_.end(), {omega, {}, {}, {}, {}, 0});
       numbers.emplace_back();
     }
     line->states.push_back(i);
@@ -28,6 +28,20 @@ LineLayout::LineLayout(const std::vector<StateModel>& models, const Receptance& 
       lines_[i].harmonics.push_back({n, lines_[i].errors, count});
       lines_[i].errors += count;
     }
+    for (const std::size_t state : lines_[i].states) add_forces(state, models[state], lines_[i]);
+  }
+}
+
+void LineLayout::add_forces(std::size_t state, const StateModel& model, Line& line) {
+  const MeasuredState& measured = model.state();
+  if (!measured.knows_force_errors()) return;
+  for (std::size_t n = 0; n < measured.force.harmonics.size(); ++n) {
+    const int number = measured.force.harmonics[n];
+    const bool exact = !(measured.force_deviation.row(at(n)).array() > 0.0).any();
+    if (number == 0 || exact || model.harmonics().find(number) < 0) continue;
+    const Eigen::Index count = 2 * measured.force_deviation.cols();
+    line.forces.push_back({state, number, line.errors, count});
+    line.errors += count;
   }
 }
 
@@ -50,6 +64,9 @@ LineCorrelation::LineCorrelation(const LineLayout& layout, const std::vector<Sta
       const ReceptanceResponse response(models[i], joints, states[i]);
       for (const auto& [number, first, count] : line.harmonics) {
         if (count > 0 && models[i].harmonics().find(number) >= 0) b.block(row, first, rows, count) = response.by_errors(number);
+      }
+      for (const LineLayout::Force& force : line.forces) {
+        if (force.state == i) b.block(row, force.first, rows, force.count) = response.by_forces(force.number);
       }
       row += rows;
     }

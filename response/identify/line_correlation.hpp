@@ -10,8 +10,8 @@
 
 namespace jointid::response {
 
-/// Errors of the receptances of each line, in standard deviations: those of its harmonics one after the other, two numbers for
-/// each of Receptance::errors().
+/// Errors of each line, in standard deviations: those of the receptances of its harmonics one after the other, two numbers for each of
+/// Receptance::errors(), then those of the forces of its states, two numbers for each force.
 using LineErrors = std::vector<Eigen::VectorXd>;
 
 /// Which states and harmonics belong to the lines of a set of models.
@@ -21,11 +21,17 @@ class LineLayout {
     int number = 1;
     Eigen::Index first = 0, count = 0;  ///< of its errors in those of the line
   };
+  struct Force {
+    std::size_t state = 0;
+    int number = 1;                     ///< of the harmonic
+    Eigen::Index first = 0, count = 0;  ///< of its errors in those of the line
+  };
   struct Line {
     double omega = 0.0;
     std::vector<std::size_t> states;
     std::vector<Eigen::Index> rows;  ///< of the residuals
     std::vector<Harmonic> harmonics;
+    std::vector<Force> forces{};  ///< whose errors are known
     Eigen::Index errors = 0;
   };
 
@@ -35,11 +41,13 @@ class LineLayout {
   LineErrors no_errors() const;
 
  private:
+  static void add_forces(std::size_t state, const StateModel& model, Line& line);
+
   std::vector<Line> lines_;
 };
 
-/// What errors of the receptances do to the residuals: all levels of a line have the same H, so their residuals are correlated.
-/// In deviations of the responses the covariance of a line is S = I + BBᵀ, B = [B_1 B_3 …] of ReceptanceResponse at nω.
+/// What errors of the receptances and of the forces do to the residuals: all levels of a line have the same H, so their residuals are
+/// correlated. In deviations of the responses the covariance of a line is S = I + BBᵀ, B = [B_1 B_3 … B_P] of ReceptanceResponse at nω.
 /// Lines are taken as independent: a receptance at 3ω that is also one at another line's ω counts twice.
 class LineCorrelation {
  public:

@@ -31,6 +31,10 @@ void require_sizes(const MeasuredState& state, const Receptance& structure, std:
   if (state.force.amplitudes.cols() != structure.forces() || state.force.amplitudes.rows() != at(state.force.harmonics.size()))
     fail_state(place, "its forces are " + size_text(state.force.amplitudes.rows(), state.force.amplitudes.cols()),
                "give harmonics × forces of the structure, of which there are " + std::to_string(structure.forces()));
+  if (state.force_deviation.size() > 0 && (state.force_deviation.rows() != state.force.amplitudes.rows() ||
+                                           state.force_deviation.cols() != state.force.amplitudes.cols()))
+    fail_state(place, "the deviations of its forces are " + size_text(state.force_deviation.rows(), state.force_deviation.cols()),
+               "give as many as there are forces and harmonics of them, or none");
 }
 
 void require_numbers(const MeasuredState& state, std::size_t place) {
@@ -40,6 +44,8 @@ void require_numbers(const MeasuredState& state, std::size_t place) {
   if (!((state.deviation.array() > 0.0).all() && state.deviation.allFinite()))
     fail_state(place, "a standard deviation is not above 0",
                "give how exact every phasor is; without repeats, a share of its size");
+  if (!state.force_deviation.allFinite() || (state.force_deviation.array() < 0.0).any())
+    fail_state(place, "a standard deviation of a force is not a number from 0 on", "give how exact the force is, 0 where it is");
 }
 
 }  // namespace

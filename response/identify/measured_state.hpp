@@ -16,6 +16,10 @@ struct MeasuredState {
   std::vector<int> harmonics{1};  ///< of the responses, ascending
   Eigen::MatrixXcd response;      ///< Y_n, [harmonic, response of the receptance]
   Eigen::MatrixXd deviation;      ///< of Re Y_n and Im Y_n each, [harmonic, response]
+  /// Of Re P_n and Im P_n each, as force.amplitudes (of n = 0 it counts as 0); empty: the forces are exact.
+  Eigen::MatrixXd force_deviation{};
+
+  bool knows_force_errors() const { return (force_deviation.array() > 0.0).any(); }
 };
 
 /// How many real numbers the phasors are: of the mean one, else two.

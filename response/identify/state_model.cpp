@@ -50,6 +50,19 @@ Eigen::MatrixXd StateModel::error_shares(int harmonic, const Eigen::VectorXcd& j
   return shares;
 }
 
+Eigen::MatrixXd StateModel::force_shares(int harmonic) const {
+  const Eigen::Index row = state_.force.row(harmonic), forces = structure_->forces();
+  const Eigen::MatrixXcd by_force = structure_->at(harmonic * state_.omega).rightCols(forces);
+  Eigen::MatrixXd shares(2 * by_force.rows(), 2 * forces);
+  for (Eigen::Index p = 0; p < forces; ++p) {
+    for (Eigen::Index k = 0; k < by_force.rows(); ++k) {
+      const Complex moved = state_.force_deviation(row, p) * by_force(k, p);
+      shares.block<2, 2>(2 * k, 2 * p) << moved.real(), -moved.imag(), moved.imag(), moved.real();
+    }
+  }
+  return shares;
+}
+
 StatePrediction StateModel::predict(const std::vector<JointForce>& joints, const std::vector<JointParameter>& parameters,
                                     const HarmonicSolution* last) const {
   const CondensedEquations equations(joints, harmonics_);
@@ -123,9 +136,15 @@ ReceptanceResponse::ReceptanceResponse(const StateModel& model, const std::vecto
 }
 
 Eigen::MatrixXd ReceptanceResponse::by_errors(int harmonic) const {
+  const Eigen::Index n = model_.harmonics_.find(harmonic);
+  return by_shares(harmonic, model_.error_shares(harmonic, prediction_.solution.joint_force.row(n).transpose()));
+}
+
+Eigen::MatrixXd ReceptanceResponse::by_forces(int harmonic) const { return by_shares(harmonic, model_.force_shares(harmonic)); }
+
+Eigen::MatrixXd ReceptanceResponse::by_shares(int harmonic, const Eigen::MatrixXd& shares) const {
   const Harmonics& harmonics = model_.harmonics_;
   const Eigen::Index n = harmonics.find(harmonic), joints = model_.structure_->joints(), parts = harmonic > 0 ? 2 : 1;
-  const Eigen::MatrixXd shares = model_.error_shares(harmonic, prediction_.solution.joint_force.row(n).transpose());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(by_joints_.rows(), shares.cols());
   for (Eigen::Index j = 0; j < joints; ++j) {
     columns += by_joints_.middleCols(j * harmonics.unknowns() + harmonics.offset(n), parts) * shares.middleRows(2 * j, parts);

@@ -40,6 +40,10 @@ class StateModel {
   /// part; of each element Re and Im. [2 · (joints + responses), 2 · errors]
   Eigen::MatrixXd error_shares(int harmonic, const Eigen::VectorXcd& joint_force) const;
 
+  /// The same of the errors of the measured forces at one harmonic n ≥ 1: δu = H δP, one deviation of Re and one of Im of each force.
+  /// [2 · (joints + responses), 2 · forces]
+  Eigen::MatrixXd force_shares(int harmonic) const;
+
  private:
   friend class ReceptanceResponse;
   void differentiate(const CondensedEquations& equations, const Eigen::VectorXd& motion,
@@ -64,7 +68,13 @@ class ReceptanceResponse {
   /// part and one of its imaginary part. [measured numbers, 2 · errors]
   Eigen::MatrixXd by_errors(int harmonic) const;
 
+  /// The same of the errors of the measured forces at it.
+  Eigen::MatrixXd by_forces(int harmonic) const;
+
  private:
+  /// Of δu at one harmonic, given as StateModel::error_shares does.
+  Eigen::MatrixXd by_shares(int harmonic, const Eigen::MatrixXd& shares) const;
+
   const StateModel& model_;
   const StatePrediction& prediction_;
   Eigen::MatrixXd by_joints_;  ///< −HW F_Q (I + G F_Q)⁻¹ in deviations, of Wᵀδu as CondensedEquations packs it

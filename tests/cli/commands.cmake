@@ -218,6 +218,9 @@ command_test(stability_unknown CODE 2 ERR "--sweeps: 'stifness' is no sweep.*did
 command_test(stability_unwritable CODE 3 ERR "absent/a.html: cannot be written" ARGS stability --report absent/a.html)
 command_test(laws_written CODE 0 OUT "next: jointid solve" MAKES law_files ARGS problem write sdof-iwan law_files)
 command_test(laws_solved SLOW CODE 0 OUT "law: iwan.*initial stiffness.*friction limit.*status: ok" AFTER law_files ARGS solve law_files/sdof-iwan.toml)
+command_test(laws_equivalent CODE 0 OUT "joint: stiffness and damping without a law.*status: ok" AFTER law_files ARGS equivalent law_files/sdof-iwan.toml)
+command_test(laws_equivalent_page CODE 0 AFTER law_files ARGS equivalent law_files/sdof-iwan.toml --report laws_equivalent.html)
+command_test(laws_equivalent_csv CODE 0 OUT "joint,level,frequency .Hz." AFTER law_files ARGS equivalent law_files/sdof-iwan.toml --csv -)
 command_test(laws_plot CODE 2 ERR "there is no FRF of an assembly" AFTER law_files ARGS solve law_files/sdof-iwan.toml --plot 1:+Y/1:+Y)
 
 command_test(flange_written CODE 0 OUT "next: jointid solve" MAKES flange_files ARGS problem write flange-turned flange)

@@ -109,6 +109,21 @@ TEST_F(FrameStates, OneMistakeIsNamed) {
   }
 }
 
+/// Files of two levels in the wrong order: two forces wrong at once, and named as one mistake.
+TEST_F(FrameStates, LevelsInAnotherOrderAreNamed) {
+  auto data = states(11);
+  const std::vector<std::size_t> level = levels();
+  const std::size_t lines = problem_->frequency_hz.size();
+  for (std::size_t i = 0; i < lines; ++i) std::swap(data.states[lines + i].force, data.states[2 * lines + i].force);
+  const Consistency test = response::test_consistency(*data.structure, data.states, level);
+  ASSERT_TRUE(test.contradicts());
+  const std::string text = contradiction_text(test, problem_->responses, {"1 N", "4 N", "12 N", "30 N"});
+  ASSERT_FALSE(test.faults.empty()) << text;
+  EXPECT_EQ(test.faults.front().kind, Kind::levels) << text;
+  EXPECT_LT(test.faults.front().chi_square, test.limit);
+  EXPECT_THAT(text, HasSubstr("the forces of 4 N and 12 N exchanged"));
+}
+
 /// Two mistakes at once, and errors stated far too small, are no single mistake.
 TEST_F(FrameStates, WhatNoSingleMistakeExplainsIsSaid) {
   auto data = states(7);

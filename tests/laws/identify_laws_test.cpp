@@ -85,6 +85,24 @@ TEST(IdentifyLaws, FindsTheLawsOfAFrameOfNoisyParts) {
   }
 }
 
+/// Rig two: the joint's motion is a difference of motions a hundred times larger, so that single states tell its stiffness to 10 to 30 %
+/// at most. All together tell it to 0.1 %, limit as well.
+TEST(IdentifyLaws, FindsTheJointOfRigTwo) {
+  const problems::LawProblem problem = problems::make_law_problem("rig2-laws");
+  const auto exact = problems::measure(problem);
+  for (const std::uint64_t seed : {1u, 2u, 3u}) {
+    const auto data = problems::states_of(problem, problems::polluted(problem, exact, seed));
+    const auto starts = response::law_starts(*data.structure, data.states, {"ren"}, {{.name = "joint"}});
+    const response::LawFit fit = response::fit_from(data.structure, data.states, starts);
+    ASSERT_FALSE(fit.joints.empty()) << seed;
+    EXPECT_LT(fit.chi_square, chi_square_quantile(static_cast<double>(fit.freedom), 4.0)) << seed;
+    const response::FittedJoint& joint = fit.joints[0];
+    EXPECT_LT(std::abs(joint.stiffness.value - 8.2e6), 4.0 * *joint.stiffness.std_error) << seed;
+    EXPECT_LT(std::abs(joint.limit.value - 14.49), 4.0 * *joint.limit.std_error + 0.005) << seed;
+    EXPECT_LT(*joint.stiffness.std_error, 2e-3 * 8.2e6) << seed;
+  }
+}
+
 /// A prior of the stiffness as narrow as the data's own deviation narrows it by √2 at most, and is counted.
 TEST(IdentifyLaws, PriorsAndBoundsCount) {
   const TestFolder folder;

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "response/identify/law_fit.hpp"
+#include "response/identify/lifted_state.hpp"
+#include "response/identify/response_residuals.hpp"
+#include "tests/response/measured_masses.hpp"
+
+namespace jointid::response {
+namespace {
+
+/// Laws without kinks, whose derivatives differences find to their digits.
+const std::vector<Joint> smooth = {{.name = "a", .friction = law("ren", {0.004, 1.5, 150.0})},
+                                   {.name = "b", .friction = law("shoukry", {0.6, 120.0}), .stiffness = 20.0, .damping = 0.1}};
+
+/// Of order 6.
+Eigen::VectorXd difference(const std::function<Eigen::VectorXd(double)>& of, double h) {
+  return (45.0 * (of(h) - of(-h)) - 9.0 * (of(2.0 * h) - of(-2.0 * h)) + (of(3.0 * h) - of(-3.0 * h))) / (60.0 * h);
+}
+
+TEST(Jacobian, IsThatOfDifferencesToEightDigits) {
+  const Structure structure = masses(2);
+  const auto states = measure(structure, smooth, {0.5, 3.0}, {18.4, 20.8});
+  ASSERT_FALSE(states.empty());
+  const LawUnknowns unknowns(smooth);
+  const ResponseResiduals residuals(structure, states, unknowns, {1, 3, 5});
+  const auto value = residuals.evaluate(unknowns.start());
+  ASSERT_TRUE(value);
+  for (Eigen::Index i = 0; i < unknowns.size(); ++i) {
+    const auto residual = [&](double step) -> Eigen::VectorXd {
+      return residuals.evaluate(unknowns.start() + step * Eigen::VectorXd::Unit(unknowns.size(), i), value->states)->linearised.residual;
+    };
+    const Eigen::VectorXd column = value->linearised.jacobian.col(i);
+    EXPECT_LT((difference(residual, 2e-3) - column).cwiseAbs().maxCoeff(), 1e-8 * column.cwiseAbs().maxCoeff()) << i;
+  }
+}
+
+/// A state whose force is known to 2 %, and the same with the force off by so many of its deviations, in Re and Im.
+MeasuredState with_force(MeasuredState state, double real, double imaginary) {
+  state.force_deviation = Eigen::MatrixXd::Constant(1, 1, 0.02 * std::abs(state.force.amplitudes(0, 0)));
+  state.force.amplitudes(0, 0) += state.force_deviation(0, 0) * Complex(real, imaginary);
+  return state;
+}
+
+TEST(ForceErrors, MoveResponsesAsDifferencesSay) {
+  const Structure structure = masses(2);
+  const auto states = measure(structure, smooth, {3.0}, {19.6});
+  ASSERT_FALSE(states.empty());
+  const std::vector<JointForce> forces = joint_forces(smooth);
+  const MeasuredState state = with_force(states[0], 0.0, 0.0);
+  const StateModel model(structure, state, {1, 3, 5});
+  const StatePrediction prediction = model.predict(forces, {});
+  ASSERT_TRUE(prediction.solution.converged);
+  const Eigen::MatrixXd columns = ReceptanceResponse(model, forces, prediction).by_forces(1);
+  ASSERT_EQ(columns.cols(), 2);
+  for (int part = 0; part < 2; ++part) {
+    const auto response = [&](double step) -> Eigen::VectorXd {
+      const StateModel moved(structure, with_force(states[0], part == 0 ? step : 0.0, part == 1 ? step : 0.0), {1, 3, 5});
+      return in_deviations(state, moved.predict(forces, {}, &prediction.solution).response);
+    };
+    EXPECT_LT((difference(response, 0.05) - columns.col(part)).cwiseAbs().maxCoeff(), 1e-7 * columns.cwiseAbs().maxCoeff()) << part;
+  }
+}
+
+TEST(ForceErrors, MoveLiftedRowsAsDifferencesSay) {
+  const Structure structure = masses(2);
+  const auto states = measure(structure, smooth, {3.0}, {19.6});
+  ASSERT_FALSE(states.empty());
+  const std::vector<JointForce> forces = joint_forces(smooth);
+  const StateModel model(structure, with_force(states[0], 0.0, 0.0), {1, 3, 5});
+  const Eigen::MatrixXcd force = model.predict(forces, {}).solution.joint_force;
+  const Eigen::VectorXd tolerance = Eigen::Vector2d(0.1, 0.2);
+  const Eigen::MatrixXd columns = LiftedState(model, forces, force, tolerance, true).by_forces(1);
+  for (int part = 0; part < 2; ++part) {
+    const auto residual = [&](double step) -> Eigen::VectorXd {
+      const StateModel moved(structure, with_force(states[0], part == 0 ? step : 0.0, part == 1 ? step : 0.0), {1, 3, 5});
+      return LiftedState(moved, forces, force, tolerance, false).residual();
+    };
+    EXPECT_LT((difference(residual, 0.05) - columns.col(part)).cwiseAbs().maxCoeff(), 1e-7 * columns.cwiseAbs().maxCoeff()) << part;
+  }
+}
+
+/// Errors of the force of 2 % beside 0.3 % of the responses: stated, χ² is its freedom and estimates scatter by their deviations;
+/// left out, χ² is many times too large.
+TEST(ForceErrors, Count) {
+  const std::vector<Joint> truth = {{.name = "a", .friction = law("ren", {0.004, 1.5, 200.0})}};
+  const Structure structure = masses(1);
+  auto exact = measure(structure, truth, {1.0, 3.0, 8.0, 16.0}, {18.4, 19.6, 20.8});
+  ASSERT_FALSE(exact.empty());
+  double squares = 0.0, chi_square = 0.0, ignored = 0.0;
+  constexpr int draws = 20;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::mt19937_64 generator(static_cast<unsigned>(draw + 1));
+    std::normal_distribution<double> normal;
+    for (MeasuredState& state : exact) state.deviation = 3e-3 * state.response.cwiseAbs();
+    std::vector<MeasuredState> states = noisy(exact, generator);
+    for (MeasuredState& state : states) {
+      const double re = normal(generator), im = normal(generator);
+      state = with_force(state, re, im);
+    }
+    const LawFit fit = fit_laws(structure, states, LawUnknowns(truth), {.harmonics = {1, 3, 5}});
+    ASSERT_EQ(word(fit.status), "converged");
+    chi_square += fit.chi_square / static_cast<double>(fit.freedom) / draws;
+    const double error = fit.values(2) - 200.0;
+    squares += error * error / fit.covariance(2, 2) / draws;
+    for (MeasuredState& state : states) state.force_deviation.resize(0, 0);
+    const LawFit without = fit_laws(structure, states, LawUnknowns(truth), {.harmonics = {1, 3, 5}});
+    ignored += without.chi_square / static_cast<double>(without.freedom) / draws;
+  }
+  EXPECT_NEAR(chi_square, 1.0, 0.1);
+  EXPECT_NEAR(squares, 1.0, 0.8);
+  EXPECT_GT(ignored, 3.0);
+}
+
+}  // namespace
+}  // namespace jointid::response
