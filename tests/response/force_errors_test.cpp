@@ -30,7 +30,8 @@ TEST(Jacobian, IsThatOfDifferencesToEightDigits) {
   ASSERT_TRUE(value);
   for (Eigen::Index i = 0; i < unknowns.size(); ++i) {
     const auto residual = [&](double step) -> Eigen::VectorXd {
-      return residuals.evaluate(unknowns.start() + step * Eigen::VectorXd::Unit(unknowns.size(), i), value->states)->linearised.residual;
+      return residuals.evaluate(unknowns.start() + step * Eigen::VectorXd::Unit(unknowns.size(), i), value->states)
+          ->linearised.residual;
     };
     const Eigen::VectorXd column = value->linearised.jacobian.col(i);
     EXPECT_LT((difference(residual, 2e-3) - column).cwiseAbs().maxCoeff(), 1e-8 * column.cwiseAbs().maxCoeff()) << i;
@@ -60,7 +61,8 @@ TEST(ForceErrors, MoveResponsesAsDifferencesSay) {
       const StateModel moved(structure, with_force(states[0], part == 0 ? step : 0.0, part == 1 ? step : 0.0), {1, 3, 5});
       return in_deviations(state, moved.predict(forces, {}, &prediction.solution).response);
     };
-    EXPECT_LT((difference(response, 0.05) - columns.col(part)).cwiseAbs().maxCoeff(), 1e-7 * columns.cwiseAbs().maxCoeff()) << part;
+    EXPECT_LT((difference(response, 0.05) - columns.col(part)).cwiseAbs().maxCoeff(), 1e-7 * columns.cwiseAbs().maxCoeff())
+        << part;
   }
 }
 
@@ -78,7 +80,8 @@ TEST(ForceErrors, MoveLiftedRowsAsDifferencesSay) {
       const StateModel moved(structure, with_force(states[0], part == 0 ? step : 0.0, part == 1 ? step : 0.0), {1, 3, 5});
       return LiftedState(moved, forces, force, tolerance, false).residual();
     };
-    EXPECT_LT((difference(residual, 0.05) - columns.col(part)).cwiseAbs().maxCoeff(), 1e-7 * columns.cwiseAbs().maxCoeff()) << part;
+    EXPECT_LT((difference(residual, 0.05) - columns.col(part)).cwiseAbs().maxCoeff(), 1e-7 * columns.cwiseAbs().maxCoeff())
+        << part;
   }
 }
 
