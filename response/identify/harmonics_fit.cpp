@@ -110,9 +110,10 @@ FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitO
 
 FitOfHarmonics HarmonicsFits::first(const std::vector<int>& harmonics, double enough) const {
   auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics, ways_.work);
-  // What misses the data meets the law too loosely yet: balance would begin far from its states.
+  // What misses the data a little meets the law too loosely yet: balance would begin far from its states.
+  constexpr double hopeless = 4.0;
   const auto numbers = static_cast<double>(measured_numbers(states_));
-  if (lifted && lifted->chi_square > chi_square_quantile(numbers, 4.0)) {
+  if (lifted && lifted->chi_square > chi_square_quantile(numbers, 4.0) && lifted->chi_square < hopeless * numbers) {
     auto closer = fit_lifted(structure_, states_, unknowns_, harmonics, *lifted, ways_.work);
     if (closer) lifted = std::move(closer);
   }
