@@ -49,7 +49,7 @@ laws::LawScene scene_of(const std::filesystem::path& part, const Law& law, bool 
 class Studies {
  public:
   Studies(const bench::CommandLine& line, bench::Promises& promises)
-      : quick_(line.quick()), trials_(line.count(0, 200, 6)), promises_(promises) {
+      : quick_(line.quick()), trials_(line.count(0, 200, 2)), promises_(promises) {
     problems::write(problems::make_law_problem("sdof-iwan"), folder_, {});
   }
   ~Studies() {
