@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <functional>
 
 #include "response/identify/law_fit.hpp"
 #include "response/identify/lifted_state.hpp"
@@ -83,44 +83,6 @@ TEST(ForceErrors, MoveLiftedRowsAsDifferencesSay) {
     EXPECT_LT((difference(residual, 0.05) - columns.col(part)).cwiseAbs().maxCoeff(), 1e-7 * columns.cwiseAbs().maxCoeff())
         << part;
   }
-}
-
-/// Errors of the force of 1 % beside 0.5 % of the responses: stated, χ² is its freedom and estimates scatter by their deviations;
-/// left out, χ² is twice as large and more.
-TEST(ForceErrors, Count) {
-  const std::vector<Joint> truth = {{.name = "a", .friction = law("ren", {0.004, 1.5, 200.0})}};
-  const Structure structure = masses(1);
-  auto exact = measure(structure, truth, {1.0, 3.0, 8.0, 16.0}, {18.4, 19.6, 20.8});
-  ASSERT_FALSE(exact.empty());
-  double squares = 0.0, chi_square = 0.0, ignored = 0.0;
-  constexpr int draws = 20;
-  int converged = 0;
-  for (int draw = 0; draw < draws; ++draw) {
-    std::mt19937_64 generator(static_cast<unsigned>(draw + 1));
-    std::normal_distribution<double> normal;
-    for (MeasuredState& state : exact) state.deviation = 5e-3 * state.response.cwiseAbs();
-    std::vector<MeasuredState> states = noisy(exact, generator);
-    for (MeasuredState& state : states) {
-      const double re = normal(generator), im = normal(generator);
-      state = with_force(state, re, im);
-    }
-    const LawFit fit = fit_laws(structure, states, LawUnknowns(truth), {.harmonics = {1, 3, 5}});
-    for (MeasuredState& state : states) state.force_deviation.resize(0, 0);
-    const LawFit without = fit_laws(structure, states, LawUnknowns(truth), {.harmonics = {1, 3, 5}});
-    if (word(fit.status) != "converged" || word(without.status) != "converged") continue;
-    ++converged;
-    chi_square += fit.chi_square / static_cast<double>(fit.freedom);
-    const double error = fit.values(2) - 200.0;
-    squares += error * error / fit.covariance(2, 2);
-    ignored += without.chi_square / static_cast<double>(without.freedom);
-  }
-  ASSERT_GE(converged, 15);
-  chi_square /= converged;
-  squares /= converged;
-  ignored /= converged;
-  EXPECT_NEAR(chi_square, 1.0, 0.1);
-  EXPECT_NEAR(squares, 1.0, 0.9);
-  EXPECT_GT(ignored, 1.5);
 }
 
 }  // namespace
