@@ -1,8 +1,11 @@
-// Studies of friction laws from vibration: one joint between the mass of problem sdof-iwan and ground, bilinear, Ren, Shoukry, Iwan, planned
-// levels of 2, 6, 15 and 40 N with harmonics 1 and 3, 12 lines, 1 % circular noise on the FRFs of the part, 1 and 3 % on the phasors.
-// Promised: the rms error of parameters, stiffness and limit over the bound is 1.1 in the mean and 1.3 at worst, 95 % intervals cover 92 to
-// 97 %; of all four laws the true one is chosen in 95 % of the tests, and with levels that only press the joint, where the laws are the same,
-// the answer says in 95 % of the tests that it cannot tell them apart and rules the true one out in none of 20.
+// Studies of friction laws from vibration: one joint between the mass of problem sdof-iwan and ground, bilinear, Ren, Shoukry,
+// Iwan, planned levels of 2, 6, 15 and 40 N with harmonics 1 and 3, 12 lines, 1 % circular noise on the FRFs of the part, 1 and 3
+// % on the phasors. Promised: the rms error of parameters, stiffness and limit over the bound is 1.1 in the mean and 1.3 at
+// worst, 95 % intervals cover 92 to 97 %; of all four laws the true one is chosen in 95 % of the tests, and with levels that only
+// press the joint, where the laws are the same, the answer says in 95 % of the tests that it cannot tell them apart and rules the
+// true one out in none of 20.
+#include "laws/task/law_study.hpp"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -13,7 +16,6 @@
 #include "base/stopwatch.hpp"
 #include "bench/bench.hpp"
 #include "laws/scene/read_law_scene.hpp"
-#include "laws/task/law_study.hpp"
 #include "problems/vibration/law_problem_cases.hpp"
 
 namespace {
@@ -32,7 +34,8 @@ constexpr Law all_laws[] = {{"bilinear", "a = 2.5e-5, k = 4e5"},
 const std::vector<double> that_reach = {2.0, 6.0, 15.0, 40.0}, that_do_not = {5e-4, 1e-3};
 
 /// The scene of one study, over the part's file.
-laws::LawScene scene_of(const std::filesystem::path& part, const Law& law, bool choose, const std::vector<double>& levels, double noise) {
+laws::LawScene scene_of(const std::filesystem::path& part, const Law& law, bool choose, const std::vector<double>& levels,
+                        double noise) {
   std::string text = "[data]\nparts = [\"" + part.string() + "\"]\n";
   for (const double level : levels)
     text += fmt::format("[[data.levels]]\namplitude = {}\nforce_dofs = [\"1:+Y\"]\nharmonics = [1, 3]\n", level);
@@ -46,7 +49,7 @@ laws::LawScene scene_of(const std::filesystem::path& part, const Law& law, bool 
 class Studies {
  public:
   Studies(const bench::CommandLine& line, bench::Promises& promises)
-      : quick_(line.quick()), trials_(line.count(0, 200, 6)), promises_(promises) {
+      : quick_(line.quick()), trials_(line.count(0, 200, 2)), promises_(promises) {
     problems::write(problems::make_law_problem("sdof-iwan"), folder_, {});
   }
   ~Studies() {
@@ -80,7 +83,8 @@ class Studies {
     const laws::LawStudy study = run(law, true, that_reach, noise);
     print_choice(study);
     const std::string what = fmt::format("{}, {:g} %: ", law.name, 100.0 * noise);
-    promises_.at_least(what + "share of tests that choose it", share_of(study.right, study.usable), bench::least_share(0.95, study.usable));
+    promises_.at_least(what + "share of tests that choose it", share_of(study.right, study.usable),
+                       bench::least_share(0.95, study.usable));
   }
 
   void no_choice(const Law& law) {
@@ -88,7 +92,8 @@ class Studies {
     print_choice(study);
     const std::string what = fmt::format("{}, low levels: ", law.name);
     promises_.at_least(what + "share of usable tests", share_of(study.usable, study.trials), bench::least_share(0.95, trials_));
-    promises_.at_least(what + "share that cannot tell", share_of(study.undecided, study.usable), bench::least_share(0.95, study.usable));
+    promises_.at_least(what + "share that cannot tell", share_of(study.undecided, study.usable),
+                       bench::least_share(0.95, study.usable));
     promises_.at_least(what + "share that does not rule it out", 1.0 - share_of(study.missed, study.usable),
                        bench::least_share(0.95, study.usable));
   }
@@ -100,7 +105,8 @@ class Studies {
   static double covered(const laws::StudiedValue& value) { return share_of(value.covered, value.trials); }
 
   static void print_choice(const laws::LawStudy& study) {
-    fmt::print("chosen in {} of {}, others as good in {}, ruled out in {};", study.right, study.usable, study.undecided, study.missed);
+    fmt::print("chosen in {} of {}, others as good in {}, ruled out in {};", study.right, study.usable, study.undecided,
+               study.missed);
     for (const auto& [name, count] : study.chosen) fmt::print(" {} {}", name, count);
     fmt::print("\n");
   }
@@ -109,8 +115,9 @@ class Studies {
     const auto start = Clock::now();
     laws::LawStudy study = laws::study_laws(scene_of(folder_ / "sdof-iwan_part_1.h5", law, choose, levels, noise),
                                             {.trials = trials_, .seed = 1, .threads = threads_or_cores(0)});
-    fmt::print("{:8} {:g} %, to {:g} N, {}: {} of {} usable, χ² over freedom {:.3f}, {:.1f} s; ", law.name, 100.0 * noise, levels.back(),
-               choose ? "four laws" : "its own law", study.usable, study.trials, study.chi_square, seconds_since(start));
+    fmt::print("{:8} {:g} %, to {:g} N, {}: {} of {} usable, χ² over freedom {:.3f}, {:.1f} s; ", law.name, 100.0 * noise,
+               levels.back(), choose ? "four laws" : "its own law", study.usable, study.trials, study.chi_square,
+               seconds_since(start));
     return study;
   }
 

@@ -14,7 +14,8 @@ JOINTID_INLINE void load(const double* from, Four& to) { std::memcpy(&to, from, 
 JOINTID_INLINE double sum_of(const Four& v) { return (v[0] + v[2]) + (v[1] + v[3]); }
 
 /// c[i, j] += the products of columns i … i + 3 with j and j + 1, over the rows.
-JOINTID_INLINE void add_block(const double* a, std::size_t rows, std::size_t stride, std::size_t i, std::size_t j, std::size_t columns, double* c) {
+JOINTID_INLINE void add_block(const double* a, std::size_t rows, std::size_t stride, std::size_t i, std::size_t j,
+                              std::size_t columns, double* c) {
   const double *l0 = a + i * stride, *l1 = l0 + stride, *l2 = l1 + stride, *l3 = l2 + stride;
   const double *r0 = a + j * stride, *r1 = r0 + stride;
   Four s00 = {}, s10 = {}, s20 = {}, s30 = {}, s01 = {}, s11 = {}, s21 = {}, s31 = {};
@@ -48,7 +49,8 @@ JOINTID_INLINE void add_block(const double* a, std::size_t rows, std::size_t str
   }
 }
 
-JOINTID_INLINE void add_one(const double* a, std::size_t rows, std::size_t stride, std::size_t i, std::size_t j, std::size_t columns, double* c) {
+JOINTID_INLINE void add_one(const double* a, std::size_t rows, std::size_t stride, std::size_t i, std::size_t j,
+                            std::size_t columns, double* c) {
   const double *left = a + i * stride, *right = a + j * stride;
   double sum = 0.0;
   for (std::size_t r = 0; r < rows; ++r) sum += left[r] * right[r];

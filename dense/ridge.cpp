@@ -15,7 +15,8 @@ Ridge::Ridge(MatrixXd b) : b_(std::move(b)) {
   const Eigen::Index size = std::min(b_.rows(), b_.cols());
   lower_ = MatrixXd::Identity(size, size);
   const auto add = [&](const MatrixXd& of) {
-    add_gram(of.data(), static_cast<std::size_t>(of.rows()), static_cast<std::size_t>(size), static_cast<std::size_t>(of.rows()), lower_.data());
+    add_gram(of.data(), static_cast<std::size_t>(of.rows()), static_cast<std::size_t>(size), static_cast<std::size_t>(of.rows()),
+             lower_.data());
   };
   if (b_.rows() < b_.cols()) {
     add(b_.transpose());

@@ -30,7 +30,8 @@ std::complex<double> real_frf(std::complex<double> h);
 struct EquivalentJoint {
   double stiffness = 0.0;  ///< k_j, N/m
   double damping = 0.0;    ///< d_j, N/m
-  /// Standard deviation of either, N/m, of errors as the residuals scatter by; what is wrong in a whole FRF (a gain) is not in it.
+  /// Standard deviation of either, N/m, of errors as the residuals scatter by; what is wrong in a whole FRF (a gain) is not in
+  /// it.
   double deviation = 0.0;
   double misfit = 0.0;     ///< √(Σ|r|²/Σ|h|²) over h1 and h3; rms of |r|/|h| of relative ones
   bool settled = true;     ///< false: no minimum was found

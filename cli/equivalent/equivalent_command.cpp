@@ -2,11 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/equivalent/equivalent_page.hpp"
 #include "cli/equivalent/equivalent_text.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
-#include "cli/equivalent/equivalent_page.hpp"
 #include "cli/text/progress.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "report/laws/direct_page.hpp"
@@ -44,9 +44,12 @@ ExitCode take_direct_steps(const EquivalentArguments& arguments, const laws::Law
 void add_equivalent(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<EquivalentArguments>(
       app, chosen, "equivalent", "Find the stiffness and damping of a friction joint against its relative displacement");
-  command->add_option("SCENE", arguments->scene, "Scene file (TOML) with [data] parts and [equivalent], or [[data.levels]] and [[joint.friction]]")
+  command
+      ->add_option("SCENE", arguments->scene,
+                   "Scene file (TOML) with [data] parts and [equivalent], or [[data.levels]] and [[joint.friction]]")
       ->required();
-  add_outputs(command, *arguments, "stiffness and damping", "them (input of `loading-curve`)", "plots over displacement, and measured loops");
+  add_outputs(command, *arguments, "stiffness and damping", "them (input of `loading-curve`)",
+              "plots over displacement, and measured loops");
   command->footer(
       "Examples:\n  jointid problem write rig2 rig2 && jointid equivalent rig2/rig2.toml --csv joint.csv\n"
       "  jointid loading-curve joint.csv --stiffness stiffness --damping damping --law ren\n"
@@ -55,7 +58,8 @@ void add_equivalent(CLI::App& app, Chosen& chosen) {
 
 ExitCode execute(const EquivalentArguments& arguments, std::ostream& out) {
   const std::string text = scene::read_text(arguments.scene);
-  if (laws::is_law_scene(text, arguments.scene)) return take_direct_steps(arguments, laws::parse_law_scene(text, arguments.scene), out);
+  if (laws::is_law_scene(text, arguments.scene))
+    return take_direct_steps(arguments, laws::parse_law_scene(text, arguments.scene), out);
   const ident::EquivalentScene scene = ident::parse_equivalent_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), outputs_of(arguments));
   const std::vector<tasks::LevelJoint> levels =

@@ -38,11 +38,13 @@ std::string equivalent_page(const ident::EquivalentScene& scene, const std::vect
                                   : report::status_banner("not_usable", "no stiffness and damping fit the FRFs of some levels"));
   page.section("Over displacement");
   page.add(report::Text{equivalent_title(scene), true});
-  page.add(report::PlotGroup{"joint",
-                             {{"joint",
-                               {plot_of(levels, "Equivalent stiffness", "k (N/m)", [](const auto& joint) { return joint.stiffness; }),
-                                plot_of(levels, "Equivalent damping", "d (N/m)", [](const auto& joint) { return joint.damping; })}}}});
-  page.add(report::Text{"Deviations are those that the residuals of a level scatter by; gains of whole FRFs that are off are not in them.", true});
+  page.add(
+      report::PlotGroup{"joint",
+                        {{"joint",
+                          {plot_of(levels, "Equivalent stiffness", "k (N/m)", [](const auto& joint) { return joint.stiffness; }),
+                           plot_of(levels, "Equivalent damping", "d (N/m)", [](const auto& joint) { return joint.damping; })}}}});
+  page.add(report::Text{
+      "Deviations are those that the residuals of a level scatter by; gains of whole FRFs that are off are not in them.", true});
   page.add(equivalent_table(levels));
   return page.html();
 }

@@ -27,7 +27,8 @@ std::string equivalent_title(const ident::EquivalentScene& scene) {
 std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   text += equivalent_title(scene) + "\n\n";
-  text += equivalent_table(levels).text() + "\n± of either, as the residuals scatter; gains of whole FRFs that are off are not in it\n";
+  text += equivalent_table(levels).text() +
+          "\n± of either, as the residuals scatter; gains of whole FRFs that are off are not in it\n";
   return text;
 }
 
@@ -40,7 +41,8 @@ report::Table equivalent_table(const std::vector<tasks::LevelJoint>& levels) {
                              ? "not physical: the errors of the FRFs outweigh the joint"
                              : "";
     table.add({report::number(level.displacement), report::number(joint.stiffness), report::number(joint.damping),
-               fmt::format("{:.2g}", joint.deviation), fmt::format("{:.2f}", 100.0 * joint.misfit), fmt::format("{}", level.lines), remark});
+               fmt::format("{:.2g}", joint.deviation), fmt::format("{:.2f}", 100.0 * joint.misfit),
+               fmt::format("{}", level.lines), remark});
   }
   return table;
 }

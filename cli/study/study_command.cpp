@@ -174,7 +174,8 @@ void add_study(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML) on noise-free or measured FRFs, with [noise]")->required();
   add_trial_options(command, *arguments);
   command->add_flag("--resume", arguments->resume, "Continue an interrupted study");
-  command->add_option("--out", arguments->out, "All trials (HDF5; CSV of friction laws); default: SCENE's name with .study.h5 or .study.csv, here");
+  command->add_option("--out", arguments->out,
+                      "All trials (HDF5; CSV of friction laws); default: SCENE's name with .study.h5 or .study.csv, here");
   add_outputs(command, *arguments, "the statistics", "the unknowns' statistics", "tables and histograms");
   command->footer(
       "Examples:\n  jointid problem write A1 a1 --clean && jointid study a1/A1.toml --trials 10000\n"

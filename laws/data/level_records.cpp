@@ -32,7 +32,8 @@ std::optional<std::size_t> channel_of(const records::Record& record, const frf::
 }
 
 std::string channels_text(const records::Record& record) {
-  return comma_list(record.channels, [](const records::Channel& channel) { return name(channel.kind) + " " + channel.dof.name(); });
+  return comma_list(record.channels,
+                    [](const records::Channel& channel) { return name(channel.kind) + " " + channel.dof.name(); });
 }
 
 void require_forces(const records::Record& record, const ForceLevel& level) {
@@ -74,11 +75,13 @@ LevelRecordings::LevelRecordings(const ForceLevel& level) : level_(level) {
     }
   }
   if (!level.records->lines_hz.empty() && records_.size() != level.records->lines_hz.size())
-    fail(records_.front(), "lines", fmt::format("{} lines for {} records of the files", level.records->lines_hz.size(), records_.size()),
+    fail(records_.front(), "lines",
+         fmt::format("{} lines for {} records of the files", level.records->lines_hz.size(), records_.size()),
          "give one for each record, or none: they are found");
 }
 
-std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vector<frf::Dof>& responses, const std::vector<double>& parts_hz) {
+std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vector<frf::Dof>& responses,
+                                                                const std::vector<double>& parts_hz) {
   const LevelRecords& how = *level_.records;
   records::OrderOptions options;
   options.settle_s = how.settle_s;
@@ -101,7 +104,8 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
       return;
     }
     if (lines.contains(*nearest)) {
-      notes_.push_back(fmt::format("{}: left out: the force of {} has {:.7g} Hz again", level_.name, records_[record].file, *nearest));
+      notes_.push_back(
+          fmt::format("{}: left out: the force of {} has {:.7g} Hz again", level_.name, records_[record].file, *nearest));
       return;
     }
     window_bias = std::max(window_bias, phasors.window_bias);
@@ -119,12 +123,14 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
   }
   constexpr double much = 0.1;
   if (how.sweep && !lines.empty()) {
-    notes_.push_back(fmt::format("{}: windows of {} periods of a sweep: phasors off by {:.2g} % at most for the window, {:.2g} % for the lag "
-                                 "behind the steady response",
-                                 level_.name, how.periods, 100.0 * window_bias, 100.0 * lag_bias));
+    notes_.push_back(
+        fmt::format("{}: windows of {} periods of a sweep: phasors off by {:.2g} % at most for the window, {:.2g} % for the lag "
+                    "behind the steady response",
+                    level_.name, how.periods, 100.0 * window_bias, 100.0 * lag_bias));
     if (std::max(window_bias, lag_bias) > much)
       fail(records_.front(), "sweep",
-           fmt::format("it is too fast: a phasor is off by {:.2g} % for the window, {:.2g} % for the lag", 100.0 * window_bias, 100.0 * lag_bias),
+           fmt::format("it is too fast: a phasor is off by {:.2g} % for the window, {:.2g} % for the lag", 100.0 * window_bias,
+                       100.0 * lag_bias),
            "sweep more slowly, or take fewer periods where the window leads");
   }
   std::vector<Harmonic> out;
@@ -141,7 +147,8 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
         const auto c = channel_of(record, dof, is_force);
         if (!c) return;
         const records::Channel& channel = record.channels[*c];
-        const Complex factor = (channel.dof == dof ? 1.0 : -1.0) * (is_force ? Complex(1.0) : to_displacement(channel.kind, angular(number * hz)));
+        const Complex factor =
+            (channel.dof == dof ? 1.0 : -1.0) * (is_force ? Complex(1.0) : to_displacement(channel.kind, angular(number * hz)));
         to.values(line, column) = factor * source.phasors.value(at(n), at(*c));
         to.variances(line, column) = std::norm(factor) * std::pow(source.phasors.deviation(at(n), at(*c)), 2);
       };

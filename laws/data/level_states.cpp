@@ -43,7 +43,8 @@ Recordings recordings_of(const LawScene& scene) {
 }
 
 /// Those of the scene, or all that the parts and every file of responses have.
-std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts, PhasorFiles& files, const Recordings& recordings) {
+std::vector<Dof> responses_of(const LawScene& scene, const frf::FrfSystem& parts, PhasorFiles& files,
+                              const Recordings& recordings) {
   if (!scene.responses.empty()) return scene.responses;
   std::vector<Dof> common = parts.responses();
   for (const ForceLevel& level : scene.levels) {
@@ -101,8 +102,8 @@ Eigen::RowVectorXd deviations_of_force(const LawScene& scene, const Eigen::RowVe
 /// The states of one level.
 class LevelReader {
  public:
-  LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, PhasorFiles& files, Recordings& recordings,
-              LevelStates& to)
+  LevelReader(const LawScene& scene, const ForceLevel& level, const std::vector<Dof>& forces, PhasorFiles& files,
+              Recordings& recordings, LevelStates& to)
       : scene_(scene), level_(level), forces_(forces), to_(to) {
     if (level.records) {
       LevelRecordings& own = recordings.at(&level);
@@ -216,7 +217,8 @@ class LevelReader {
   }
 
   /// Of Re and Im of each force: its file's, or those of [errors].
-  Eigen::RowVectorXd force_deviations(const HarmonicData& data, std::size_t line, const Eigen::RowVectorXcd& force, double peak) const {
+  Eigen::RowVectorXd force_deviations(const HarmonicData& data, std::size_t line, const Eigen::RowVectorXcd& force,
+                                      double peak) const {
     Eigen::RowVectorXd out = deviations_of_force(scene_, force);
     if (!data.forces || data.forces->variances.size() == 0) return out;
     for (std::size_t i = 0; i < level_.force_dofs.size(); ++i) {
@@ -228,7 +230,8 @@ class LevelReader {
 
   double deviation(const Phasors& phasors, Eigen::Index line, Eigen::Index r, double factor, double size) const {
     if (phasors.variances.size() > 0 && phasors.variances(line, r) > 0.0) return factor * std::sqrt(phasors.variances(line, r));
-    if (scene_.errors && scene_.errors->of_responses()) return std::sqrt(0.5 * std::pow(scene_.errors->relative * size, 2) + std::pow(scene_.errors->floor, 2));
+    if (scene_.errors && scene_.errors->of_responses())
+      return std::sqrt(0.5 * std::pow(scene_.errors->relative * size, 2) + std::pow(scene_.errors->floor, 2));
     fail(phasors.file, "responses", "nobody says how exact they are",
          "give [errors] relative = 0.01 (or floor, m), or a file with variances or coherences");
   }

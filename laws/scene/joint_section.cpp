@@ -105,10 +105,12 @@ class JointReader {
     if (leader_) assumed->fail("the joint has the law of " + scene_.joints[*leader_].beside.name, "say it there");
     const auto law = assumed->open_table().find("law");
     if (!law && joint_.laws.size() != 1)
-      assumed->fail("parameters of which of several laws?", "name one law, or say which is assumed: { law = \"" + joint_.laws.front() + "\", … }");
+      assumed->fail("parameters of which of several laws?",
+                    "name one law, or say which is assumed: { law = \"" + joint_.laws.front() + "\", … }");
     joint_.assumed_law = law ? law->word(joint_.laws) : joint_.laws.front();
     std::vector<std::string> names;
-    for (const friction::LawParameter& parameter : friction::law(joint_.assumed_law).parameters) names.emplace_back(parameter.name);
+    for (const friction::LawParameter& parameter : friction::law(joint_.assumed_law).parameters)
+      names.emplace_back(parameter.name);
     std::vector<std::string> keys = names;
     keys.emplace_back("law");
     const scene::Table values = assumed->table(keys);

@@ -44,7 +44,7 @@ struct LevelRecords {
 struct ForceLevel {
   std::string name;
   bool planned = false;  ///< nothing was measured yet: no files, an amplitude
-  std::vector<HarmonicFiles> harmonics;  ///< ascending; without files where there are records
+  std::vector<HarmonicFiles> harmonics;   ///< ascending; without files where there are records
   std::optional<LevelRecords> records{};  ///< in place of all files of phasors
   std::vector<frf::Dof> force_dofs;
   std::optional<double> amplitude;  ///< N, of harmonic 1 at the one force DOF; without files of forces

@@ -82,7 +82,8 @@ void read_records(const scene::Table& table, const ident::Path& folder, ForceLev
       both->fail("there are records, too", "remove one: phasors of responses and forces are taken of the records");
   }
   LevelRecords records;
-  for (const scene::Item& file : one_or_several(table.require("records"))) records.files.push_back(folder / file.text_not_empty());
+  for (const scene::Item& file : one_or_several(table.require("records")))
+    records.files.push_back(folder / file.text_not_empty());
   level.force_dofs = table.require("force_dofs").dofs();
   if (const auto channels = table.find("channels")) {
     for (const scene::Item& channel : channels->list_not_empty())
@@ -103,8 +104,9 @@ void read_records(const scene::Table& table, const ident::Path& folder, ForceLev
 const std::array<std::string, 2> amplitude_words = {"peak", "rms"};
 
 ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::size_t number, std::vector<std::string>& names) {
-  const scene::Table table = item.table({"name", "harmonics", "responses", "forces", "amplitude", "force_dofs", "per_force", "amplitudes",
-                                         "records", "channels", "rate", "time", "lines", "settle", "sweep", "periods"});
+  const scene::Table table =
+      item.table({"name", "harmonics", "responses", "forces", "amplitude", "force_dofs", "per_force", "amplitudes", "records",
+                  "channels", "rate", "time", "lines", "settle", "sweep", "periods"});
   ForceLevel level;
   level.name = "level " + std::to_string(number);
   if (const auto name = table.find("name")) level.name = name->text_not_empty();
@@ -114,7 +116,8 @@ ForceLevel read_level(const scene::Item& item, const ident::Path& folder, std::s
     return level;
   }
   for (const std::string& key : of_records) {
-    if (const auto found = table.find(key)) found->fail("there are no records that it could say something of", "name files of time records, or remove it");
+    if (const auto found = table.find(key))
+      found->fail("there are no records that it could say something of", "name files of time records, or remove it");
   }
   const auto responses = table.find("responses");
   level.planned = !responses;

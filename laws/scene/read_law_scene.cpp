@@ -24,7 +24,8 @@ void read_errors(const scene::Item& item, LawScene& scene) {
   if (floor) errors.floor = floor->not_negative();
   if (force) errors.force = force->not_negative();
   if (!errors.of_responses() && !(errors.force > 0.0))
-    item.fail("no phasor has an error", "give relative (a share of each phasor), floor (m) or force (a share of each force) above 0");
+    item.fail("no phasor has an error",
+              "give relative (a share of each phasor), floor (m) or force (a share of each force) above 0");
   scene.errors = errors;
 }
 
@@ -40,7 +41,9 @@ void read_model(const scene::Item& item, LawScene& scene) {
 /// Which lines of a file that holds several harmonics are those of the first, only the range tells.
 void require_range(const scene::Table& table, const LawScene& scene) {
   for (const ForceLevel& level : scene.levels) {
-    if (level.planned || level.records || level.harmonics.size() == 1 || level.harmonics[0].responses.path != level.harmonics[1].responses.path) continue;
+    if (level.planned || level.records || level.harmonics.size() == 1 ||
+        level.harmonics[0].responses.path != level.harmonics[1].responses.path)
+      continue;
     if (scene.frequency.range_hz) return;
     table.itself().fail(level.name + ": one file holds several harmonics, and nothing tells the lines of the first",
                         "give [frequency] range, the frequencies of the force");

@@ -41,7 +41,8 @@ std::string fault_text(const DataFault& fault, const std::vector<frf::Dof>& resp
       return "the forces of " + (fault.level ? levels[*fault.level] : "every level") + " times " + gain_text(fault.gain) + " (" +
              cause(fault) + ")";
     case DataFault::Kind::levels:
-      return "the forces of " + levels[*fault.level] + " and " + levels[fault.other_level] + " exchanged (files in another order)";
+      return "the forces of " + levels[*fault.level] + " and " + levels[fault.other_level] +
+             " exchanged (files in another order)";
     case DataFault::Kind::response:
       break;
   }

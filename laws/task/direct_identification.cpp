@@ -16,7 +16,8 @@ constexpr double known_share = 0.3;
 
 std::size_t known_states(const std::vector<response::DirectStep>& steps, Eigen::Index joint) {
   const auto count = std::ranges::count_if(steps, [joint](const response::DirectStep& step) {
-    return step.equivalent.size() > 0 && std::abs(step.equivalent_deviation(joint)) < known_share * std::abs(step.equivalent(joint));
+    return step.equivalent.size() > 0 &&
+           std::abs(step.equivalent_deviation(joint)) < known_share * std::abs(step.equivalent(joint));
   });
   return static_cast<std::size_t>(count);
 }
@@ -36,7 +37,8 @@ void judge_joint(const LawScene& scene, std::size_t j, DirectIdentification& fou
   const std::string what =
       fmt::format("{}: no state tells its stiffness to {:.0f} %; its motion Q₁ is known to {:.0f} % in the middle of all states",
                   scene.joints[j].beside.name, 100.0 * known_share, 100.0 * motion_error(found.steps, at(j)));
-  const std::string remedy = ": Q = b − GF is a difference of like numbers where the parts move far more than the joint, or no response sees its force";
+  const std::string remedy =
+      ": Q = b − GF is a difference of like numbers where the parts move far more than the joint, or no response sees its force";
   if (found.status == LawStatus::ok) {
     found.status = LawStatus::doubtful;
     found.message = what + remedy;

@@ -19,10 +19,10 @@ struct DirectIdentification {
   std::vector<std::string> notes;
 };
 
-/// Reads the files of a scene and takes the direct step (response::direct_step) of every state. `doubtful` where no state tells the
-/// stiffness of a joint to 30 % (the parts move far more than the joint, so that Q = b − GF is a difference of like numbers, or the
-/// responses do not see it), and where a force has even harmonics; `poor_fit` where the data contradict each other. Throws InputError
-/// as identify_laws().
+/// Reads the files of a scene and takes the direct step (response::direct_step) of every state. `doubtful` where no state tells
+/// the stiffness of a joint to 30 % (the parts move far more than the joint, so that Q = b − GF is a difference of like numbers,
+/// or the responses do not see it), and where a force has even harmonics; `poor_fit` where the data contradict each other. Throws
+/// InputError as identify_laws().
 DirectIdentification identify_directly(const LawScene& scene);
 
 }  // namespace jointid::laws

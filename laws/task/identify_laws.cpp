@@ -90,7 +90,8 @@ void judge_levels(const LawScene& scene, LawIdentification& found) {
   if (!joints.empty()) {
     const response::LawUnknowns unknowns = response::unknowns_of(std::move(joints), scene.constraints);
     found.drifts = response::test_level_drift(found.data.structure, found.data.states, found.data.level, unknowns, fit);
-    if (!found.drifts.empty() && found.drifts.front().is_told()) told.push_back(drift_text(found.drifts.front(), scene, unknowns));
+    if (!found.drifts.empty() && found.drifts.front().is_told())
+      told.push_back(drift_text(found.drifts.front(), scene, unknowns));
   }
   for (std::string& what : told) {
     if (found.status == LawStatus::ok) {

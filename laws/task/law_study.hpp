@@ -18,8 +18,8 @@ struct LawTrial {
     double value = 0.0, low = 0.0, high = 0.0;
   };
   std::size_t trial = 0;
-  std::string status;         ///< word of LawStatus, "no_response" where the drawn parts have none
-  std::string laws;           ///< chosen, as laws_text()
+  std::string status;  ///< word of LawStatus, "no_response" where the drawn parts have none
+  std::string laws;    ///< chosen, as laws_text()
   bool usable = false, contradicts = false;
   bool undecided = false;     ///< other laws are as good
   bool missed = false;        ///< the true ones neither chosen nor among those
@@ -33,8 +33,8 @@ struct LawStudyOptions {
   std::size_t threads = 1;
   std::function<bool()> interrupted{};                                   ///< asked between trials, by any thread
   std::function<void(std::size_t done, std::size_t total)> progress{};  ///< by one thread at a time
-  std::vector<LawTrial> known{};                                        ///< trials that were made before, which are not made again
-  std::function<void(const LawTrial&)> made{};                          ///< told of each new one, by one thread at a time
+  std::vector<LawTrial> known{};                ///< trials that were made before, which are not made again
+  std::function<void(const LawTrial&)> made{};  ///< told of each new one, by one thread at a time
 };
 
 /// One number of a joint over the trials whose laws are those assumed and whose fit is usable.
@@ -64,9 +64,9 @@ struct LawStudy {
 LawStudy law_study_plan(const LawScene& scene);
 
 /// Each trial draws the true FRFs of the parts about those of the files, by the files' variances, solves harmonic balance of the
-/// assumed laws over them, draws the phasors of responses and forces about these states, and identifies as identify_laws does, with the
-/// harmonics of the assumed states. Trial t depends on the seed and
-/// t alone, whatever the threads. Throws InputError as predict_law_bound, Interrupted when it is interrupted.
+/// assumed laws over them, draws the phasors of responses and forces about these states, and identifies as identify_laws does,
+/// with the harmonics of the assumed states. Trial t depends on the seed and t alone, whatever the threads. Throws InputError as
+/// predict_law_bound, Interrupted when it is interrupted.
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options);
 
 }  // namespace jointid::laws

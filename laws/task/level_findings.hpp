@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "laws/data/level_states.hpp"
+#include "response/findings/level_drift.hpp"
 #include "response/identify/direct_step.hpp"
-#include "response/identify/level_drift.hpp"
 
 namespace jointid::laws {
 
-/// Even harmonics n ≥ 2 of a joint's force as the direct step finds them. A law of Masing's kind is the same in both directions and
-/// has none; a residual preload with a gap, one-sided contact or slack has.
+/// Even harmonics n ≥ 2 of a joint's force as the direct step finds them. A law of Masing's kind is the same in both directions
+/// and has none; a residual preload with a gap, one-sided contact or slack has.
 struct OneSidedJoint {
   std::size_t joint = 0;
   double chi_square = 0.0;     ///< Σ|F_n|²/σ²

@@ -33,13 +33,13 @@ std::string head_of(const TrialFileKey& key) {
     const std::string name = value.joint + " " + value.name;
     columns += fmt::format(",{0},{0} low,{0} high", name.find(',') == std::string::npos ? name : "value");
   }
-  return fmt::format("# jointid study of friction laws, version 1\n# scene {:016x} data {:016x} seed {} laws {}\n{}\n", fingerprint(key.scene),
-                     fingerprint(numbers), key.seed, laws_text(key.plan.laws), columns);
+  return fmt::format("# jointid study of friction laws, version 1\n# scene {:016x} data {:016x} seed {} laws {}\n{}\n",
+                     fingerprint(key.scene), fingerprint(numbers), key.seed, laws_text(key.plan.laws), columns);
 }
 
 std::string line_of(const LawTrial& trial, std::size_t values) {
-  std::string text = fmt::format("{},{},{},{:d},{:d},{:d},{:d},{}", trial.trial, trial.status, trial.laws, trial.usable, trial.contradicts,
-                                 trial.undecided, trial.missed, trial.chi_square);
+  std::string text = fmt::format("{},{},{},{:d},{:d},{:d},{:d},{}", trial.trial, trial.status, trial.laws, trial.usable,
+                                 trial.contradicts, trial.undecided, trial.missed, trial.chi_square);
   for (std::size_t i = 0; i < values; ++i) {
     const LawTrial::Value value = i < trial.values.size() ? trial.values[i] : LawTrial::Value{nan, nan, nan};
     text += fmt::format(",{},{},{}", value.value, value.low, value.high);
@@ -60,7 +60,8 @@ std::optional<LawTrial> parse(const std::string& line, std::size_t values) {
   if (cells.size() != before + 3 * values) return std::nullopt;
   const auto number = [](const std::string& cell) {
     double value = nan;
-    if (cell != "nan" && cell != "-nan" && std::from_chars(cell.data(), cell.data() + cell.size(), value).ec != std::errc()) value = nan;
+    if (cell != "nan" && cell != "-nan" && std::from_chars(cell.data(), cell.data() + cell.size(), value).ec != std::errc())
+      value = nan;
     return value;
   };
   LawTrial out;
@@ -79,7 +80,8 @@ std::optional<LawTrial> parse(const std::string& line, std::size_t values) {
 
 }  // namespace
 
-TrialFile::TrialFile(std::filesystem::path path, const TrialFileKey& key, bool resume) : path_(std::move(path)), values_(key.plan.values.size()) {
+TrialFile::TrialFile(std::filesystem::path path, const TrialFileKey& key, bool resume)
+    : path_(std::move(path)), values_(key.plan.values.size()) {
   const std::string head = head_of(key);
   if (resume && std::filesystem::exists(path_)) {
     read(head);
@@ -98,7 +100,8 @@ void TrialFile::read(const std::string& head) {
   std::ifstream in(path_);
   std::string text((std::istreambuf_iterator<char>(in)), {});
   if (!text.starts_with(head))
-    fail(path_, "its trials are of another scene, seed or data", "leave out --resume to begin anew, or give the scene and seed that it was made with");
+    fail(path_, "its trials are of another scene, seed or data",
+         "leave out --resume to begin anew, or give the scene and seed that it was made with");
   std::istringstream rows(text.substr(head.size(), text.rfind('\n') + 1 - head.size()));
   for (std::string line; std::getline(rows, line);) {
     auto trial = parse(line, values_);

@@ -15,12 +15,12 @@ struct TrialFileKey {
   LawStudy plan;  ///< law_study_plan(): laws, truth and bounds, which change with the data
 };
 
-/// The trials of a study of laws, a line of text each (CSV after lines that begin with #), in the order in which they were made. Each line
-/// stands in the file as soon as the trial is made, so that an interrupted study leaves what it has.
+/// The trials of a study of laws, a line of text each (CSV after lines that begin with #), in the order in which they were made.
+/// Each line stands in the file as soon as the trial is made, so that an interrupted study leaves what it has.
 class TrialFile {
  public:
-  /// A new file, or with `resume` the one that is there, whose trials are known() then; a last line that is not whole is dropped. Throws
-  /// InputError where the file cannot be written, or has trials of another scene, seed or data.
+  /// A new file, or with `resume` the one that is there, whose trials are known() then; a last line that is not whole is dropped.
+  /// Throws InputError where the file cannot be written, or has trials of another scene, seed or data.
   TrialFile(std::filesystem::path path, const TrialFileKey& key, bool resume);
 
   const std::vector<LawTrial>& known() const { return known_; }

@@ -68,15 +68,16 @@ LawProblem mass_with_iwan() {
 LawProblem rig_two_with_ren() {
   const auto [first, second] = rig_two_middles();
   const RigTwo rig = make_rig_two("rig2");
-  return {.name = "rig2-laws",
-          .description = "rig two (200 N) with its Ren joint, which moves a hundred times less than the beams, at six force levels",
-          .parts = {rig_two_structure()},
-          .joints = {{"joint", {first, second}, "ren", rig.element, {"bilinear", "ren"}}},
-          .responses = {first, second},
-          .force = first,
-          .levels = {1.0, 2.0, 4.0, 8.0, 12.0, 16.0},
-          .frequency_hz = lines(48.0, 1.1, 8),
-          .noise = 0.003};
+  return {
+      .name = "rig2-laws",
+      .description = "rig two (200 N) with its Ren joint, which moves a hundred times less than the beams, at six force levels",
+      .parts = {rig_two_structure()},
+      .joints = {{"joint", {first, second}, "ren", rig.element, {"bilinear", "ren"}}},
+      .responses = {first, second},
+      .force = first,
+      .levels = {1.0, 2.0, 4.0, 8.0, 12.0, 16.0},
+      .frequency_hz = lines(48.0, 1.1, 8),
+      .noise = 0.003};
 }
 
 namespace {

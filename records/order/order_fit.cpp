@@ -65,7 +65,8 @@ class Functions {
 /// What is left of a channel at orders beside n, as mean squares of Re and Im of a phasor.
 class Neighbours {
  public:
-  Neighbours(const Axis& axis, double periods, int orders, int degree) : axis_(axis), periods_(periods), orders_(orders), first_(2 + degree) {}
+  Neighbours(const Axis& axis, double periods, int orders, int degree)
+      : axis_(axis), periods_(periods), orders_(orders), first_(2 + degree) {}
 
   struct Noise {
     Eigen::RowVectorXd variance;  ///< of each channel
@@ -105,9 +106,7 @@ class Neighbours {
   int orders_, first_;
 };
 
-double variance_of(const Eigen::VectorXd& samples) {
-  return (samples.array() - samples.mean()).square().mean();
-}
+double variance_of(const Eigen::VectorXd& samples) { return (samples.array() - samples.mean()).square().mean(); }
 
 void require_enough(const Record& record, const OrderStretch& stretch, int orders) {
   if (stretch.periods() < fewest_periods - 1e-6) {
@@ -118,7 +117,9 @@ void require_enough(const Record& record, const OrderStretch& stretch, int order
   }
   const double highest = orders * hertz(stretch.omega + 0.5 * std::abs(stretch.rate) * stretch.length_s);
   if (highest > highest_share * record.rate_hz) {
-    fail(record, fmt::format("order {} at {:.6g} Hz is above {:.2g} of the rate of {:.6g} Hz", orders, highest, highest_share, record.rate_hz),
+    fail(record,
+         fmt::format("order {} at {:.6g} Hz is above {:.2g} of the rate of {:.6g} Hz", orders, highest, highest_share,
+                     record.rate_hz),
          "name fewer harmonics, or sample faster");
   }
 }
@@ -135,7 +136,8 @@ std::size_t sample_count(const Record& record, const OrderStretch& stretch) {
   return std::min(record.samples(), static_cast<std::size_t>(std::max(0.0, std::ceil(last)))) - std::min(record.samples(), first);
 }
 
-OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree, NoiseOfOrders noise) {
+OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree,
+                    NoiseOfOrders noise) {
   const int orders = harmonics.back() + 1;
   require_enough(record, stretch, orders);
   const Axis axis(record, stretch);
@@ -143,7 +145,8 @@ OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std
   const Eigen::Index rows = jointid::at(harmonics.size()), channels = jointid::at(record.channels.size());
   Eigen::MatrixXd samples(axis.s.size(), channels);
   for (Eigen::Index c = 0; c < channels; ++c)
-    samples.col(c) = Eigen::Map<const Eigen::VectorXd>(record.channels[static_cast<std::size_t>(c)].samples.data() + axis.first, axis.s.size());
+    samples.col(c) = Eigen::Map<const Eigen::VectorXd>(record.channels[static_cast<std::size_t>(c)].samples.data() + axis.first,
+                                                       axis.s.size());
   const Eigen::MatrixXd& f = functions.values();
   Eigen::MatrixXd right(f.cols(), channels + f.cols());
   right << f.transpose() * samples, Eigen::MatrixXd::Identity(f.cols(), f.cols());

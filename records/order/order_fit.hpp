@@ -19,7 +19,8 @@ struct OrderStretch {
   double periods() const { return omega * length_s / 6.283185307179586; }
 };
 
-/// x(τ) = Re Σ_n (X_n + X′_n s + X″_n s²) e^{inφ(τ)} + the mean, s = τ over half the length: orders of all channels in one stretch.
+/// x(τ) = Re Σ_n (X_n + X′_n s + X″_n s²) e^{inφ(τ)} + the mean, s = τ over half the length: orders of all channels in one
+/// stretch.
 struct OrderFit {
   Eigen::MatrixXcd value, slope, bend;  ///< X_n, X′_n, X″_n, [harmonic, channel]; 0 where the degree does not have them
   /// Of Re X_n and Im X_n each, [harmonic, channel]: from what is left of the channel at orders near n, between those of the fit.
@@ -30,8 +31,8 @@ struct OrderFit {
 };
 
 /// Least squares over the samples of the stretch (those whose τ is within it), orders 0 … the largest harmonic + 1, amplitudes of
-/// that degree (0 to 2). Throws InputError (data) where the stretch has less than 8 periods or an order is above 0.45 of the rate.
-/// Deviations cost more than all else: without them they are 0.
+/// that degree (0 to 2). Throws InputError (data) where the stretch has less than 8 periods or an order is above 0.45 of the
+/// rate. Deviations cost more than all else: without them they are 0.
 enum class NoiseOfOrders { told, left_out };
 OrderFit fit_orders(const Record& record, const OrderStretch& stretch, const std::vector<int>& harmonics, int degree,
                     NoiseOfOrders noise = NoiseOfOrders::told);

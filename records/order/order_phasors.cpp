@@ -41,11 +41,13 @@ double resolution(const std::vector<double>& sorted) {
 void require_sound(const Record& record, const Channel& channel) {
   const auto missing = std::ranges::find_if(channel.samples, [](double x) { return !std::isfinite(x); });
   if (missing != channel.samples.end())
-    fail(record, place_of(channel), fmt::format("sample {} is missing", missing - channel.samples.begin() + 1), "cut the record before or after it");
+    fail(record, place_of(channel), fmt::format("sample {} is missing", missing - channel.samples.begin() + 1),
+         "cut the record before or after it");
   std::vector<double> sorted = channel.samples;
   std::ranges::sort(sorted);
   if (sorted.empty() || sorted.front() == sorted.back())
-    fail(record, place_of(channel), fmt::format("all samples are {:.4g}: it measured nothing", sorted.empty() ? 0.0 : sorted.front()),
+    fail(record, place_of(channel),
+         fmt::format("all samples are {:.4g}: it measured nothing", sorted.empty() ? 0.0 : sorted.front()),
          "is the sensor connected, and is this its channel?");
   const double share = share_at_ends(sorted), of_a_sine = std::sqrt(2.0 * resolution(sorted));
   if (share > 0.005 + 2.0 * of_a_sine)
@@ -61,7 +63,8 @@ void require_sine(const Record& record, std::size_t force, const OrderFit& fit, 
   const double explained = fit.explained(jointid::at(force));
   if (explained >= least_explained) return;
   fail(record, place_of(record.channels[force]),
-       fmt::format("only {:.2g} % of its variance are {:.6g} Hz and its orders: the force is no steady sine there", 100.0 * explained, hz),
+       fmt::format("only {:.2g} % of its variance are {:.6g} Hz and its orders: the force is no steady sine there",
+                   100.0 * explained, hz),
        "is it the force's channel? Steady records have one frequency each; `sweep = true` reads a slow sweep");
 }
 
@@ -75,19 +78,23 @@ void require_steady(const Record& record, const OrderFit& fit) {
     const double deviation = 2.0 * fit.slope_deviation * fit.deviation(0, column);
     if (std::abs(change) < most_change * size || std::abs(change) < most_deviations * deviation) continue;
     fail(record, place_of(record.channels[c]),
-         fmt::format("there is no steady state: its amplitude of {:.4g} changes by {:+.2g} % from end to end", size, 100.0 * change / size),
+         fmt::format("there is no steady state: its amplitude of {:.4g} changes by {:+.2g} % from end to end", size,
+                     100.0 * change / size),
          "leave out what is not steady by settle (s), or record longer");
   }
 }
 
-double larger_by_freedom(double deviation, double freedom) { return deviation * std::sqrt(freedom > 2.0 ? freedom / (freedom - 2.0) : 3.0); }
+double larger_by_freedom(double deviation, double freedom) {
+  return deviation * std::sqrt(freedom > 2.0 ? freedom / (freedom - 2.0) : 3.0);
+}
 
 OrderPhasors phasors_of(const OrderStretch& stretch, const OrderFit& fit) {
   OrderPhasors out;
   out.frequency_hz = hertz(stretch.omega);
   out.periods = stretch.periods();
   out.value = fit.value;
-  out.deviation = fit.deviation.binaryExpr(fit.freedom, [](double deviation, double freedom) { return larger_by_freedom(deviation, freedom); });
+  out.deviation = fit.deviation.binaryExpr(
+      fit.freedom, [](double deviation, double freedom) { return larger_by_freedom(deviation, freedom); });
   return out;
 }
 
@@ -128,19 +135,21 @@ OrderStretch centred(const Record& force, OrderStretch stretch, const std::vecto
 
 double largest_ratio(const Record& record, const Eigen::RowVectorXcd& change, const Eigen::RowVectorXcd& of) {
   double largest = 0.0;
-  for (const std::size_t c : motion_channels(record)) largest = std::max(largest, std::abs(change(jointid::at(c)) / of(jointid::at(c))));
+  for (const std::size_t c : motion_channels(record))
+    largest = std::max(largest, std::abs(change(jointid::at(c)) / of(jointid::at(c))));
   return largest;
 }
 
 void require_one_sweep(const Record& record, std::size_t force, const PhaseTrack::Course& course) {
   const double span = std::abs(course.last_hz - course.first_hz), all = course.highest_hz - course.lowest_hz;
   if (!(all > 1e-3 * course.highest_hz))
-    fail(record, place_of(record.channels[force]), fmt::format("its frequency stays at {:.6g} Hz: it does not sweep", course.first_hz),
+    fail(record, place_of(record.channels[force]),
+         fmt::format("its frequency stays at {:.6g} Hz: it does not sweep", course.first_hz),
          "leave out sweep for steady records");
   if (span < 0.8 * all)
     fail(record, place_of(record.channels[force]),
-         fmt::format("its frequency goes from {:.5g} to {:.5g} Hz by way of {:.5g} and {:.5g} Hz: it sweeps more than once", course.first_hz,
-                     course.last_hz, course.lowest_hz, course.highest_hz),
+         fmt::format("its frequency goes from {:.5g} to {:.5g} Hz by way of {:.5g} and {:.5g} Hz: it sweeps more than once",
+                     course.first_hz, course.last_hz, course.lowest_hz, course.highest_hz),
          "cut the record into one file for each sweep up or down, which are levels of their own");
 }
 
@@ -160,7 +169,8 @@ OrderPhasors steady_phasors(const Record& record, const OrderOptions& options) {
   const OrderFit moving = fit_orders(record, stretch, options.harmonics, 1);
   require_sine(record, force, moving, hz);
   if (options.frequency_hz && std::abs(hz / *options.frequency_hz - 1.0) > most_off)
-    fail(record, place_of(record.channels[force]), fmt::format("its frequency is {:.7g} Hz, not {:.7g} Hz", hz, *options.frequency_hz),
+    fail(record, place_of(record.channels[force]),
+         fmt::format("its frequency is {:.7g} Hz, not {:.7g} Hz", hz, *options.frequency_hz),
          "mend lines, or the rate of the record");
   require_steady(record, moving);
   return phasors_of(stretch, fit_orders(record, stretch, options.harmonics, 0));
@@ -185,7 +195,9 @@ std::vector<OrderPhasors> sweep_phasors(const Record& record, const std::vector<
     const double half_s = 0.5 * stretch->length_s;
     phasors.lag_bias = largest_ratio(record, fit.bend.row(0) / (half_s * half_s * stretch->rate), fit.value.row(0));
     if (half.periods() >= 8.0)
-      phasors.window_bias = largest_ratio(record, fit_orders(record, half, options.harmonics, 2, NoiseOfOrders::left_out).value.row(0) - fit.value.row(0), fit.value.row(0));
+      phasors.window_bias = largest_ratio(
+          record, fit_orders(record, half, options.harmonics, 2, NoiseOfOrders::left_out).value.row(0) - fit.value.row(0),
+          fit.value.row(0));
     all.push_back(std::move(phasors));
   }
   return all;

@@ -49,8 +49,8 @@ PhaseTrack::PhaseTrack(const Record& record, std::size_t channel, double settle_
   if (crossings_.size() >= fewest_crossings) return;
   const double length = static_cast<double>(record.samples()) / record.rate_hz;
   throw InputError({ErrorKind::data, record.file, record.channels[channel].name,
-                    fmt::format("{:.3g} s, of which {:.3g} s settle, have {} upward zero crossings: no frequency can be told", length,
-                                settle_s, crossings_.size()),
+                    fmt::format("{:.3g} s, of which {:.3g} s settle, have {} upward zero crossings: no frequency can be told",
+                                length, settle_s, crossings_.size()),
                     "record 8 periods at least, or shorten settle; is it the force of a sine?"});
 }
 
@@ -71,7 +71,8 @@ OrderStretch PhaseTrack::fitted(std::size_t from, std::size_t to, bool sweeps) c
     Eigen::VectorXd row(terms);
     for (Eigen::Index p = 0; p < terms; ++p) row(p) = std::pow(s, static_cast<double>(p));
     normal += row * row.transpose();
-    right += row * (2.0 * std::numbers::pi * static_cast<double>(k - from) - 0.5 * std::numbers::pi);  // x = cos φ rises through 0
+    right +=
+        row * (2.0 * std::numbers::pi * static_cast<double>(k - from) - 0.5 * std::numbers::pi);  // x = cos φ rises through 0
   }
   const Eigen::VectorXd found = dense::solve_positive(normal, Eigen::MatrixXd(right));
   out.phase = found(0);
@@ -96,7 +97,8 @@ std::optional<OrderStretch> PhaseTrack::about(double hz, int periods) const {
     out.middle_s += shift;
     out.omega = angular(hz);
     out.length_s = periods / hz;
-    const bool inside = out.middle_s - 0.5 * out.length_s >= crossings_.front() && out.middle_s + 0.5 * out.length_s <= crossings_.back();
+    const bool inside =
+        out.middle_s - 0.5 * out.length_s >= crossings_.front() && out.middle_s + 0.5 * out.length_s <= crossings_.back();
     return inside ? std::optional(out) : std::nullopt;
   }
   return std::nullopt;

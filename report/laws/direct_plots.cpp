@@ -23,7 +23,8 @@ std::vector<EquivalentPoint> equivalent_points(const std::vector<response::Direc
   std::vector<EquivalentPoint> points;
   for (const response::DirectStep& step : steps) {
     const Eigen::Index first = response::Harmonics(step.harmonics).find(1);
-    if (first >= 0) points.push_back({std::abs(step.joint_motion(first, joint)), step.equivalent(joint), step.equivalent_deviation(joint)});
+    if (first >= 0)
+      points.push_back({std::abs(step.joint_motion(first, joint)), step.equivalent(joint), step.equivalent_deviation(joint)});
   }
   std::ranges::sort(points, {}, &EquivalentPoint::motion);
   return points;
@@ -35,7 +36,8 @@ CurvePlot equivalent_plot(const std::vector<EquivalentPoint>& points, const std:
   plot.title = title;
   plot.x = {"|Q₁| (m)", true};
   plot.y = {label, false};
-  Series middle{"without a law", {}, Style::points}, above{"one deviation above", {}, Style::dashed}, below{"one below", {}, Style::dashed};
+  Series middle{"without a law", {}, Style::points}, above{"one deviation above", {}, Style::dashed},
+      below{"one below", {}, Style::dashed};
   for (const EquivalentPoint& point : points) {
     plot.x_values.push_back(point.motion);
     middle.y.push_back(part(point.value));

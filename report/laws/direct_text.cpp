@@ -56,10 +56,10 @@ std::string states_text(const laws::LawScene& scene, const laws::LevelStates& da
     harmonics.insert(state.harmonics.begin(), state.harmonics.end());
   }
   const auto plural = [](std::size_t count) { return count == 1 ? "" : "s"; };
-  return fmt::format("{} state{} of {} level{}: {} line{} from {:.6g} to {:.6g} Hz, {} response{}, harmonics {}\n", data.states.size(),
-                     plural(data.states.size()), scene.levels.size(), plural(scene.levels.size()), lines.size(), plural(lines.size()),
-                     hertz(*lines.begin()), hertz(*lines.rbegin()), data.responses.size(), plural(data.responses.size()),
-                     numbers_text(harmonics));
+  return fmt::format("{} state{} of {} level{}: {} line{} from {:.6g} to {:.6g} Hz, {} response{}, harmonics {}\n",
+                     data.states.size(), plural(data.states.size()), scene.levels.size(), plural(scene.levels.size()),
+                     lines.size(), plural(lines.size()), hertz(*lines.begin()), hertz(*lines.rbegin()), data.responses.size(),
+                     plural(data.responses.size()), numbers_text(harmonics));
 }
 
 std::string consistency_text(const response::Consistency& test) {
@@ -69,10 +69,11 @@ std::string consistency_text(const response::Consistency& test) {
 }
 
 std::string direct_text(const laws::LawScene& scene, const laws::DirectIdentification& found) {
-  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + states_text(scene, found.data) + consistency_text(found.consistency) + "\n";
+  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + states_text(scene, found.data) +
+                     consistency_text(found.consistency) + "\n";
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
-    text += fmt::format("{}: stiffness and damping without a law, {} of {} states tell them to 30 %\n", scene.joints[j].beside.name,
-                        found.known[j], found.steps.size());
+    text += fmt::format("{}: stiffness and damping without a law, {} of {} states tell them to 30 %\n",
+                        scene.joints[j].beside.name, found.known[j], found.steps.size());
     text += direct_table(found.steps, j).text() + "\n";
   }
   for (const std::string& note : found.notes) text += "note: " + note + "\n";
@@ -80,7 +81,11 @@ std::string direct_text(const laws::LawScene& scene, const laws::DirectIdentific
 }
 
 std::string direct_json(const laws::LawScene& scene, const laws::DirectIdentification& found) {
-  Json out = {{"status", word(found.status)}, {"message", found.message}, {"joints", Json::array()}, {"states", Json::array()}, {"notes", found.notes}};
+  Json out = {{"status", word(found.status)},
+              {"message", found.message},
+              {"joints", Json::array()},
+              {"states", Json::array()},
+              {"notes", found.notes}};
   for (std::size_t j = 0; j < scene.joints.size(); ++j)
     out["joints"].push_back({{"name", scene.joints[j].beside.name}, {"known_states", found.known[j]}});
   out["dofs"] = frf::names(found.data.responses);
@@ -92,8 +97,8 @@ std::string direct_json(const laws::LawScene& scene, const laws::DirectIdentific
 }
 
 std::string direct_csv(const laws::LawScene& scene, const laws::DirectIdentification& found) {
-  std::string text = csv_line({"joint", "level", "frequency [Hz]", "displacement [m]", "displacement deviation [m]", "stiffness [N/m]",
-                               "stiffness deviation [N/m]", "damping [N/m]", "damping deviation [N/m]"});
+  std::string text = csv_line({"joint", "level", "frequency [Hz]", "displacement [m]", "displacement deviation [m]",
+                               "stiffness [N/m]", "stiffness deviation [N/m]", "damping [N/m]", "damping deviation [N/m]"});
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     for (std::size_t i = 0; i < found.steps.size(); ++i) {
       const response::DirectStep& step = found.steps[i];

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "report/laws/law_text.hpp"
 #include "report/json_value.hpp"
+#include "report/laws/law_text.hpp"
 #include "report/laws/state_json.hpp"
 
 namespace jointid::report {

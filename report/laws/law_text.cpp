@@ -110,12 +110,13 @@ Table level_table(const laws::LawScene& scene, const LawIdentification& found) {
 }
 
 std::string law_text(const laws::LawScene& scene, const LawIdentification& found) {
-  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + states_text(scene, found.data) + "\n" + choice_text(found) +
-                     law_table(found).text() + "\n";
+  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + states_text(scene, found.data) + "\n" +
+                     choice_text(found) + law_table(found).text() + "\n";
   for (std::size_t j = 0; j < found.fit().joints.size(); ++j) {
     text += scene.joints[j].beside.name + ": " + found.laws()[j] + "\n" + joint_table(found.fit().joints[j]).text() + "\n";
   }
-  text += fit_text(found.fit()) + consistency_text(found.consistency) + "residuals in standard deviations\n" + level_table(scene, found).text() + "\n";
+  text += fit_text(found.fit()) + consistency_text(found.consistency) + "residuals in standard deviations\n" +
+          level_table(scene, found).text() + "\n";
   for (std::size_t j = 0; j < scene.joints.size(); ++j) {
     text += scene.joints[j].beside.name + ": stiffness and damping without a law\n" + direct_table(found, j).text() + "\n";
   }

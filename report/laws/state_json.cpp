@@ -19,7 +19,10 @@ Json column(const Eigen::MatrixXcd& rows, Eigen::Index at) {
 }  // namespace
 
 Json state_json(const std::string& level, const response::MeasuredState& measured, const response::DirectStep& step) {
-  Json out = {{"level", level}, {"frequency", value(hertz(measured.omega))}, {"harmonics", measured.harmonics}, {"joints", Json::array()}};
+  Json out = {{"level", level},
+              {"frequency", value(hertz(measured.omega))},
+              {"harmonics", measured.harmonics},
+              {"joints", Json::array()}};
   for (Eigen::Index j = 0; j < step.joint_force.cols(); ++j) {
     Json one = {{"motion", column(step.joint_motion, j)},
                 {"motion_deviation", column(step.motion_deviation, j)},

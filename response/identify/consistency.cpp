@@ -107,7 +107,8 @@ Complex best_gain(const std::vector<Piece>& pieces, const DataFault& fault) {
 }
 
 /// With those of the state of another level at the same line, if there is one.
-void exchange_forces(std::vector<MeasuredState>& states, const std::vector<std::size_t>& level, std::size_t i, std::size_t other) {
+void exchange_forces(std::vector<MeasuredState>& states, const std::vector<std::size_t>& level, std::size_t i,
+                     std::size_t other) {
   for (std::size_t k = 0; k < states.size(); ++k) {
     if (level[k] != other || states[k].omega != states[i].omega) continue;
     std::swap(states[k].force, states[i].force);

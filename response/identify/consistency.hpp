@@ -9,8 +9,8 @@
 
 namespace jointid::response {
 
-/// One mistake of a measurement that would make states agree with the structure: phasors times `gain`, or two responses or the forces of
-/// two levels exchanged.
+/// One mistake of a measurement that would make states agree with the structure: phasors times `gain`, or two responses or the
+/// forces of two levels exchanged.
 struct DataFault {
   enum class Kind { response, force, exchanged, levels };
   Kind kind = Kind::response;
@@ -35,10 +35,10 @@ struct Consistency {
 ///
 ///   min_F rᴴ C⁻¹ r,  r = Y_n − H_mP_n + H_mW F,  C = diag(σ²) + Σ_e var_e m_e m_eᴴ,
 ///
-/// m_e what an error of the structure's FRFs moves the responses by under F and P_n, or one of P_n, to first order; their sum is χ² of `freedom`
-/// degrees of freedom. States of one line share the errors of the structure, so that the limit is that of a sum of as many equal
-/// numbers as there are levels. `level` of each state. A fault is told when it takes away 9 tenths of what is above the freedom, and
-/// its χ² is at most twice that of the best.
+/// m_e what an error of the structure's FRFs moves the responses by under F and P_n, or one of P_n, to first order; their sum is
+/// χ² of `freedom` degrees of freedom. States of one line share the errors of the structure, so that the limit is that of a sum
+/// of as many equal numbers as there are levels. `level` of each state. A fault is told when it takes away 9 tenths of what is
+/// above the freedom, and its χ² is at most twice that of the best.
 Consistency test_consistency(const Receptance& structure, const std::vector<MeasuredState>& states, const std::vector<std::size_t>& level);
 
 }  // namespace jointid::response

@@ -9,7 +9,8 @@ namespace jointid::response {
 namespace {
 
 /// With the errors of its forces taken off.
-MeasuredState corrected_state(MeasuredState measured, std::size_t state, const LineLayout::Line& line, const Eigen::VectorXd& errors) {
+MeasuredState corrected_state(MeasuredState measured, std::size_t state, const LineLayout::Line& line,
+                              const Eigen::VectorXd& errors) {
   for (const LineLayout::Force& force : line.forces) {
     if (force.state != state) continue;
     const Eigen::Index row = measured.force.row(force.number);
@@ -33,7 +34,8 @@ std::vector<StateModel> corrected_models(const std::shared_ptr<const Receptance>
     for (const auto& [number, first, count] : line.harmonics)
       corrected->correct(number * line.omega, errors[i].segment(first, count));
     for (const std::size_t state : line.states)
-      models[state].emplace(corrected, line.forces.empty() ? states[state] : corrected_state(states[state], state, line, errors[i]), harmonics);
+      models[state].emplace(
+          corrected, line.forces.empty() ? states[state] : corrected_state(states[state], state, line, errors[i]), harmonics);
   }
   std::vector<StateModel> all;
   for (auto& model : models) all.push_back(std::move(*model));
@@ -49,8 +51,9 @@ LineErrors carried(const LineLayout& from, const LineErrors& errors, const LineL
       if (same != source.harmonics.end()) out[i].segment(first, count) = errors[i].segment(same->first, count);
     }
     for (const LineLayout::Force& force : target.forces) {
-      const auto same = std::ranges::find_if(
-          source.forces, [&](const LineLayout::Force& other) { return other.state == force.state && other.number == force.number; });
+      const auto same = std::ranges::find_if(source.forces, [&](const LineLayout::Force& other) {
+        return other.state == force.state && other.number == force.number;
+      });
       if (same != source.forces.end()) out[i].segment(force.first, force.count) = errors[i].segment(same->first, force.count);
     }
   }

@@ -117,8 +117,8 @@ class OneHarmonic {
     const Eigen::MatrixXcd by_force = structure_.at(n_ * state_.omega).rightCols(structure_.forces());
     for (Eigen::Index p = 0; p < by_force.cols(); ++p) {
       const double variance = squared(state_.force_deviation(row, p));
-      add(sum, inverse_.to_forces * by_force.col(p).tail(structure_.responses()), by_force.col(p).head(structure_.joints()), variance,
-          variance);
+      add(sum, inverse_.to_forces * by_force.col(p).tail(structure_.responses()), by_force.col(p).head(structure_.joints()),
+          variance, variance);
     }
   }
 

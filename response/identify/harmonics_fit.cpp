@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/statistics.hpp"
 #include "response/identify/corrected_models.hpp"
 #include "response/identify/nuisance_residuals.hpp"
 
@@ -22,7 +23,8 @@ FitOfHarmonics better(FitOfHarmonics a, FitOfHarmonics b) {
 
 bool knows_errors(const Receptance& structure, const std::vector<MeasuredState>& states) {
   return std::ranges::any_of(states, [&](const MeasuredState& state) {
-    return state.knows_force_errors() || std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
+    return state.knows_force_errors() ||
+           std::ranges::any_of(state.harmonics, [&](int n) { return !structure.errors(n * state.omega).empty(); });
   });
 }
 
@@ -107,7 +109,14 @@ FitOfHarmonics HarmonicsFits::next(const std::vector<int>& harmonics, const FitO
 }
 
 FitOfHarmonics HarmonicsFits::first(const std::vector<int>& harmonics, double enough) const {
-  const auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics, ways_.work);
+  auto lifted = fit_lifted(structure_, states_, unknowns_, harmonics, ways_.work);
+  // What misses the data a little meets the law too loosely yet: balance would begin far from its states.
+  constexpr double hopeless = 4.0;
+  const auto numbers = static_cast<double>(measured_numbers(states_));
+  if (lifted && lifted->chi_square > chi_square_quantile(numbers, 4.0) && lifted->chi_square < hopeless * numbers) {
+    auto closer = fit_lifted(structure_, states_, unknowns_, harmonics, *lifted, ways_.work);
+    if (closer) lifted = std::move(closer);
+  }
   FitOfHarmonics fit = from_lifted(harmonics, lifted, enough);
   if (fit.result.converged) return fit;
   if (lifted) {

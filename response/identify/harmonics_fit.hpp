@@ -34,8 +34,9 @@ class HarmonicsFits {
   HarmonicsFits(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states, const LawUnknowns& unknowns,
                 const FitWays& ways);
 
-  /// From the values of the unknowns: by fit_lifted, then by harmonic balance. Where that does not end in a minimum, or no direct
-  /// step starts it, by harmonic balance alone, first with the receptances as measured.
+  /// From the values of the unknowns: by fit_lifted, with tighter tolerances where it misses the data a little, then by harmonic
+  /// balance. Where that does not end in a minimum, or no direct step starts it, by harmonic balance alone, first with the
+  /// receptances as measured.
   FitOfHarmonics first(const std::vector<int>& harmonics, double enough) const;
   /// No fit: residuals and states at some values of the unknowns.
   FitOfHarmonics at(const std::vector<int>& harmonics, const Eigen::VectorXd& numbers) const;

@@ -64,8 +64,9 @@ struct LawFit {
 };
 
 /// min Σ|Y − X(θ, H)|²/σ² over the unknown parameters, X by harmonic balance, from the values of `unknowns`; where the structure
-/// knows errors of H or the states those of P, then over the true H and P as well, + Σ|δH|²/σ_H² + Σ|δP|²/σ_P² (NuisanceResiduals).
-/// Throws InputError for states that do not fit the structure, or nothing unknown; want of convergence is a status.
+/// knows errors of H or the states those of P, then over the true H and P as well, + Σ|δH|²/σ_H² + Σ|δP|²/σ_P²
+/// (NuisanceResiduals). Throws InputError for states that do not fit the structure, or nothing unknown; want of convergence is a
+/// status.
 LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                 const LawUnknowns& unknowns, const LawFitOptions& options = {});
 

@@ -23,9 +23,9 @@ struct LiftedFit {
 /// The likelihood with the forces of the joints as unknowns of their own ("lifted": Albersmeyer and Diehl 2010, SIAM J. Optim.
 /// 20, 1655–1684): min over θ, F and the errors u of Σ|X(F, u) − Y|²/σ² + Σ|F − F(Q(F, u); θ)|²/τ² + Σu². No equation is solved,
 /// so that near resonances, where harmonic balance amplifies every error, the sum stays smooth; it starts at the forces of the
-/// direct step. τ falls from a third of the joint's force to a hundredth of it, each minimum the start of the next; with τ → 0 it is the
-/// likelihood. Gauss–Newton steps, the unknowns of a line eliminated from its rows. Of 40 lines and more, 20 among them tell the numbers first.
-/// Nothing when direct_step cannot start it.
+/// direct step. τ falls from a third of the joint's force to a hundredth of it, each minimum the start of the next; with τ → 0 it
+/// is the likelihood. Gauss–Newton steps, the unknowns of a line eliminated from its rows. Of 40 lines and more, 20 among them
+/// tell the numbers first. Nothing when direct_step cannot start it.
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work = {});
 

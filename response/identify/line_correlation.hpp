@@ -10,8 +10,8 @@
 
 namespace jointid::response {
 
-/// Errors of each line, in standard deviations: those of the receptances of its harmonics one after the other, two numbers for each of
-/// Receptance::errors(), then those of the forces of its states, two numbers for each force.
+/// Errors of each line, in standard deviations: those of the receptances of its harmonics one after the other, two numbers for
+/// each of Receptance::errors(), then those of the forces of its states, two numbers for each force.
 using LineErrors = std::vector<Eigen::VectorXd>;
 
 /// Which states and harmonics belong to the lines of a set of models.
@@ -46,9 +46,10 @@ class LineLayout {
   std::vector<Line> lines_;
 };
 
-/// What errors of the receptances and of the forces do to the residuals: all levels of a line have the same H, so their residuals are
-/// correlated. In deviations of the responses the covariance of a line is S = I + BBᵀ, B = [B_1 B_3 … B_P] of ReceptanceResponse at nω.
-/// Lines are taken as independent: a receptance at 3ω that is also one at another line's ω counts twice.
+/// What errors of the receptances and of the forces do to the residuals: all levels of a line have the same H, so their residuals
+/// are correlated. In deviations of the responses the covariance of a line is S = I + BBᵀ, B = [B_1 B_3 … B_P] of
+/// ReceptanceResponse at nω. Lines are taken as independent: a receptance at 3ω that is also one at another line's ω counts
+/// twice.
 class LineCorrelation {
  public:
   /// On as many threads.

@@ -40,8 +40,8 @@ class StateModel {
   /// part; of each element Re and Im. [2 · (joints + responses), 2 · errors]
   Eigen::MatrixXd error_shares(int harmonic, const Eigen::VectorXcd& joint_force) const;
 
-  /// The same of the errors of the measured forces at one harmonic n ≥ 1: δu = H δP, one deviation of Re and one of Im of each force.
-  /// [2 · (joints + responses), 2 · forces]
+  /// The same of the errors of the measured forces at one harmonic n ≥ 1: δu = H δP, one deviation of Re and one of Im of each
+  /// force. [2 · (joints + responses), 2 · forces]
   Eigen::MatrixXd force_shares(int harmonic) const;
 
  private:

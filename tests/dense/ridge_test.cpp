@@ -29,7 +29,8 @@ MatrixXd by_svd(const MatrixXd& b, const MatrixXd& r) {
 RC_GTEST_PROP(Ridge, BestIsThatOfSingularValues, ()) {
   const auto rows = *rc::gen::inRange<Eigen::Index>(1, 40), columns = *rc::gen::inRange<Eigen::Index>(1, 40);
   const double scale = std::pow(10.0, *rc::gen::inRange(-6, 7));
-  const MatrixXd b = random(rows, columns, *rc::gen::arbitrary<unsigned>(), scale), r = random(rows, 3, *rc::gen::arbitrary<unsigned>());
+  const MatrixXd b = random(rows, columns, *rc::gen::arbitrary<unsigned>(), scale),
+                 r = random(rows, 3, *rc::gen::arbitrary<unsigned>());
   const Ridge ridge(b);
   const MatrixXd expected = by_svd(b, r), found = ridge.best(r);
   RC_ASSERT((found - expected).norm() <= 1e-9 * std::max(expected.norm(), 1e-6 * r.norm() / std::max(1.0, scale)));

@@ -85,8 +85,8 @@ TEST(IdentifyLaws, FindsTheLawsOfAFrameOfNoisyParts) {
   }
 }
 
-/// Rig two: the joint's motion is a difference of motions a hundred times larger, so that single states tell its stiffness to 10 to 30 %
-/// at most. All together tell it to 0.1 %, limit as well.
+/// Rig two: the joint's motion is a difference of motions a hundred times larger, so that single states tell its stiffness to 10
+/// to 30 % at most. All together tell it to 0.1 %, limit as well.
 TEST(IdentifyLaws, FindsTheJointOfRigTwo) {
   const problems::LawProblem problem = problems::make_law_problem("rig2-laws");
   const auto exact = problems::measure(problem);

@@ -32,7 +32,9 @@ response::MatrixStructure mass() {
   return {one(1.0), one(40.0), one(2e5)};
 }
 
-std::shared_ptr<const friction::Element> law() { return friction::make_element("bilinear", std::vector<double>{slip, stiffness}); }
+std::shared_ptr<const friction::Element> law() {
+  return friction::make_element("bilinear", std::vector<double>{slip, stiffness});
+}
 
 /// FRFs of the mass alone at 1, 3, 5 … times the lines.
 void write_part(const std::filesystem::path& path) {
@@ -53,8 +55,9 @@ void write_part(const std::filesystem::path& path) {
 /// What instruments record of the assembly, marched from rest: force and displacement or velocity, columns of a text file.
 void write_record(const std::filesystem::path& path, double hz, double newton, bool velocity, double noise) {
   const Eigen::MatrixXd one = Eigen::MatrixXd::Ones(1, 1);
-  response::ExactMarch march({mass(), one, {law()}},
-                             response::ForceHistory::periodic(angular(hz), {1}, Eigen::MatrixXcd::Constant(1, 1, std::polar(newton, 0.8))));
+  response::ExactMarch march(
+      {mass(), one, {law()}},
+      response::ForceHistory::periodic(angular(hz), {1}, Eigen::MatrixXcd::Constant(1, 1, std::polar(newton, 0.8))));
   constexpr double rate = 8192.0, seconds = 1.2;
   std::ofstream out(path);
   out << "time [s],force,motion\n";
@@ -69,20 +72,23 @@ void write_record(const std::filesystem::path& path, double hz, double newton, b
   }
   for (std::size_t i = 0; i < force.size(); ++i) {
     const auto [a, b] = normal_numbers({.seed = 7, .trial = static_cast<std::uint64_t>(10.0 * hz + newton)}, i);
-    out << fmt::format("{:.10g},{:.12g},{:.12g}\n", static_cast<double>(i) / rate, force[i] + noise * newton * a, motion[i] + noise * largest * b);
+    out << fmt::format("{:.10g},{:.12g},{:.12g}\n", static_cast<double>(i) / rate, force[i] + noise * newton * a,
+                       motion[i] + noise * largest * b);
   }
 }
 
 std::string level_text(const std::string& name, const std::vector<std::string>& files, bool velocity) {
   std::string list;
   for (const std::string& file : files) list += (list.empty() ? "\"" : ", \"") + file + "\"";
-  return fmt::format("[[data.levels]]\nname = \"{}\"\nrecords = [{}]\nchannels = [\"force=1:+Y N\", \"motion=1:+Y {}\"]\n"
-                     "force_dofs = [\"1:+Y\"]\nharmonics = [1, 3]\nsettle = 0.4\n",
-                     name, list, velocity ? "m/s" : "m");
+  return fmt::format(
+      "[[data.levels]]\nname = \"{}\"\nrecords = [{}]\nchannels = [\"force=1:+Y N\", \"motion=1:+Y {}\"]\n"
+      "force_dofs = [\"1:+Y\"]\nharmonics = [1, 3]\nsettle = 0.4\n",
+      name, list, velocity ? "m/s" : "m");
 }
 
 std::string scene_text(const std::string& levels) {
-  return "[data]\nparts = [\"part.h5\"]\n" + levels + "[[joint.friction]]\nname = \"slot\"\ndofs = [\"1:+Y\"]\nlaw = \"bilinear\"\n";
+  return "[data]\nparts = [\"part.h5\"]\n" + levels +
+         "[[joint.friction]]\nname = \"slot\"\ndofs = [\"1:+Y\"]\nlaw = \"bilinear\"\n";
 }
 
 /// Two levels in time, of displacement and of velocity.
@@ -115,13 +121,14 @@ TEST_F(Recorded, PhasorsAreThoseOfHarmonicBalance) {
   read.errors = PhasorErrors{.relative = 1e-3};
   const LevelStates data = read_level_states(read);
   ASSERT_EQ(data.states.size(), 6u);
-  const auto structure = std::make_shared<response::MatrixReceptance>(mass(), Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Ones(1, 1),
-                                                                      Eigen::MatrixXd::Ones(1, 1));
+  const auto structure = std::make_shared<response::MatrixReceptance>(mass(), Eigen::MatrixXd::Ones(1, 1),
+                                                                      Eigen::MatrixXd::Ones(1, 1), Eigen::MatrixXd::Ones(1, 1));
   std::vector<int> odd;
   for (int n = 1; n <= 41; n += 2) odd.push_back(n);
   for (const response::MeasuredState& state : data.states) {
     const Complex force = state.force.amplitudes(0, 0);
-    const response::HarmonicBalance balance(structure, {{.name = "slot", .friction = law()}}, response::Excitation::single(force), {.fixed = odd});
+    const response::HarmonicBalance balance(structure, {{.name = "slot", .friction = law()}}, response::Excitation::single(force),
+                                            {.fixed = odd});
     const auto solved = balance.solve(state.omega);
     ASSERT_TRUE(solved.converged);
     const Complex exact = solved.response(0, 0), third = solved.response(1, 0);
@@ -172,7 +179,8 @@ TEST_F(Recorded, MistakesAreTold) {
   EXPECT_THAT(error_with("force=1:+Y N", "force=1:+Y V"), HasSubstr("no unit of a force"));
   EXPECT_THAT(error_with("force=1:+Y N", "power=1:+Y N"), HasSubstr("power"));
   EXPECT_THAT(error_with("r8_100.csv", "r8_101.csv"), HasSubstr("r8_101.csv"));
-  EXPECT_THAT(error_with("records = [\"r8_100.csv\", \"r8_115.csv\", \"r8_125.csv\"]\n", "amplitude = 8.0\n"), HasSubstr("there are no records"));
+  EXPECT_THAT(error_with("records = [\"r8_100.csv\", \"r8_115.csv\", \"r8_125.csv\"]\n", "amplitude = 8.0\n"),
+              HasSubstr("there are no records"));
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ constexpr double rate = 2560.0, pi = std::numbers::pi;
 
 using Signal = std::function<double(double)>;
 
-Channel channel(const std::string& name, ChannelKind kind, double seconds, const Signal& signal, double noise, std::uint64_t seed) {
+Channel channel(const std::string& name, ChannelKind kind, double seconds, const Signal& signal, double noise,
+                std::uint64_t seed) {
   Channel out = {.name = name, .dof = {.node = kind == ChannelKind::force ? 1 : 2}, .kind = kind};
   for (std::size_t i = 0; static_cast<double>(i) < seconds * rate; ++i) {
     const double random = normal_numbers({.seed = seed, .trial = 0, .set = kind == ChannelKind::force ? 0u : 1u}, i)[0];
@@ -112,7 +113,9 @@ TEST(OrderPhasors, SayWhatIsWrongWithARecord) {
   const auto steady = [](const Record& of, OrderOptions options = {}) { return error_of([&] { steady_phasors(of, options); }); };
   const auto clipped = [](double t) { return std::clamp(sine_motion(t), -1.5, 1.5); };
   const auto growing = [](double t) { return (1.0 + 0.05 * t) * sine_motion(t); };
-  const auto two = [](double t) { return std::cos(2.0 * pi * 30.0 * t) + 2.0 * std::cos(2.0 * pi * 41.0 * t) + std::cos(2.0 * pi * 77.7 * t); };
+  const auto two = [](double t) {
+    return std::cos(2.0 * pi * 30.0 * t) + 2.0 * std::cos(2.0 * pi * 41.0 * t) + std::cos(2.0 * pi * 77.7 * t);
+  };
   EXPECT_EQ(steady(record(4.0, sine_force, sine_motion)), "none");
   EXPECT_THAT(steady(record(0.2, sine_force, sine_motion)), HasSubstr("upward zero crossings"));
   EXPECT_THAT(steady(record(4.0, sine_force, sine_motion), {.settle_s = 3.9}), HasSubstr("settle"));
@@ -127,7 +130,8 @@ TEST(OrderPhasors, SayWhatIsWrongWithARecord) {
   EXPECT_THAT(steady(hole), HasSubstr("sample 8 is missing"));
   EXPECT_THAT(error_of([&] { sweep_phasors(record(4.0, sine_force, sine_motion), {37.0}, {}); }), HasSubstr("does not sweep"));
   const auto there_and_back = [](double t) { return sweep_force(t < 10.0 ? t : 20.0 - t); };
-  EXPECT_THAT(error_of([&] { sweep_phasors(record(20.0, there_and_back, sweep_motion), {85.0}, {}); }), HasSubstr("more than once"));
+  EXPECT_THAT(error_of([&] { sweep_phasors(record(20.0, there_and_back, sweep_motion), {85.0}, {}); }),
+              HasSubstr("more than once"));
 }
 
 /// Six bits and a sine of a few steps: flat tops of a coarse channel are not taken for clipping.

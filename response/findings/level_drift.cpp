@@ -1,4 +1,4 @@
-#include "response/identify/level_drift.hpp"
+#include "response/findings/level_drift.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,11 +26,13 @@ struct Whitened {
 };
 
 /// Nothing where the states of the fit cannot be found again.
-std::optional<Whitened> whitened_by_level(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                          const std::vector<std::size_t>& level, const std::vector<std::size_t>& levels,
-                                          const LawUnknowns& unknowns, const FitOfHarmonics& end) {
+std::optional<Whitened> whitened_by_level(const std::shared_ptr<const Receptance>& structure,
+                                          const std::vector<MeasuredState>& states, const std::vector<std::size_t>& level,
+                                          const std::vector<std::size_t>& levels, const LawUnknowns& unknowns,
+                                          const FitOfHarmonics& end) {
   std::set<int> numbers;
-  for (const StatePrediction& state : end.states) numbers.insert(state.solution.harmonics.begin(), state.solution.harmonics.end());
+  for (const StatePrediction& state : end.states)
+    numbers.insert(state.solution.harmonics.begin(), state.solution.harmonics.end());
   const std::vector<int> harmonics(numbers.begin(), numbers.end());
   const std::optional<LineLayout>& layout = end.layout;
   std::vector<StateModel> models;
@@ -67,8 +69,9 @@ double fall(const Information& information, const Eigen::VectorXd& gradient) {
 
 bool LevelDrift::is_told() const { return freedom > 0 && chi_square > chi_square_quantile(static_cast<double>(freedom), 4.0); }
 
-std::vector<LevelDrift> test_level_drift(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                         const std::vector<std::size_t>& level, const LawUnknowns& unknowns, const LawFit& fit) {
+std::vector<LevelDrift> test_level_drift(const std::shared_ptr<const Receptance>& structure,
+                                         const std::vector<MeasuredState>& states, const std::vector<std::size_t>& level,
+                                         const LawUnknowns& unknowns, const LawFit& fit) {
   const std::set<std::size_t> different(level.begin(), level.end());
   const std::vector<std::size_t> levels(different.begin(), different.end());
   const bool minimum = fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
