@@ -213,10 +213,8 @@ void expect_by_differences(const Sets& sets, const Dofs& coordinates) {
   ASSERT_TRUE(data.correlation);
   const VectorXcd values = values_of(data);
   MatrixXcd expected = MatrixXcd::Zero(values.size(), values.size());
-  for (const std::size_t k : {0u, 1u}) {
-    add_by_differences(sets, coordinates, &Sets::substructures, k, expected);
-    add_by_differences(sets, coordinates, &Sets::assembly, k, expected);
-  }
+  for (std::size_t k = 0; k < sets.substructures.size(); ++k) add_by_differences(sets, coordinates, &Sets::substructures, k, expected);
+  for (std::size_t k = 0; k < sets.assembly.size(); ++k) add_by_differences(sets, coordinates, &Sets::assembly, k, expected);
   std::vector<Complex> weights;
   for (const Channel* channel : {&data.x, &data.y, &data.a, &data.b, &data.d}) {
     weights.insert(weights.end(), channel->weight.begin(), channel->weight.end());
