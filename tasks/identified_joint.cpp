@@ -101,6 +101,7 @@ coupling::KnownJoint identified_joint(ident::Plan& plan, const ident::Solution& 
 FoundJoint identify_joint(const ident::CoupleScene& scene, const ident::IdentifiedJoint& joint, const ident::Control& control) {
   const ident::Scene identification = ident::read_scene(joint.scene);
   const auto plan = ident::make_plan(identification);
+  if (scene.options.uncertainty) ident::require_joint_errors(*plan);  // before it is solved for nothing
   const ident::Solution solution = ident::solve(*plan, control);
   if (!ident::is_usable(solution.status)) {
     fail(plan->scene, "it has no usable solution (" + ident::name(solution.status) + "): " + solution.message,

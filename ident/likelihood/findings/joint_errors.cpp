@@ -14,30 +14,6 @@ namespace {
 
 constexpr double step = 1e-3;  ///< standard deviations to either side
 
-void require_possible(const Plan& plan) {
-  const auto fail = [&](const char* place, const char* problem, const char* remedy) {
-    throw InputError({.kind = ErrorKind::usage, .file = plan.scene.file.string(), .place = place, .problem = problem, .remedy = remedy});
-  };
-  const LikelihoodPlan* const own = likelihood_plan(plan);
-  if (!own) {
-    fail("[identify] method", "only method \"likelihood\" tells what the errors of a joint have in common with those of the parts",
-         "set method = \"likelihood\"");
-  }
-  if (plan.admissible) fail("[joint]", "what bounds and ties do to the errors is not carried into a coupling", "leave them out");
-  if (!own->observations->systematic().empty()) {
-    fail("[data]", "gains and masses as unknowns are not carried into a coupling", "correct the files for what was found");
-  }
-  if (!plan.scene.couple_first.pairs.empty()) {
-    fail("[joint] couple_first", "parts that were coupled before are other FRFs than those of the files", "leave it out");
-  }
-  if (plan.scene.data.regenerate.any()) {
-    fail("[data] regenerate", "FRFs of modal models are other ones than those of the files", "leave it out");
-  }
-  for (std::size_t c = 0; c < plan.columns->size(); ++c) {
-    if (plan.columns->band_of(c)) fail("[joint]", "a joint with bands has no one matrix", "identify without bands");
-  }
-}
-
 /// Part FRFs of a line as estimated, when the joint is some way along each of its unknowns, over the whole way.
 class Answer {
  public:
@@ -84,8 +60,34 @@ class Answer {
 
 }  // namespace
 
+void require_joint_errors(const Plan& plan) {
+  const auto fail = [&](const char* place, const char* problem, const char* remedy) {
+    throw InputError(
+        {.kind = ErrorKind::usage, .file = plan.scene.file.string(), .place = place, .problem = problem, .remedy = remedy});
+  };
+  const LikelihoodPlan* const own = likelihood_plan(plan);
+  if (!own) {
+    fail("[identify] method",
+         "only method \"likelihood\" tells what the errors of a joint have in common with those of the parts",
+         "set method = \"likelihood\"");
+  }
+  if (plan.admissible) fail("[joint]", "what bounds and ties do to the errors is not carried into a coupling", "leave them out");
+  if (!own->observations->systematic().empty()) {
+    fail("[data]", "gains and masses as unknowns are not carried into a coupling", "correct the files for what was found");
+  }
+  if (!plan.scene.couple_first.pairs.empty()) {
+    fail("[joint] couple_first", "parts that were coupled before are other FRFs than those of the files", "leave it out");
+  }
+  if (plan.scene.data.regenerate.any()) {
+    fail("[data] regenerate", "FRFs of modal models are other ones than those of the files", "leave it out");
+  }
+  for (std::size_t c = 0; c < plan.columns->size(); ++c) {
+    if (plan.columns->band_of(c)) fail("[joint]", "a joint with bands has no one matrix", "identify without bands");
+  }
+}
+
 JointErrors joint_errors(Plan& plan, const std::vector<double>& values, const Control& control) {
-  require_possible(plan);
+  require_joint_errors(plan);
   std::vector<double> theta;
   Eigen::VectorXd unit(at(values.size()));
   for (std::size_t c = 0; c < values.size(); ++c) {

@@ -20,9 +20,12 @@ struct JointErrors {
   std::size_t unknowns() const { return static_cast<std::size_t>(covariance.rows()); }
 };
 
-/// Of a plan with method "likelihood" that was solved, at the values found (SI, one per column). To first order in the noise, from FRFs
-/// that are optimised for the joint anew. Throws InputError (usage) for what is not worked out: joints with bounds, ties or bands,
+/// Throws InputError (usage) for what joint_errors() does not work out: another method, joints with bounds, ties or bands,
 /// systematic errors, parts that were coupled before or replaced by modal models.
+void require_joint_errors(const Plan& plan);
+
+/// Of a plan with method "likelihood" that was solved, at the values found (SI, one per column). To first order in the noise,
+/// from FRFs that are optimised for the joint anew. Throws as require_joint_errors().
 JointErrors joint_errors(Plan& plan, const std::vector<double>& values, const Control& control = {});
 
 }  // namespace jointid::ident
