@@ -164,9 +164,9 @@ class VirtualSource final : public frf::FrfSource {
     }
   }
 
-  /// References made of the same impacts share their errors: those of impact k are taken as √w_k times like ones over the responses, w_k the
-  /// mean over the measured responses of its variance in parts of that of all impacts. Exact where covariances of impacts differ by a
-  /// factor alone.
+  /// References made of the same impacts share their errors: those of impact k are taken as √w_k times like ones over the
+  /// responses, w_k the mean over the measured responses of its variance in parts of that of all impacts. Exact where covariances
+  /// of impacts differ by a factor alone.
   void do_read_reference_correlation(std::span<const std::size_t> lines, std::span<const std::size_t> references,
                                      std::span<Complex> out) override {
     const std::vector<std::size_t> responses = first_indices(header_.response.size());

@@ -139,7 +139,9 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
     Phasors motion, force;
     Filled motions(lines.size(), responses.size()), forces(lines.size(), level_.force_dofs.size());
     Eigen::Index line = 0;
-    for (const auto& [hz, source] : lines) {
+    for (const auto& entry : lines) {
+      const double hz = entry.first;
+      const auto& source = entry.second;
       const records::Record& record = records_[source.record];
       motion.file = force.file = record.file;
       motion.frequency_hz.push_back(number * hz);

@@ -11,6 +11,7 @@
 #include "dense/cholesky.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/line/corrected_line.hpp"
+#include "ident/result/control.hpp"
 
 namespace jointid::ident {
 namespace {
