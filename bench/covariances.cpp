@@ -199,7 +199,7 @@ void print(const char* what, const Figures& of, std::size_t tests) {
 }
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {
-  const std::size_t tests = line.count(0, 400, 20);
+  const std::size_t tests = line.count(0, 400, 8);
   const problems::Problem problem = problems::make(line.word(1, "A1"));
   ident::Scene scene = problems::scene(problem);
   scene.identify.method = ident::Method::likelihood;

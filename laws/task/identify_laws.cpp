@@ -102,14 +102,17 @@ void judge_levels(const LawScene& scene, LawIdentification& found) {
   }
 }
 
+/// A law with more unknowns than the chosen one is not held against for their number: what they cost in AIC chooses the simpler law,
+/// but is nothing that the data say.
 void find_rivals(LawIdentification& found) {
   constexpr double as_good = 2.0;
-  const double best = found.compared.front().fit.aic;
+  const auto unknowns = [](const LawFit& fit) { return static_cast<double>(fit.values.size()); };
+  const LawFit& best = found.fit();
   for (std::size_t i = 0; i < found.compared.size(); ++i) {
     const LawFit& fit = found.compared[i].fit;
     const bool minimum = fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
-    if (i != found.chosen && minimum && fit.aic <= best + as_good)
-      found.not_told_apart.push_back(laws_text(found.compared[i].laws));
+    const double excess = fit.chi_square - best.chi_square + 2.0 * std::min(0.0, unknowns(fit) - unknowns(best));
+    if (i != found.chosen && minimum && excess <= as_good) found.not_told_apart.push_back(laws_text(found.compared[i].laws));
   }
 }
 

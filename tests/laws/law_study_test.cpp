@@ -62,6 +62,20 @@ TEST_F(LawStudyScene, ErrorsAreThoseOfTheBound) {
   EXPECT_NEAR(study.chi_square, 1.0, 0.2);
 }
 
+/// Far below slip a joint is a spring, whatever its law: parameters that nothing shows are no reason to leave the true law out.
+TEST_F(LawStudyScene, LawsOfMoreParametersAreNotLeftOutForTheirNumber) {
+  LawScene scene = scene_;
+  scene.levels[0].amplitude = 5e-4;
+  scene.levels[1].amplitude = 1e-3;
+  scene.joints[0].laws = {"shoukry", "ren"};
+  scene.joints[0].assumed_law = "ren";
+  scene.joints[0].assumed = {1e-5, 2.0, 4e5};
+  const LawStudy study = study_laws(scene, {.trials = 8, .seed = 5, .threads = 2});
+  EXPECT_GE(study.usable, 7u);
+  EXPECT_EQ(study.undecided, study.usable);
+  EXPECT_EQ(study.missed, 0u);
+}
+
 TEST_F(LawStudyScene, DoesNotDependOnTheThreads) {
   const LawStudy one = study_laws(scene_, {.trials = 6, .seed = 9, .threads = 1});
   const LawStudy three = study_laws(scene_, {.trials = 6, .seed = 9, .threads = 3});
