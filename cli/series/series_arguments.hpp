@@ -1,14 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "cli/options/target.hpp"
+#include "report/series/align_report.hpp"
 #include "report/series/contact_report.hpp"
 #include "report/series/delay_task.hpp"
+#include "report/series/strain_report.hpp"
 
 namespace jointid::cli {
 
@@ -18,14 +14,8 @@ struct SeriesDelayArguments : report::DelayTask {
 };
 
 /// `series strain`: displacements of a clamped beam from strain gauges.
-struct SeriesStrainArguments {
-  std::filesystem::path file;
-  std::vector<std::string> channels;
-  double length = 0.0, thickness = 0.0;
-  std::vector<double> gauges, points;
-  std::size_t shapes = 0;  ///< 0: as many as gauges
-  bool static_shapes = false;
-  Target output, json;
+struct SeriesStrainArguments : report::StrainTask {
+  Target output, json, report;
 };
 
 /// `series friction`: the law of a contact from a record of it.
@@ -34,13 +24,8 @@ struct SeriesFrictionArguments : report::ContactTask {
 };
 
 /// `series align`: how late the channels of a periodic record are.
-struct SeriesAlignArguments {
-  std::filesystem::path file;
-  std::string reference;
-  double frequency_hz = 0.0;
-  std::size_t harmonics = 3;
-  std::optional<double> rate_hz;
-  Target output, json;
+struct SeriesAlignArguments : report::AlignTask {
+  Target output, json, report;
 };
 
 }  // namespace jointid::cli

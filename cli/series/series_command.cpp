@@ -48,8 +48,9 @@ void add_strain(CLI::App& series, Chosen& chosen) {
   command->add_option("--points", a->points, "Where displacements are wanted, m (default: the tip)")->delimiter(',');
   add_whole_number(command, "--shapes", a->shapes, "Of the basis; 0: as many as gauges", {0, 100, ""});
   command->add_flag("--static-shapes", a->static_shapes, "Two of them are those of a tip force and a tip moment");
-  command->add_option("--output", a->output, "Write the displacements as CSV to a file, or - for stdout");
+  command->add_option("--output,--csv", a->output, "Write the displacements as CSV to a file, or - for stdout");
   command->add_option("--json", a->json, "Write the map and its noise as JSON to a file, or - for stdout");
+  command->add_option("--report", a->report, "Write one HTML page with the map and the first samples to a file, or - for stdout");
   command->footer(
       "Example:\n  jointid series strain run.csv --length 0.4 --thickness 0.00086 --gauges 0.05,0.1,0.15,0.2 --output y.csv");
 }
@@ -80,8 +81,9 @@ void add_align(CLI::App& series, Chosen& chosen) {
   command->add_option("--frequency", a->frequency_hz, "Of the motion, Hz")->required()->check(CLI::PositiveNumber);
   add_whole_number(command, "--harmonics", a->harmonics, "Fitted together", {1, 50, ""});
   add_rate(command, a->rate_hz);
-  command->add_option("--output", a->output, "Write the aligned record as CSV to a file, or - for stdout");
+  command->add_option("--output,--csv", a->output, "Write the aligned record as CSV to a file, or - for stdout");
   command->add_option("--json", a->json, "Write the delays as JSON to a file, or - for stdout");
+  command->add_option("--report", a->report, "Write one HTML page with the delays and three periods to a file, or - for stdout");
   command->footer("Example:\n  jointid series align run.csv --reference slider --frequency 12 --output aligned.csv");
 }
 

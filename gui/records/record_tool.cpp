@@ -12,8 +12,10 @@
 #include "report/pod/pod_page.hpp"
 #include "report/pod/pod_plots.hpp"
 #include "report/pod/pod_report.hpp"
+#include "report/series/align_report.hpp"
 #include "report/series/contact_report.hpp"
 #include "report/series/delay_report.hpp"
+#include "report/series/strain_report.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -57,6 +59,29 @@ std::size_t whole_of(const ToolValues& values, const char* option, std::size_t o
   return static_cast<std::size_t>(*value);
 }
 
+/// "0.05,0.1"; empty where there are none. Throws InputError for what is no number.
+std::vector<double> numbers_of(const ToolValues& values, const char* option) {
+  std::vector<double> out;
+  const auto place = values.find(option);
+  if (place == values.end()) return out;
+  for (const QString& word : place->second.split(',')) out.push_back(*number_of({{option, word.trimmed()}}, option));
+  return out;
+}
+
+std::vector<std::string> columns_of(const ToolValues& values, const char* option) {
+  std::vector<std::string> out;
+  const auto place = values.find(option);
+  if (place == values.end()) return out;
+  for (const QString& column : place->second.split(',')) out.push_back(column.toStdString());
+  return out;
+}
+
+/// Throws InputError where it is not given, with what to do.
+double required(std::optional<double> value, const char* option, const char* remedy) {
+  if (!value) throw InputError({ErrorKind::usage, "", option, "is not given", remedy});
+  return *value;
+}
+
 QString said(const std::string& summary, const std::vector<std::string>& remarks) {
   QStringList lines{q(summary)};
   for (const std::string& remark : remarks) lines << q(remark);
@@ -66,8 +91,7 @@ QString said(const std::string& summary, const std::vector<std::string>& remarks
 Findings find_modes(const Files& files, const ToolValues& values, const Worker::Watch& watch) {
   report::PodTask task;
   task.files = files;
-  for (const QString& channel : values.contains("--channels") ? values.at("--channels").split(',') : QStringList())
-    task.channels.push_back(channel.toStdString());
+  task.channels = columns_of(values, "--channels");
   task.mass = text_of(values, "--mass"), task.stiffness = text_of(values, "--stiffness"),
   task.compare = text_of(values, "--compare");
   task.keep_mean = values.contains("--keep-mean");
@@ -126,11 +150,8 @@ Findings find_contact_law(const Files& files, const ToolValues& values, const Wo
   }
   task.normal = text_of(values, "--normal");
   task.load = positive_of(values, "--load").value_or(0.0);
-  const std::optional<double> stick_speed = positive_of(values, "--stick-speed");
-  if (!stick_speed)
-    throw InputError(
-        {ErrorKind::usage, "", "--stick-speed", "is not given", "give the speed in m/s below which a sample sticks"});
-  task.stick_speed = *stick_speed;
+  task.stick_speed =
+      required(positive_of(values, "--stick-speed"), "--stick-speed", "give the speed in m/s below which a sample sticks");
   task.rate_hz = positive_of(values, "--rate");
   task.force_delay = number_of(values, "--force-delay").value_or(0.0);
   const auto found = std::make_shared<const report::ContactReport>(report::contact_report(task));
@@ -142,6 +163,55 @@ Findings find_contact_law(const Files& files, const ToolValues& values, const Wo
   out.outputs = {{"html", [found] { return report::contact_page(*found); }},
                  {"json", [found] { return report::contact_json(*found); }},
                  {"csv", [found] { return report::contact_csv(*found); }}};
+  return out;
+}
+
+Findings find_displacements(const Files& files, const ToolValues& values, const Worker::Watch&) {
+  report::StrainTask task;
+  task.file = files.front();
+  task.channels = columns_of(values, "--channels");
+  task.length = required(positive_of(values, "--length"), "--length", "give the length of the beam in m");
+  task.thickness = required(positive_of(values, "--thickness"), "--thickness", "give the thickness of the beam in m");
+  task.gauges = numbers_of(values, "--gauges");
+  if (task.gauges.empty())
+    throw InputError({ErrorKind::usage, "", "--gauges", "is not given", "give the places of the gauges in m from the clamp"});
+  task.points = numbers_of(values, "--points");
+  task.shapes = whole_of(values, "--shapes", 0, 0, 100);
+  task.static_shapes = values.contains("--static-shapes");
+  const auto found = std::make_shared<const report::StrainReport>(report::strain_report(task));
+  Findings out;
+  const std::vector<std::string> remarks = report::strain_remarks(*found);
+  out.said = said(report::strain_summary(*found) + ".", remarks);
+  out.plots = {{Said::tr("displacements"), report::strain_plots(*found)}};
+  out.tables = {{Said::tr("points"), rows_of(report::strain_table(*found))}, {Said::tr("remarks"), remark_rows(remarks)}};
+  const auto csv = [found] {
+    std::string text;
+    report::write_displacements(*found, [&](const std::string& block) { text += block; }, {});
+    return text;
+  };
+  out.outputs = {{"html", [found] { return report::strain_page(*found); }},
+                 {"json", [found] { return report::strain_json(*found); }},
+                 {"csv", csv}};
+  return out;
+}
+
+Findings find_late_channels(const Files& files, const ToolValues& values, const Worker::Watch&) {
+  report::AlignTask task;
+  task.file = files.front();
+  task.reference = text_of(values, "--reference");
+  if (task.reference.empty()) throw InputError({ErrorKind::usage, "", "--reference", "is not chosen", "choose the column"});
+  task.frequency_hz = required(positive_of(values, "--frequency"), "--frequency", "give the frequency of the motion in Hz");
+  task.harmonics = whole_of(values, "--harmonics", task.harmonics, 1, 50);
+  task.rate_hz = positive_of(values, "--rate");
+  const auto found = std::make_shared<const report::AlignReport>(report::align_report(task));
+  Findings out;
+  const std::vector<std::string> remarks = report::align_remarks(*found);
+  out.said = said(report::align_summary(*found), remarks);
+  out.plots = {{Said::tr("three periods"), report::align_plots(*found)}};
+  out.tables = {{Said::tr("delays"), rows_of(report::delays_table(*found))}, {Said::tr("remarks"), remark_rows(remarks)}};
+  out.outputs = {{"html", [found] { return report::align_page(*found); }},
+                 {"json", [found] { return report::align_json(*found); }},
+                 {"csv", [found] { return report::align_csv(*found); }}};
   return out;
 }
 
@@ -202,9 +272,42 @@ RecordTool contact_tool() {
       find_contact_law};
 }
 
+RecordTool strain_tool() {
+  return {"strain",
+          Said::tr("Displacements from strain gauges"),
+          QStringLiteral("jointid series strain"),
+          Said::tr("The displacements of a clamped beam stand here, and what errors of the strains do to them."),
+          false,
+          {{Kind::columns, "--channels", Said::tr("gauges' channels"),
+            Said::tr("Channels of the gauges; none chosen: all but the time")},
+           {Kind::number, "--length", Said::tr("length in m"), Said::tr("Length of the beam, m")},
+           {Kind::number, "--thickness", Said::tr("thickness in m"),
+            Said::tr("Thickness of the beam, m: strain is half of it times the curvature")},
+           {Kind::number, "--gauges", Said::tr("gauges at m"),
+            Said::tr("Where the gauges are, m from the clamp, in the order of their channels: 0.05,0.1")},
+           {Kind::number, "--points", Said::tr("points at m"), Said::tr("Where displacements are wanted, m; empty: the tip")},
+           {Kind::number, "--shapes", Said::tr("shapes"), Said::tr("Shapes of the beam; empty: as many as gauges")},
+           {Kind::flag, "--static-shapes", Said::tr("static shapes"),
+            Said::tr("Two of the shapes are those of a tip force and a tip moment")}},
+          find_displacements};
+}
+
+RecordTool align_tool() {
+  return {"align",
+          Said::tr("Late channels"),
+          QStringLiteral("jointid series align"),
+          Said::tr("The channels of a periodic record stand here, as measured and without their delays."),
+          false,
+          {{Kind::column, "--reference", Said::tr("reference"), Said::tr("Column that is right")},
+           {Kind::number, "--frequency", Said::tr("frequency in Hz"), Said::tr("Frequency of the motion, Hz")},
+           {Kind::number, "--harmonics", Said::tr("harmonics"), Said::tr("Harmonics fitted together; empty: 3")},
+           {Kind::number, "--rate", Said::tr("samples per second"), Said::tr("Samples per second, where the file does not say")}},
+          find_late_channels};
+}
+
 }  // namespace
 
-std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool()}; }
+std::vector<RecordTool> record_tools() { return {pod_tool(), delay_tool(), contact_tool(), strain_tool(), align_tool()}; }
 
 QString options_of(const RecordTool& tool, const ToolValues& values) {
   QString text;

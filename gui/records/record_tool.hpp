@@ -32,7 +32,8 @@ struct RecordTool {
       run;
 };
 
-/// Proper orthogonal modes; delay, dimension and exponents of one channel; the friction law of a contact.
+/// Proper orthogonal modes; delay, dimension and exponents of one channel; the friction law of a contact; displacements from
+/// strain gauges; channels that are late.
 std::vector<RecordTool> record_tools();
 
 /// " --load 3 --keep-mean", in the order of the fields.

@@ -3173,6 +3173,114 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <source>How large errors are and how often intervals hold, over simulated tests, as `jointid study` does</source>
         <translation>Wie groß Fehler sind und wie oft Intervalle halten, über simulierte Versuche, wie `jointid study` es tut</translation>
     </message>
+    <message>
+        <source>displacements</source>
+        <translation>Verschiebungen</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>three periods</source>
+        <translation>drei Perioden</translation>
+    </message>
+    <message>
+        <source>delays</source>
+        <translation>Verspätungen</translation>
+    </message>
+    <message>
+        <source>Displacements from strain gauges</source>
+        <translation>Verschiebungen aus Dehnungsmessstreifen</translation>
+    </message>
+    <message>
+        <source>The displacements of a clamped beam stand here, and what errors of the strains do to them.</source>
+        <translation>Hier stehen die Verschiebungen eines eingespannten Balkens und was Fehler der Dehnungen aus ihnen machen.</translation>
+    </message>
+    <message>
+        <source>gauges&apos; channels</source>
+        <translation>Kanäle der Streifen</translation>
+    </message>
+    <message>
+        <source>Channels of the gauges; none chosen: all but the time</source>
+        <translation>Kanäle der Dehnungsmessstreifen; keiner gewählt: alle außer der Zeit</translation>
+    </message>
+    <message>
+        <source>length in m</source>
+        <translation>Länge in m</translation>
+    </message>
+    <message>
+        <source>Length of the beam, m</source>
+        <translation>Länge des Balkens, m</translation>
+    </message>
+    <message>
+        <source>thickness in m</source>
+        <translation>Dicke in m</translation>
+    </message>
+    <message>
+        <source>Thickness of the beam, m: strain is half of it times the curvature</source>
+        <translation>Dicke des Balkens, m: die Dehnung ist die Hälfte davon mal die Krümmung</translation>
+    </message>
+    <message>
+        <source>gauges at m</source>
+        <translation>Streifen bei m</translation>
+    </message>
+    <message>
+        <source>Where the gauges are, m from the clamp, in the order of their channels: 0.05,0.1</source>
+        <translation>Wo die Streifen sind, m von der Einspannung, in der Reihenfolge ihrer Kanäle: 0.05,0.1</translation>
+    </message>
+    <message>
+        <source>points at m</source>
+        <translation>Stellen bei m</translation>
+    </message>
+    <message>
+        <source>Where displacements are wanted, m; empty: the tip</source>
+        <translation>Wo Verschiebungen gesucht sind, m; leer: das Ende</translation>
+    </message>
+    <message>
+        <source>shapes</source>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Shapes of the beam; empty: as many as gauges</source>
+        <translation>Formen des Balkens; leer: so viele wie Streifen</translation>
+    </message>
+    <message>
+        <source>static shapes</source>
+        <translation>statische Formen</translation>
+    </message>
+    <message>
+        <source>Two of the shapes are those of a tip force and a tip moment</source>
+        <translation>Zwei der Formen sind die einer Kraft und eines Moments am Ende</translation>
+    </message>
+    <message>
+        <source>Late channels</source>
+        <translation>Verspätete Kanäle</translation>
+    </message>
+    <message>
+        <source>The channels of a periodic record stand here, as measured and without their delays.</source>
+        <translation>Hier stehen die Kanäle einer periodischen Aufzeichnung, wie gemessen und ohne ihre Verspätungen.</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Column that is right</source>
+        <translation>Spalte, die stimmt</translation>
+    </message>
+    <message>
+        <source>frequency in Hz</source>
+        <translation>Frequenz in Hz</translation>
+    </message>
+    <message>
+        <source>Frequency of the motion, Hz</source>
+        <translation>Frequenz der Bewegung, Hz</translation>
+    </message>
+    <message>
+        <source>Harmonics fitted together; empty: 3</source>
+        <translation>Gemeinsam angepasste Harmonische; leer: 3</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>

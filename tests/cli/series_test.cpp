@@ -164,9 +164,13 @@ TEST(SeriesAlign, TakesTheDelayOfASensorAway) {
   const auto found = run(arguments);
   EXPECT_NEAR(found["channels"][1]["delay_s"].get<double>(), late, 1e-9);
   EXPECT_NEAR(found["channels"][1]["degrees"].get<double>(), 360.0 * hz * late, 1e-5);
+  EXPECT_TRUE(found["remarks"].empty());
   const frf::Columns aligned = frf::read_columns(*arguments.output);
   for (std::size_t i = 10; i < 1900; ++i)
     EXPECT_NEAR(aligned.columns[2].values[i], 0.4 * motion(0.0005 * static_cast<double>(i)), 1e-4);
+  arguments.output.reset();
+  arguments.frequency_hz = 17.3;
+  EXPECT_EQ(run(arguments)["remarks"].size(), 2u);  // no channel moves with it
 }
 
 }  // namespace

@@ -121,6 +121,40 @@ TEST(RecordsPage, FindsTheLawOfAContactAsTheCommandDoes) {
   expect_as_the_command(records);
 }
 
+TEST(RecordsPage, FindsDisplacementsAsTheCommandDoes) {
+  Records records;
+  ASSERT_TRUE(records.open({records.write("waves.csv", waves())}));
+  records.page.tools()->setCurrentIndex(3);
+  records.fill("records_strain_length", "0.4");
+  ASSERT_TRUE(records.run());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("--thickness"));
+  records.fill("records_strain_thickness", "0.001");
+  records.fill("records_strain_gauges", "0.05,0.1,here");
+  ASSERT_TRUE(records.run());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("'here' is no number"));
+  records.fill("records_strain_gauges", "0.05,0.1,0.2");
+  records.fill("records_strain_points", "0.3,0.4");
+  records.fill("records_strain_shapes", "2");
+  ASSERT_TRUE(records.run());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("3 gauges, 2 shapes"));
+  expect_as_the_command(records);
+}
+
+TEST(RecordsPage, FindsLateChannelsAsTheCommandDoes) {
+  Records records;
+  ASSERT_TRUE(records.open({records.write("waves.csv", waves())}));
+  records.page.tools()->setCurrentIndex(4);
+  records.choose("records_align_reference", "middle");
+  records.fill("records_align_frequency", "1.1140846");
+  ASSERT_TRUE(records.run());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("against middle"));
+  EXPECT_THAT(records.page.status().toStdString(), testing::Not(HasSubstr("no harmonic")));
+  expect_as_the_command(records);
+  records.fill("records_align_frequency", "3.7");
+  ASSERT_TRUE(records.run());
+  EXPECT_THAT(records.page.status().toStdString(), HasSubstr("is the frequency right"));
+}
+
 TEST(RecordsPage, SaysWhatIsWrong) {
   Records records;
   EXPECT_FALSE(find<QPushButton>(records.page, "records_run")->isEnabled());

@@ -1,0 +1,170 @@
+#include "report/series/align_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/statistics.hpp"
+#include "frf/file/columns.hpp"
+#include "report/json_value.hpp"
+#include "report/page/page.hpp"
+#include "report/page/status_banner.hpp"
+#include "series/measurement/phase.hpp"
+
+namespace jointid::report {
+namespace {
+
+/// The place of a channel by name, whatever its case, or number from 1.
+std::size_t place_of(const records::SeriesRecord& record, const std::string& wanted) {
+  frf::Columns titles{record.file, {}};
+  for (const auto& [name, unit] : record.channels) titles.columns.push_back({name, unit, {}});
+  return static_cast<std::size_t>(&titles.column(wanted) - titles.columns.data());
+}
+
+/// Root mean square without the mean, of the samples that are there.
+double rms_of(const std::vector<double>& samples) {
+  double sum = 0.0, squares = 0.0, count = 0.0;
+  for (const double x : samples) {
+    if (!std::isfinite(x)) continue;
+    sum += x, squares += x * x, ++count;
+  }
+  return count > 0.0 ? std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count))) : 0.0;
+}
+
+double degrees(const AlignReport& report, const LateChannel& channel) { return 360.0 * report.task.frequency_hz * channel.delay; }
+
+std::vector<double> aligned(const AlignReport& report, std::size_t channel) {
+  const double delay = report.channels[channel].delay;
+  const std::vector<double>& measured = report.record.samples[channel];
+  return delay == 0.0 ? measured : series::advanced(measured, 1.0 / report.record.rate_hz, delay);
+}
+
+}  // namespace
+
+AlignReport align_report(const AlignTask& task) {
+  AlignReport out{task, records::read_series(task.file, {{}, task.rate_hz, 0}), {}};
+  const double step = 1.0 / out.record.rate_hz;
+  const std::vector<double>& reference = out.record.samples[place_of(out.record, task.reference)];
+  for (std::size_t k = 0; k < out.record.samples.size(); ++k) {
+    const std::vector<double>& x = out.record.samples[k];
+    const series::Harmonics found = series::fit_harmonics(x, step, task.frequency_hz, task.harmonics);
+    const double rms = rms_of(x);
+    out.channels.push_back({out.record.channels[k].name, found.amplitude.front(),
+                            series::sensor_delay(reference, x, step, task.frequency_hz, task.harmonics),
+                            rms > 0.0 ? found.rest / rms : 0.0});
+  }
+  return out;
+}
+
+std::vector<std::string> align_remarks(const AlignReport& report) {
+  constexpr double much = 0.5;
+  std::vector<std::string> out;
+  for (const LateChannel& channel : report.channels) {
+    if (channel.amplitude == 0.0) {
+      out.push_back(channel.name + " does not move at this frequency");
+    } else if (!(channel.rest <= much)) {
+      out.push_back(fmt::format("{}: {:.0f} % of its rms are of no harmonic of {} Hz: is the frequency right, the motion steady?",
+                                channel.name, 100.0 * channel.rest, number(report.task.frequency_hz)));
+    }
+  }
+  return out;
+}
+
+Table delays_table(const AlignReport& report) {
+  Table table({{"channel", Align::left}, {"amplitude"}, {"late by s"}, {"degrees"}});
+  for (const LateChannel& each : report.channels)
+    table.add({each.name, number(each.amplitude), number(each.delay), fmt::format("{:.3f}", degrees(report, each))});
+  return table;
+}
+
+PlotGroup align_plots(const AlignReport& report) {
+  constexpr double periods = 3.0;
+  constexpr std::size_t most_channels = 12, least_samples = 2;
+  const std::size_t there = report.record.samples.front().size();
+  const auto wanted = static_cast<std::size_t>(periods * report.record.rate_hz / report.task.frequency_hz);
+  const std::size_t samples = std::min(there, std::max(least_samples, wanted)), first = (there - samples) / 2;
+  CurvePlot before, after;
+  before.title = "As measured";
+  after.title = "Aligned";
+  for (CurvePlot* plot : {&before, &after}) {
+    plot->x = {"time (s)", false};
+    plot->y = {"over the amplitude", false};
+    for (std::size_t i = first; i < first + samples; ++i)
+      plot->x_values.push_back(static_cast<double>(i) / report.record.rate_hz);
+    for (std::size_t k = 0; k < std::min(most_channels, report.channels.size()); ++k) {
+      Series curve{report.channels[k].name, {}, Style::line};
+      const std::vector<double> x = plot == &before ? report.record.samples[k] : aligned(report, k);
+      for (std::size_t i = first; i < first + samples; ++i) curve.y.push_back(x[i] / report.channels[k].amplitude);
+      plot->series.push_back(std::move(curve));
+    }
+  }
+  return {"", {{"", {before, after}}}};
+}
+
+std::string align_summary(const AlignReport& report) {
+  const LateChannel& most =
+      *std::ranges::max_element(report.channels, {}, [](const LateChannel& each) { return std::abs(each.delay); });
+  return fmt::format("{} is {} s {} against {}, the most of {} channels.", most.name, number(std::abs(most.delay)),
+                     most.delay < 0.0 ? "early" : "late", report.task.reference, report.channels.size());
+}
+
+std::string align_text(const AlignReport& report) {
+  std::string text;
+  for (const std::string& remark : align_remarks(report)) text += "note: " + remark + "\n";
+  return text +
+         fmt::format(
+             "against {} at {} Hz; a delay is known up to whole periods, and holds the phase that the motion itself has "
+             "between the places\n",
+             report.task.reference, number(report.task.frequency_hz)) +
+         delays_table(report).text();
+}
+
+std::string align_json(const AlignReport& report) {
+  Json out = {{"status", "ok"},
+              {"reference", report.task.reference},
+              {"frequency_hz", value(report.task.frequency_hz)},
+              {"channels", Json::array()},
+              {"remarks", align_remarks(report)}};
+  for (const LateChannel& each : report.channels) {
+    out["channels"].push_back({{"name", each.name},
+                               {"amplitude", value(each.amplitude)},
+                               {"delay_s", value(each.delay)},
+                               {"degrees", value(degrees(report, each))},
+                               {"rest", value(each.rest)}});
+  }
+  return json_text(out);
+}
+
+std::string align_csv(const AlignReport& report) {
+  std::vector<std::string> row = {"time [s]"};
+  std::vector<std::vector<double>> channels;
+  for (std::size_t k = 0; k < report.channels.size(); ++k) {
+    const auto& [name, unit] = report.record.channels[k];
+    row.push_back(unit.empty() ? name : name + " [" + unit + "]");
+    channels.push_back(aligned(report, k));
+  }
+  std::string text = csv_line(row);
+  for (std::size_t i = 0; i < channels.front().size(); ++i) {
+    row = {csv_number(static_cast<double>(i) / report.record.rate_hz)};
+    for (const std::vector<double>& channel : channels) row.push_back(csv_number(channel[i]));
+    text += csv_line(row);
+  }
+  return text;
+}
+
+std::string align_page(const AlignReport& report) {
+  ReportPage page(report.record.file, "jointid series align");
+  const std::vector<std::string> remarks = align_remarks(report);
+  page.status(status_banner(remarks.empty() ? "ok" : "doubtful", align_summary(report), remarks));
+  page.section("Delays");
+  page.add(delays_table(report));
+  page.add(
+      Text{"A delay is known up to whole periods, and holds the phase that the motion itself has between the places.", true});
+  page.section("Channels");
+  page.add(align_plots(report));
+  return page.html();
+}
+
+}  // namespace jointid::report
