@@ -19,6 +19,7 @@
 #include "ident/scene/read_scene.hpp"
 #include "laws/scene/read_law_scene.hpp"
 #include "laws/task/trial_file.hpp"
+#include "report/laws/law_study_page.hpp"
 #include "report/laws/law_study_text.hpp"
 #include "report/result/study_tables.hpp"
 #include "scene/text.hpp"
@@ -131,12 +132,9 @@ std::filesystem::path law_trials_file(const StudyArguments& arguments) {
 }
 
 ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& scene, std::ostream& out) {
-  if (arguments.report) {
-    throw InputError({ErrorKind::usage, arguments.scene.string(), "--report", "studies of friction laws have no page",
-                      "leave it out; --json and --csv have the statistics, --out every trial"});
-  }
   const std::filesystem::path path = law_trials_file(arguments);
-  check_targets(laws::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--out", path.string()}});
+  check_targets(laws::files_of(scene),
+                {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--out", path.string()}});
   laws::LawStudyOptions options = {.trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments)};
   laws::TrialFile file(path, {scene::read_text(arguments.scene), arguments.seed, laws::law_study_plan(scene)}, arguments.resume);
   options.known = file.known();
@@ -162,7 +160,8 @@ ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& 
   }();
   if (arguments.json) write_target(*arguments.json, report::law_study_json(study), out);
   if (arguments.csv) write_target(*arguments.csv, report::law_study_csv(study), out);
-  if (!takes_output({arguments.json, arguments.csv})) out << report::law_study_text(scene, study);
+  if (arguments.report) write_target(*arguments.report, report::law_study_page(scene, study), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::law_study_text(scene, study);
   return study.usable > 0 ? ExitCode::done : ExitCode::unusable;
 }
 

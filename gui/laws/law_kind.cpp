@@ -9,6 +9,7 @@
 #include "report/laws/law_bound_text.hpp"
 #include "report/laws/law_page.hpp"
 #include "report/laws/law_plots.hpp"
+#include "report/laws/law_study_page.hpp"
 #include "report/laws/law_study_text.hpp"
 #include "report/laws/law_text.hpp"
 
@@ -69,13 +70,15 @@ Findings bounds_of(const laws::LawScene& scene, const laws::LawBound& bound) {
   return out;
 }
 
-Findings study_of(const std::shared_ptr<const laws::LawStudy>& study) {
+Findings study_of(const laws::LawScene& scene, const std::shared_ptr<const laws::LawStudy>& study) {
   Findings out;
   out.is_bad = study->usable == 0;
   out.said = q(report::law_study_summary(*study)).trimmed();
   out.tables = {{Said::tr("errors and intervals"), rows_of(report::law_values_table(*study))},
                 {Said::tr("remarks"), remark_rows(study->notes)}};
-  out.outputs = {{"json", [study] { return report::law_study_json(*study); }},
+  out.plots = {{Said::tr("values found"), report::law_study_plots(*study)}};
+  out.outputs = {{"html", [scene, study] { return report::law_study_page(scene, *study); }},
+                 {"json", [study] { return report::law_study_json(*study); }},
                  {"csv", [study] { return report::law_study_csv(*study); }}};
   return out;
 }
@@ -104,7 +107,7 @@ SceneTask read_laws(const std::string& text, const std::filesystem::path& file) 
   const auto study = [scene](const Worker::Watch& watch, std::size_t trials) {
     laws::LawStudyOptions options{.trials = trials, .threads = threads_or_cores(0), .interrupted = watch.interrupted};
     options.progress = [&](std::size_t done, std::size_t total) { watch.progress("trials", done, total); };
-    return study_of(std::make_shared<const laws::LawStudy>(laws::study_laws(scene, options)));
+    return study_of(scene, std::make_shared<const laws::LawStudy>(laws::study_laws(scene, options)));
   };
   task.run = {identify, predict, study};
   return task;

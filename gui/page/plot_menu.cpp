@@ -13,14 +13,17 @@
 namespace jointid::gui {
 namespace {
 
-/// Curves below each other are one drawing, points are drawings of their own.
+/// Curves below each other are one drawing, histograms beside each other one, points are drawings of their own.
 std::vector<std::pair<QString, PlotMenu::Drawing>> drawings_of(const report::Choice& choice) {
   std::vector<report::CurvePlot> curves;
+  std::vector<report::HistogramPlot> histograms;
   std::vector<std::pair<QString, PlotMenu::Drawing>> out;
   for (const report::Plot& plot : choice.plots) {
     if (const auto* curve = std::get_if<report::CurvePlot>(&plot)) curves.push_back(*curve);
+    if (const auto* counts = std::get_if<report::HistogramPlot>(&plot)) histograms.push_back(*counts);
   }
   if (!curves.empty()) out.emplace_back(QString(), curves);
+  if (!histograms.empty()) out.emplace_back(QString(), histograms);
   for (const report::Plot& plot : choice.plots) {
     const auto* points = std::get_if<report::ScatterPlot>(&plot);
     if (points != nullptr) out.emplace_back(choice.plots.size() > 1 ? q(points->title) : QString(), *points);

@@ -23,7 +23,7 @@ class PlotMenu : public QWidget {
   /// A group and how it is called in the menu; the choice that is shown stays, if it is still there.
   using Named = std::pair<QString, report::PlotGroup>;
   void show_groups(const std::vector<Named>& groups);
-  using Drawing = std::variant<std::vector<report::CurvePlot>, report::ScatterPlot>;
+  using Drawing = std::variant<std::vector<report::CurvePlot>, std::vector<report::HistogramPlot>, report::ScatterPlot>;
   QComboBox* menu() const { return menu_; }
   Chart* chart() const { return chart_; }
 

@@ -3281,6 +3281,10 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <source>Harmonics fitted together; empty: 3</source>
         <translation>Gemeinsam angepasste Harmonische; leer: 3</translation>
     </message>
+    <message>
+        <source>values found</source>
+        <translation>gefundene Werte</translation>
+    </message>
 </context>
 <context>
     <name>SceneEditor</name>

@@ -158,6 +158,7 @@ void add(const LawTrial& trial, std::vector<StudiedValue>& values) {
     if (!std::isfinite(told.value)) continue;
     const double error = told.value - values[i].truth;
     ++values[i].trials;
+    values[i].found.push_back(told.value);
     values[i].bias += error;
     values[i].rms_error += error * error;
     if (told.low <= values[i].truth && values[i].truth <= told.high) ++values[i].covered;

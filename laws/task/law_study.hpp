@@ -43,6 +43,7 @@ struct StudiedValue {
   double truth = 0.0, bound = 0.0;     ///< bound: its deviation there; NaN where the data do not see it
   std::size_t trials = 0, covered = 0; ///< that tell it; whose 95 % interval holds the truth
   double bias = 0.0, rms_error = 0.0;  ///< over those trials; NaN without one
+  std::vector<double> found{};         ///< by each of those trials
 };
 
 /// How well levels tell the laws of joints, over trials with simulated noise.
