@@ -4,6 +4,7 @@
 
 #include "cli/equivalent/equivalent_page.hpp"
 #include "cli/equivalent/equivalent_text.hpp"
+#include "cli/laws/laws_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
@@ -29,14 +30,7 @@ ExitCode take_direct_steps(const EquivalentArguments& arguments, const laws::Law
   if (arguments.csv) write_target(*arguments.csv, report::direct_csv(scene, found), out);
   if (arguments.report) write_target(*arguments.report, report::direct_page(scene, found), out);
   if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::direct_text(scene, found);
-  if (found.status == laws::LawStatus::ok) return ExitCode::done;
-  const std::string what = scene.file.string() + ": ";
-  if (laws::is_usable(found.status)) {
-    print_warning(what + "doubtful: " + found.message);
-    return ExitCode::done;
-  }
-  print_error(what + found.message);
-  return ExitCode::unusable;
+  return tell_status(scene, found.status, found.message);
 }
 
 }  // namespace

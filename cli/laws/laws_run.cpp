@@ -9,6 +9,17 @@
 
 namespace jointid::cli {
 
+ExitCode tell_status(const laws::LawScene& scene, laws::LawStatus status, const std::string& message) {
+  if (status == laws::LawStatus::ok) return ExitCode::done;
+  const std::string what = scene.file.string() + ": ";
+  if (laws::is_usable(status)) {
+    print_warning(what + "doubtful: " + message);
+    return ExitCode::done;
+  }
+  print_error(what + message);
+  return ExitCode::unusable;
+}
+
 ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std::size_t threads, std::ostream& out) {
   check_targets(laws::files_of(scene), {{"--json", targets.json}, {"--csv", targets.csv}, {"--report", targets.report}});
   const response::FitWork work = {.threads = threads, .interrupted = interrupted};
@@ -17,14 +28,7 @@ ExitCode solve_laws(const laws::LawScene& scene, const LawTargets& targets, std:
   if (targets.csv) write_target(*targets.csv, report::law_csv(scene, found), out);
   if (targets.report) write_target(*targets.report, report::law_page(scene, found), out);
   if (!takes_output({targets.json, targets.csv, targets.report})) out << report::law_text(scene, found);
-  if (found.status == laws::LawStatus::ok) return ExitCode::done;
-  const std::string what = scene.file.string() + ": ";
-  if (laws::is_usable(found.status)) {
-    print_warning(what + "doubtful: " + found.message);
-    return ExitCode::done;
-  }
-  print_error(what + found.message);
-  return ExitCode::unusable;
+  return tell_status(scene, found.status, found.message);
 }
 
 }  // namespace jointid::cli
