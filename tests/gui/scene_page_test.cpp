@@ -261,7 +261,7 @@ TEST(ScenePage, BoundsAndStudiesOfLawsAreThoseOfTheCommands) {
   EXPECT_THAT(page.page.status().toStdString(), HasSubstr("4 trials"));
   EXPECT_THAT(page.page.command_line().toStdString(), HasSubstr("--trials 4"));
   EXPECT_GE(page.page.plots()->chart()->histograms().size(), 2U);
-  EXPECT_THAT(page.page.shown()->outputs.front().second(), HasSubstr("Errors and intervals"));
+  EXPECT_THAT(page.page.shown()->outputs.at("html")(), HasSubstr("Errors and intervals"));
   expect_the_commands_files(page.page, page.folder);
   jobs.setCurrentIndex(2);
   page.page.run();
