@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/statistics.hpp"
+#include "friction/fit/fit_start.hpp"
 
 namespace jointid::response {
 namespace {
@@ -30,14 +32,14 @@ void begin_beside(const std::vector<DirectStep>& steps, const LawConstraints& co
   }
 }
 
+/// Starts of one joint's law.
+using StartsOfJoint = std::function<std::vector<Joint>(std::size_t joint)>;
+
 /// One set of joints for each rank of start that every joint has.
-std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
-                                          const std::vector<Joint>& beside, const LawConstraints& constraints) {
-  if (laws.size() != beside.size()) {
-    fail_laws(std::to_string(laws.size()) + " laws for " + std::to_string(beside.size()) + " joints", "name one for each joint");
-  }
+std::vector<std::vector<Joint>> together(const std::vector<Joint>& beside, const LawConstraints& constraints,
+                                         const StartsOfJoint& starts_of_joint) {
   std::vector<std::vector<Joint>> starts;
-  for (std::size_t j = 0; j < laws.size(); ++j) {
+  for (std::size_t j = 0; j < beside.size(); ++j) {
     if (const auto leader = constraints.leader(j)) {
       for (std::vector<Joint>& start : starts) {
         start.push_back(beside[j]);
@@ -45,19 +47,54 @@ std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, 
       }
       continue;
     }
+    const std::vector<Joint> own = starts_of_joint(j);
+    if (j == 0) starts.resize(own.size());
+    starts.resize(std::min(starts.size(), own.size()));
+    for (std::size_t i = 0; i < starts.size(); ++i) starts[i].push_back(own[i]);
+  }
+  return starts;
+}
+
+/// Starts by the direct steps.
+std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
+                                          const std::vector<Joint>& beside, const LawConstraints& constraints) {
+  if (laws.size() != beside.size()) {
+    fail_laws(std::to_string(laws.size()) + " laws for " + std::to_string(beside.size()) + " joints", "name one for each joint");
+  }
+  std::vector<std::vector<Joint>> starts = together(beside, constraints, [&](std::size_t j) {
     try {
       ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
       if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
       fit.family.insert(fit.family.begin(), fit.joint);
-      if (j == 0) starts.resize(fit.family.size());
-      starts.resize(std::min(starts.size(), fit.family.size()));
-      for (std::size_t i = 0; i < starts.size(); ++i) starts[i].push_back(fit.family[i]);
+      return fit.family;
     } catch (const std::invalid_argument& wrong) {
       fail_laws(wrong.what(), "");
     }
-  }
+  });
   for (std::vector<Joint>& start : starts) begin_beside(steps, constraints, start);
   return starts;
+}
+
+/// Stiffness and limit of a fitted joint; a limit beyond all forces where it has none.
+friction::Features features_of(const FittedJoint& joint) {
+  constexpr double beyond = 100.0;
+  const double stiffness = joint.stiffness.value;
+  const bool limited = std::isfinite(joint.limit.value) && joint.limit.knowledge != friction::Knowledge::undetermined;
+  return {stiffness, limited ? joint.limit.value : beyond * stiffness * joint.largest_motion};
+}
+
+/// Starts that do what the fit of other laws does; what acts beside the laws is that fit's.
+std::vector<std::vector<Joint>> starts_like(const LawFit& other, const std::vector<std::string>& laws, const LawConstraints& constraints) {
+  std::vector<Joint> beside;
+  for (const FittedJoint& joint : other.joints) beside.push_back(joint.joint);
+  return together(beside, constraints, [&](std::size_t j) {
+    std::vector<Joint> starts;
+    for (auto& law : friction::family(laws[j]).starts(features_of(other.joints[j]))) {
+      starts.push_back(beside[j]);
+      starts.back().friction = std::move(law);
+    }
+    return starts;
+  });
 }
 
 /// Whether the numbers are those of a minimum.
@@ -110,6 +147,20 @@ LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::
   return best;
 }
 
+/// Laws that the data do not contradict, but that others beat, once more from where the best one is: many can do what it does (all are
+/// springs below slip), and ended in a minimum beside.
+void begin_again(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                 const LawFitOptions& options, const LawConstraints& constraints, std::vector<LawCandidate>& fitted) {
+  constexpr double beaten = 1.0;  // by χ²
+  const auto best = std::ranges::min_element(fitted, {}, [](const LawCandidate& each) { return std::pair(!is_minimum(each.fit), each.fit.chi_square); });
+  if (best == fitted.end() || !is_good(best->fit)) return;
+  for (LawCandidate& each : fitted) {
+    if (!is_good(each.fit) || !(each.fit.chi_square > best->fit.chi_square + beaten)) continue;
+    LawFit again = first_fit(structure, states, starts_like(best->fit, each.laws, constraints), options, constraints);
+    if (is_minimum(again) && again.chi_square < each.fit.chi_square) each.fit = std::move(again);
+  }
+}
+
 /// From the first fit as the options say.
 LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states, LawFit first,
                 const LawFitOptions& options, const LawConstraints& constraints) {
@@ -147,6 +198,7 @@ std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& 
     fitted.push_back({laws, first_fit(structure, states, starts_of(steps, laws, beside, constraints), options, constraints)});
     if (is_minimum(fitted.back().fit)) least = std::min(least, fitted.back().fit.aic);
   }
+  begin_again(structure, states, options, constraints, fitted);
   for (LawCandidate& each : fitted) {
     const bool is_hopeless = each.fit.joints.empty() || each.fit.aic > hopeless * least + room;
     if (!is_hopeless) each.fit = last_fit(structure, states, std::move(each.fit), options, constraints);
