@@ -84,7 +84,8 @@ friction::Features features_of(const FittedJoint& joint) {
 }
 
 /// Starts that do what the fit of other laws does; what acts beside the laws is that fit's.
-std::vector<std::vector<Joint>> starts_like(const LawFit& other, const std::vector<std::string>& laws, const LawConstraints& constraints) {
+std::vector<std::vector<Joint>> starts_like(const LawFit& other, const std::vector<std::string>& laws,
+                                            const LawConstraints& constraints) {
   std::vector<Joint> beside;
   for (const FittedJoint& joint : other.joints) beside.push_back(joint.joint);
   return together(beside, constraints, [&](std::size_t j) {
@@ -147,12 +148,13 @@ LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::
   return best;
 }
 
-/// Laws that the data do not contradict, but that others beat, once more from where the best one is: many can do what it does (all are
-/// springs below slip), and ended in a minimum beside.
+/// Laws that the data do not contradict, but that others beat, once more from where the best one is: many can do what it does
+/// (all are springs below slip), and ended in a minimum beside.
 void begin_again(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                  const LawFitOptions& options, const LawConstraints& constraints, std::vector<LawCandidate>& fitted) {
   constexpr double beaten = 1.0;  // by χ²
-  const auto best = std::ranges::min_element(fitted, {}, [](const LawCandidate& each) { return std::pair(!is_minimum(each.fit), each.fit.chi_square); });
+  const auto best = std::ranges::min_element(
+      fitted, {}, [](const LawCandidate& each) { return std::pair(!is_minimum(each.fit), each.fit.chi_square); });
   if (best == fitted.end() || !is_good(best->fit)) return;
   for (LawCandidate& each : fitted) {
     if (!is_good(each.fit) || !(each.fit.chi_square > best->fit.chi_square + beaten)) continue;
