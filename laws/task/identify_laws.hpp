@@ -27,7 +27,7 @@ struct LawIdentification {
   std::vector<response::LevelDrift> drifts;      ///< of every level, the one that speaks most against the others first
   std::vector<OneSidedJoint> one_sided;          ///< of every joint
   std::size_t chosen = 0;                        ///< of compared
-  std::vector<std::string> not_told_apart;       ///< with χ² + 2·unknowns, no more than the chosen has, at most 2 above its AIC
+  std::vector<std::string> not_told_apart;       ///< laws whose χ² is larger by less than chance makes it, the chosen one aside
   std::vector<std::string> notes;                ///< one phrase each
 
   const response::LawFit& fit() const { return compared[chosen].fit; }

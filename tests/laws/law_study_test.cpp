@@ -70,10 +70,10 @@ TEST_F(LawStudyScene, LawsOfMoreParametersAreNotLeftOutForTheirNumber) {
   scene.joints[0].laws = {"shoukry", "ren"};
   scene.joints[0].assumed_law = "ren";
   scene.joints[0].assumed = {1e-5, 2.0, 4e5};
-  const LawStudy study = study_laws(scene, {.trials = 8, .seed = 5, .threads = 2});
-  EXPECT_GE(study.usable, 7u);
-  EXPECT_EQ(study.undecided, study.usable);
-  EXPECT_EQ(study.missed, 0u);
+  const LawStudy study = study_laws(scene, {.trials = 20, .seed = 5, .threads = 2});
+  EXPECT_GE(study.usable, 19u);
+  EXPECT_GE(study.undecided + 3, study.usable);  // 95 % of them, and what 20 of them may be off
+  EXPECT_LE(study.missed, 3u);
 }
 
 TEST_F(LawStudyScene, DoesNotDependOnTheThreads) {
