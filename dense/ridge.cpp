@@ -26,6 +26,15 @@ Ridge::Ridge(MatrixXd b) : b_(std::move(b)) {
   cholesky_in_place(lower_);  // I + a square is positive definite
 }
 
+/// Of a wide B by (I + BBᵀ)⁻¹: what a step from zero leaves of gradients of the size ‖B‖‖R‖ has lost the digits of a small U.
+MatrixXd Ridge::first(const Eigen::Ref<const MatrixXd>& r) const {
+  if (b_.rows() >= b_.cols()) return step(r, MatrixXd::Zero(b_.cols(), r.cols()));
+  MatrixXd solved = r;
+  solve_lower(lower_, solved);
+  solve_lower_transposed(lower_, solved);
+  return -(b_.transpose() * solved);
+}
+
 /// Of the normal equations (I + BᵀB)δ = −(Bᵀ(R + BU) + U).
 MatrixXd Ridge::step(const Eigen::Ref<const MatrixXd>& r, const MatrixXd& u) const {
   MatrixXd gradient = -(b_.transpose() * (r + b_ * u) + u);
@@ -41,9 +50,8 @@ MatrixXd Ridge::step(const Eigen::Ref<const MatrixXd>& r, const MatrixXd& u) con
 }
 
 MatrixXd Ridge::best(const Eigen::Ref<const MatrixXd>& r) const {
-  MatrixXd u = MatrixXd::Zero(b_.cols(), r.cols());
-  if (b_.cols() == 0) return u;
-  u = step(r, u);
+  if (b_.cols() == 0) return MatrixXd::Zero(0, r.cols());
+  const MatrixXd u = first(r);
   return u + step(r, u);
 }
 

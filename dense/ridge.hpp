@@ -18,6 +18,7 @@ class Ridge {
   Eigen::MatrixXd left(const Eigen::Ref<const Eigen::MatrixXd>& r) const;
 
  private:
+  Eigen::MatrixXd first(const Eigen::Ref<const Eigen::MatrixXd>& r) const;
   Eigen::MatrixXd step(const Eigen::Ref<const Eigen::MatrixXd>& r, const Eigen::MatrixXd& u) const;
 
   Eigen::MatrixXd b_, lower_;

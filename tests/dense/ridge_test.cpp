@@ -33,8 +33,7 @@ RC_GTEST_PROP(Ridge, BestIsThatOfSingularValues, ()) {
                  r = random(rows, 3, *rc::gen::arbitrary<unsigned>());
   const Ridge ridge(b);
   const MatrixXd expected = by_svd(b, r), found = ridge.best(r);
-  const double digits = 1e-9 * std::max(1.0, 1e-4 * b.norm());
-  RC_ASSERT((found - expected).norm() <= digits * std::max(expected.norm(), 1e-6 * r.norm() / std::max(1.0, scale)));
+  RC_ASSERT((found - expected).norm() <= 1e-11 * std::max(expected.norm(), 1e-6 * r.norm() / std::max(1.0, scale)));
 }
 
 /// `left` has the inner products of [R + BU; U], and no more rows than it needs.

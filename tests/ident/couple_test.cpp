@@ -235,6 +235,7 @@ TEST_F(CoupleIdentified, SaysWhatItCannotDo) {
   EXPECT_THAT(error_of("identified = \"mount.toml\""), HasSubstr("only method \"likelihood\""));
   EXPECT_THAT(error_of("identified = \"nowhere.toml\""), HasSubstr("nowhere.toml"));
   EXPECT_THAT(error_of("identified = \"mount.toml\"\nstiffness = { matrix = [[1]] }"), HasSubstr("stiffness"));
+  write("mount.toml", likelihood());
   EXPECT_THAT(error_of("identified = \"mount.toml\"\ndofs = [\"1:+Y\"]"), HasSubstr("are named"));
 }
 

@@ -29,7 +29,13 @@ double averaged_part(double a, double va, double b, double vb) {
   return (a * vb + b * va) / (va + vb);
 }
 
-double averaged_variance(double va, double vb) { return va == 0.0 || vb == 0.0 ? 0.0 : va * vb / (va + vb); }
+/// Of averaged_part() of errors with this correlation; more than nothing where they cancel.
+double averaged_variance(double va, double vb, double correlation) {
+  constexpr double least = 1e-4;
+  if (va == 0.0 || vb == 0.0) return 0.0;
+  const double apart = va * vb / (va + vb);
+  return apart * std::max(least, 1.0 + 2.0 * correlation * std::sqrt(va * vb) / (va + vb));
+}
 
 /// Whether two measurements agree far better than their noise lets independent ones: one is a copy of the other.
 bool copies(const Measured& a, const Measured& b) {
@@ -189,10 +195,25 @@ Measured SymmetricFrfs::at(std::size_t i, std::size_t row, std::size_t column) c
   const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
   const Role of = role(a, b);
   if (of != Role::both) return of == Role::there ? a : b;
+  const double correlation = correlation_there_and_back(i, row, column);
   return {{averaged_part(a.value.real(), a.variance.real(), b.value.real(), b.variance.real()),
            averaged_part(a.value.imag(), a.variance.imag(), b.value.imag(), b.variance.imag())},
-          {averaged_variance(a.variance.real(), b.variance.real()), averaged_variance(a.variance.imag(), b.variance.imag())},
+          {averaged_variance(a.variance.real(), b.variance.real(), correlation),
+           averaged_variance(a.variance.imag(), b.variance.imag(), correlation)},
           true};
+}
+
+/// Of the errors of an FRF and that of the transposed place: not 0 where both were measured with forces at once.
+double SymmetricFrfs::correlation_there_and_back(std::size_t i, std::size_t row, std::size_t column) const {
+  if (!covariances_) return 0.0;
+  const StoredError there = covariances_->error(i, row, column), back = covariances_->error(i, column, row);
+  if (!there.is_known() || there.group != back.group) return 0.0;
+  const Eigen::MatrixXcd& covariance = covariances_->covariances(i)[there.group];
+  const auto of = [&](const StoredError& a, const StoredError& b) {
+    return covariance(jointid::at(a.member), jointid::at(b.member)).real();
+  };
+  const double found = there.sign * back.sign * of(there, back) / std::sqrt(of(there, there) * of(back, back));
+  return std::isfinite(found) ? found : 0.0;
 }
 
 void SymmetricFrfs::variances_of(std::size_t line, const Symmetric<Complex>& values) {

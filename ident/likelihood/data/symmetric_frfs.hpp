@@ -83,6 +83,7 @@ class SymmetricFrfs {
   /// Which measurements make at().
   Role role(const Measured& there, const Measured& back) const;
   ErrorTerms terms(std::size_t i, std::size_t row, std::size_t column) const;
+  double correlation_there_and_back(std::size_t i, std::size_t row, std::size_t column) const;
   void add_terms(std::size_t i, std::size_t row, std::size_t column, double weight, ErrorTerms& out) const;
   void take_variances_of_laws(std::size_t lines);
   void scatter(const Part& part, std::size_t lines, const std::vector<Complex>& from, std::vector<Complex>& to) const;
