@@ -80,6 +80,12 @@ class StudyProgress {
   std::optional<std::size_t> first_;
 };
 
+void require_one_process(const StudyArguments& arguments) {
+  if (ident::processes_started() == 1) return;
+  throw InputError({ErrorKind::usage, arguments.scene.string(), "mpirun", "studies of friction laws are not shared by processes",
+                    "leave it out: --threads uses the cores of one machine; seeds of other machines are studies of their own"});
+}
+
 /// What a study needs to run.
 struct Start {
   std::optional<laws::LawScene> laws;  ///< one of friction joints; then nothing else is there
@@ -93,7 +99,8 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
   ident::start_together(team, [&] {
     check(arguments);
     const std::string text = scene::read_text(arguments.scene);
-    if (ident::processes_started() == 1 && laws::is_law_scene(text, arguments.scene)) {
+    if (laws::is_law_scene(text, arguments.scene)) {
+      require_one_process(arguments);
       start.laws = laws::parse_law_scene(text, arguments.scene);
       return;
     }

@@ -24,6 +24,8 @@ fails_once 2 "'--trails'" -n 3 "$jointid" study a1/A1.toml --trails 3
 fails_once 2 'SCENE' -n 3 "$jointid" study
 fails_once 2 '--trials' -n 3 "$jointid" study a1/A1.toml --trials 0
 fails_once 3 'absent/a.h5' -n 3 "$jointid" study a1/A1.toml --out absent/a.h5
+"$jointid" problem write sdof-iwan iwan > /dev/null
+fails_once 2 'not shared by processes' -n 2 "$jointid" study iwan/sdof-iwan.toml --trials 2
 cp -r a1 broken && head -c 100 a1/A1_assembly.h5 > broken/A1_assembly.h5
 fails_once 3 'A1_assembly.h5' -n 3 "$jointid" study broken/A1.toml
 fails_once 2 'absent.toml' -n 1 "$jointid" study a1/A1.toml : -n 1 "$jointid" study absent.toml
