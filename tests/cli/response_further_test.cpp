@@ -48,10 +48,10 @@ report::ResponseScene scene_of(const std::string& text) { return report::parse_r
 
 report::ResponseRun run_of(const report::ResponseScene& scene) { return report::run_response(scene, {}); }
 
-const std::string at_one = replaced(rest, "range = [2.0, 4.0]\npoints = 41", "values = [3.0]");
+std::string at_one() { return replaced(rest, "range = [2.0, 4.0]\npoints = 41", "values = [3.0]"); }
 
 TEST(ResponseFurther, FollowsCurvesOverForceAndParameter) {
-  const report::ResponseScene scene = scene_of(chain + at_one + further);
+  const report::ResponseScene scene = scene_of(chain + at_one() + further);
   const report::ResponseRun run = run_of(scene);
   ASSERT_EQ(run.curves.size(), 2u);
   EXPECT_TRUE(report::all_converged(run));
@@ -76,7 +76,7 @@ TEST(ResponseFurther, FollowsCurvesOverForceAndParameter) {
 }
 
 TEST(ResponseFurther, TellsEquivalentJointsAndModes) {
-  const report::ResponseScene scene = scene_of(chain + at_one + further);
+  const report::ResponseScene scene = scene_of(chain + at_one() + further);
   const report::ResponseRun run = run_of(scene);
   ASSERT_EQ(run.equivalents.size(), 3u);
   EXPECT_GT(run.equivalents[0].joints[0].stiffness, run.equivalents[2].joints[0].stiffness);  // it softens
@@ -87,7 +87,7 @@ TEST(ResponseFurther, TellsEquivalentJointsAndModes) {
 
 TEST(ResponseFurther, TellsStabilityAndResidualForce) {
   const report::ResponseScene scene =
-      scene_of(replaced(chain + at_one, "harmonics = [1, 3, 5]", "harmonics = [1, 3, 5]\nstability = true"));
+      scene_of(replaced(chain + at_one(), "harmonics = [1, 3, 5]", "harmonics = [1, 3, 5]\nstability = true"));
   const report::ResponseRun run = run_of(scene);
   for (const report::LevelResponse& level : run.levels) {
     ASSERT_EQ(level.stability.size(), 1u);
@@ -148,7 +148,7 @@ TEST(ResponseFurther, MarchesRecordsFromFiles) {
   const std::string transient =
       "[transient]\nduration = 2.0\nstep = 0.01\nforces = [{ dof = 1, file = \"push.csv\", column = \"F\" }]\n";
   const auto read = [&](const std::string& section) {
-    return report::parse_response_scene(chain + at_one + section, folder / "scene.toml");
+    return report::parse_response_scene(chain + at_one() + section, folder / "scene.toml");
   };
   const Eigen::MatrixXd exact = run_of(read(transient)).transients.at(0).motion.x;
   for (const char* method : {"one", "two"}) {
@@ -165,7 +165,7 @@ TEST(ResponseFurther, MarchesRecordsFromFiles) {
 }
 
 TEST(ResponseFurther, SaysInOneLineWhatIsWrong) {
-  const std::string good = chain + at_one + further + "[transient]\nduration = 1.0\nstep = 0.1\nmethod = \"one\"\ndelta = 0.01\n";
+  const std::string good = chain + at_one() + further + "[transient]\nduration = 1.0\nstep = 0.1\nmethod = \"one\"\ndelta = 0.01\n";
   const std::vector<std::array<std::string, 3>> wrong = {
       {"along = \"force\"", "along = \"b2\"", "b2"},
       {"along = \"k\"\njoint = 1", "along = \"k\"\njoint = 2", "2 is not a whole number from 1 to 1"},
@@ -187,7 +187,7 @@ TEST(ResponseFurther, SaysInOneLineWhatIsWrong) {
 }
 
 TEST(ResponseFurther, TransientsKnowCubicSprings) {
-  const std::string spring = replaced(chain + at_one, "k = 150.0 }", "k = 150.0 }\ncubic = 1e3");
+  const std::string spring = replaced(chain + at_one(), "k = 150.0 }", "k = 150.0 }\ncubic = 1e3");
   const report::ResponseRun run = run_of(scene_of(spring + "[transient]\nduration = 1.0\nstep = 0.1\n"));
   EXPECT_EQ(run.marched, (std::vector<std::string>{"2–3", "2–3 cubic"}));
   EXPECT_THAT(report::history_csv(run), HasSubstr("q(2–3 cubic) [m]"));
@@ -198,7 +198,7 @@ TEST(ResponseFurther, TransientsKnowCubicSprings) {
 
 /// On all three modes the motion is that of the coordinates; on one and the deflections nearly.
 TEST(ResponseFurther, MarchesOnModes) {
-  const std::string all = replaced(chain + at_one, "[1, 3, 5]", "[1, 3, 5]\nstability = true") +
+  const std::string all = replaced(chain + at_one(), "[1, 3, 5]", "[1, 3, 5]\nstability = true") +
                           "[transient]\nduration = 1.0\nstep = 0.05\npulses = [{ dof = 1, amplitude = 5.0, length = 0.3 }]\n";
   const report::ResponseRun full = run_of(scene_of(all));
   const auto on = [&](const std::string& modes) {
@@ -217,7 +217,7 @@ TEST(ResponseFurther, MarchesOnModes) {
 
 TEST(ResponseFurther, ComparesAllWays) {
   Progress progress;
-  const report::ResponseScene scene = scene_of(replaced(chain + at_one, "amplitudes = [1.0, 3.0]", "amplitudes = [8.0]"));
+  const report::ResponseScene scene = scene_of(replaced(chain + at_one(), "amplitudes = [1.0, 3.0]", "amplitudes = [8.0]"));
   const auto runs = run_comparison(scene, progress);
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_TRUE(all_known(runs));
