@@ -84,10 +84,10 @@ function(jointid_precompile target kind level)
   target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
 
-# jointid_library(frf SOURCES … PUBLIC … PRIVATE … [LEVEL O1]): the folder's namespace, target jointid::frf and headers. LEVEL O1: no hot
-# loops; sanitized without optimisation, which takes half of the time to build.
+# jointid_library(frf SOURCES … PUBLIC … PRIVATE … [LEVEL O1] [NO_LOOPS]): the folder's namespace, target jointid::frf and headers. LEVEL
+# O1: no hot loops. NO_LOOPS: none at all; sanitized without optimisation, which takes half of the time to build.
 function(jointid_library name)
-  cmake_parse_arguments(arg "" "LEVEL" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "NO_LOOPS" "LEVEL" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   set(target jointid_${name})
   add_library(${target} ${JOINTID_LIBRARY_KIND} ${arg_SOURCES})
   add_library(jointid::${name} ALIAS ${target})
@@ -102,7 +102,7 @@ function(jointid_library name)
   endif()
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Asan")
     target_compile_options(${target} PRIVATE -${arg_LEVEL})
-  elseif(arg_LEVEL STREQUAL "O1")
+  elseif(arg_NO_LOOPS)
     target_compile_options(${target} PRIVATE -O0)
   endif()
   jointid_precompile(${target} LIBRARY ${arg_LEVEL})
