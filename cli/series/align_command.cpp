@@ -1,12 +1,11 @@
 #include "cli/options/output.hpp"
-#include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
 
 namespace jointid::cli {
 
 ExitCode execute(const SeriesAlignArguments& arguments, std::ostream& out) {
-  check_series_targets(arguments.file,
-                       {{"--output", arguments.output}, {"--json", arguments.json}, {"--report", arguments.report}});
+  check_targets({{arguments.file, "FILE"}},
+                {{"--output", arguments.output}, {"--json", arguments.json}, {"--report", arguments.report}});
   const report::AlignReport found = report::align_report(arguments);
   if (arguments.output) write_target(*arguments.output, report::align_csv(found), out);
   if (arguments.json) write_target(*arguments.json, report::align_json(found), out);

@@ -1,5 +1,4 @@
 #include "cli/options/output.hpp"
-#include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
 #include "cli/text/progress.hpp"
 #include "report/series/delay_report.hpp"
@@ -7,7 +6,8 @@
 namespace jointid::cli {
 
 ExitCode execute(const SeriesDelayArguments& arguments, std::ostream& out) {
-  check_series_targets(arguments.file, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+  check_targets({{arguments.file, "FILE"}},
+                {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   const report::DelayReport found = [&] {
     Progress progress;
     return report::delay_report(arguments, progress.control());

@@ -1,11 +1,11 @@
 #include "cli/options/output.hpp"
-#include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
 
 namespace jointid::cli {
 
 ExitCode execute(const SeriesFrictionArguments& arguments, std::ostream& out) {
-  check_series_targets(arguments.file, {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+  check_targets({{arguments.file, "FILE"}},
+                {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
   const report::ContactReport found = report::contact_report(arguments);
   if (arguments.json) write_target(*arguments.json, report::contact_json(found), out);
   if (arguments.csv) write_target(*arguments.csv, report::contact_csv(found), out);

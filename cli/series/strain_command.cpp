@@ -4,7 +4,6 @@
 
 #include "base/temporary_file.hpp"
 #include "cli/options/output.hpp"
-#include "cli/series/measured_records.hpp"
 #include "cli/series/series_command.hpp"
 #include "cli/text/interrupt.hpp"
 
@@ -12,14 +11,15 @@ namespace jointid::cli {
 namespace {
 
 /// To a file whole or not at all, or to `out`.
-std::size_t write_displacements(const std::string& target, const report::StrainReport& found, std::ostream& out) {
+std::size_t write_displacements(const std::string& target, const report::StrainReport& found, records::SampleStream& gauges,
+                                std::ostream& out) {
   if (target == "-")
     return report::write_displacements(
-        found, [&](const std::string& text) { out << text; }, interrupted);
+        found, gauges, [&](const std::string& text) { out << text; }, interrupted);
   TemporaryFile file(target);
   std::ofstream to(file.path(), std::ios::binary);
   const std::size_t samples = report::write_displacements(
-      found, [&](const std::string& text) { to << text; }, interrupted);
+      found, gauges, [&](const std::string& text) { to << text; }, interrupted);
   to.close();
   if (!to) file.fail("the disk does not take it");
   file.commit();
@@ -29,13 +29,14 @@ std::size_t write_displacements(const std::string& target, const report::StrainR
 }  // namespace
 
 ExitCode execute(const SeriesStrainArguments& arguments, std::ostream& out) {
-  check_series_targets(arguments.file,
-                       {{"--output", arguments.output}, {"--json", arguments.json}, {"--report", arguments.report}});
+  check_targets({{arguments.file, "FILE"}},
+                {{"--output", arguments.output}, {"--json", arguments.json}, {"--report", arguments.report}});
   const report::StrainReport found = report::strain_report(arguments);
+  const auto gauges = report::open_gauges(found.task);
   std::size_t samples = 0;
-  if (arguments.output) samples = write_displacements(*arguments.output, found, out);
+  if (arguments.output) samples = write_displacements(*arguments.output, found, *gauges, out);
   if (arguments.json) write_target(*arguments.json, report::strain_json(found), out);
-  if (arguments.report) write_target(*arguments.report, report::strain_page(found), out);
+  if (arguments.report) write_target(*arguments.report, report::strain_page(found, report::strain_plots(found)), out);
   if (takes_output({arguments.output, arguments.json, arguments.report})) return ExitCode::done;
   out << report::strain_text(found);
   if (arguments.output) out << fmt::format("wrote {}: {} samples\n", *arguments.output, samples);

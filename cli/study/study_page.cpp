@@ -7,6 +7,7 @@
 #include "cli/text/noise_text.hpp"
 #include "report/page/contents.hpp"
 #include "report/page/page.hpp"
+#include "report/page/status_banner.hpp"
 #include "report/result/study_plots.hpp"
 #include "report/result/study_tables.hpp"
 #include "report/text/words.hpp"
@@ -38,14 +39,6 @@ void add_summary(const StudyReport& report, const ident::Scene& scene, report::R
                           {"all results", report.file}}});
   for (const std::string& note : report.notes) page.add(report::Text{note});
   page.add(report::Text{speed_text(report.run) + ".", true});
-}
-
-/// Green when every trial gave an estimate.
-report::StatusBanner study_banner(const study::StudyStatistics& statistics) {
-  const std::string all = trials_text(statistics);
-  if (statistics.usable == statistics.trials) return {report::Trust::good, "ok", all + "."};
-  return statistics.usable > 0 ? report::StatusBanner{report::Trust::doubtful, "some trials failed", all + "."}
-                               : report::StatusBanner{report::Trust::bad, "no trial gave an estimate", all + "."};
 }
 
 void add_unknowns(const StudyReport& report, report::ReportPage& page) {
@@ -80,7 +73,8 @@ void add_quality(const StudyReport& report, report::ReportPage& page) {
 std::string study_report(const StudyReport& report, const ident::Scene& scene) {
   const std::string file = scene.file.filename().string();
   report::ReportPage page(scene.title.empty() ? file : scene.title, "jointid study " + file);
-  page.status(study_banner(report.statistics));
+  page.status(report::trials_banner(report.statistics.usable, report.statistics.trials, "no trial gave an estimate",
+                                    trials_text(report.statistics) + "."));
   add_summary(report, scene, page);
   add_unknowns(report, page);
   add_quality(report, page);

@@ -76,6 +76,13 @@ std::vector<std::string> columns_of(const ToolValues& values, const char* option
   return out;
 }
 
+/// Throws InputError where none is chosen.
+std::string chosen_column(const ToolValues& values, const char* option) {
+  std::string column = text_of(values, option);
+  if (column.empty()) throw InputError({ErrorKind::usage, "", option, "is not chosen", "choose the column"});
+  return column;
+}
+
 /// Throws InputError where it is not given, with what to do.
 double required(std::optional<double> value, const char* option, const char* remedy) {
   if (!value) throw InputError({ErrorKind::usage, "", option, "is not given", remedy});
@@ -144,10 +151,8 @@ Findings find_delays(const Files& files, const ToolValues& values, const Worker:
 Findings find_contact_law(const Files& files, const ToolValues& values, const Worker::Watch&) {
   report::ContactTask task;
   task.file = files.front();
-  for (const auto& [option, to] : {std::pair("--velocity", &task.velocity), std::pair("--force", &task.force)}) {
-    *to = text_of(values, option);
-    if (to->empty()) throw InputError({ErrorKind::usage, "", option, "is not chosen", "choose the column"});
-  }
+  task.velocity = chosen_column(values, "--velocity");
+  task.force = chosen_column(values, "--force");
   task.normal = text_of(values, "--normal");
   task.load = positive_of(values, "--load").value_or(0.0);
   task.stick_speed =
@@ -182,14 +187,15 @@ Findings find_displacements(const Files& files, const ToolValues& values, const 
   Findings out;
   const std::vector<std::string> remarks = report::strain_remarks(*found);
   out.said = said(report::strain_summary(*found) + ".", remarks);
-  out.plots = {{Said::tr("displacements"), report::strain_plots(*found)}};
+  const report::PlotGroup plots = report::strain_plots(*found);
+  out.plots = {{Said::tr("displacements"), plots}};
   out.tables = {{Said::tr("points"), rows_of(report::strain_table(*found))}, {Said::tr("remarks"), remark_rows(remarks)}};
   const auto csv = [found] {
     std::string text;
-    report::write_displacements(*found, [&](const std::string& block) { text += block; }, {});
+    report::write_displacements(*found, *report::open_gauges(found->task), [&](const std::string& block) { text += block; }, {});
     return text;
   };
-  out.outputs = {{"html", [found] { return report::strain_page(*found); }},
+  out.outputs = {{"html", [found, plots] { return report::strain_page(*found, plots); }},
                  {"json", [found] { return report::strain_json(*found); }},
                  {"csv", csv}};
   return out;
@@ -198,8 +204,7 @@ Findings find_displacements(const Files& files, const ToolValues& values, const 
 Findings find_late_channels(const Files& files, const ToolValues& values, const Worker::Watch&) {
   report::AlignTask task;
   task.file = files.front();
-  task.reference = text_of(values, "--reference");
-  if (task.reference.empty()) throw InputError({ErrorKind::usage, "", "--reference", "is not chosen", "choose the column"});
+  task.reference = chosen_column(values, "--reference");
   task.frequency_hz = required(positive_of(values, "--frequency"), "--frequency", "give the frequency of the motion in Hz");
   task.harmonics = whole_of(values, "--harmonics", task.harmonics, 1, 50);
   task.rate_hz = positive_of(values, "--rate");

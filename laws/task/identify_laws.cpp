@@ -110,10 +110,9 @@ void find_rivals(LawIdentification& found) {
   const LawFit& best = found.fit();
   for (std::size_t i = 0; i < found.compared.size(); ++i) {
     const LawFit& fit = found.compared[i].fit;
-    const bool minimum = fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
     const auto fewer = static_cast<double>(best.values.size() - fit.values.size());
     const double allowed = by_chance + per_unknown * std::max(0.0, fewer - 1.0);
-    if (i != found.chosen && minimum && fit.chi_square <= best.chi_square + allowed)
+    if (i != found.chosen && response::is_minimum(fit.status) && fit.chi_square <= best.chi_square + allowed)
       found.not_told_apart.push_back(laws_text(found.compared[i].laws));
   }
 }

@@ -35,13 +35,6 @@ bool varies(const laws::StudiedValue& value) {
   return std::isfinite(value.truth) && value.found.size() > 1 && std::ranges::min(value.found) < std::ranges::max(value.found);
 }
 
-StatusBanner banner(const laws::LawStudy& study) {
-  const std::string all = fmt::format("{} of {} trials gave usable laws.", study.usable, study.trials);
-  if (study.usable == 0) return {Trust::bad, "no trial gave usable laws", all};
-  if (study.usable < study.trials) return {Trust::doubtful, "some trials failed", all};
-  return {Trust::good, "ok", all};
-}
-
 }  // namespace
 
 PlotGroup law_study_plots(const laws::LawStudy& study) {
@@ -56,7 +49,8 @@ PlotGroup law_study_plots(const laws::LawStudy& study) {
 
 std::string law_study_page(const laws::LawScene& scene, const laws::LawStudy& study) {
   ReportPage page(scene.title.empty() ? "Friction laws from vibration: a study" : scene.title, "jointid study");
-  page.status(banner(study));
+  page.status(trials_banner(study.usable, study.trials, "no trial gave usable laws",
+                            fmt::format("{} of {} trials gave usable laws.", study.usable, study.trials)));
   page.section("Summary");
   page.add(Text{law_study_summary(study)});
   for (const std::string& note : study.notes) page.add(Text{note, true});

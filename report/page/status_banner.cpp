@@ -23,4 +23,9 @@ StatusBanner status_banner(const std::string& status, const std::string& message
   return {trust_in(status), words(status), message, std::move(remarks), std::move(suspects)};
 }
 
+StatusBanner trials_banner(std::size_t usable, std::size_t trials, const std::string& none, const std::string& message) {
+  if (usable == trials) return {Trust::good, "ok", message};
+  return usable > 0 ? StatusBanner{Trust::doubtful, "some trials failed", message} : StatusBanner{Trust::bad, none, message};
+}
+
 }  // namespace jointid::report

@@ -41,19 +41,41 @@ std::vector<double> aligned(const AlignReport& report, std::size_t channel) {
   return delay == 0.0 ? measured : series::advanced(measured, 1.0 / report.record.rate_hz, delay);
 }
 
+/// Three periods in the middle of every channel over its amplitude.
+template <class Samples>
+CurvePlot periods_plot(const AlignReport& report, const std::string& title, const Samples& samples_of) {
+  constexpr double periods = 3.0;
+  constexpr std::size_t most_channels = 12, least_samples = 2;
+  const std::size_t there = report.record.samples.front().size();
+  const auto wanted = static_cast<std::size_t>(periods * report.record.rate_hz / report.task.frequency_hz);
+  const std::size_t samples = std::min(there, std::max(least_samples, wanted)), first = (there - samples) / 2;
+  CurvePlot plot;
+  plot.title = title;
+  plot.x = {"time (s)", false};
+  plot.y = {"over the amplitude", false};
+  for (std::size_t i = first; i < first + samples; ++i) plot.x_values.push_back(static_cast<double>(i) / report.record.rate_hz);
+  for (std::size_t k = 0; k < std::min(most_channels, report.channels.size()); ++k) {
+    Series curve{report.channels[k].name, {}, Style::line};
+    const std::vector<double>& x = samples_of(k);
+    for (std::size_t i = first; i < first + samples; ++i) curve.y.push_back(x[i] / report.channels[k].amplitude);
+    plot.series.push_back(std::move(curve));
+  }
+  return plot;
+}
+
 }  // namespace
 
 AlignReport align_report(const AlignTask& task) {
   AlignReport out{task, records::read_series(task.file, {{}, task.rate_hz, 0}), {}};
-  const double step = 1.0 / out.record.rate_hz;
-  const std::vector<double>& reference = out.record.samples[place_of(out.record, task.reference)];
-  for (std::size_t k = 0; k < out.record.samples.size(); ++k) {
-    const std::vector<double>& x = out.record.samples[k];
-    const series::Harmonics found = series::fit_harmonics(x, step, task.frequency_hz, task.harmonics);
-    const double rms = rms_of(x);
-    out.channels.push_back({out.record.channels[k].name, found.amplitude.front(),
-                            series::sensor_delay(reference, x, step, task.frequency_hz, task.harmonics),
-                            rms > 0.0 ? found.rest / rms : 0.0});
+  const std::size_t reference = place_of(out.record, task.reference);
+  std::vector<series::Harmonics> fitted;
+  for (const std::vector<double>& x : out.record.samples)
+    fitted.push_back(series::fit_harmonics(x, 1.0 / out.record.rate_hz, task.frequency_hz, task.harmonics));
+  for (std::size_t k = 0; k < fitted.size(); ++k) {
+    const double rms = rms_of(out.record.samples[k]);
+    out.channels.push_back({out.record.channels[k].name, fitted[k].amplitude.front(),
+                            series::delay_between(fitted[reference], fitted[k], task.frequency_hz),
+                            rms > 0.0 ? fitted[k].rest / rms : 0.0});
   }
   return out;
 }
@@ -80,27 +102,10 @@ Table delays_table(const AlignReport& report) {
 }
 
 PlotGroup align_plots(const AlignReport& report) {
-  constexpr double periods = 3.0;
-  constexpr std::size_t most_channels = 12, least_samples = 2;
-  const std::size_t there = report.record.samples.front().size();
-  const auto wanted = static_cast<std::size_t>(periods * report.record.rate_hz / report.task.frequency_hz);
-  const std::size_t samples = std::min(there, std::max(least_samples, wanted)), first = (there - samples) / 2;
-  CurvePlot before, after;
-  before.title = "As measured";
-  after.title = "Aligned";
-  for (CurvePlot* plot : {&before, &after}) {
-    plot->x = {"time (s)", false};
-    plot->y = {"over the amplitude", false};
-    for (std::size_t i = first; i < first + samples; ++i)
-      plot->x_values.push_back(static_cast<double>(i) / report.record.rate_hz);
-    for (std::size_t k = 0; k < std::min(most_channels, report.channels.size()); ++k) {
-      Series curve{report.channels[k].name, {}, Style::line};
-      const std::vector<double> x = plot == &before ? report.record.samples[k] : aligned(report, k);
-      for (std::size_t i = first; i < first + samples; ++i) curve.y.push_back(x[i] / report.channels[k].amplitude);
-      plot->series.push_back(std::move(curve));
-    }
-  }
-  return {"", {{"", {before, after}}}};
+  const auto measured = [&](std::size_t k) -> const std::vector<double>& { return report.record.samples[k]; };
+  return {"", {{"", {periods_plot(report, "As measured", measured), periods_plot(report, "Aligned", [&](std::size_t k) {
+                       return aligned(report, k);
+                     })}}}};
 }
 
 std::string align_summary(const AlignReport& report) {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/control.hpp"
 #include "base/error.hpp"
@@ -14,17 +16,6 @@
 
 namespace jointid::report {
 namespace {
-
-/// The gauges' channels, as many as there are gauges.
-std::unique_ptr<records::SampleStream> open_gauges(const StrainTask& task) {
-  auto stream = records::open_samples(task.file, {task.channels, 0, 1});
-  if (stream->channels().size() != task.gauges.size()) {
-    throw InputError({ErrorKind::data, stream->file(), "",
-                      fmt::format("has {} channels for {} gauges", stream->channels().size(), task.gauges.size()),
-                      "name the channels of the gauges with --channels, in the order of --gauges"});
-  }
-  return stream;
-}
 
 series::StrainMap map_of(const StrainTask& task) {
   if (task.static_shapes && task.shapes < 2)
@@ -51,25 +42,29 @@ StrainReport strain_report(const StrainTask& task) {
   if (out.task.points.empty()) out.task.points = {task.length};
   if (out.task.shapes == 0) out.task.shapes = task.gauges.size();
   out.map = map_of(out.task);
-  const auto stream = open_gauges(task);
-  out.file = stream->file();
-  const Eigen::MatrixXd first = next_displacements(*stream, out.map, most_points);
-  out.has_times = stream->rate_hz().has_value();
-  for (Eigen::Index i = 0; i < first.rows(); ++i) out.time.push_back(static_cast<double>(i) / stream->rate_hz().value_or(1.0));
-  for (Eigen::Index k = 0; k < first.cols(); ++k) out.displacements.emplace_back(first.col(k).begin(), first.col(k).end());
   return out;
 }
 
-std::size_t write_displacements(const StrainReport& report, const std::function<void(const std::string& text)>& write,
+std::unique_ptr<records::SampleStream> open_gauges(const StrainTask& task) {
+  auto stream = records::open_samples(task.file, {task.channels, 0, 1});
+  if (stream->channels().size() != task.gauges.size()) {
+    throw InputError({ErrorKind::data, stream->file(), "",
+                      fmt::format("has {} channels for {} gauges", stream->channels().size(), task.gauges.size()),
+                      "name the channels of the gauges with --channels, in the order of --gauges"});
+  }
+  return stream;
+}
+
+std::size_t write_displacements(const StrainReport& report, records::SampleStream& gauges,
+                                const std::function<void(const std::string& text)>& write,
                                 const std::function<bool()>& interrupted) {
   constexpr std::size_t block_rows = 4096;
-  const auto stream = open_gauges(report.task);
   std::vector<std::string> row;
   for (const double x : report.task.points) row.push_back(point_title(x));
   write(csv_line(row));
   for (std::size_t samples = 0;;) {
     stop_if(interrupted);
-    const Eigen::MatrixXd y = next_displacements(*stream, report.map, block_rows);
+    const Eigen::MatrixXd y = next_displacements(gauges, report.map, block_rows);
     if (y.rows() == 0) return samples;
     std::string text;
     for (Eigen::Index i = 0; i < y.rows(); ++i) {
@@ -101,13 +96,19 @@ Table strain_table(const StrainReport& report) {
 }
 
 PlotGroup strain_plots(const StrainReport& report) {
+  const auto gauges = open_gauges(report.task);
+  const Eigen::MatrixXd first = next_displacements(*gauges, report.map, most_points);
+  const std::optional<double> rate_hz = gauges->rate_hz();
   CurvePlot plot;
-  plot.title = fmt::format("Displacements, the first {} samples", report.time.size());
-  plot.x = {report.has_times ? "time (s)" : "sample", false};
+  plot.title = fmt::format("Displacements, the first {} samples", first.rows());
+  plot.x = {rate_hz ? "time (s)" : "sample", false};
   plot.y = {"m", false};
-  plot.x_values = report.time;
-  for (std::size_t k = 0; k < report.displacements.size() && k < most_frfs; ++k)
-    plot.series.push_back({fmt::format("y({:g})", report.task.points[k]), report.displacements[k], Style::line});
+  for (Eigen::Index i = 0; i < first.rows(); ++i) plot.x_values.push_back(static_cast<double>(i) / rate_hz.value_or(1.0));
+  for (Eigen::Index k = 0; k < std::min(first.cols(), at(most_frfs)); ++k) {
+    const auto y = first.col(k);
+    plot.series.push_back(
+        {fmt::format("y({:g})", report.task.points[static_cast<std::size_t>(k)]), {y.begin(), y.end()}, Style::line});
+  }
   return {"", {{"", {plot}}}};
 }
 
@@ -137,13 +138,13 @@ std::string strain_json(const StrainReport& report) {
   return json_text(out);
 }
 
-std::string strain_page(const StrainReport& report) {
-  ReportPage page(report.file, "jointid series strain");
+std::string strain_page(const StrainReport& report, const PlotGroup& plots) {
+  ReportPage page(report.task.file.string(), "jointid series strain");
   page.status(status_banner("ok", strain_summary(report) + ".", strain_remarks(report)));
   page.section("Points");
   page.add(strain_table(report));
   page.section("Displacements");
-  page.add(strain_plots(report));
+  page.add(plots);
   return page.html();
 }
 

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "records/file/sample_stream.hpp"
 #include "report/page/contents.hpp"
 #include "report/text/table.hpp"
 #include "series/measurement/strain.hpp"
@@ -22,29 +24,28 @@ struct StrainTask {
   bool static_shapes = false;            ///< two of them are of a tip force and a tip moment
 };
 
-/// The map, and what it makes of the first samples.
 struct StrainReport {
   StrainTask task;  ///< points and shapes filled in
-  std::string file;
   series::StrainMap map;
-  std::vector<double> time;  ///< s, or the numbers of the samples where the file says no rate
-  bool has_times = false;
-  std::vector<std::vector<double>> displacements;  ///< of each point, m
 };
 
-/// Reads no more than the first samples. Throws InputError.
+/// The map; reads nothing. Throws InputError.
 StrainReport strain_report(const StrainTask& task);
 
-/// Displacements of the whole file a block at a time, as CSV: "y(0.4) [m],…" and a row a sample. Returns how many samples there
-/// were. Throws InputError, and Interrupted.
-std::size_t write_displacements(const StrainReport& report, const std::function<void(const std::string& text)>& write,
+/// The gauges' channels. Throws InputError where they are not as many as the gauges.
+std::unique_ptr<records::SampleStream> open_gauges(const StrainTask& task);
+
+/// Displacements of all samples of the gauges a block at a time, as CSV: "y(0.4) [m],…" and a row a sample. Returns how many
+/// samples there were. Throws InputError, and Interrupted.
+std::size_t write_displacements(const StrainReport& report, records::SampleStream& gauges,
+                                const std::function<void(const std::string& text)>& write,
                                 const std::function<bool()>& interrupted);
 
 /// That nothing shows a wrong gauge, where there are as many shapes as gauges; that the shapes are hard to tell apart.
 std::vector<std::string> strain_remarks(const StrainReport& report);
 /// Points, and what errors of the strains do to them.
 Table strain_table(const StrainReport& report);
-/// The first samples.
+/// Displacements of the first samples, which it reads. Throws InputError.
 PlotGroup strain_plots(const StrainReport& report);
 /// "4 gauges, 4 shapes, condition 12."
 std::string strain_summary(const StrainReport& report);
@@ -53,7 +54,7 @@ std::string strain_summary(const StrainReport& report);
 std::string strain_text(const StrainReport& report);
 /// The keys stay.
 std::string strain_json(const StrainReport& report);
-/// The page of `jointid series strain`.
-std::string strain_page(const StrainReport& report);
+/// The page of `jointid series strain` with its strain_plots().
+std::string strain_page(const StrainReport& report, const PlotGroup& plots);
 
 }  // namespace jointid::report

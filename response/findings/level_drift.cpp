@@ -74,8 +74,7 @@ std::vector<LevelDrift> test_level_drift(const std::shared_ptr<const Receptance>
                                          const LawUnknowns& unknowns, const LawFit& fit) {
   const std::set<std::size_t> different(level.begin(), level.end());
   const std::vector<std::size_t> levels(different.begin(), different.end());
-  const bool minimum = fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
-  if (levels.size() < 2 || !minimum || !fit.end || fit.end->states.empty()) return {};
+  if (levels.size() < 2 || !is_minimum(fit.status) || !fit.end || fit.end->states.empty()) return {};
   const auto rows = whitened_by_level(structure, states, level, levels, unknowns, *fit.end);
   if (!rows) return {};
   const Eigen::Index size = rows->unknowns;

@@ -98,12 +98,7 @@ std::vector<std::vector<Joint>> starts_like(const LawFit& other, const std::vect
   });
 }
 
-/// Whether the numbers are those of a minimum.
-bool is_minimum(const LawFit& fit) {
-  return fit.status == LawFitStatus::converged || fit.status == LawFitStatus::harmonics_not_enough;
-}
-
-std::pair<bool, double> rank(const LawFit& fit) { return {!is_minimum(fit), fit.aic}; }
+std::pair<bool, double> rank(const LawFit& fit) { return {!is_minimum(fit.status), fit.aic}; }
 
 /// Of responses and forces of all states.
 std::vector<int> measured_harmonics(const std::vector<MeasuredState>& states) {
@@ -124,7 +119,7 @@ std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vec
 /// Whether another start need not be tried: the data do not contradict the fit.
 bool is_good(const LawFit& fit) {
   constexpr double far = 5.0;  // deviations of χ²
-  return is_minimum(fit) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
+  return is_minimum(fit.status) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
 }
 
 constexpr int most_first_steps = 40;  ///< of a start: what has not come near a minimum by then is no start
@@ -142,7 +137,7 @@ LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::
   bool again = false;
   for (std::size_t i = 0; i < starts.size() && !again && !(i > 0 && is_good(best)); ++i) {
     LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
-    again = i > 0 && is_minimum(fit) && is_minimum(best) && std::abs(fit.chi_square - best.chi_square) < same;
+    again = i > 0 && is_minimum(fit.status) && is_minimum(best.status) && std::abs(fit.chi_square - best.chi_square) < same;
     if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
   }
   return best;
@@ -154,12 +149,12 @@ void begin_again(const std::shared_ptr<const Receptance>& structure, const std::
                  const LawFitOptions& options, const LawConstraints& constraints, std::vector<LawCandidate>& fitted) {
   constexpr double beaten = 1.0;  // by χ²
   const auto best = std::ranges::min_element(
-      fitted, {}, [](const LawCandidate& each) { return std::pair(!is_minimum(each.fit), each.fit.chi_square); });
+      fitted, {}, [](const LawCandidate& each) { return std::pair(!is_minimum(each.fit.status), each.fit.chi_square); });
   if (best == fitted.end() || !is_good(best->fit)) return;
   for (LawCandidate& each : fitted) {
     if (!is_good(each.fit) || !(each.fit.chi_square > best->fit.chi_square + beaten)) continue;
     LawFit again = first_fit(structure, states, starts_like(best->fit, each.laws, constraints), options, constraints);
-    if (is_minimum(again) && again.chi_square < each.fit.chi_square) each.fit = std::move(again);
+    if (is_minimum(again.status) && again.chi_square < each.fit.chi_square) each.fit = std::move(again);
   }
 }
 
@@ -170,9 +165,9 @@ LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::v
   std::vector<Joint> joints;
   for (const FittedJoint& joint : first.joints) joints.push_back(joint.joint);
   LawFitOptions further = options;
-  if (is_minimum(first)) further.from = first.end;
+  if (is_minimum(first.status)) further.from = first.end;
   LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), further);
-  return is_minimum(fit) || !is_minimum(first) ? fit : first;
+  return is_minimum(fit.status) || !is_minimum(first.status) ? fit : first;
 }
 
 }  // namespace
@@ -198,7 +193,7 @@ std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& 
   double least = std::numeric_limits<double>::infinity();
   for (const std::vector<std::string>& laws : candidates) {
     fitted.push_back({laws, first_fit(structure, states, starts_of(steps, laws, beside, constraints), options, constraints)});
-    if (is_minimum(fitted.back().fit)) least = std::min(least, fitted.back().fit.aic);
+    if (is_minimum(fitted.back().fit.status)) least = std::min(least, fitted.back().fit.aic);
   }
   begin_again(structure, states, options, constraints, fitted);
   for (LawCandidate& each : fitted) {
@@ -212,7 +207,7 @@ std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& 
 std::size_t chosen_law(const std::vector<LawCandidate>& compared) {
   constexpr double as_good = 2.0;
   std::size_t chosen = 0;
-  for (std::size_t i = 1; i < compared.size() && is_minimum(compared[i].fit); ++i) {
+  for (std::size_t i = 1; i < compared.size() && is_minimum(compared[i].fit.status); ++i) {
     const LawFit& fit = compared[i].fit;
     if (fit.aic > compared[0].fit.aic + as_good) break;
     if (fit.values.size() < compared[chosen].fit.values.size()) chosen = i;

@@ -144,6 +144,8 @@ std::string_view word(LawFitStatus status) {
   return words[static_cast<std::size_t>(status)];
 }
 
+bool is_minimum(LawFitStatus status) { return status == LawFitStatus::converged || status == LawFitStatus::harmonics_not_enough; }
+
 LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                 const LawUnknowns& unknowns, const LawFitOptions& options) {
   LawFit out = numbers_of(*structure, states, unknowns);

@@ -31,6 +31,8 @@ enum class LawFitStatus {
   harmonics_not_enough  ///< a minimum, but the last harmonics that could be added still moved it
 };
 std::string_view word(LawFitStatus status);
+/// Whether the numbers are those of a minimum.
+bool is_minimum(LawFitStatus status);
 
 /// One fit with the harmonics of the model up to `largest`.
 struct HarmonicsRound {

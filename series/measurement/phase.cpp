@@ -52,10 +52,14 @@ Harmonics fit_harmonics(std::span<const double> x, double sample_time, double fr
   return out;
 }
 
+double delay_between(const Harmonics& reference, const Harmonics& sensor, double frequency_hz) {
+  return std::remainder(sensor.phase[0] - reference.phase[0], 2.0 * std::numbers::pi) / angular(frequency_hz);
+}
+
 double sensor_delay(std::span<const double> reference, std::span<const double> sensor, double sample_time, double frequency_hz,
                     std::size_t harmonics) {
-  const auto phase = [&](std::span<const double> x) { return fit_harmonics(x, sample_time, frequency_hz, harmonics).phase[0]; };
-  return std::remainder(phase(sensor) - phase(reference), 2.0 * std::numbers::pi) / angular(frequency_hz);
+  const auto fitted = [&](std::span<const double> x) { return fit_harmonics(x, sample_time, frequency_hz, harmonics); };
+  return delay_between(fitted(reference), fitted(sensor), frequency_hz);
 }
 
 std::vector<double> advanced(std::span<const double> x, double sample_time, double delay) {

@@ -16,6 +16,9 @@ struct Harmonics {
 /// Throws InputError for a record shorter than a period or fewer than 2·harmonics + 1 samples, or above half the sampling rate.
 Harmonics fit_harmonics(std::span<const double> x, double sample_time, double frequency_hz, std::size_t harmonics = 1);
 
+/// How much later the fundamental of `sensor` is than that of `reference`, s, in (−1/2f, 1/2f].
+double delay_between(const Harmonics& reference, const Harmonics& sensor, double frequency_hz);
+
 /// How much later than `reference` a sensor shows the same fundamental, s, in (−1/2f, 1/2f]: one phase cannot tell whole periods.
 /// Further harmonics are fitted beside it, since they would leak into it from records of no whole number of periods.
 double sensor_delay(std::span<const double> reference, std::span<const double> sensor, double sample_time, double frequency_hz,
