@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 #include "base/error.hpp"
@@ -18,15 +19,19 @@ void Place::fail(const std::string& detail, const std::string& problem, const st
                     .remedy = remedy});
 }
 
-ByteFile::ByteFile(const std::filesystem::path& path) : name_(path.string()) {
+namespace {
+
+constexpr std::size_t first_block = 4096, largest_block = std::size_t{1} << 20;
+
+}  // namespace
+
+ByteFile::ByteFile(const std::filesystem::path& path) : name_(path.string()), block_(first_block) {
   std::error_code error;
   if (std::filesystem::is_regular_file(path, error)) {
     size_ = std::filesystem::file_size(path, error);
-    stream_.open(path, std::ios::binary);
-    exact_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   }
-  if (!stream_.is_open() || exact_ < 0) {
-    if (exact_ >= 0) ::close(exact_);
+  if (descriptor_ < 0) {
     throw InputError({.kind = ErrorKind::data,
                       .file = name_,
                       .place = {},
@@ -35,28 +40,52 @@ ByteFile::ByteFile(const std::filesystem::path& path) : name_(path.string()) {
   }
 }
 
-ByteFile::~ByteFile() {
-  if (exact_ >= 0) ::close(exact_);
-}
+ByteFile::~ByteFile() { ::close(descriptor_); }
 
 void ByteFile::seek(std::uint64_t position) {
-  stream_.clear();
-  stream_.seekg(static_cast<std::streamoff>(position));
+  const std::uint64_t begin = position_ - used_;
+  if (position >= begin && position - begin <= ahead_.size()) {
+    used_ = static_cast<std::size_t>(position - begin);
+  } else {
+    ahead_.clear();
+    used_ = 0;
+    block_ = first_block;
+  }
   position_ = position;
 }
 
+/// Forgets what was used and reads the next block; false where the file ends.
+bool ByteFile::read_ahead() {
+  ahead_.erase(0, used_);
+  used_ = 0;
+  const std::uint64_t next = position_ + ahead_.size();
+  if (next >= size_) return false;
+  ahead_ += read(next, std::min<std::uint64_t>(block_, size_ - next));
+  block_ = std::min(2 * block_, largest_block);
+  return true;
+}
+
 bool ByteFile::next_line(std::string_view& line) {
-  if (position_ >= size_ || !std::getline(stream_, line_)) return false;
-  position_ += line_.size() + (stream_.eof() ? 0 : 1);
-  if (!line_.empty() && line_.back() == '\r') line_.pop_back();
-  line = line_;
+  if (position_ >= size_) return false;
+  std::size_t end = ahead_.find('\n', used_);
+  while (end == std::string::npos) {
+    const std::size_t searched = ahead_.size() - used_;
+    if (!read_ahead()) break;
+    end = ahead_.find('\n', searched);
+  }
+  const std::size_t length = std::min(end, ahead_.size()) - used_;
+  line = std::string_view(ahead_).substr(used_, length);
+  const std::size_t passed = length + (end == std::string::npos ? 0 : 1);
+  used_ += passed;
+  position_ += passed;
+  if (line.ends_with('\r')) line.remove_suffix(1);
   return true;
 }
 
 std::string ByteFile::read(std::uint64_t offset, std::uint64_t count) {
   std::string bytes(count, '\0');
   for (std::uint64_t done = 0; done < count;) {
-    const ssize_t got = ::pread(exact_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));
+    const ssize_t got = ::pread(descriptor_, bytes.data() + done, count - done, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) {
       Place{name_, {}, offset}.fail({}, "cannot read " + std::to_string(count) + " bytes", "the file changed or its disk fails");

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -19,7 +18,8 @@ struct Place {
                          const std::string& remedy) const;
 };
 
-/// A file read in part: lines from a position on, or a number of bytes from an offset.
+/// A file read in part: lines from a position on, or a number of bytes from an offset. What is read ahead of lines begins with a
+/// page after every seek, and doubles while they go on: to look at tens of thousands of headers costs no more than their pages.
 class ByteFile {
  public:
   explicit ByteFile(const std::filesystem::path& path);
@@ -40,12 +40,15 @@ class ByteFile {
   std::string read(std::uint64_t offset, std::uint64_t count);
 
  private:
+  bool read_ahead();
+
   std::string name_;
-  std::ifstream stream_;  ///< for lines
-  int exact_ = -1;        ///< for numbers: a few bytes cost a few bytes, not a buffer of them
+  int descriptor_ = -1;
   std::uint64_t size_ = 0;
   std::uint64_t position_ = 0;
-  std::string line_;
+  std::string ahead_;      ///< the file's bytes from position_ - used_ on
+  std::size_t used_ = 0;   ///< of them, by lines that were given
+  std::size_t block_ = 0;  ///< bytes to be read next
 };
 
 }  // namespace jointid::frf::uff

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "frf/uff/uff58_text.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
@@ -47,7 +48,7 @@ class Scanner {
     }
     if (found.binary) {
       binary58(found);
-    } else {
+    } else if (!passes_text58(found)) {
       text(found);
     }
     return found;
@@ -106,6 +107,35 @@ class Scanner {
     }
     found.function = parse_header58(lines, found.place);
     found.payload_begin = file_.position();
+  }
+
+  /// Passes the text of a function whose lines are all as long as the first one, which need not be looked at: where the last one
+  /// that record 7 implies would stand, there is one of as many numbers as are left, and the closing -1 after it. Anything else
+  /// is read by text().
+  bool passes_text58(Dataset& found) {
+    constexpr std::uint64_t few = 64;  // are read faster than looked for
+    if (!found.function) return false;
+    const std::uint64_t numbers = found.function->points * found.function->numbers_per_point();
+    const std::uint64_t in_line = text_columns(*found.function).size();
+    const std::uint64_t whole = (numbers - 1) / in_line;  // lines before the last
+    if (whole < few) return false;
+    const auto holds = [&](std::uint64_t count) { return file_.next_line(line_) && words(line_).size() == count; };
+    const bool even = holds(in_line);
+    const std::uint64_t length = file_.position() - found.payload_begin;
+    if (even && whole < file_.size() / length) {
+      const std::uint64_t last = found.payload_begin + whole * length;
+      if (last < file_.size() && file_.read(last - 1, 1) == "\n") {
+        file_.seek(last);
+        if (holds(numbers - whole * in_line)) {
+          found.payload_end = file_.position();
+          found.payload_lines = whole + 1;
+          if (file_.next_line(line_) && is_delimiter(line_)) return true;
+        }
+      }
+    }
+    found.payload_lines = 0;
+    file_.seek(found.payload_begin);
+    return false;
   }
 
   /// Passes text up to and including the closing -1.
