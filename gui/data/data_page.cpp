@@ -164,6 +164,9 @@ void DataPage::show_file() {
   model_->clear();
   if (!file.error.empty()) return about_->setText(QString::fromStdString(file.error));
   about_->setText(about(file.header));
+  model_->set_file(file.header);
+  // An FRF is read before the figures, for which all of them are: seconds for gigabytes of text.
+  table_->selectionModel()->select(model_->index(0, 0), QItemSelectionModel::ClearAndSelect);
   worker_->add([this, file, chosen = chosen_](const Worker::Watch& watch) -> Worker::Deliver {
     return [this, chosen, figures = figures_of(file, watch.interrupted)] { show_figures(chosen, figures); };
   });
@@ -171,12 +174,11 @@ void DataPage::show_file() {
 
 void DataPage::show_figures(std::size_t file, std::vector<EntryFigures> figures) {
   if (file != chosen_ || file >= files_.size()) return;
-  model_->set_file(files_[file].header, std::move(figures));
+  model_->set_figures(std::move(figures));
   const QVariant before = figure_->currentData();
   figure_->clear();
   for (const GridFigure figure : model_->known_figures()) figure_->addItem(text_of(figure), static_cast<int>(figure));
   figure_->setCurrentIndex(std::max(0, figure_->findData(before)));
-  table_->selectionModel()->select(model_->index(0, 0), QItemSelectionModel::ClearAndSelect);
 }
 
 void DataPage::choose_frfs(const std::vector<std::pair<int, int>>& entries) {

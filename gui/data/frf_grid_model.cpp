@@ -36,14 +36,19 @@ QString figure_text(double value, GridFigure figure) {
 
 }  // namespace
 
-void FrfGridModel::set_file(const frf::FrfHeader& header, std::vector<EntryFigures> figures) {
+void FrfGridModel::set_file(const frf::FrfHeader& header) {
   beginResetModel();
   header_ = header;
-  figures_ = std::move(figures);
+  figures_.clear();
   endResetModel();
 }
 
-void FrfGridModel::clear() { set_file({}, {}); }
+void FrfGridModel::clear() { set_file({}); }
+
+void FrfGridModel::set_figures(std::vector<EntryFigures> figures) {
+  figures_ = std::move(figures);
+  all_changed();
+}
 
 void FrfGridModel::all_changed() {
   if (rowCount() > 0 && columnCount() > 0) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));

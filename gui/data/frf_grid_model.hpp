@@ -17,8 +17,10 @@ class FrfGridModel : public QAbstractTableModel {
  public:
   using QAbstractTableModel::QAbstractTableModel;
 
-  void set_file(const frf::FrfHeader& header, std::vector<EntryFigures> figures);
+  /// Nothing is known of its FRFs until set_figures().
+  void set_file(const frf::FrfHeader& header);
   void clear();
+  void set_figures(std::vector<EntryFigures> figures);
   void set_figure(GridFigure figure);
   void set_joint(std::vector<frf::Dof> dofs);
   void set_theme(Theme theme);

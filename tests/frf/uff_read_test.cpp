@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <sstream>
 
 #include "frf/uff/uff_file.hpp"
 #include "uff_samples.hpp"
@@ -134,6 +135,64 @@ TEST(UffRead, DeclaredPointsAreNotAllocated) {
   Record binary = binary_record<double>(6, {1.0, 0.5, 2.0, 1.0});
   binary.points = 2'147'483'647;
   EXPECT_THAT(load_error(binary.str()), HasSubstr("of 4294967294 values were found"));
+}
+
+/// So many that the lines are even, and passed over by their length: real and imaginary parts i, −i/2 at line i.
+constexpr int many_points = 301;
+
+Record long_record(std::int64_t response_node = 1) {
+  Record record;
+  record.response_node = response_node;
+  record.points = many_points;
+  for (int i = 0; i < many_points; ++i) {
+    record.data += format("%20.12E%20.12E", double(i), -0.5 * i);
+    if (i % 2 == 1 || i + 1 == many_points) record.data += "\n";
+  }
+  return record;
+}
+
+/// The lines of the record's data, each given to change(number, line).
+template <class Change>
+Record with_lines(Record record, Change change) {
+  std::istringstream lines(record.data);
+  record.data.clear();
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) record.data += change(number++, line);
+  return record;
+}
+
+TEST(UffRead, LongTextOfAnyLineLengths) {
+  std::vector<Complex> expected;
+  for (int i = 0; i < many_points; ++i) expected.emplace_back(i, -0.5 * i);
+  const auto values_of = [](const Record& first) {
+    const FrfSet set = load_text(first.str() + long_record(2).str());
+    EXPECT_EQ(set.header.response.size(), 2U);
+    std::vector<Complex> values;
+    for (std::size_t line = 0; line < set.header.lines(); ++line) values.push_back(set.values[2 * line]);
+    return values;
+  };
+  EXPECT_EQ(values_of(long_record()), expected);
+  EXPECT_EQ(values_of(with_lines(long_record(), [](int, const std::string& line) { return line + "  \r\n"; })), expected);
+  EXPECT_EQ(values_of(with_lines(long_record(), [](int i, const std::string& line) { return line + (i == 70 ? " \n" : "\n"); })),
+            expected);
+  EXPECT_EQ(values_of(with_lines(long_record(), [](int i, const std::string& line) { return line + (i == 0 ? " \n" : "\n"); })),
+            expected);
+  EXPECT_EQ(values_of(with_lines(long_record(), [](int i, const std::string& line) { return line + (i == 9 ? "\n\n" : "\n"); })),
+            expected);
+}
+
+TEST(UffRead, LongTextWithALineTooFewOrTooMany) {
+  const auto error = [](int times) {
+    const Record first = with_lines(long_record(), [&](int i, const std::string& line) {
+      return i == 70 && times == 0 ? "" : line + "\n" + (i == 70 && times == 2 ? line + "\n" : "");
+    });
+    return load_error(first.str() + long_record(2).str());
+  };
+  EXPECT_THAT(error(0), AllOf(HasSubstr("dataset 58 number 1"), HasSubstr("598 of 602 values were found")));
+  EXPECT_THAT(error(2), AllOf(HasSubstr("dataset 58 number 1, data line 152"), HasSubstr("more data than the 602 values")));
+  const Record delimiter =
+      with_lines(long_record(), [](int i, const std::string& line) { return i == 70 ? "    -1\n" : line + "\n"; });
+  EXPECT_THAT(load_error(delimiter.str()), HasSubstr("is damaged or cut off"));
 }
 
 /// A file cut at any byte is read as if whole (nothing but the delimiter is missing) or is an InputError.

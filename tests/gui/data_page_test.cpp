@@ -52,6 +52,19 @@ TEST(DataPage, ShowsFilesGridAndTheFirstFrf) {
   EXPECT_EQ(loaded.page.plot()->curves().front().coherence.size(), 401U);
 }
 
+TEST(DataPage, DrawsAnFrfBeforeItReadsAllForTheGrid) {
+  Loaded loaded;
+  FrfGridModel& grid = *loaded.page.grid();
+  std::vector<std::size_t> curves;
+  QObject::connect(&grid, &FrfGridModel::dataChanged, &loaded.page,
+                   [&] { curves.push_back(loaded.page.plot()->curves().size()); });
+  loaded.page.plot()->set_curves({});
+  loaded.choose(1);
+  ASSERT_FALSE(curves.empty());
+  EXPECT_EQ(curves.front(), 1U);
+  EXPECT_FALSE(grid.known_figures().empty());
+}
+
 TEST(DataPage, DrawsTheSameFrfOfAllFiles) {
   Loaded loaded;
   loaded.choose(2);
@@ -93,7 +106,7 @@ TEST(DataPage, SaysMissingFrfsAndJointDofs) {
   EXPECT_FALSE(grid.headerData(0, Qt::Vertical, Qt::FontRole).isValid());
   EntryFigures none;
   none.missing = 1.0;
-  grid.set_file(grid.header(), std::vector<EntryFigures>(14 * 14, none));
+  grid.set_figures(std::vector<EntryFigures>(14 * 14, none));
   EXPECT_EQ(grid.data(grid.index(0, 0), Qt::DisplayRole).toString(), "missing");
 }
 
