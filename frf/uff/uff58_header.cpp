@@ -9,6 +9,11 @@
 namespace jointid::frf::uff {
 namespace {
 
+constexpr std::array<std::size_t, 6> singles = {13, 13, 13, 13, 13, 13};
+constexpr std::array<std::size_t, 4> doubles = {20, 20, 20, 20};
+constexpr std::array<std::size_t, 4> uneven_real_doubles = {13, 20, 13, 20};
+constexpr std::array<std::size_t, 3> uneven_complex_doubles = {13, 20, 20};
+
 constexpr std::array<const char*, 29> function_names = {"general or unknown function",
                                                         "time response",
                                                         "auto spectrum",
@@ -155,6 +160,13 @@ Header58 parse_header58(const std::array<std::string, header_lines>& lines, cons
   header.numerator = parse_axis(lines[8], 9, place);
   header.denominator = parse_axis(lines[9], 10, place);
   return header;
+}
+
+std::span<const std::size_t> text_columns(const Header58& header) {
+  if (!header.is_double()) return singles;
+  if (header.even) return doubles;
+  if (header.is_complex()) return uneven_complex_doubles;
+  return uneven_real_doubles;
 }
 
 std::vector<double> even_abscissa(const Header58& header) {

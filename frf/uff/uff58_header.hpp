@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,9 @@ struct Header58 {
 
 /// Parses the eleven header lines by their columns; throws InputError at `place`.
 Header58 parse_header58(const std::array<std::string, header_lines>& lines, const Place& place);
+
+/// Widths of the columns of a data line (record 12): 6E13.5, 4E20.12, 2(E13.5,E20.12) or E13.5,2E20.12.
+std::span<const std::size_t> text_columns(const Header58& header);
 
 /// The abscissa of an even record, first + i·step, as the file states it.
 std::vector<double> even_abscissa(const Header58& header);

@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
 namespace {
-
-constexpr std::array<std::size_t, 6> singles = {13, 13, 13, 13, 13, 13};
-constexpr std::array<std::size_t, 4> doubles = {20, 20, 20, 20};
-constexpr std::array<std::size_t, 4> uneven_real_doubles = {13, 20, 13, 20};
-constexpr std::array<std::size_t, 3> uneven_complex_doubles = {13, 20, 20};
 
 /// Whether words and columns match one to one, but a column before a word is blank.
 bool has_gap(std::string_view line, const std::vector<std::string_view>& fields,
@@ -76,13 +72,6 @@ bool append_line(std::vector<double>& numbers, std::string_view line, std::span<
 }
 
 }  // namespace
-
-std::span<const std::size_t> text_columns(const Header58& header) {
-  if (!header.is_double()) return singles;
-  if (header.even) return doubles;
-  if (header.is_complex()) return uneven_complex_doubles;
-  return uneven_real_doubles;
-}
 
 std::vector<double> read_text_numbers(ByteFile& file, const Dataset& dataset) {
   const std::uint64_t needed = dataset.function->points * dataset.function->numbers_per_point();

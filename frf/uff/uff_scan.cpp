@@ -4,7 +4,6 @@
 #include <array>
 #include <map>
 
-#include "frf/uff/uff58_text.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
