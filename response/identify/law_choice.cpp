@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "friction/fit/fit_start.hpp"
+#include "response/identify/lifted_fit.hpp"
 
 namespace jointid::response {
 namespace {
@@ -75,6 +76,12 @@ std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, 
   return starts;
 }
 
+std::vector<Joint> joints_of(const LawFit& fit) {
+  std::vector<Joint> joints;
+  for (const FittedJoint& joint : fit.joints) joints.push_back(joint.joint);
+  return joints;
+}
+
 /// Stiffness and limit of a fitted joint; a limit beyond all forces where it has none.
 friction::Features features_of(const FittedJoint& joint) {
   constexpr double beyond = 100.0;
@@ -86,8 +93,7 @@ friction::Features features_of(const FittedJoint& joint) {
 /// Starts that do what the fit of other laws does; what acts beside the laws is that fit's.
 std::vector<std::vector<Joint>> starts_like(const LawFit& other, const std::vector<std::string>& laws,
                                             const LawConstraints& constraints) {
-  std::vector<Joint> beside;
-  for (const FittedJoint& joint : other.joints) beside.push_back(joint.joint);
+  const std::vector<Joint> beside = joints_of(other);
   return together(beside, constraints, [&](std::size_t j) {
     std::vector<Joint> starts;
     for (auto& law : friction::family(laws[j]).starts(features_of(other.joints[j]))) {
@@ -124,15 +130,10 @@ bool is_good(const LawFit& fit) {
 
 constexpr int most_first_steps = 40;  ///< of a start: what has not come near a minimum by then is no start
 
-/// The best of all starts; harmonics are not added yet.
-LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                 const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
-  constexpr double roughly = 0.01, same = 0.1;  // of a deviation, and of χ²
-  if (options.harmonics.empty()) {
-    options.harmonics = measured_harmonics(states);
-    options.steps.enough = roughly;
-  }
-  options.steps.most_steps = std::min(options.steps.most_steps, most_first_steps);
+/// The best of all starts.
+LawFit best_of(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+               const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options, const LawConstraints& constraints) {
+  constexpr double same = 0.1;  // of χ²
   LawFit best;
   bool again = false;
   for (std::size_t i = 0; i < starts.size() && !again && !(i > 0 && is_good(best)); ++i) {
@@ -141,6 +142,24 @@ LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::
     if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
   }
   return best;
+}
+
+/// The best of all starts; harmonics are not added yet. Of many lines some tell first where to start: a wrong start takes as many
+/// steps of them, and each in a part of the time.
+LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                 std::vector<std::vector<Joint>> starts, LawFitOptions options, const LawConstraints& constraints) {
+  constexpr double roughly = 0.01;  // of a deviation
+  if (options.harmonics.empty()) {
+    options.harmonics = measured_harmonics(states);
+    options.steps.enough = roughly;
+  }
+  options.steps.most_steps = std::min(options.steps.most_steps, most_first_steps);
+  const std::vector<MeasuredState> some = some_lines(states);
+  if (!some.empty()) {
+    const LawFit found = best_of(structure, some, starts, options, constraints);
+    if (is_good(found)) starts.insert(starts.begin(), joints_of(found));
+  }
+  return best_of(structure, states, starts, options, constraints);
 }
 
 /// Laws that the data do not contradict, but that others beat, once more from where the best one is: many can do what it does
@@ -162,11 +181,9 @@ void begin_again(const std::shared_ptr<const Receptance>& structure, const std::
 LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states, LawFit first,
                 const LawFitOptions& options, const LawConstraints& constraints) {
   if (!options.harmonics.empty() || first.joints.empty()) return first;
-  std::vector<Joint> joints;
-  for (const FittedJoint& joint : first.joints) joints.push_back(joint.joint);
   LawFitOptions further = options;
   if (is_minimum(first.status)) further.from = first.end;
-  LawFit fit = fit_laws(structure, states, unknowns_of(std::move(joints), constraints), further);
+  LawFit fit = fit_laws(structure, states, unknowns_of(joints_of(first), constraints), further);
   return is_minimum(fit.status) || !is_minimum(first.status) ? fit : first;
 }
 

@@ -179,7 +179,19 @@ class LiftedProblem {
   std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
 };
 
-/// States of some lines, evenly among all of them, where there are many; else nothing.
+std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point, std::span<const double> tolerance) {
+  if (!point) return std::nullopt;
+  int steps = 0;
+  for (const double share : tolerance) {
+    problem.set_tolerance(share);
+    if (!problem.cost(*point)) return std::nullopt;
+    steps += problem.descend(*point);
+  }
+  return problem.described(std::move(*point), steps);
+}
+
+}  // namespace
+
 std::vector<MeasuredState> some_lines(const std::vector<MeasuredState>& states) {
   constexpr std::size_t enough = 20;
   std::vector<double> lines;
@@ -196,19 +208,6 @@ std::vector<MeasuredState> some_lines(const std::vector<MeasuredState>& states) 
   }
   return some;
 }
-
-std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point, std::span<const double> tolerance) {
-  if (!point) return std::nullopt;
-  int steps = 0;
-  for (const double share : tolerance) {
-    problem.set_tolerance(share);
-    if (!problem.cost(*point)) return std::nullopt;
-    steps += problem.descend(*point);
-  }
-  return problem.described(std::move(*point), steps);
-}
-
-}  // namespace
 
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work) {
