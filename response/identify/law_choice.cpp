@@ -128,6 +128,7 @@ bool is_good(const LawFit& fit) {
   return is_minimum(fit.status) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
 }
 
+constexpr double hopeless = 4.0;      ///< χ² of its freedom, or of that of another fit
 constexpr int most_first_steps = 40;  ///< of a start: what has not come near a minimum by then is no start
 
 /// The best of all starts.
@@ -147,7 +148,7 @@ LawFit best_of(const std::shared_ptr<const Receptance>& structure, const std::ve
 /// The best of all starts; harmonics are not added yet. Of many lines some tell first where to start: a wrong start takes as many
 /// steps of them, and each in a part of the time.
 LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                 std::vector<std::vector<Joint>> starts, LawFitOptions options, const LawConstraints& constraints) {
+                 const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
   constexpr double roughly = 0.01;  // of a deviation
   if (options.harmonics.empty()) {
     options.harmonics = measured_harmonics(states);
@@ -157,7 +158,10 @@ LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::
   const std::vector<MeasuredState> some = some_lines(states);
   if (!some.empty()) {
     const LawFit found = best_of(structure, some, starts, options, constraints);
-    if (is_good(found)) starts.insert(starts.begin(), joints_of(found));
+    if (is_good(found)) {
+      LawFit fit = fit_laws(structure, states, unknowns_of(joints_of(found), constraints), options);
+      if (is_minimum(fit.status) && fit.chi_square < hopeless * static_cast<double>(fit.freedom)) return fit;
+    }
   }
   return best_of(structure, states, starts, options, constraints);
 }
@@ -204,7 +208,7 @@ std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& 
                                        const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
                                        const LawFitOptions& options, const LawConstraints& constraints) {
-  constexpr double hopeless = 4.0, room = 100.0;
+  constexpr double room = 100.0;
   const std::vector<DirectStep> steps = direct_steps(*structure, states);
   std::vector<LawCandidate> fitted;
   double least = std::numeric_limits<double>::infinity();
