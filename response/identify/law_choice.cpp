@@ -116,9 +116,11 @@ std::vector<int> measured_harmonics(const std::vector<MeasuredState>& states) {
   return {all.begin(), all.end()};
 }
 
+/// Of some lines where there are many: starts need no more.
 std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vector<MeasuredState>& states) {
+  const std::vector<MeasuredState> some = some_lines(states);
   std::vector<DirectStep> steps;
-  for (const MeasuredState& state : states) steps.push_back(direct_step(structure, state));
+  for (const MeasuredState& state : some.empty() ? states : some) steps.push_back(direct_step(structure, state));
   return steps;
 }
 
