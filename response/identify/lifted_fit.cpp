@@ -179,6 +179,18 @@ class LiftedProblem {
   std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
 };
 
+/// States of harmonic balance at these numbers, with the receptances as measured.
+std::optional<LiftedFit> balanced(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                  const LawUnknowns& unknowns, const std::vector<int>& harmonics, const Eigen::VectorXd& numbers,
+                                  const FitWork& work) {
+  const ResponseResiduals residuals(structure, states, unknowns, harmonics, work);
+  auto value = residuals.evaluate(numbers);
+  if (!value) return std::nullopt;
+  LineLayout layout(residuals.models(), *structure);
+  LineErrors none = layout.no_errors();
+  return LiftedFit{numbers, std::move(layout), std::move(none), std::move(value->states), 0.0, 0};
+}
+
 std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point, std::span<const double> tolerance) {
   if (!point) return std::nullopt;
   int steps = 0;
@@ -216,7 +228,10 @@ std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& str
   if (!some.empty()) {
     LiftedProblem few(structure, some, unknowns, harmonics, work);
     const auto found = fit(few, few.start(unknowns.start()), tolerances);
-    if (found) return fit(problem, problem.start(found->numbers), all_tolerances);
+    if (found) {
+      const auto near = balanced(structure, states, unknowns, harmonics, found->numbers, work);
+      return fit(problem, near ? problem.start(*near) : problem.start(found->numbers), all_tolerances);
+    }
   }
   return fit(problem, problem.start(unknowns.start()), tolerances);
 }

@@ -28,7 +28,7 @@ std::vector<MeasuredState> some_lines(const std::vector<MeasuredState>& states);
 /// so that near resonances, where harmonic balance amplifies every error, the sum stays smooth; it starts at the forces of the
 /// direct step. τ falls from a third of the joint's force to a hundredth of it, each minimum the start of the next; with τ → 0 it
 /// is the likelihood. Gauss–Newton steps, the unknowns of a line eliminated from its rows. Of 40 lines and more, 20 among them
-/// tell the numbers first. Nothing when direct_step cannot start it.
+/// tell the numbers first; all then start where harmonic balance has them, if it does. Nothing when direct_step cannot start it.
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work = {});
 

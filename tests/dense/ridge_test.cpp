@@ -48,6 +48,36 @@ RC_GTEST_PROP(Ridge, LeftIsWhatTheBestLeaves, ()) {
   RC_ASSERT((left.transpose() * left - expected).norm() <= 1e-12 * r.squaredNorm());
 }
 
+/// Columns of one to three neighbouring rows among full ones, in any order: some stand in blocks of a few rows, some chain them
+/// up.
+MatrixXd with_narrow_columns(Eigen::Index rows, Eigen::Index narrow, Eigen::Index full, unsigned seed, double scale) {
+  MatrixXd b = random(rows, narrow + full, seed, scale);
+  std::mt19937_64 generator(seed);
+  for (Eigen::Index c = 0; c < b.cols(); ++c) {
+    if (static_cast<Eigen::Index>(generator() % static_cast<unsigned>(narrow + full)) < full) continue;
+    const Eigen::Index first = static_cast<Eigen::Index>(generator() % static_cast<unsigned>(rows)),
+                       count = std::min<Eigen::Index>(rows - first, static_cast<Eigen::Index>(generator() % 4));
+    const Eigen::VectorXd kept = b.col(c).segment(first, count);
+    b.col(c).setZero();
+    b.col(c).segment(first, count) = kept;
+  }
+  return b;
+}
+
+RC_GTEST_PROP(Ridge, OfNarrowColumnsIsTheSame, ()) {
+  const auto rows = *rc::gen::inRange<Eigen::Index>(1, 120), narrow = *rc::gen::inRange<Eigen::Index>(1, 150),
+             full = *rc::gen::inRange<Eigen::Index>(0, 20);
+  const double scale = std::pow(10.0, *rc::gen::inRange(-4, 5));
+  const MatrixXd b = with_narrow_columns(rows, narrow, full, *rc::gen::arbitrary<unsigned>(), scale),
+                 r = random(rows, 3, *rc::gen::arbitrary<unsigned>());
+  const Ridge ridge(b);
+  RC_ASSERT(ridge.b() == b);
+  const MatrixXd expected = by_svd(b, r), found = ridge.best(r), left = ridge.left(r), rest = r + b * expected;
+  RC_ASSERT((found - expected).norm() <= 1e-10 * std::max(expected.norm(), 1e-6 * r.norm() / std::max(1.0, scale)));
+  const MatrixXd products = rest.transpose() * rest + expected.transpose() * expected;
+  RC_ASSERT((left.transpose() * left - products).norm() <= 1e-11 * r.squaredNorm());
+}
+
 TEST(Ridge, OfNoUnknownsLeavesAll) {
   const MatrixXd r = random(5, 2, 3);
   const Ridge ridge{MatrixXd(5, 0)};
