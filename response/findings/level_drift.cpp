@@ -56,7 +56,8 @@ std::optional<Whitened> whitened_by_level(const std::shared_ptr<const Receptance
     row += rows;
   }
   if (!layout) return Whitened{{value->linearised.residual, std::move(all)}, size};
-  const LineCorrelation correlation(*layout, models, value->states, joint_forces(*unknowns.at_numbers(end.result.unknowns)), 1);
+  LineCorrelation correlation(*layout, 1);
+  correlation.set(models, value->states, joint_forces(*unknowns.at_numbers(end.result.unknowns)));
   return Whitened{correlation.whitened(correlation.without(end.errors, value->linearised.residual), all), size};
 }
 

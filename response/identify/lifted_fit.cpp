@@ -93,8 +93,9 @@ class LiftedProblem {
   int descend(Point& point) const {
     double now = cost(point).value_or(0.0), damping = first_lifted_damping;
     int steps = 0;
+    LiftedLines lines(layout_, unknowns_, work_.threads);
     for (; steps < most_lifted_steps; ++steps) {
-      const LiftedLines lines = linearise(point);
+      lines.set(models(point.errors), point.numbers, point.force, point.errors, tolerance_);
       const double gain = now - lines.least(minimise::damped_step(lines.reduced(), 0.0));
       if (!(gain > least_gain + least_share_gained * now)) break;
       if (!move(lines, point, now, damping)) break;
@@ -143,10 +144,6 @@ class LiftedProblem {
 
   std::vector<StateModel> models(const LineErrors& errors) const {
     return corrected_models(structure_, states_, layout_, errors, harmonics_);
-  }
-
-  LiftedLines linearise(const Point& point) const {
-    return {layout_, models(point.errors), unknowns_, point.numbers, point.force, point.errors, tolerance_, work_.threads};
   }
 
   bool move(const LiftedLines& lines, Point& point, double& now, double& damping) const {

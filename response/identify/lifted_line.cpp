@@ -8,32 +8,36 @@
 
 namespace jointid::response {
 
-LiftedLines::LiftedLines(const LineLayout& layout, const std::vector<StateModel>& models, const LawUnknowns& unknowns,
-                         const Eigen::VectorXd& numbers, const std::vector<Eigen::MatrixXcd>& force, const LineErrors& errors,
-                         const std::vector<Eigen::VectorXd>& tolerance, std::size_t threads)
-    : layout_(layout), errors_(errors), lines_(layout.lines().size()), joints_(force.front().cols()) {
-  const std::vector<JointForce> joints = joint_forces(*unknowns.at_numbers(numbers));
-  const Eigen::VectorXd slopes = unknowns.slopes(numbers);
+LiftedLines::LiftedLines(const LineLayout& layout, const LawUnknowns& unknowns, std::size_t threads)
+    : layout_(layout), unknowns_(unknowns), threads_(threads), lines_(layout.lines().size()) {}
+
+void LiftedLines::set(const std::vector<StateModel>& models, const Eigen::VectorXd& numbers,
+                      const std::vector<Eigen::MatrixXcd>& force, const LineErrors& errors,
+                      const std::vector<Eigen::VectorXd>& tolerance) {
+  const std::vector<JointForce> joints = joint_forces(*unknowns_.at_numbers(numbers));
+  const Eigen::VectorXd slopes = unknowns_.slopes(numbers);
+  errors_ = errors;
+  joints_ = force.front().cols();
+  harmonics_.clear();
   for (const StateModel& model : models) harmonics_.push_back(model.harmonics());
   std::vector<Eigen::MatrixXd> reduced(lines_.size());
-  for_each_index(lines_.size(), threads, [&](std::size_t l) {
+  for_each_index(lines_.size(), threads_, [&](std::size_t l) {
     std::vector<LiftedState> states;
-    for (const std::size_t i : layout.lines()[l].states) states.emplace_back(models[i], joints, force[i], tolerance[i], true);
-    lines_[l] = eliminated(layout.lines()[l], states, unknowns, slopes, errors[l]);
+    for (const std::size_t i : layout_.lines()[l].states) states.emplace_back(models[i], joints, force[i], tolerance[i], true);
+    lines_[l] = eliminated(layout_.lines()[l], states, slopes, errors[l]);
     reduced[l] = lines_[l].errors->left(lines_[l].left);
   });
-  const minimise::Linearised priors = prior_residuals(unknowns, numbers);
+  const minimise::Linearised priors = prior_residuals(unknowns_, numbers);
   reduced.emplace_back(priors.residual.size(), slopes.size() + 1) << priors.jacobian, priors.residual;
   reduced_ = minimise::stacked(reduced);
 }
 
 LiftedLines::Line LiftedLines::eliminated(const LineLayout::Line& own, const std::vector<LiftedState>& states,
-                                          const LawUnknowns& unknowns, const Eigen::VectorXd& slopes,
-                                          const Eigen::VectorXd& errors) const {
+                                          const Eigen::VectorXd& slopes, const Eigen::VectorXd& errors) const {
   Line line;
   Eigen::Index rows = 0;
   for (std::size_t s = 0; s < states.size(); ++s) {
-    const LiftedRows of_state = states[s].rows(unknowns, slopes);
+    const LiftedRows of_state = states[s].rows(unknowns_, slopes);
     Eigen::MatrixXd others = Eigen::MatrixXd::Zero(of_state.residual.size(), own.errors + slopes.size() + 1);
     for (const auto& [number, first, count] : own.harmonics) {
       if (count > 0 && harmonics_[own.states[s]].find(number) >= 0)

@@ -22,10 +22,12 @@ struct LiftedChange {
 /// decomposition of ∂r/∂F, then of each line the errors u of its receptances (dense::Ridge).
 class LiftedLines {
  public:
-  /// On as many threads.
-  LiftedLines(const LineLayout& layout, const std::vector<StateModel>& models, const LawUnknowns& unknowns,
-              const Eigen::VectorXd& numbers, const std::vector<Eigen::MatrixXcd>& force, const LineErrors& errors,
-              const std::vector<Eigen::VectorXd>& tolerance, std::size_t threads);
+  /// Of no states yet; on as many threads. Layout and unknowns are kept by reference.
+  LiftedLines(const LineLayout& layout, const LawUnknowns& unknowns, std::size_t threads);
+
+  /// At these states; memory of those before is used again.
+  void set(const std::vector<StateModel>& models, const Eigen::VectorXd& numbers, const std::vector<Eigen::MatrixXcd>& force,
+           const LineErrors& errors, const std::vector<Eigen::VectorXd>& tolerance);
 
   /// Residuals over the numbers of the laws alone, priors last: what is left when forces and errors do their best.
   const minimise::Linearised& reduced() const { return reduced_; }
@@ -40,11 +42,13 @@ class LiftedLines {
     std::optional<dense::Ridge> errors;
     Eigen::MatrixXd left;  ///< ∂r/∂θ and r − (∂r/∂u)u of all states without F
   };
-  Line eliminated(const LineLayout::Line& own, const std::vector<LiftedState>& states, const LawUnknowns& unknowns,
-                  const Eigen::VectorXd& slopes, const Eigen::VectorXd& errors) const;
+  Line eliminated(const LineLayout::Line& own, const std::vector<LiftedState>& states, const Eigen::VectorXd& slopes,
+                  const Eigen::VectorXd& errors) const;
 
   const LineLayout& layout_;
-  const LineErrors& errors_;
+  const LawUnknowns& unknowns_;
+  std::size_t threads_;
+  LineErrors errors_;
   std::vector<Line> lines_;
   std::vector<Harmonics> harmonics_;  ///< of each state
   Eigen::Index joints_ = 0;

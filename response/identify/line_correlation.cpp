@@ -51,12 +51,13 @@ LineErrors LineLayout::no_errors() const {
   return none;
 }
 
-LineCorrelation::LineCorrelation(const LineLayout& layout, const std::vector<StateModel>& models,
-                                 const std::vector<StatePrediction>& states, const std::vector<JointForce>& joints,
-                                 std::size_t threads)
-    : layout_(&layout), threads_(threads), by_errors_(layout.lines().size()) {
-  for_each_index(by_errors_.size(), threads, [&](std::size_t l) {
-    const LineLayout::Line& line = layout.lines()[l];
+LineCorrelation::LineCorrelation(const LineLayout& layout, std::size_t threads)
+    : layout_(&layout), threads_(threads), by_errors_(layout.lines().size()) {}
+
+void LineCorrelation::set(const std::vector<StateModel>& models, const std::vector<StatePrediction>& states,
+                          const std::vector<JointForce>& joints) {
+  for_each_index(by_errors_.size(), threads_, [&](std::size_t l) {
+    const LineLayout::Line& line = layout_->lines()[l];
     Eigen::MatrixXd b = Eigen::MatrixXd::Zero(at(line.rows.size()), line.errors);
     Eigen::Index row = 0;
     for (const std::size_t i : line.states) {

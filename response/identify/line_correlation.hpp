@@ -52,9 +52,12 @@ class LineLayout {
 /// twice.
 class LineCorrelation {
  public:
-  /// On as many threads.
-  LineCorrelation(const LineLayout& layout, const std::vector<StateModel>& models, const std::vector<StatePrediction>& states,
-                  const std::vector<JointForce>& joints, std::size_t threads);
+  /// Of no states yet; on as many threads. The layout is kept by reference.
+  LineCorrelation(const LineLayout& layout, std::size_t threads);
+
+  /// Of these states; memory of those before is used again.
+  void set(const std::vector<StateModel>& models, const std::vector<StatePrediction>& states,
+           const std::vector<JointForce>& joints);
 
   /// The residuals less what the errors do to them, r − Bu.
   Eigen::VectorXd without(const LineErrors& errors, const Eigen::VectorXd& residual) const;

@@ -42,12 +42,10 @@ std::optional<NuisanceResiduals::Trial> NuisanceResiduals::tried(LineErrors erro
   return Trial{numbers, std::move(errors), std::move(residuals), std::move(*value), cost};
 }
 
-NuisanceResiduals::FirstOrder NuisanceResiduals::linearised(const Trial& trial) const {
-  const std::vector<JointForce> joints = joint_forces(*unknowns_.at_numbers(trial.numbers));
-  FirstOrder at = {{layout_, trial.residuals.models(), trial.value.states, joints, work_.threads}, {}, {}};
+void NuisanceResiduals::linearise(const Trial& trial, FirstOrder& at) const {
+  at.correlation.set(trial.residuals.models(), trial.value.states, joint_forces(*unknowns_.at_numbers(trial.numbers)));
   at.without = at.correlation.without(trial.errors, trial.value.linearised.residual);
   at.reduced = at.correlation.whitened(at.without, trial.value.linearised.jacobian);
-  return at;
 }
 
 LineErrors NuisanceResiduals::best_errors(const FirstOrder& at, const Trial& trial, const Eigen::VectorXd& step) const {
@@ -83,8 +81,9 @@ std::optional<minimise::Linearised> NuisanceResiduals::evaluate(const Eigen::Vec
   auto trial = tried(errors_, numbers, last);
   if (!trial) return std::nullopt;
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(numbers.size());
+  FirstOrder at = nothing();
   for (int round = 0;; ++round) {
-    FirstOrder at = linearised(*trial);
+    linearise(*trial, at);
     const LineErrors best = best_errors(at, *trial, none);
     if (round < most_rounds && largest_change(trial->errors, best) >= settled && settle(best, *trial)) continue;
     keep(std::move(*trial));
@@ -116,7 +115,8 @@ minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start,
   result.defined = true;
   minimise::GaussNewtonEnd end(options);
   double damping = first_step_damping;
-  FirstOrder at = linearised(*trial);
+  FirstOrder at = nothing();
+  linearise(*trial, at);
   for (; result.steps < options.most_steps; ++result.steps) {
     const Eigen::VectorXd full = minimise::damped_step(at.reduced, 0.0);
     const double least = (at.reduced.residual + at.reduced.jacobian * full).squaredNorm();
@@ -136,7 +136,7 @@ minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start,
       if (end.shrinks()) *trial = std::move(*next);
       result.converged = end.is_last();
     }
-    at = linearised(*trial);
+    linearise(*trial, at);
     if (result.converged) break;
   }
   result.unknowns = trial->numbers;

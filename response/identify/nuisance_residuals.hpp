@@ -48,7 +48,8 @@ class NuisanceResiduals {
     minimise::Linearised reduced;  ///< over the numbers
   };
   std::optional<Trial> tried(LineErrors errors, const Eigen::VectorXd& numbers, const std::vector<StatePrediction>& last) const;
-  FirstOrder linearised(const Trial& trial) const;
+  FirstOrder nothing() const { return {{layout_, work_.threads}, {}, {}}; }
+  void linearise(const Trial& trial, FirstOrder& at) const;
   /// The best errors after a step of the numbers.
   LineErrors best_errors(const FirstOrder& at, const Trial& trial, const Eigen::VectorXd& step) const;
   /// A share of a step, and of the way to these errors.
