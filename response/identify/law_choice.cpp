@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -11,7 +12,7 @@
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "friction/fit/fit_start.hpp"
-#include "response/identify/lifted_fit.hpp"
+#include "response/identify/some_lines.hpp"
 
 namespace jointid::response {
 namespace {
@@ -118,7 +119,7 @@ std::vector<int> measured_harmonics(const std::vector<MeasuredState>& states) {
 
 /// Of some lines where there are many: starts need no more.
 std::vector<DirectStep> direct_steps(const Receptance& structure, const std::vector<MeasuredState>& states) {
-  const std::vector<MeasuredState> some = some_lines(states);
+  const std::vector<MeasuredState> some = some_lines(states, lines_for_a_start);
   std::vector<DirectStep> steps;
   for (const MeasuredState& state : some.empty() ? states : some) steps.push_back(direct_step(structure, state));
   return steps;
@@ -130,25 +131,48 @@ bool is_good(const LawFit& fit) {
   return is_minimum(fit.status) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
 }
 
-constexpr double hopeless = 4.0;      ///< χ² of its freedom, or of that of another fit
 constexpr int most_first_steps = 40;  ///< of a start: what has not come near a minimum by then is no start
+
+double chi_square_of_one(const LawFit& fit) { return fit.chi_square / static_cast<double>(fit.freedom); }
 
 /// The best of all starts.
 LawFit best_of(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options, const LawConstraints& constraints) {
-  constexpr double same = 0.1;  // of χ²
+  constexpr double same = 0.1, far = 2.0;  // of χ², and of χ² of one number
   LawFit best;
   bool again = false;
   for (std::size_t i = 0; i < starts.size() && !again && !(i > 0 && is_good(best)); ++i) {
     LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
-    again = i > 0 && is_minimum(fit.status) && is_minimum(best.status) && std::abs(fit.chi_square - best.chi_square) < same;
+    again = i > 0 && is_minimum(fit.status) && is_minimum(best.status) && std::abs(fit.chi_square - best.chi_square) < same &&
+            chi_square_of_one(fit) < far;
     if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
   }
   return best;
 }
 
-/// The best of all starts; harmonics are not added yet. Of many lines some tell first where to start: a wrong start takes as many
-/// steps of them, and each in a part of the time.
+/// Of all lines from the best fit to so many of them, of other ones where the data contradict it; only if it is as good for all.
+/// A wrong start takes as many steps of some lines, and each in a part of the time; where a resonance leads all starts astray,
+/// other lines often do not.
+std::optional<LawFit> fit_by_some(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
+                                  std::size_t count, const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options,
+                                  const LawConstraints& constraints) {
+  constexpr double as_good = 2.0;
+  std::optional<LawFit> best;
+  for (const double share : {0.5, 0.25, 0.75}) {
+    const std::vector<MeasuredState> some = some_lines(states, count, share);
+    if (some.empty()) return std::nullopt;
+    LawFit found = best_of(structure, some, starts, options, constraints);
+    if (is_minimum(found.status) && (!best || chi_square_of_one(found) < chi_square_of_one(*best))) best = std::move(found);
+    if (best && is_good(*best)) break;
+  }
+  if (!best) return std::nullopt;
+  LawFit fit = fit_laws(structure, states, unknowns_of(joints_of(*best), constraints), options);
+  const bool as_well = is_minimum(fit.status) && chi_square_of_one(fit) < as_good * std::max(1.0, chi_square_of_one(*best));
+  return as_well ? std::optional(std::move(fit)) : std::nullopt;
+}
+
+/// The best of all starts; harmonics are not added yet. Of many lines some tell first where to start, of fewer where no start
+/// did.
 LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                  const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
   constexpr double roughly = 0.01;  // of a deviation
@@ -157,15 +181,11 @@ LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::
     options.steps.enough = roughly;
   }
   options.steps.most_steps = std::min(options.steps.most_steps, most_first_steps);
-  const std::vector<MeasuredState> some = some_lines(states);
-  if (!some.empty()) {
-    const LawFit found = best_of(structure, some, starts, options, constraints);
-    if (is_good(found)) {
-      LawFit fit = fit_laws(structure, states, unknowns_of(joints_of(found), constraints), options);
-      if (is_minimum(fit.status) && fit.chi_square < hopeless * static_cast<double>(fit.freedom)) return fit;
-    }
-  }
-  return best_of(structure, states, starts, options, constraints);
+  if (auto fit = fit_by_some(structure, states, lines_for_a_start, starts, options, constraints)) return std::move(*fit);
+  LawFit best = best_of(structure, states, starts, options, constraints);
+  if (is_good(best)) return best;
+  auto fit = fit_by_some(structure, states, lines_for_a_start / 2, starts, options, constraints);
+  return fit && rank(*fit) < rank(best) ? std::move(*fit) : best;
 }
 
 /// Laws that the data do not contradict, but that others beat, once more from where the best one is: many can do what it does
@@ -190,7 +210,9 @@ LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::v
   LawFitOptions further = options;
   if (is_minimum(first.status)) further.from = first.end;
   LawFit fit = fit_laws(structure, states, unknowns_of(joints_of(first), constraints), further);
-  return is_minimum(fit.status) || !is_minimum(first.status) ? fit : first;
+  if (is_minimum(fit.status) || !is_minimum(first.status)) return fit;
+  first.status = LawFitStatus::harmonics_not_enough;
+  return first;
 }
 
 }  // namespace
@@ -210,7 +232,7 @@ std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& 
                                        const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
                                        const LawFitOptions& options, const LawConstraints& constraints) {
-  constexpr double room = 100.0;
+  constexpr double hopeless = 4.0, room = 100.0;
   const std::vector<DirectStep> steps = direct_steps(*structure, states);
   std::vector<LawCandidate> fitted;
   double least = std::numeric_limits<double>::infinity();

@@ -12,6 +12,7 @@
 #include "response/identify/direct_step.hpp"
 #include "response/identify/lifted_line.hpp"
 #include "response/identify/response_residuals.hpp"
+#include "response/identify/some_lines.hpp"
 
 namespace jointid::response {
 namespace {
@@ -201,26 +202,9 @@ std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point,
 
 }  // namespace
 
-std::vector<MeasuredState> some_lines(const std::vector<MeasuredState>& states) {
-  constexpr std::size_t enough = 20;
-  std::vector<double> lines;
-  for (const MeasuredState& state : states) lines.push_back(state.omega);
-  std::ranges::sort(lines);
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  if (lines.size() < 2 * enough) return {};
-  std::vector<MeasuredState> some;
-  for (const MeasuredState& state : states) {
-    const auto place = static_cast<std::size_t>(std::ranges::lower_bound(lines, state.omega) - lines.begin());
-    // Of every stretch of as many lines the middle one.
-    const std::size_t stretch = place * enough / lines.size(), middle = (2 * stretch + 1) * lines.size() / (2 * enough);
-    if (place == middle) some.push_back(state);
-  }
-  return some;
-}
-
 std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                     const LawUnknowns& unknowns, const std::vector<int>& harmonics, const FitWork& work) {
-  const std::vector<MeasuredState> some = some_lines(states);
+  const std::vector<MeasuredState> some = some_lines(states, lines_for_a_start);
   LiftedProblem problem(structure, states, unknowns, harmonics, work);
   if (!some.empty()) {
     LiftedProblem few(structure, some, unknowns, harmonics, work);

@@ -20,9 +20,6 @@ struct LiftedFit {
   int steps = 0;
 };
 
-/// States of 20 lines, evenly among all of them, where there are 40 and more; else nothing.
-std::vector<MeasuredState> some_lines(const std::vector<MeasuredState>& states);
-
 /// The likelihood with the forces of the joints as unknowns of their own ("lifted": Albersmeyer and Diehl 2010, SIAM J. Optim.
 /// 20, 1655–1684): min over θ, F and the errors u of Σ|X(F, u) − Y|²/σ² + Σ|F − F(Q(F, u); θ)|²/τ² + Σu². No equation is solved,
 /// so that near resonances, where harmonic balance amplifies every error, the sum stays smooth; it starts at the forces of the

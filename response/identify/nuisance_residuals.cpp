@@ -11,6 +11,9 @@ namespace {
 constexpr int most_rounds = 30, most_halvings = 4;
 constexpr double settled = 1e-7;              ///< largest last change of an error, in its deviations
 constexpr double first_step_damping = 1e-4, least_step_damping = 1e-12, most_step_damping = 1e6;
+/// Deviations: by less a step that lowers the cost at no length would move the numbers. A loop of the motion that is about to
+/// appear or to vanish bends the cost sharply; one state there holds all others up.
+constexpr double kink = 0.3;
 constexpr double step_shares[] = {1.0, 0.3};       ///< of a step that are tried before more damping
 
 double largest_change(const LineErrors& from, const LineErrors& to) {
@@ -120,14 +123,15 @@ minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start,
   for (; result.steps < options.most_steps; ++result.steps) {
     const Eigen::VectorXd full = minimise::damped_step(at.reduced, 0.0);
     const double least = (at.reduced.residual + at.reduced.jacobian * full).squaredNorm();
-    const auto what = end.judge(full, (at.reduced.jacobian * full).norm(), trial->cost, trial->cost - least);
+    const double movement = (at.reduced.jacobian * full).norm();
+    const auto what = end.judge(full, movement, trial->cost, trial->cost - least);
     if (what == minimise::GaussNewtonEnd::What::here) {
       result.converged = true;
       break;
     }
     if (what == minimise::GaussNewtonEnd::What::descend) {
       if (!descend(at, *trial, damping)) {
-        result.converged = end.at_rounding();
+        result.converged = end.at_rounding() || movement < kink;
         break;
       }
     } else {
