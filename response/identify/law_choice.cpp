@@ -12,7 +12,6 @@
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "friction/fit/fit_start.hpp"
-#include "response/identify/some_lines.hpp"
 
 namespace jointid::response {
 namespace {

@@ -12,7 +12,6 @@
 #include "response/identify/direct_step.hpp"
 #include "response/identify/lifted_line.hpp"
 #include "response/identify/response_residuals.hpp"
-#include "response/identify/some_lines.hpp"
 
 namespace jointid::response {
 namespace {

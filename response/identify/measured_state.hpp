@@ -39,4 +39,10 @@ void require_valid(const std::vector<MeasuredState>& states, const Receptance& s
 void add_in_deviations(const MeasuredState& state, int harmonic, const Eigen::Ref<const Eigen::MatrixXd>& responses,
                        Eigen::Ref<Eigen::MatrixXd> columns);
 
+inline constexpr std::size_t lines_for_a_start = 20;
+
+/// States of so many lines, evenly among all of them: of as many stretches of lines the one at this share of each. Nothing where
+/// there are fewer than twice as many lines.
+std::vector<MeasuredState> some_lines(const std::vector<MeasuredState>& states, std::size_t count, double share = 0.5);
+
 }  // namespace jointid::response

@@ -33,6 +33,23 @@ TEST(LawStart, IsNearTheTruth) {
   }
 }
 
+/// Of every stretch of lines the one at the share, with all its levels; of too few lines none.
+TEST(SomeLines, AreEvenlyAmongAll) {
+  std::vector<MeasuredState> states;
+  for (int line = 0; line < 12; ++line) {
+    for (int level = 0; level < 2; ++level) states.push_back({.omega = 100.0 - line});  // falling
+  }
+  const auto chosen = [&](std::size_t count, double share) {
+    std::vector<double> omegas;
+    for (const MeasuredState& state : some_lines(states, count, share)) omegas.push_back(state.omega);
+    return omegas;
+  };
+  EXPECT_EQ(chosen(3, 0.5), (std::vector<double>{99, 99, 95, 95, 91, 91}));
+  EXPECT_EQ(chosen(3, 0.25), (std::vector<double>{98, 98, 94, 94, 90, 90}));
+  EXPECT_EQ(chosen(6, 0.75).size(), 12u);
+  EXPECT_TRUE(chosen(7, 0.5).empty());
+}
+
 /// From data alone, also where one of the starts leads Iwan's β to 0 and stays there.
 TEST(LawStart, LeadsToTheMinimum) {
   std::mt19937_64 generator(1003);
