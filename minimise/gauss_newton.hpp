@@ -55,6 +55,9 @@ struct GaussNewtonResult {
   int steps = 0;
   Eigen::VectorXd unknowns;
   Linearised at;  ///< the unknowns
+  /// Of one that ended at a kink of Σr², where no step along the direction of descent lowers it: by how many of their deviations
+  /// a step would have moved the unknowns.
+  double kink = 0.0;
 };
 
 /// −(JᵀJ + damping·D²)⁺Jᵀr, D the norms of J's columns; no element is longer than 1.

@@ -37,7 +37,9 @@ TEST(LawStart, IsNearTheTruth) {
 TEST(SomeLines, AreEvenlyAmongAll) {
   std::vector<MeasuredState> states;
   for (int line = 0; line < 12; ++line) {
-    for (int level = 0; level < 2; ++level) states.push_back({.omega = 100.0 - line});  // falling
+    MeasuredState state;
+    state.omega = 100.0 - line;  // falling
+    states.insert(states.end(), 2, state);
   }
   const auto chosen = [&](std::size_t count, double share) {
     std::vector<double> omegas;
