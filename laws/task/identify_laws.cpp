@@ -54,6 +54,11 @@ void judge_fit(LawIdentification& found) {
       found.status = LawStatus::doubtful;
       found.message = "harmonics that the parts' lines do not hold may still move the estimate";
       break;
+    case LawFitStatus::at_kink:
+      found.status = LawStatus::doubtful;
+      found.message =
+          "χ² bends sharply at the estimate (a loop of one state's motion appears or vanishes): it may be a standard error off";
+      break;
     case LawFitStatus::converged:
       break;
   }

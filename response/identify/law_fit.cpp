@@ -17,11 +17,14 @@ namespace {
 
 constexpr double rough = 0.1;  ///< of the deviations by which harmonics that are added may move an estimate
 
+constexpr double negligible = 0.3;  ///< deviations that a kink may leave
+
 constexpr double finest = 1e-6;  ///< deviations: unknown receptances make the steps shrink by a factor alone
 
 LawFitStatus status_of(const minimise::GaussNewtonResult& result) {
   if (!result.defined) return LawFitStatus::no_response;
-  return result.converged ? LawFitStatus::converged : LawFitStatus::not_converged;
+  if (!result.converged) return LawFitStatus::not_converged;
+  return result.kink > negligible ? LawFitStatus::at_kink : LawFitStatus::converged;
 }
 
 /// Joints with values and deviations, from the numbers of a minimum.
@@ -140,11 +143,14 @@ LawFit numbers_of(const Receptance& structure, const std::vector<MeasuredState>&
 }  // namespace
 
 std::string_view word(LawFitStatus status) {
-  constexpr std::string_view words[] = {"converged", "not_converged", "no_response", "too_few_data", "harmonics_not_enough"};
+  constexpr std::string_view words[] = {"converged",    "not_converged",        "no_response",
+                                        "too_few_data", "harmonics_not_enough", "at_kink"};
   return words[static_cast<std::size_t>(status)];
 }
 
-bool is_minimum(LawFitStatus status) { return status == LawFitStatus::converged || status == LawFitStatus::harmonics_not_enough; }
+bool is_minimum(LawFitStatus status) {
+  return status == LawFitStatus::converged || status == LawFitStatus::harmonics_not_enough || status == LawFitStatus::at_kink;
+}
 
 LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                 const LawUnknowns& unknowns, const LawFitOptions& options) {
@@ -168,13 +174,13 @@ LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<M
     const double moved = out.rounds.empty() ? 0.0 : (fit.result.at.jacobian * (fit.result.unknowns - numbers)).norm();
     numbers = fit.result.unknowns;
     out.rounds.push_back({adds ? largest : 0, unknowns.values(numbers), fit.result.at.residual.squaredNorm(), moved});
-    if (out.status != LawFitStatus::converged || !adds || (out.rounds.size() > 1 && moved < options.settled)) break;
+    if (!fit.result.converged || !adds || (out.rounds.size() > 1 && moved < options.settled)) break;
     if (add.after(largest) == 0) out.status = LawFitStatus::harmonics_not_enough;
   }
   if (adds && fit.result.converged) {  // the last round ended roughly
     fit = fits.next(harmonics, fit, nuisance ? finest : 0.0);
     out.steps += fit.result.steps;
-    if (!fit.result.converged) out.status = status_of(fit.result);
+    if (out.status != LawFitStatus::harmonics_not_enough || !fit.result.converged) out.status = status_of(fit.result);
   }
   out.end = std::make_shared<const FitOfHarmonics>(fit);
   describe_fit(unknowns, std::move(fit), out);

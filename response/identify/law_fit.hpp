@@ -25,10 +25,11 @@ struct LawFitOptions {
 
 enum class LawFitStatus {
   converged,
-  not_converged,        ///< Gauss–Newton ended without a minimum: the numbers are those of its last step
-  no_response,          ///< harmonic balance has no solution for the law that the fit starts with
-  too_few_data,         ///< fewer numbers measured than unknown
-  harmonics_not_enough  ///< a minimum, but the last harmonics that could be added still moved it
+  not_converged,         ///< Gauss–Newton ended without a minimum: the numbers are those of its last step
+  no_response,           ///< harmonic balance has no solution for the law that the fit starts with
+  too_few_data,          ///< fewer numbers measured than unknown
+  harmonics_not_enough,  ///< a minimum, but the last harmonics that could be added still moved it
+  at_kink  ///< one where χ² bends sharply (a loop of one state's motion appears or vanishes): up to a deviation off
 };
 std::string_view word(LawFitStatus status);
 /// Whether the numbers are those of a minimum.

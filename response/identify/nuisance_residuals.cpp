@@ -11,9 +11,9 @@ namespace {
 constexpr int most_rounds = 30, most_halvings = 4;
 constexpr double settled = 1e-7;              ///< largest last change of an error, in its deviations
 constexpr double first_step_damping = 1e-4, least_step_damping = 1e-12, most_step_damping = 1e6;
-/// Deviations: by less a step that lowers the cost at no length would move the numbers. A loop of the motion that is about to
-/// appear or to vanish bends the cost sharply; one state there holds all others up.
-constexpr double kink = 0.3;
+/// Deviations by which a step that lowers the cost at no length would move the numbers, at most. A loop of the motion that is
+/// about to appear or to vanish bends the cost sharply; one state there holds all others up.
+constexpr double most_at_kink = 1.0;
 constexpr double step_shares[] = {1.0, 0.3};       ///< of a step that are tried before more damping
 
 double largest_change(const LineErrors& from, const LineErrors& to) {
@@ -131,7 +131,8 @@ minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start,
     }
     if (what == minimise::GaussNewtonEnd::What::descend) {
       if (!descend(at, *trial, damping)) {
-        result.converged = end.at_rounding() || movement < kink;
+        result.converged = end.at_rounding() || movement < most_at_kink;
+        if (!end.at_rounding()) result.kink = movement;
         break;
       }
     } else {

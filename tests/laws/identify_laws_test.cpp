@@ -85,22 +85,22 @@ TEST(IdentifyLaws, FindsTheLawsOfAFrameOfNoisyParts) {
   }
 }
 
-/// Twenty lines of 1 to 30 N with 1 % of noise: from where two of the starts end, a joint that never slips has no way back. More
-/// lines than twice as many as a start needs are told by some of them first.
+/// 1 and 30 N, a frame with 1 % of noise: where the first starts end, a joint that never slips has no way back (14 lines), or a
+/// kink of one state holds the fit up (20); more than twice as many lines as a start needs are told by some of them first.
 TEST(IdentifyLaws, FindsTheLawsOfAFrameWhereStartsGoAstray) {
-  for (const std::size_t count : {20u, 41u}) {
+  for (const std::size_t count : {14u, 20u, 41u}) {
     problems::LawProblem problem = problems::frame_with_joints();
     problem.model = {1, 3};
-    problem.levels = {1.0, 4.0, 30.0};
+    problem.levels = {1.0, 30.0};
     problem.frequency_hz.clear();
     for (std::size_t i = 0; i < count; ++i)
-      problem.frequency_hz.push_back(50.0 + 12.0 * static_cast<double>(i) / static_cast<double>(count - 1));
+      problem.frequency_hz.push_back(50.0 + 20.0 * static_cast<double>(i) / static_cast<double>(count - 1));
     const auto data = problems::states_of(problem, problems::polluted(problem, problems::measure(problem), 1));
     const auto starts = response::law_starts(*data.structure, data.states, {"bilinear", "ren"}, {{.name = "a"}, {.name = "b"}});
     const response::LawFit fit = response::fit_from(data.structure, data.states, starts, {.harmonics = {1, 3}});
-    EXPECT_EQ(word(fit.status), "converged") << count;
+    EXPECT_TRUE(is_minimum(fit.status)) << count;
     EXPECT_LT(fit.chi_square, chi_square_quantile(static_cast<double>(fit.freedom), 4.0)) << count;
-    EXPECT_LT(std::abs(fit.joints.at(0).stiffness.value - 1e6), 4.0 * *fit.joints.at(0).stiffness.std_error) << count;
+    EXPECT_LT(std::abs(fit.joints.at(0).stiffness.value - 1e6), 5.0 * *fit.joints.at(0).stiffness.std_error) << count;
   }
 }
 
