@@ -32,6 +32,14 @@
 #include "gui/table/cell_table.hpp"
 
 namespace jointid::gui {
+namespace {
+
+/// Than a scene of identification.
+bool is_of_another_kind(const std::string& text) {
+  return is_couple_scene(text) || response_kind().is_of(text) || law_kind().is_of(text) || oscillate_kind().is_of(text);
+}
+
+}  // namespace
 Project::Project(QWidget* parent) : QWidget(parent) {
   editor_ = new SceneEditor;
   problem_ = named(new QLabel, "problem", tr("What is wrong with the scene"));
@@ -75,13 +83,14 @@ QWidget* Project::make_views() {
 void Project::show_form() {
   if (views_->currentWidget() != form_) return;
   form_->set_folder(as_name(path().parent_path()));
-  form_->show_text(editor_->text(), editor_->error());
+  const std::string text = editor_->text();
+  form_->show_text(text, editor_->error(), is_of_another_kind(text));
 }
 
 void Project::switch_view(bool to_form) {
   views_->setCurrentIndex(to_form ? 1 : 0);
   if (!to_form) return editor_->setFocus();
-  if (!form_->go_to_error()) form_->field("data", "substructures")->input()->setFocus();
+  if (!form_->go_to_error()) form_->go_to_first();
 }
 
 void Project::go_to_error() {

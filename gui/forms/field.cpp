@@ -37,14 +37,18 @@ QString accessible_name(const std::string& table, const std::string& key) {
 
 }  // namespace
 
-Field::Field(std::string table, std::string key, QWidget* parent)
-    : QWidget(parent), table_(std::move(table)), key_(std::move(key)), kind_(kind_of(table_, key_)) {
+Field::Field(std::string table, std::string key, std::optional<ValueKind> as_written, QWidget* parent)
+    : QWidget(parent),
+      table_(std::move(table)),
+      key_(std::move(key)),
+      kind_(as_written ? *as_written : kind_of(table_, key_)),
+      hint_(as_written ? QString() : hint_of(table_, key_)) {
   setObjectName(q(table_ + "." + key_));
   auto* row = new QHBoxLayout;
   row->setContentsMargins(0, 0, 0, 0);
   const bool is_choice = kind_ == ValueKind::word || kind_ == ValueKind::flag;
   row->addWidget(is_choice ? make_choice() : make_line(), 1);
-  if (names_files(table_, key_)) row->addWidget(make_files_button());
+  if (!as_written && names_files(table_, key_)) row->addWidget(make_files_button());
   error_ = named(new QLabel, "field_error", tr("What is wrong with %1").arg(accessible_name(table_, key_)));
   error_->setWordWrap(true);
   error_->setTextFormat(Qt::PlainText);
@@ -55,12 +59,12 @@ Field::Field(std::string table, std::string key, QWidget* parent)
   column->addLayout(row);
   column->addWidget(error_);
   input()->installEventFilter(this);
-  input()->setAccessibleDescription(hint_of(table_, key_));
+  input()->setAccessibleDescription(hint_);
 }
 
 QWidget* Field::make_line() {
-  line_ = named(new QLineEdit, "field_line", accessible_name(table_, key_), hint_of(table_, key_));
-  line_->setPlaceholderText(hint_of(table_, key_));
+  line_ = named(new QLineEdit, "field_line", accessible_name(table_, key_), hint_);
+  line_->setPlaceholderText(hint_);
   if (kind_ == ValueKind::dofs || kind_ == ValueKind::words || kind_ == ValueKind::files) {
     completer_ = new ListCompleter(*line_, tr("Names to choose from"));
     completer_->set_words(as_list(words_of(table_, key_)));
@@ -72,7 +76,7 @@ QWidget* Field::make_line() {
 }
 
 QWidget* Field::make_choice() {
-  choice_ = named(new QComboBox, "field_choice", accessible_name(table_, key_), hint_of(table_, key_));
+  choice_ = named(new QComboBox, "field_choice", accessible_name(table_, key_), hint_);
   choice_->setFocusPolicy(Qt::StrongFocus);  // the wheel scrolls the form
   choice_->addItem(tr("default"), QString());
   const QStringList words =
@@ -135,9 +139,8 @@ void Field::show_value(const std::string& value) {
   if (pending_) return;
   const ShownValue shown = shown_value(kind_, value);
   set_shown(q(shown.text), shown.is_locked);
-  const QString hint = hint_of(table_, key_);
-  input()->setToolTip(shown.is_locked ? tr("There are comments in this value: edit it in the text.") : hint);
-  if (line_ != nullptr) line_->setPlaceholderText(hint);
+  input()->setToolTip(shown.is_locked ? tr("There are comments in this value: edit it in the text.") : hint_);
+  if (line_ != nullptr) line_->setPlaceholderText(hint_);
 }
 
 void Field::lock(const QString& why) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 #include <string>
 
 #include "gui/scene/scene_words.hpp"
@@ -19,7 +20,8 @@ class Field : public QWidget {
   Q_OBJECT
 
  public:
-  Field(std::string table, std::string key, QWidget* parent = nullptr);
+  /// What the reader takes as value, or what the text has, of which no hint is known.
+  Field(std::string table, std::string key, std::optional<ValueKind> as_written = {}, QWidget* parent = nullptr);
 
   const std::string& table() const { return table_; }
   const std::string& key() const { return key_; }
@@ -57,7 +59,7 @@ class Field : public QWidget {
 
   std::string table_, key_;
   ValueKind kind_;
-  QString folder_;
+  QString hint_, folder_;
   QLineEdit* line_ = nullptr;
   QComboBox* choice_ = nullptr;
   ListCompleter* completer_ = nullptr;

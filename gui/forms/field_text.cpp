@@ -113,6 +113,14 @@ ShownValue shown_value(ValueKind kind, const std::string& value) {
   return {in_one_line(value), false};
 }
 
+ValueKind kind_as_written(const std::string& value) {
+  std::size_t end = 0;
+  if (read_string(value, end) && end == value.size()) return ValueKind::text;
+  if (value == "true" || value == "false") return ValueKind::flag;
+  const auto texts = read_list(value);
+  return texts && !texts->empty() ? ValueKind::texts : ValueKind::value;
+}
+
 std::string written_value(ValueKind kind, const std::string& shown) {
   const std::string text = trimmed(shown);
   if (text.empty()) return "";

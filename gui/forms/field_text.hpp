@@ -17,6 +17,9 @@ struct ShownValue {
 /// not there.
 ShownValue shown_value(ValueKind kind, const std::string& value);
 
+/// What a value is by how it is written: a text, a flag, a list of texts or anything else.
+ValueKind kind_as_written(const std::string& value);
+
 /// The TOML of what was written into a field: "" for an empty one; what begins with a quote or bracket is taken as TOML.
 std::string written_value(ValueKind kind, const std::string& shown);
 

@@ -3,17 +3,20 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QPointer>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "gui/forms/choice_row.hpp"
 #include "gui/forms/field.hpp"
 #include "gui/forms/field_hints.hpp"
+#include "gui/forms/field_text.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
 #include "gui/scene/joints_edit.hpp"
 #include "gui/scene/scene_words.hpp"
 #include "gui/scene/several_edit.hpp"
+#include "gui/scene/toml_edit.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -50,21 +53,57 @@ SceneForm::SceneForm(QWidget* parent) : QScrollArea(parent) {
 }
 
 void SceneForm::build() {
+  begin_anew();
   auto* all = new QWidget;
   auto* column = new QVBoxLayout(all);
   for (const std::string& table : tables()) {
     if (table == "joint") add_joints(*column);
-    Section& section = add_section(table, *column);
-    if (is_of_several(table)) add_choice(section);
+    add_section(table, *column);
+    if (is_of_several(table)) add_choice(sections_.back());
     if (table != any_file) continue;
     files_ = new ChoiceRow("file_choice", tr("File that the fields are of"), false);
-    static_cast<QFormLayout*>(section.box->layout())->insertRow(0, tr("file"), files_);
+    static_cast<QFormLayout*>(sections_.back().box->layout())->insertRow(0, tr("file"), files_);
     connect(files_, &ChoiceRow::changed, this, &SceneForm::show_again);
   }
   column->addStretch(1);
   setWidget(all);
   set_dofs(dofs_);
   set_folder(folder_);
+}
+
+/// Fields that there were go when their signals are over.
+void SceneForm::begin_anew() {
+  if (QWidget* before = takeWidget()) before->deleteLater();
+  sections_.clear();
+  several_.clear();
+  joints_ = files_ = nullptr;
+  written_.reset();
+}
+
+std::vector<SceneForm::Written> SceneForm::written() const {
+  std::vector<Written> all;
+  for (const TextTable& table : tables_in(text_)) {
+    all.push_back({table.path, {}});
+    for (const std::string& key : table.keys)
+      all.back().keys.emplace_back(key, kind_as_written(value_of(text_, table.path, key).value_or("")));
+  }
+  return all;
+}
+
+void SceneForm::build_as_written() {
+  std::vector<Written> now = written();
+  if (written_ == now) return;
+  begin_anew();
+  auto* all = new QWidget;
+  auto* column = new QVBoxLayout(all);
+  for (const Written& table : now) {
+    if (table.table.empty() && table.keys.empty()) continue;
+    add_box(table.table, table.table.empty() ? title_of("") : q(table.table).replace('#', ' '), *column);
+    for (const auto& [key, kind] : table.keys) add_field(sections_.back(), key, kind);
+  }
+  column->addStretch(1);
+  setWidget(all);
+  written_ = std::move(now);
 }
 
 /// Which of several, and its name.
@@ -111,8 +150,16 @@ void SceneForm::add_choice(Section& section) {
   });
 }
 
-SceneForm::Section& SceneForm::add_section(const std::string& table, QVBoxLayout& column) {
-  auto* box = named(new QGroupBox(title_of(table)), "section", title_of(table));
+void SceneForm::add_section(const std::string& table, QVBoxLayout& column) {
+  add_box(table, title_of(table), column);
+  for (const std::string& key : keys_of(table)) {
+    const bool is_section = table.empty() && is_table(key);
+    if (!is_section && key != all_joints) add_field(sections_.back(), key);
+  }
+}
+
+void SceneForm::add_box(const std::string& table, const QString& title, QVBoxLayout& column) {
+  auto* box = named(new QGroupBox(title), "section", title);
   auto* rows = new QFormLayout(box);
   rows->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   rows->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -121,18 +168,12 @@ SceneForm::Section& SceneForm::add_section(const std::string& table, QVBoxLayout
   error->setTextFormat(Qt::PlainText);
   error->hide();
   rows->addRow(error);
-  Section section{table, box, error, {}};
-  for (const std::string& key : keys_of(table)) {
-    const bool is_section = table.empty() && is_table(key);
-    if (!is_section && key != all_joints) add_field(section, key);
-  }
   column.addWidget(box);
-  sections_.push_back(std::move(section));
-  return sections_.back();
+  sections_.push_back({table, box, error, {}});
 }
 
-void SceneForm::add_field(Section& section, const std::string& key) {
-  auto* field = new Field(section.table, key);
+void SceneForm::add_field(Section& section, const std::string& key, std::optional<ValueKind> as_written) {
+  auto* field = new Field(section.table, key, as_written);
   auto* label = new QLabel(q(key).replace('_', ' '));
   label->setBuddy(field->input());
   static_cast<QFormLayout*>(section.box->layout())->addRow(label, field);
@@ -160,10 +201,21 @@ void SceneForm::set_folder(const QString& folder) {
   }
 }
 
+/// A value that is left out may take its field with it.
 void SceneForm::commit() {
-  for (const Section& section : sections_) {
-    for (Field* field : section.fields) field->commit();
+  std::vector<QPointer<Field>> all;
+  for (const Section& section : sections_) all.insert(all.end(), section.fields.begin(), section.fields.end());
+  for (const QPointer<Field>& field : all) {
+    if (field) field->commit();
   }
+}
+
+void SceneForm::go_to_first() {
+  Field* first = field("data", "substructures");
+  for (const Section& section : sections_) {
+    if (first == nullptr && !section.fields.empty()) first = section.fields.front();
+  }
+  if (first != nullptr) first->input()->setFocus();
 }
 
 bool SceneForm::go_to_error() {

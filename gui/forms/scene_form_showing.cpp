@@ -63,6 +63,7 @@ QStringList file_names(const std::string& text) {
 
 /// Where the fields of a section stand in the text.
 std::string SceneForm::path_of(const std::string& table) const {
+  if (written_) return table;
   if (table == any_file) return "data.files." + as_key(files_->chosen_name().toStdString());
   if (several_.contains(table)) return one_of_several(table, several_.at(table)->chosen() + 1);
   if (joints_in(text_) == 0 || !(is_of_joint(table) || table == all_joints)) return table;
@@ -72,7 +73,7 @@ std::string SceneForm::path_of(const std::string& table) const {
 /// Whether a table has fields of its own in the text as it is: not where it stands as the value of a key, and those below other
 /// tables than [joint] only where they have a header.
 bool SceneForm::has_section(const std::string& table) const {
-  if (table == all_joints) return true;
+  if (written_ || table == all_joints) return true;
   if (table == any_file) return !value_of(text_, "data", "files") && files_->chosen() >= 0;
   const bool is_one = several_.contains(table);
   const std::string path = is_one ? table : path_of(table);
@@ -85,15 +86,19 @@ bool SceneForm::has_section(const std::string& table) const {
 
 /// Whether a key's field is shown where it is, and not as a section.
 bool SceneForm::is_shown(const std::string& path) const {
+  if (written_) return true;
   if (path == "data.files") return value_of(text_, "data", "files").has_value();
   const bool is_table = std::ranges::find(sections_, path, &Section::table) != sections_.end();
   return !is_table || !has_section(path);
 }
 
-void SceneForm::show_text(const std::string& text, const std::optional<SceneError>& error) {
+void SceneForm::show_text(const std::string& text, const std::optional<SceneError>& error, bool of_another_kind) {
   text_ = text;
   error_ = error;
-  if (sections_.empty()) build();
+  if (of_another_kind)
+    build_as_written();
+  else if (written_ || sections_.empty())
+    build();
   show_choices();
   if (error_ && error_->line > 0) choose_table_at(error_->line);
   show_values();
@@ -107,6 +112,7 @@ int SceneForm::count_of(const std::string& table) const {
 }
 
 void SceneForm::show_choices() {
+  if (written_) return;
   const QStringList names = joint_names(text_);
   joints_->show_names(names.isEmpty() ? QStringList{tr("the only one")} : names);
   files_->show_names(file_names(text_));
@@ -124,6 +130,7 @@ void SceneForm::show_again() {
 
 /// The joint or file in which something is wrong.
 void SceneForm::choose_table_at(int line) {
+  if (written_) return;
   const std::string table = table_at(text_, line);
   for (int joint = 1; joint <= joints_in(text_); ++joint) {
     const std::string path = "joints#" + std::to_string(joint);
@@ -154,7 +161,8 @@ void SceneForm::show_section(const Section& section) {
   const auto [above, last] = parted(table);
   const bool in_one_value = section.table == any_file && value_of(text_, above, last).has_value();
   for (Field* field : section.fields) {
-    const bool shown = is_of_several(section.table) ? count_of(section.table) > 0 : is_shown(below(section.table, field->key()));
+    const bool shown =
+        !written_ && is_of_several(section.table) ? count_of(section.table) > 0 : is_shown(below(section.table, field->key()));
     field->setVisible(shown);
     rows->labelForField(field)->setVisible(shown);
     if (!shown) continue;

@@ -332,6 +332,55 @@ TEST(SceneForm, TheLastNameOfAListIsCompleted) {
   EXPECT_EQ(completer.pathFromIndex(completer.model()->index(1, 0)), "1:+X, 2:+X");
 }
 
+const char* const of_levels = R"(title = "one mass"
+[data]
+parts = ["part.h5"]
+[[data.levels]]
+name = "0.5 N"
+harmonics = [1, 3]
+[[data.levels]]
+name = "2 N"
+responses = "level # 2.h5"  # measured twice
+sweep = true
+harmonics = [
+  1,
+  3,
+]
+[[joint.friction]]
+name = "joint"
+dofs = ["1:+Y"]
+law = ["ren", "iwan"]
+)";
+
+/// Every table and key that the text has, each as it is written; an edit is one of the text, comments stay.
+TEST(SceneForm, OfAnotherKindShowsWhatTheTextHas) {
+  Form form(of_levels);
+  EXPECT_EQ(form.line("", "title").text(), "one mass");
+  EXPECT_EQ(form.line("data", "parts").text(), "part.h5");
+  EXPECT_EQ(form.line("data.levels#1", "name").text(), "0.5 N");
+  EXPECT_EQ(form.line("data.levels#2", "responses").text(), "level # 2.h5");
+  EXPECT_EQ(form.choice("data.levels#2", "sweep").currentText(), "true");
+  EXPECT_EQ(form.line("joint.friction#1", "law").text(), "ren, iwan");
+  EXPECT_EQ(form.window.current()->form()->field("data", "substructures"), nullptr);
+  form.type(form.line("data.levels#2", "name"), "4 N\r");
+  form.type(form.line("joint.friction#1", "law"), "bilinear, iwan\r");
+  EXPECT_THAT(form.text(), testing::HasSubstr("name = \"4 N\"\nresponses = \"level # 2.h5\"  # measured twice\n"));
+  EXPECT_THAT(form.text(), testing::HasSubstr("law = [\"bilinear\", \"iwan\"]\n"));
+}
+
+/// A key that is left out takes its field with it; one that the text gets, and another kind of scene, get theirs.
+TEST(SceneForm, OfAnotherKindFollowsTheText) {
+  Form form(of_levels);
+  form.type(form.line("data.levels#1", "name"), "\b\r");
+  EXPECT_EQ(form.window.current()->form()->field("data.levels#1", "name"), nullptr);
+  EXPECT_EQ(form.line("data.levels#2", "name").text(), "2 N");
+  QTest::keyClick(&form.window, Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(form.text(), of_levels);
+  EXPECT_EQ(form.line("data.levels#1", "name").text(), "0.5 N");
+  form.editor().replace_text(commented);
+  EXPECT_EQ(form.line("data", "substructures").text(), "a.uff, b.uff");
+}
+
 TEST(SceneForm, EveryFieldIsReachedByTabAndHasAName) {
   Form form;
   EXPECT_EQ(without_accessible_name(form.window), QStringList());
