@@ -216,6 +216,8 @@ class Photographer {
       page.plots()->menu()->setCurrentIndex(choice);
       keep(qPrintable(QStringLiteral("every-%1-%2").arg(QLatin1String(name)).arg(choice)));
     }
+    window_.current()->switch_view(true);
+    if (every_) keep(qPrintable(QStringLiteral("every-%1-form").arg(QLatin1String(name))));
     QTest::keyClick(&window_, Qt::Key_W, Qt::ControlModifier);
   }
 
