@@ -72,7 +72,7 @@ PlotGroup law_plots(const laws::LawScene& scene, const laws::LawIdentification& 
     if (points.empty()) continue;
     CurvePlot stiffness = over_motion(points, "Equivalent stiffness", "k_e (N/m)");
     CurvePlot damping = over_motion(points, "Equivalent damping", "d_e (N/m)");
-    CurvePlot residuals = over_motion(points, "Residuals of the fit", "rms (standard deviations)");
+    CurvePlot residuals = over_motion(points, "Residuals of the fit", "rms (σ)");
     const std::string law = found.laws()[j];
     add_series(
         points, "without a law", Style::reference_points, [](const JointPoint& p) { return p.measured.real(); }, stiffness);
