@@ -6,6 +6,7 @@
 
 #include "base/control.hpp"
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "base/statistics.hpp"
 #include "ident/plan/data_source.hpp"
 
@@ -111,13 +112,15 @@ std::optional<double> reciprocity_error(const Sample& sample, const frf::FrfHead
 }  // namespace
 
 std::vector<LoadedFile> open_files(const ident::DataSection& data, const std::function<bool()>& interrupted) {
-  std::vector<LoadedFile> files;
+  std::vector<const ident::DataFile*> all;
   for (const auto* list : {&data.substructures, &data.assembly}) {
-    for (const ident::DataFile& file : *list) {
-      stop_if(interrupted);
-      files.push_back(open_file(file, list == &data.assembly));
-    }
+    for (const ident::DataFile& file : *list) all.push_back(&file);
   }
+  std::vector<LoadedFile> files(all.size());
+  for_each_index(all.size(), threads_or_cores(0), [&](std::size_t i) {
+    stop_if(interrupted);
+    files[i] = open_file(*all[i], i >= data.substructures.size());
+  });
   return files;
 }
 
