@@ -136,8 +136,9 @@ void Ridge::find_blocks(const MatrixXd& b) {
   }
   for (auto& [group, block] : found) {
     MatrixXd own = b(block.rows, block.columns);
-    block.lower = one_and_gram(own.transpose());
-    cholesky_in_place(block.lower);
+    MatrixXd both(own.cols() + own.rows(), own.rows());
+    both << own.transpose(), MatrixXd::Identity(own.rows(), own.rows());
+    block.lower = triangle_of(both).transpose();
     block.own = Full(std::move(own));
     blocks_.push_back(std::move(block));
   }

@@ -40,7 +40,7 @@ class Ridge {
   struct Block {
     std::vector<Eigen::Index> rows, columns;
     Full own;
-    Eigen::MatrixXd lower;  ///< Cholesky factor of I + bbᵀ
+    Eigen::MatrixXd lower;  ///< L of I + bbᵀ = LLᵀ, by QR of [bᵀ; I]: the sum would square the condition
   };
 
   void find_blocks(const Eigen::MatrixXd& b);
