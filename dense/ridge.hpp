@@ -6,7 +6,7 @@
 namespace jointid::dense {
 
 /// min over U of ‖R + BU‖² + ‖U‖² for one B and many right-hand sides R, column by column. Columns of B that are zero but in a
-/// few rows are eliminated first, in blocks that share no row.
+/// few rows are eliminated first, in blocks that share no row; U then is known to about ‖B‖² roundings.
 class Ridge {
  public:
   explicit Ridge(Eigen::MatrixXd b);
