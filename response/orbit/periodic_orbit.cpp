@@ -93,7 +93,8 @@ void describe(PeriodMap& map, PeriodicOrbit& orbit) {
 }
 
 /// `to_march` periods from the map's state, then Newton's steps while they halve what is lacking within four; else the motion
-/// settles by itself for a while, ever longer; so it does where a step led to a state from which no march goes on.
+/// settles by itself for a while, ever longer; so it does where a step led to a state from which no march goes on, or where only
+/// derivatives by the state do not follow it.
 PeriodicOrbit find_from(PeriodMap& map, int to_march, const OrbitOptions& options) {
   PeriodicOrbit orbit;
   int patience = 4, rest = 4;
@@ -109,11 +110,12 @@ PeriodicOrbit find_from(PeriodMap& map, int to_march, const OrbitOptions& option
   while (true) {
     ++orbit.periods;
     if (!map.run(to_march == 0)) {
-      if (!moved || orbit.periods >= options.most_periods) {
+      const bool by_itself = !moved && to_march > 0;
+      if (by_itself || orbit.periods >= options.most_periods) {
         orbit.status = OrbitStatus::stalled;
         return orbit;
       }
-      map.abandon_move();
+      if (moved) map.abandon_move();
       settle();
       continue;
     }
