@@ -10,7 +10,6 @@
 #include "gui/compare/compare_page.hpp"
 #include "gui/couple/couple_page.hpp"
 #include "gui/data/data_page.hpp"
-#include "gui/forms/field.hpp"
 #include "gui/forms/scene_form.hpp"
 #include "gui/geometry/geometry_page.hpp"
 #include "gui/laws/law_kind.hpp"
@@ -32,14 +31,7 @@
 #include "gui/table/cell_table.hpp"
 
 namespace jointid::gui {
-namespace {
 
-/// Than a scene of identification.
-bool is_of_another_kind(const std::string& text) {
-  return is_couple_scene(text) || response_kind().is_of(text) || law_kind().is_of(text) || oscillate_kind().is_of(text);
-}
-
-}  // namespace
 Project::Project(QWidget* parent) : QWidget(parent) {
   editor_ = new SceneEditor;
   problem_ = named(new QLabel, "problem", tr("What is wrong with the scene"));
@@ -83,8 +75,7 @@ QWidget* Project::make_views() {
 void Project::show_form() {
   if (views_->currentWidget() != form_) return;
   form_->set_folder(as_name(path().parent_path()));
-  const std::string text = editor_->text();
-  form_->show_text(text, editor_->error(), is_of_another_kind(text));
+  form_->show_text(editor_->text(), editor_->error(), of_another_kind_);
 }
 
 void Project::switch_view(bool to_form) {
@@ -127,7 +118,9 @@ void Project::check() {
 
 /// Scenes of other kinds are checked by their pages, whose tabs are seen with a scene of their kind.
 void Project::check_other_kinds(const std::string& text) {
-  const auto tell = [](auto& later, bool is_of_kind) {
+  of_another_kind_ = false;
+  const auto tell = [this](auto& later, bool is_of_kind) {
+    of_another_kind_ = of_another_kind_ || is_of_kind;
     if (later.made() != nullptr) {
       later.tell();
     } else if (is_of_kind) {

@@ -120,6 +120,7 @@ class Project : public QWidget {
 
   SceneEditor* editor_;
   SceneForm* form_;
+  bool of_another_kind_ = false;  ///< the scene checked last, than one of identification
   QTabWidget* views_;
   QLabel* problem_;
   MessageBar* messages_;

@@ -1,7 +1,6 @@
 #include "frf/uff/uff58_text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "frf/uff/uff_text.hpp"

@@ -13,6 +13,7 @@
 #include "gui/forms/field_text.hpp"
 #include "gui/look/named.hpp"
 #include "gui/look/said.hpp"
+#include "gui/scene/completion_place.hpp"
 #include "gui/scene/joints_edit.hpp"
 #include "gui/scene/scene_words.hpp"
 #include "gui/scene/several_edit.hpp"
@@ -108,16 +109,10 @@ void SceneForm::build_as_written() {
 
 /// Which of several, and its name.
 void SceneForm::add_joints(QVBoxLayout& column) {
-  Section section{all_joints, named(new QGroupBox(title_of(all_joints)), "section", title_of(all_joints)), nullptr, {}};
-  auto* rows = new QFormLayout(section.box);
-  section.error = named(new QLabel, "section_error", tr("What is wrong with these fields"));
-  section.error->hide();
-  rows->addRow(section.error);
+  add_box(all_joints, title_of(all_joints), column);
   joints_ = new ChoiceRow("joint_choice", tr("Joint that the fields are of"), true);
-  rows->addRow(tr("joint"), joints_);
-  add_field(section, "name");
-  column.addWidget(section.box);
-  sections_.push_back(std::move(section));
+  static_cast<QFormLayout*>(sections_.back().box->layout())->addRow(tr("joint"), joints_);
+  add_field(sections_.back(), "name");
   connect(joints_, &ChoiceRow::changed, this, &SceneForm::show_again);
   connect(joints_, &ChoiceRow::more_wanted, this, [this] {
     commit();

@@ -69,7 +69,7 @@ class SceneForm : public QScrollArea {
   void add_field(Section& section, const std::string& key, std::optional<ValueKind> as_written = {});
   std::string path_of(const std::string& table) const;
   bool has_section(const std::string& table) const;
-  bool is_shown(const std::string& table) const;
+  bool is_shown(const std::string& table, const std::string& key) const;
   int count_of(const std::string& table) const;
   void show_choices();
   void offer(ValueKind kind, const QStringList& names);

@@ -84,9 +84,11 @@ bool SceneForm::has_section(const std::string& table) const {
   return table.starts_with("joint.") || !tables_below(text_, path).empty();
 }
 
-/// Whether a key's field is shown where it is, and not as a section.
-bool SceneForm::is_shown(const std::string& path) const {
+/// Whether a key's field is shown where it is, and not as a section; those of several tables only where there are any.
+bool SceneForm::is_shown(const std::string& table, const std::string& key) const {
   if (written_) return true;
+  if (is_of_several(table)) return count_of(table) > 0;
+  const std::string path = below(table, key);
   if (path == "data.files") return value_of(text_, "data", "files").has_value();
   const bool is_table = std::ranges::find(sections_, path, &Section::table) != sections_.end();
   return !is_table || !has_section(path);
@@ -95,12 +97,13 @@ bool SceneForm::is_shown(const std::string& path) const {
 void SceneForm::show_text(const std::string& text, const std::optional<SceneError>& error, bool of_another_kind) {
   text_ = text;
   error_ = error;
-  if (of_another_kind)
+  if (of_another_kind) {
     build_as_written();
-  else if (written_ || sections_.empty())
-    build();
-  show_choices();
-  if (error_ && error_->line > 0) choose_table_at(error_->line);
+  } else {
+    if (written_ || sections_.empty()) build();
+    show_choices();
+    if (error_ && error_->line > 0) choose_table_at(error_->line);
+  }
   show_values();
   clear_errors();
   if (error_ && error_->line > 0) show_error(*error_);
@@ -112,7 +115,6 @@ int SceneForm::count_of(const std::string& table) const {
 }
 
 void SceneForm::show_choices() {
-  if (written_) return;
   const QStringList names = joint_names(text_);
   joints_->show_names(names.isEmpty() ? QStringList{tr("the only one")} : names);
   files_->show_names(file_names(text_));
@@ -130,7 +132,6 @@ void SceneForm::show_again() {
 
 /// The joint or file in which something is wrong.
 void SceneForm::choose_table_at(int line) {
-  if (written_) return;
   const std::string table = table_at(text_, line);
   for (int joint = 1; joint <= joints_in(text_); ++joint) {
     const std::string path = "joints#" + std::to_string(joint);
@@ -161,8 +162,7 @@ void SceneForm::show_section(const Section& section) {
   const auto [above, last] = parted(table);
   const bool in_one_value = section.table == any_file && value_of(text_, above, last).has_value();
   for (Field* field : section.fields) {
-    const bool shown =
-        !written_ && is_of_several(section.table) ? count_of(section.table) > 0 : is_shown(below(section.table, field->key()));
+    const bool shown = is_shown(section.table, field->key());
     field->setVisible(shown);
     rows->labelForField(field)->setVisible(shown);
     if (!shown) continue;

@@ -112,6 +112,20 @@ std::string table_at(const std::string& text, int line) {
   return reader.table.numbered();
 }
 
+std::vector<TextTable> tables_in(const std::string& text) {
+  Reader reader;
+  std::istringstream lines(text);
+  std::vector<TextTable> tables(1);
+  for (std::string line; std::getline(lines, line);) {
+    const bool inside = reader.depth > 0;
+    reader.take(line);
+    if (inside) continue;
+    if (reader.table.numbered() != tables.back().path) tables.push_back({reader.table.numbered(), {}});
+    if (!reader.key.empty() && key_of(line) == reader.key) tables.back().keys.push_back(reader.key);
+  }
+  return tables;
+}
+
 int behind_tables(const std::string& text, const std::string& table) {
   Reader reader;
   std::istringstream lines(text);

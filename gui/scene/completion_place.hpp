@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace jointid::gui {
 
@@ -26,6 +27,14 @@ std::string tables_below(const std::string& text, const std::string& table);
 
 /// The table in which a line (from 1) is, with the numbers of [[…]]: "joints#2.stiffness".
 std::string table_at(const std::string& text, int line);
+
+/// A table of a text, with the numbers of [[…]], and its keys; those before the first header are of "".
+struct TextTable {
+  std::string path;
+  std::vector<std::string> keys;
+};
+/// All of them in the order of the text.
+std::vector<TextTable> tables_in(const std::string& text);
 
 /// The line behind the last one of a table and of those below it, comments and empty lines aside; 0 where there is none.
 int behind_tables(const std::string& text, const std::string& table);

@@ -105,25 +105,6 @@ std::size_t begin_of_line(const std::string& text, int number) {
   return at;
 }
 
-std::vector<TextTable> tables_in(const std::string& text) {
-  std::vector<TextTable> tables(1);
-  TablePath path;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t begin = at, newline = std::min(text.find('\n', at), text.size());
-    const std::string line = without_blanks(text.substr(begin, newline - begin));
-    at = newline + 1;
-    if (path.take(line)) {
-      tables.push_back({path.numbered(), {}});
-      continue;
-    }
-    const std::size_t equals = line.find('=');
-    if (line.starts_with('#') || equals == std::string::npos) continue;
-    tables.back().keys.push_back(without_blanks(line.substr(0, equals)));
-    at = std::min(text.find('\n', end_of_value(text, text.find('=', begin) + 1)), text.size()) + 1;
-  }
-  return tables;
-}
-
 std::vector<std::string> strings_in(const std::string& value) {
   std::vector<std::string> found;
   for (std::size_t at = 0; at < value.size(); ++at) {

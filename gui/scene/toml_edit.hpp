@@ -23,14 +23,6 @@ std::string with_value(const std::string& text, const std::string& table, const 
 /// The text without a key; a comment behind it stays, a table without anything in it goes, too.
 std::string without_value(const std::string& text, const std::string& table, const std::string& key);
 
-/// A table of a text, with the numbers of [[…]], and its keys; those before the first header are of "".
-struct TextTable {
-  std::string path;
-  std::vector<std::string> keys;
-};
-/// All of them in the order of the text.
-std::vector<TextTable> tables_in(const std::string& text);
-
 /// The strings in a value, whatever lists they are in.
 std::vector<std::string> strings_in(const std::string& value);
 

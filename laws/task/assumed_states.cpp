@@ -62,9 +62,7 @@ Laws from_data(const LawScene& scene, LevelStates data) {
   data.level = std::move(level);
   const LawIdentification found = identify_states(scene, std::move(data));
   if (!is_usable(found.status)) fail(scene, "[[data.levels]]", found.message, "give assumed laws, or mend the data first");
-  Laws out{.joints = {}, .laws = found.laws()};
-  for (const response::FittedJoint& joint : found.fit().joints) out.joints.push_back(joint.joint);
-  return out;
+  return {.joints = joints_of(found.fit()), .laws = found.laws()};
 }
 
 /// Those of the scene; else 1, 3, … that the parts have at every line.

@@ -85,8 +85,7 @@ void judge_data(const LawScene& scene, LawIdentification& found) {
 /// Levels that speak for other joints, and joints that no law here describes.
 void judge_levels(const LawScene& scene, LawIdentification& found) {
   const LawFit& fit = found.fit();
-  std::vector<response::Joint> joints;
-  for (const response::FittedJoint& joint : fit.joints) joints.push_back(joint.joint);
+  const std::vector<response::Joint> joints = joints_of(fit);
   std::vector<std::string> told;
   found.one_sided = test_even_harmonics(found.steps, found.data.structure->joints());
   for (const OneSidedJoint& joint : found.one_sided) {

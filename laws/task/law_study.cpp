@@ -104,7 +104,7 @@ class Trials {
     out.usable = is_usable(found->status);
     out.laws = laws_text(found->laws());
     out.contradicts = found->consistency.contradicts();
-    out.chi_square = found->fit().chi_square / static_cast<double>(found->fit().freedom);
+    out.chi_square = chi_square_of_one(found->fit());
     out.undecided = !found->not_told_apart.empty();
     const bool is_right = found->laws() == assumed_.laws;
     out.missed = !is_right && std::ranges::find(found->not_told_apart, laws_text(assumed_.laws)) == found->not_told_apart.end();

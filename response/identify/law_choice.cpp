@@ -76,12 +76,6 @@ std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, 
   return starts;
 }
 
-std::vector<Joint> joints_of(const LawFit& fit) {
-  std::vector<Joint> joints;
-  for (const FittedJoint& joint : fit.joints) joints.push_back(joint.joint);
-  return joints;
-}
-
 /// Stiffness and limit of a fitted joint; a limit beyond all forces where it has none.
 friction::Features features_of(const FittedJoint& joint) {
   constexpr double beyond = 100.0;
@@ -131,8 +125,6 @@ bool is_good(const LawFit& fit) {
 }
 
 constexpr int most_first_steps = 40;  ///< of a start: what has not come near a minimum by then is no start
-
-double chi_square_of_one(const LawFit& fit) { return fit.chi_square / static_cast<double>(fit.freedom); }
 
 /// The best of all starts.
 LawFit best_of(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,

@@ -152,6 +152,14 @@ bool is_minimum(LawFitStatus status) {
   return status == LawFitStatus::converged || status == LawFitStatus::harmonics_not_enough || status == LawFitStatus::at_kink;
 }
 
+std::vector<Joint> joints_of(const LawFit& fit) {
+  std::vector<Joint> joints;
+  for (const FittedJoint& joint : fit.joints) joints.push_back(joint.joint);
+  return joints;
+}
+
+double chi_square_of_one(const LawFit& fit) { return fit.chi_square / static_cast<double>(fit.freedom); }
+
 LawFit fit_laws(std::shared_ptr<const Receptance> structure, const std::vector<MeasuredState>& states,
                 const LawUnknowns& unknowns, const LawFitOptions& options) {
   LawFit out = numbers_of(*structure, states, unknowns);

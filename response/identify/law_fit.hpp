@@ -66,6 +66,10 @@ struct LawFit {
   std::shared_ptr<const FitOfHarmonics> end;  ///< where another fit can go on
 };
 
+std::vector<Joint> joints_of(const LawFit& fit);
+/// χ² over its freedom.
+double chi_square_of_one(const LawFit& fit);
+
 /// min Σ|Y − X(θ, H)|²/σ² over the unknown parameters, X by harmonic balance, from the values of `unknowns`; where the structure
 /// knows errors of H or the states those of P, then over the true H and P as well, + Σ|δH|²/σ_H² + Σ|δP|²/σ_P²
 /// (NuisanceResiduals). Throws InputError for states that do not fit the structure, or nothing unknown; want of convergence is a

@@ -62,12 +62,13 @@ class LiftedProblem {
   }
 
   std::optional<Point> start(const LiftedFit& from) {
-    Point point = {from.numbers, {}, carried(from.layout, from.errors, layout_)};
-    const auto joints = unknowns_.at_numbers(from.numbers);
-    if (!joints) return std::nullopt;
-    for (const StatePrediction& state : from.states)
-      add_state(*joints, state.solution.harmonics, state.solution.joint_motion, state.solution.joint_force, point);
-    return point;
+    return start({from.numbers, {}, carried(from.layout, from.errors, layout_)}, from.states);
+  }
+
+  /// Where harmonic balance has the states of these numbers, with the receptances as measured.
+  std::optional<Point> start_in_balance(const Eigen::VectorXd& numbers) {
+    const auto value = ResponseResiduals(models(layout_.no_errors()), unknowns_, work_).evaluate(numbers);
+    return value ? start({numbers, {}, layout_.no_errors()}, value->states) : std::nullopt;
   }
 
   void set_tolerance(double share) {
@@ -122,6 +123,14 @@ class LiftedProblem {
   }
 
  private:
+  std::optional<Point> start(Point point, const std::vector<StatePrediction>& states) {
+    const auto joints = unknowns_.at_numbers(point.numbers);
+    if (!joints) return std::nullopt;
+    for (const StatePrediction& state : states)
+      add_state(*joints, state.solution.harmonics, state.solution.joint_motion, state.solution.joint_force, point);
+    return point;
+  }
+
   /// Its forces are those known at some harmonics and the law's at all others; the law's tell the scale.
   void add_state(const std::vector<Joint>& joints, const std::vector<int>& known, const Eigen::MatrixXcd& motion,
                  const Eigen::MatrixXcd& force, Point& point) {
@@ -176,18 +185,6 @@ class LiftedProblem {
   std::vector<Eigen::VectorXd> scale_{}, tolerance_;  ///< N, of each joint of each state
 };
 
-/// States of harmonic balance at these numbers, with the receptances as measured.
-std::optional<LiftedFit> balanced(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                                  const LawUnknowns& unknowns, const std::vector<int>& harmonics, const Eigen::VectorXd& numbers,
-                                  const FitWork& work) {
-  const ResponseResiduals residuals(structure, states, unknowns, harmonics, work);
-  auto value = residuals.evaluate(numbers);
-  if (!value) return std::nullopt;
-  LineLayout layout(residuals.models(), *structure);
-  LineErrors none = layout.no_errors();
-  return LiftedFit{numbers, std::move(layout), std::move(none), std::move(value->states), 0.0, 0};
-}
-
 std::optional<LiftedFit> fit(LiftedProblem& problem, std::optional<Point> point, std::span<const double> tolerance) {
   if (!point) return std::nullopt;
   int steps = 0;
@@ -209,8 +206,8 @@ std::optional<LiftedFit> fit_lifted(const std::shared_ptr<const Receptance>& str
     LiftedProblem few(structure, some, unknowns, harmonics, work);
     const auto found = fit(few, few.start(unknowns.start()), tolerances);
     if (found) {
-      const auto near = balanced(structure, states, unknowns, harmonics, found->numbers, work);
-      return fit(problem, near ? problem.start(*near) : problem.start(found->numbers), all_tolerances);
+      const auto near = problem.start_in_balance(found->numbers);
+      return fit(problem, near ? near : problem.start(found->numbers), all_tolerances);
     }
   }
   return fit(problem, problem.start(unknowns.start()), tolerances);

@@ -122,8 +122,8 @@ minimise::GaussNewtonResult NuisanceResiduals::fit(const Eigen::VectorXd& start,
   linearise(*trial, at);
   for (; result.steps < options.most_steps; ++result.steps) {
     const Eigen::VectorXd full = minimise::damped_step(at.reduced, 0.0);
-    const double least = (at.reduced.residual + at.reduced.jacobian * full).squaredNorm();
-    const double movement = (at.reduced.jacobian * full).norm();
+    const Eigen::VectorXd changed = at.reduced.jacobian * full;
+    const double least = (at.reduced.residual + changed).squaredNorm(), movement = changed.norm();
     const auto what = end.judge(full, movement, trial->cost, trial->cost - least);
     if (what == minimise::GaussNewtonEnd::What::here) {
       result.converged = true;

@@ -48,5 +48,28 @@ TEST(LineOfKey, FindsKeysAndTables) {
   EXPECT_EQ(line_of_key(text, "truth", ""), 0);
 }
 
+TEST(TablesIn, AreInTheOrderOfTheTextWithTheirKeys) {
+  const char* const text = R"(a = 1  # x = 2
+# b = 2
+[[t]]
+m = [
+  [1, 2],  # n = 3
+  ["]", "o = 4"],
+]
+p = "q = 5"
+[t.u]
+"r s" = 6
+[[t]]
+[v] # w
+z.y = 7)";
+  std::vector<std::string> found;
+  for (const TextTable& table : tables_in(text)) {
+    found.push_back(table.path + ":");
+    for (const std::string& key : table.keys) found.back() += " " + key;
+  }
+  EXPECT_EQ(found, (std::vector<std::string>{": a", "t#1: m p", "t#1.u: \"r s\"", "t#2:", "v: z.y"}));
+  EXPECT_EQ(tables_in("").size(), 1u);
+}
+
 }  // namespace
 }  // namespace jointid::gui
