@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "cli/commands.hpp"
 #include "cli/options/usage_error.hpp"
 #include "cli/text/version.hpp"
 
 namespace jointid::cli {
 
-std::variant<ChosenCommand, Notice> parse(int argc, const char* const* argv) {
+std::variant<ChosenCommand, Notice> parse(int argc, const char* const* argv,
+                                          void (*add_commands)(CLI::App& app, Chosen& chosen)) {
   CLI::App app("Finds the stiffness, mass and damping of joints from measured frequency response functions.", "jointid");
   app.require_subcommand(1);
   app.set_version_flag("--version", version_text());
@@ -21,6 +21,8 @@ std::variant<ChosenCommand, Notice> parse(int argc, const char* const* argv) {
   add_commands(app, chosen);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::CallForVersion& version) {
+    return Notice{ExitCode::done, std::string(version.what()) + "\n", true};
   } catch (const CLI::Success& success) {
     std::ostringstream out, err;
     app.exit(success, out, err);

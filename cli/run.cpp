@@ -2,7 +2,6 @@
 
 #include <iostream>
 
-#include "cli/parser.hpp"
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
 #include "ident/team/team.hpp"
@@ -41,7 +40,7 @@ int print(const Notice& notice) {
 
 }  // namespace
 
-int run(int argc, const char* const* argv) {
+int run(int argc, const char* const* argv, Parse parse) {
   try {
     const auto parsed = parse(argc, argv);
     const auto* notice = std::get_if<Notice>(&parsed);

@@ -55,11 +55,14 @@ option(JOINTID_PRECOMPILE "Precompile the headers that most sources read" ON)
 set(JOINTID_PRECOMPILED
     <algorithm> <array> <atomic> <cmath> <complex> <cstddef> <cstdint> <filesystem> <fstream> <functional> <map> <memory> <mutex> <numbers>
     <numeric> <optional> <random> <ranges> <set> <span> <sstream> <stdexcept> <string> <string_view> <tuple> <utility> <variant> <vector>
-    <Eigen/Core>)
+    <Eigen/Core> "${PROJECT_SOURCE_DIR}/dense/products.hpp")
 
 function(jointid_precompile target kind level)
   if(NOT JOINTID_PRECOMPILE OR (CMAKE_BUILD_TYPE STREQUAL "Asan" AND NOT kind STREQUAL "TEST"))
     return()
+  endif()
+  if(NOT target MATCHES "^jointid_(base|dense)$")
+    target_link_libraries(${target} PRIVATE jointid_dense) # products.hpp
   endif()
   string(TOLOWER "jointid_headers_${kind}_${level}" headers)
   if(NOT TARGET ${headers})
@@ -84,8 +87,9 @@ function(jointid_precompile target kind level)
   target_precompile_headers(${target} REUSE_FROM ${headers})
 endfunction()
 
-# jointid_library(frf SOURCES … PUBLIC … PRIVATE … [LEVEL O1] [NO_LOOPS]): the folder's namespace, target jointid::frf and headers. LEVEL
-# O1: no hot loops. NO_LOOPS: none at all; sanitized without optimisation, which takes half of the time to build.
+# jointid_library(frf SOURCES … PUBLIC … PRIVATE … [LEVEL O2] [NO_LOOPS]): the folder's namespace, target jointid::frf and headers. LEVEL
+# O2: hot loops in any source; elsewhere they are kernels (base/kernel.hpp) or Eigen's products (dense/products.hpp), which have a level of
+# their own. NO_LOOPS: none at all; sanitized without optimisation, which takes half of the time to build.
 function(jointid_library name)
   cmake_parse_arguments(arg "NO_LOOPS" "LEVEL" "SOURCES;HEADERS;PUBLIC;PRIVATE" ${ARGN})
   set(target jointid_${name})
@@ -98,7 +102,7 @@ function(jointid_library name)
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_compile_features(${target} PUBLIC cxx_std_20)
   if(NOT arg_LEVEL)
-    set(arg_LEVEL O2)
+    set(arg_LEVEL O1)
   endif()
   if(NOT CMAKE_BUILD_TYPE STREQUAL "Asan")
     target_compile_options(${target} PRIVATE -${arg_LEVEL})

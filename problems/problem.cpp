@@ -5,7 +5,6 @@
 #include "problems/case/coupling_problem.hpp"
 #include "problems/case/flange.hpp"
 #include "problems/case/modal_set.hpp"
-#include "problems/case/rig_two.hpp"
 
 namespace jointid::problems {
 
@@ -24,7 +23,6 @@ Problem make(const std::string& name) {
     names.push_back(definition.name);
   }
   for (const ProblemInfo& info : list_coupling()) names.push_back(info.name);
-  for (const ProblemInfo& info : list_rig_two()) names.push_back(info.name);
   for (const ProblemInfo& info : list_modal_sets()) names.push_back(info.name);
   const std::string near = nearest_word(name, names);
   throw InputError(

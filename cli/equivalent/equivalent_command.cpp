@@ -4,7 +4,7 @@
 
 #include "cli/equivalent/equivalent_page.hpp"
 #include "cli/equivalent/equivalent_text.hpp"
-#include "cli/laws/laws_run.hpp"
+#include "cli/laws/law_status.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/failure.hpp"
@@ -12,6 +12,7 @@
 #include "laws/scene/read_law_scene.hpp"
 #include "report/laws/direct_page.hpp"
 #include "report/laws/direct_text.hpp"
+#include "scene/kind.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
@@ -52,7 +53,7 @@ void add_equivalent(CLI::App& app, Chosen& chosen) {
 
 ExitCode execute(const EquivalentArguments& arguments, std::ostream& out) {
   const std::string text = scene::read_text(arguments.scene);
-  if (laws::is_law_scene(text, arguments.scene))
+  if (scene::is_law_scene(text, arguments.scene))
     return take_direct_steps(arguments, laws::parse_law_scene(text, arguments.scene), out);
   const ident::EquivalentScene scene = ident::parse_equivalent_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), outputs_of(arguments));

@@ -14,8 +14,7 @@
 #include "ident/identify.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "laws/scene/read_law_scene.hpp"
-#include "report/laws/law_bound_text.hpp"
+#include "scene/kind.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
@@ -26,22 +25,9 @@ void note_suspect(ident::Plan& plan, const ident::Control& control) {
   if (found.verdict != ident::Verdict::clean) plan.notes.push_back(ident::phrase(found.suspects.front()));
 }
 
-ExitCode plan_laws(const laws::LawScene& scene, const PlanArguments& arguments, std::ostream& out) {
-  const auto refuse = [&](const char* problem, const char* remedy) {
-    throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", problem, remedy});
-  };
-  if (!arguments.bound) refuse("scenes of friction laws have no plan but the bound", "add --bound: what the levels will tell");
-  if (!arguments.candidates.empty()) refuse("candidates of a friction scene are levels", "add [[data.levels]] without responses");
-  check_targets(laws::files_of(scene), {{"--json", arguments.json}});
-  const laws::LawBound bound = with_progress("predicting", [&] { return laws::predict_law_bound(scene); });
-  if (arguments.json) write_target(*arguments.json, report::law_bound_json(scene, bound), out);
-  if (arguments.json != "-") out << report::law_bound_text(scene, bound);
-  return ExitCode::done;
-}
-
 }  // namespace
 
-void add_plan(CLI::App& app, Chosen& chosen) {
+PlanArguments& add_linear_plan(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<PlanArguments>(
       app, chosen, "plan", "Say what solving a scene reads, computes and leaves out, without doing it");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
@@ -61,11 +47,14 @@ void add_plan(CLI::App& app, Chosen& chosen) {
   command->footer(
       "Examples:\n  jointid plan joint.toml\n  jointid plan joint.toml --bound\n"
       "  jointid plan joint.toml --bound --candidates 3:+Y,4:+RZ");
+  return *arguments;
 }
+
+bool is_elsewhere(const PlanArguments& arguments) { return arguments.run_laws == nullptr && needs_laws(arguments.scene); }
 
 ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   const std::string text = scene::read_text(arguments.scene);
-  if (laws::is_law_scene(text, arguments.scene)) return plan_laws(laws::parse_law_scene(text, arguments.scene), arguments, out);
+  if (scene::is_law_scene(text, arguments.scene)) return run_law_scene(arguments, text, out);
   const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene); });

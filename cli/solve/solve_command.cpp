@@ -6,7 +6,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "cli/laws/laws_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/of_option.hpp"
 #include "cli/options/output.hpp"
@@ -17,9 +16,9 @@
 #include "cli/text/progress.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "laws/scene/read_law_scene.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
+#include "scene/kind.hpp"
 #include "scene/text.hpp"
 
 namespace jointid::cli {
@@ -93,20 +92,9 @@ void plot(const tasks::FrfEntry& entry, ident::Plan& plan, const ident::Solution
   out << frf_plot(regenerated, regenerated.frfs.front());
 }
 
-/// A scene of friction laws has no FRFs of an assembly to plot.
-ExitCode solve_law_scene(const SolveArguments& arguments, const std::string& text, std::ostream& out) {
-  if (arguments.plot) {
-    throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot",
-                      "the scene is one of friction laws: there is no FRF of an assembly",
-                      "leave --plot out"});
-  }
-  return solve_laws(laws::parse_law_scene(text, arguments.scene), {arguments.json, arguments.csv, arguments.report},
-                    threads_or_cores(arguments.threads), out);
-}
-
 }  // namespace
 
-void add_solve(CLI::App& app, Chosen& chosen) {
+SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<SolveArguments>(app, chosen, "solve", "Identify the joint of a scene");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
@@ -116,7 +104,10 @@ void add_solve(CLI::App& app, Chosen& chosen) {
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | "
       "jq .unknowns\n"
       "  jointid solve joint.toml --report joint.html\n  mpirun -n 4 jointid solve joint.toml");
+  return *arguments;
 }
+
+bool is_elsewhere(const SolveArguments& arguments) { return arguments.run_laws == nullptr && needs_laws(arguments.scene); }
 
 ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
@@ -124,11 +115,11 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   std::optional<ident::Scene> read;  // none: a scene of friction laws
   ident::start_together(*team, [&] {
     text = scene::read_text(arguments.scene);
-    if (laws::is_law_scene(text, arguments.scene)) return;
+    if (scene::is_law_scene(text, arguments.scene)) return;
     read = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, *read);
   });
-  if (!read) return team->rank() > 0 ? ExitCode::done : solve_law_scene(arguments, text, out);
+  if (!read) return team->rank() > 0 ? ExitCode::done : run_law_scene(arguments, text, out);
   const ident::Scene& scene = *read;
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene, *team); });
   std::optional<tasks::FrfEntry> entry;

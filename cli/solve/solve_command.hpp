@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/options/chosen_command.hpp"
+#include "cli/options/law_scene_run.hpp"
 #include "cli/options/target.hpp"
 
 namespace CLI {
@@ -20,10 +21,14 @@ struct SolveArguments {
   Target report;  ///< HTML
   std::optional<std::string> plot;  ///< RESPONSE/REFERENCE of an assembly FRF
   std::size_t threads = 0;
+  LawSceneRun<SolveArguments> run_laws = nullptr;
 };
 
-/// Declares `solve`; choosing it stores it.
-void add_solve(CLI::App& app, Chosen& chosen);
+/// Declares `solve` of FRFs; choosing it stores it. The arguments, for what scenes of friction laws need.
+SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen);
+
+/// Whether jointid-all is there and only it can: for scenes of friction laws.
+bool is_elsewhere(const SolveArguments& arguments);
 
 /// The report goes to `out`. Bad input throws InputError.
 ExitCode execute(const SolveArguments& arguments, std::ostream& out);

@@ -22,6 +22,7 @@
 #include "report/laws/law_study_page.hpp"
 #include "report/laws/law_study_text.hpp"
 #include "report/result/study_tables.hpp"
+#include "scene/kind.hpp"
 #include "scene/text.hpp"
 #include "study/study_options.hpp"
 
@@ -99,7 +100,7 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
   ident::start_together(team, [&] {
     check(arguments);
     const std::string text = scene::read_text(arguments.scene);
-    if (laws::is_law_scene(text, arguments.scene)) {
+    if (scene::is_law_scene(text, arguments.scene)) {
       require_one_process(arguments);
       start.laws = laws::parse_law_scene(text, arguments.scene);
       return;

@@ -12,6 +12,7 @@
 #include "report/laws/law_study_page.hpp"
 #include "report/laws/law_study_text.hpp"
 #include "report/laws/law_text.hpp"
+#include "scene/kind.hpp"
 
 namespace jointid::gui {
 namespace {
@@ -85,7 +86,7 @@ Findings study_of(const laws::LawScene& scene, const std::shared_ptr<const laws:
 
 bool has_laws(const std::string& text) {
   try {
-    return laws::is_law_scene(text, "scene.toml");
+    return scene::is_law_scene(text, "scene.toml");
   } catch (const InputError&) {
     return false;
   }

@@ -166,11 +166,13 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
 }  // namespace
 
 void append(const ResponseProblem::Rows& rows, minimise::Triangle& triangle) {
-  const std::size_t count = rows.columns.size();
+  const std::size_t count = rows.columns.size(), stride = triangle.stride(), unknowns = triangle.unknowns();
+  const std::size_t* const columns = rows.columns.data();
+  const double *const factor = rows.factor.data(), *jacobian = rows.jacobian.data();
   double* row = triangle.append(rows.f.size());
-  for (std::size_t i = 0; i < rows.f.size(); ++i, row += triangle.stride()) {
-    for (std::size_t t = 0; t < count; ++t) row[rows.columns[t]] = rows.factor[t] * rows.jacobian[i * count + t];
-    row[triangle.unknowns()] = -rows.weight * rows.f[i];
+  for (std::size_t i = 0; i < rows.f.size(); ++i, row += stride, jacobian += count) {
+    for (std::size_t t = 0; t < count; ++t) row[columns[t]] = factor[t] * jacobian[t];
+    row[unknowns] = -rows.weight * rows.f[i];
   }
 }
 

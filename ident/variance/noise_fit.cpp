@@ -15,7 +15,10 @@ struct Law {
 };
 
 /// The quantile of Gamma(freedom)/freedom at the normal quantile z (Wilson & Hilferty 1931).
-double quantile(double freedom, double z) { return std::pow(1.0 - 1.0 / (9.0 * freedom) + z / (3.0 * std::sqrt(freedom)), 3); }
+double quantile(double freedom, double z) {
+  const double root = 1.0 - 1.0 / (9.0 * freedom) + z / (3.0 * std::sqrt(freedom));
+  return root * root * root;
+}
 
 /// The law of one term that has the samples' median, and how far the samples scatter about it (median |log|).
 struct Start {

@@ -1,20 +1,11 @@
 #include "laws/scene/read_law_scene.hpp"
 
-#include <algorithm>
-
-#include "scene/text.hpp"
 #include "laws/scene/sections.hpp"
 #include "response/fourier/harmonics.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::laws {
 namespace {
-
-const scene::Value* member(const scene::Value& table, const std::string& key) {
-  const auto* members = std::get_if<scene::Members>(&table.content);
-  if (members == nullptr) return nullptr;
-  const auto found = std::ranges::find(*members, key, &scene::Member::key);
-  return found == members->end() ? nullptr : &found->value;
-}
 
 void read_errors(const scene::Item& item, LawScene& scene) {
   const scene::Table table = item.table({"relative", "floor", "force"});
@@ -51,12 +42,6 @@ void require_range(const scene::Table& table, const LawScene& scene) {
 }
 
 }  // namespace
-
-bool is_law_scene(const std::string& text, const ident::Path& file) {
-  const scene::Value document = scene::parse_toml(text, file);
-  const scene::Value *joint = member(document, "joint"), *data = member(document, "data");
-  return (joint != nullptr && member(*joint, "friction") != nullptr) || (data != nullptr && member(*data, "levels") != nullptr);
-}
 
 LawScene parse_law_scene(const std::string& text, const ident::Path& file) {
   const scene::Value document = scene::parse_toml(text, file);

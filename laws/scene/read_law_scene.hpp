@@ -4,10 +4,6 @@
 
 namespace jointid::laws {
 
-/// Whether a scene is one of friction laws: it has [[joint.friction]] or [[data.levels]]. Throws InputError (usage) for what is
-/// no TOML.
-bool is_law_scene(const std::string& text, const ident::Path& file);
-
 /// Reads a scene. Everything that is wrong throws InputError (usage) with file, line, key and remedy.
 LawScene read_law_scene(const ident::Path& file);
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "problems/case/rig_two.hpp"
 #include "problems/structure/beam.hpp"
+#include "problems/vibration/rig_two.hpp"
 
 namespace jointid::problems {
 namespace {

@@ -1,8 +1,7 @@
-#include "cli/parser.hpp"
-
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "cli/commands.hpp"
 #include "cli/compare/compare_command.hpp"
 #include "cli/convert/info_command.hpp"
 #include "cli/problem/problem_command.hpp"
@@ -17,7 +16,7 @@ using testing::HasSubstr;
 
 std::variant<ChosenCommand, Notice> parsed(std::vector<const char*> words) {
   words.insert(words.begin(), "jointid");
-  return parse(static_cast<int>(words.size()), words.data());
+  return parse_all(static_cast<int>(words.size()), words.data());
 }
 
 template <class T>

@@ -8,11 +8,11 @@
 
 #include "input_folder.hpp"
 #include "problems/case/coupling_problem.hpp"
-#include "problems/case/rig_two.hpp"
 #include "problems/problem.hpp"
 #include "problems/thesis/loading_curves.hpp"
 #include "problems/thesis/oscillations.hpp"
 #include "problems/thesis/two_beams.hpp"
+#include "problems/vibration/rig_two.hpp"
 #include "run_command.hpp"
 
 namespace jointid::cli {

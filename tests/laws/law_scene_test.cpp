@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "laws/scene/read_law_scene.hpp"
+#include "scene/kind.hpp"
 
 namespace jointid::laws {
 namespace {
@@ -67,7 +68,7 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(LawScene, ReadsAllThatItSays) {
-  ASSERT_TRUE(is_law_scene(good, "scene.toml"));
+  ASSERT_TRUE(scene::is_law_scene(good, "scene.toml"));
   const LawScene scene = parse_law_scene(good, "folder/scene.toml");
   ASSERT_EQ(scene.levels.size(), 2u);
   EXPECT_EQ(scene.levels[0].harmonics[1].harmonic, 3);
@@ -122,7 +123,7 @@ TEST(LawScene, OneFileOfSeveralHarmonicsNeedsTheRange) {
   EXPECT_THAT(error_of(replaced(one, "range = [10.0, 20.0]", "")), HasSubstr("give [frequency] range"));
 }
 
-TEST(LawScene, LinearScenesAreNone) { EXPECT_FALSE(is_law_scene("[joint]\ndofs = [\"1:+X\"]\n", "scene.toml")); }
+TEST(LawScene, LinearScenesAreNone) { EXPECT_FALSE(scene::is_law_scene("[joint]\ndofs = [\"1:+X\"]\n", "scene.toml")); }
 
 }  // namespace
 }  // namespace jointid::laws

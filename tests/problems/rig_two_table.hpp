@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "friction/fit/fit.hpp"
-#include "problems/case/rig_two.hpp"
+#include "problems/vibration/rig_two.hpp"
 #include "tasks/equivalent_joint.hpp"
 
 namespace jointid::problems {

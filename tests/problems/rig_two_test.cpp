@@ -1,4 +1,4 @@
-#include "problems/case/rig_two.hpp"
+#include "problems/vibration/rig_two.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

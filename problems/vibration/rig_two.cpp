@@ -1,4 +1,4 @@
-#include "problems/case/rig_two.hpp"
+#include "problems/vibration/rig_two.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ constexpr double rod_diameter = 0.004, rod_length = 0.091;  ///< m; the length b
 constexpr double rod_place = 0.4475;                        ///< m from the middles: 1 cm from the ends of the shorter beam; ours
 constexpr double block_mass = 0.25;                         ///< kg, of each block with its aluminium piece; ours
 constexpr double steel_loss_factor = 0.0005;
-constexpr double rigid_stiffness = 1e10;                    ///< N/m
+constexpr double rigid_stiffness = 1e10;  ///< N/m
 constexpr double gain_error = 0.017, phase_error = 0.01, random_error = 0.003;
 
 const frf::Dof middle_1{.node = 109, .direction = frf::Direction::y}, middle_2{.node = 209, .direction = frf::Direction::y};
@@ -56,8 +56,10 @@ Structure half_and_half(const BeamSection& section, double length, std::int64_t 
 
 /// A rod that holds two ends apart and bends with their slopes; the beams do not move along themselves.
 void add_rod(Structure& structure, std::int64_t one, std::int64_t other) {
-  const double area = std::numbers::pi * std::pow(rod_diameter, 2) / 4.0, inertia = std::numbers::pi * std::pow(rod_diameter, 4) / 64.0;
-  structure.add(Kind::stiffness, {{.node = one, .direction = frf::Direction::y}, {{.node = other, .direction = frf::Direction::y}}},
+  const double area = std::numbers::pi * std::pow(rod_diameter, 2) / 4.0,
+               inertia = std::numbers::pi * std::pow(rod_diameter, 4) / 64.0;
+  structure.add(Kind::stiffness,
+                {{.node = one, .direction = frf::Direction::y}, {{.node = other, .direction = frf::Direction::y}}},
                 wide.youngs_modulus * area / rod_length);
   const double bending = wide.youngs_modulus * inertia / rod_length;
   structure.add(Kind::stiffness, {beam_dofs(one)[1], beam_dofs(other)[1]},
@@ -74,7 +76,9 @@ frf::FrfSet with_joint(Structure structure, double stiffness, double damping, co
   return set;
 }
 
-std::string level_file(const std::string& name, std::size_t level) { return name + "_level_" + std::to_string(level + 1) + ".h5"; }
+std::string level_file(const std::string& name, std::size_t level) {
+  return name + "_level_" + std::to_string(level + 1) + ".h5";
+}
 
 std::string scene_of(const RigTwo& rig) {
   std::string levels;
@@ -141,8 +145,16 @@ bool is_rig_two(const std::string& name) {
 
 RigTwo make_rig_two(const std::string& name) {
   const Clamping& clamping = find(name);
-  RigTwo rig{.name = name, .description = clamping.description, .clamping_force = clamping.force, .element = clamping.element,
-             .limit = 0.0, .displacements = {}, .parts = {}, .levels = {}, .rigid = {}, .scene = {}};
+  RigTwo rig{.name = name,
+             .description = clamping.description,
+             .clamping_force = clamping.force,
+             .element = clamping.element,
+             .limit = 0.0,
+             .displacements = {},
+             .parts = {},
+             .levels = {},
+             .rigid = {},
+             .scene = {}};
   const auto element = friction::make_element("ren", rig.element);
   rig.limit = element->limit();
   const Structure structure = rig_two_structure();
@@ -186,12 +198,9 @@ std::filesystem::path write(const RigTwo& rig, const std::filesystem::path& dire
   write_set(data.parts);
   for (const frf::FrfSet& level : data.levels) write_set(level);
   write_set(data.rigid);
-  const nlohmann::ordered_json truth = {{"name", rig.name},
-                                        {"description", rig.description},
-                                        {"clamping_force", rig.clamping_force},
-                                        {"law", "ren"},
-                                        {"parameters", rig.element},
-                                        {"limit", rig.limit}};
+  const nlohmann::ordered_json truth = {
+      {"name", rig.name}, {"description", rig.description}, {"clamping_force", rig.clamping_force},
+      {"law", "ren"},     {"parameters", rig.element},      {"limit", rig.limit}};
   write_text(directory / "truth.json", truth.dump(1) + "\n");
   const std::filesystem::path path = directory / (rig.name + ".toml");
   write_text(path, scene);

@@ -1,0 +1,58 @@
+#include "cli/laws/law_commands.hpp"
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "cli/laws/law_status.hpp"
+#include "cli/options/output.hpp"
+#include "cli/solve/plan_command.hpp"
+#include "cli/solve/solve_command.hpp"
+#include "cli/text/interrupt.hpp"
+#include "cli/text/progress.hpp"
+#include "laws/scene/read_law_scene.hpp"
+#include "laws/task/identify_laws.hpp"
+#include "laws/task/law_bound.hpp"
+#include "report/laws/law_bound_text.hpp"
+#include "report/laws/law_page.hpp"
+#include "report/laws/law_text.hpp"
+
+namespace jointid::cli {
+namespace {
+
+/// There are no FRFs of an assembly to plot.
+ExitCode solve_laws(const SolveArguments& arguments, const std::string& text, std::ostream& out) {
+  if (arguments.plot) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "--plot",
+                      "the scene is one of friction laws: there is no FRF of an assembly", "leave --plot out"});
+  }
+  const laws::LawScene scene = laws::parse_law_scene(text, arguments.scene);
+  check_targets(laws::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
+  const response::FitWork work = {.threads = threads_or_cores(arguments.threads), .interrupted = interrupted};
+  const laws::LawIdentification found = with_progress("fitting friction laws", [&] { return laws::identify_laws(scene, work); });
+  if (arguments.json) write_target(*arguments.json, report::law_json(scene, found), out);
+  if (arguments.csv) write_target(*arguments.csv, report::law_csv(scene, found), out);
+  if (arguments.report) write_target(*arguments.report, report::law_page(scene, found), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << report::law_text(scene, found);
+  return tell_status(scene, found.status, found.message);
+}
+
+ExitCode plan_laws(const PlanArguments& arguments, const std::string& text, std::ostream& out) {
+  const auto refuse = [&](const char* problem, const char* remedy) {
+    throw InputError({ErrorKind::usage, arguments.scene.string(), "[[joint.friction]]", problem, remedy});
+  };
+  const laws::LawScene scene = laws::parse_law_scene(text, arguments.scene);
+  if (!arguments.bound) refuse("scenes of friction laws have no plan but the bound", "add --bound: what the levels will tell");
+  if (!arguments.candidates.empty()) refuse("candidates of a friction scene are levels", "add [[data.levels]] without responses");
+  check_targets(laws::files_of(scene), {{"--json", arguments.json}});
+  const laws::LawBound bound = with_progress("predicting", [&] { return laws::predict_law_bound(scene); });
+  if (arguments.json) write_target(*arguments.json, report::law_bound_json(scene, bound), out);
+  if (arguments.json != "-") out << report::law_bound_text(scene, bound);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, Chosen& chosen) { add_linear_solve(app, chosen).run_laws = solve_laws; }
+
+void add_plan(CLI::App& app, Chosen& chosen) { add_linear_plan(app, chosen).run_laws = plan_laws; }
+
+}  // namespace jointid::cli

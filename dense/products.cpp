@@ -1,0 +1,2 @@
+#define JOINTID_COMPILED_ONCE
+#include "dense/products.hpp"

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace jointid::scene {
+
+/// Whether a scene is one of friction laws: it has [[joint.friction]] or [[data.levels]]. Throws InputError (usage) for what is
+/// no TOML.
+bool is_law_scene(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace jointid::scene
