@@ -21,7 +21,7 @@ report::Json way(const study::Way& chosen) {
           {"regenerate", ident::name(chosen.regenerate)}};
 }
 
-report::Json spread(const Spread& s) {
+report::Json spread_json(const Spread& s) {
   return {{"median", report::value(s.median)}, {"q05", report::value(s.low)}, {"q95", report::value(s.high)}};
 }
 
@@ -29,9 +29,9 @@ report::Json combination(const study::Combination& each) {
   report::Json json = way(each.way);
   json["matrices"] = report::Json::object();
   for (const study::MatrixFigures& figures : each.matrices) {
-    json["matrices"][restrictions::key(figures.kind)] = {{"rjcf", spread(figures.rjcf)},
-                                                         {"arvf", spread(figures.arvf)},
-                                                         {"rms_relative_error", spread(figures.rms_relative_error)},
+    json["matrices"][restrictions::key(figures.kind)] = {{"rjcf", spread_json(figures.rjcf)},
+                                                         {"arvf", spread_json(figures.arvf)},
+                                                         {"rms_relative_error", spread_json(figures.rms_relative_error)},
                                                          {"bias", report::value(figures.bias)},
                                                          {"pareto_front", figures.on_front}};
   }
