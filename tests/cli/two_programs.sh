@@ -47,7 +47,7 @@ for words in "--help" "study --help" "solve --help" "problem list" "solv" "study
   same $words
 done
 expect 0 "next: jointid loading-curve" beside/jointid problem write table2.1-1 curve
-expect 0 "standard error" link plan laws/sdof-iwan.toml --bound
+expect 0 "predicted at the bound" ./link plan laws/sdof-iwan.toml --bound
 expect 2 "scenes of friction laws have no plan but the bound" beside/jointid plan /dev/stdin <laws/sdof-iwan.toml
 expect 0 "K(1,1)" beside/jointid solve a1/A1.toml
 printf 'no program' >beside/no-program
