@@ -144,7 +144,7 @@ void measure_one_off(std::size_t seeds, bench::Promises& promises) {
 }
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {
-  const std::size_t trials = line.count(0, 200, 6);
+  const std::size_t trials = line.count(0, 200, 3);
   const double step_hz = line.quick() ? 48.0 : 12.0;
   measure_coverage("A1", false, trials, step_hz, promises);
   measure_coverage("A1", true, trials, step_hz, promises);
