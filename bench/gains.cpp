@@ -20,9 +20,9 @@ using namespace jointid;
 
 constexpr double gain = 0.01, mass = 0.003, off = 1.02;
 
-ident::Scene likelihood_scene(const problems::Problem& problem, double rig1_step_hz = 12.0) {
+ident::Scene likelihood_scene(const problems::Problem& problem) {
   ident::Scene scene = problems::scene(problem);
-  if (problem.name == "rig1") scene.frequency.step_hz = rig1_step_hz;
+  if (problem.name == "rig1") scene.frequency.step_hz = 12.0;
   scene.identify.method = ident::Method::likelihood;
   scene.identify.automatic = false;
   scene.identify.equations = {ident::Equation::nn, ident::Equation::nj, ident::Equation::jj};
@@ -67,10 +67,9 @@ Coverage coverage(const problems::Problem& problem, const ident::Scene& scene, s
   return out;
 }
 
-void measure_coverage(const std::string& name, bool with_masses, std::size_t trials, double rig1_step_hz,
-                      bench::Promises& promises) {
+void measure_coverage(const std::string& name, bool with_masses, std::size_t trials, bench::Promises& promises) {
   const problems::Problem problem = problems::make(name);
-  ident::Scene scene = likelihood_scene(problem, rig1_step_hz);
+  ident::Scene scene = likelihood_scene(problem);
   if (!scene.noise) scene.noise = ident::NoiseSection{.model = "hammer", .level = 0.0, .frf_model = {}};
   scene.noise->gain_errors = gain;
   scene.noise->mass_errors = with_masses ? mass : 0.0;
@@ -145,11 +144,10 @@ void measure_one_off(std::size_t seeds, bench::Promises& promises) {
 
 void measure(const bench::CommandLine& line, bench::Promises& promises) {
   const std::size_t trials = line.count(0, 200, 3);
-  const double step_hz = line.quick() ? 48.0 : 12.0;
-  measure_coverage("A1", false, trials, step_hz, promises);
-  measure_coverage("A1", true, trials, step_hz, promises);
-  measure_coverage("rig1", false, std::max<std::size_t>(2, trials / 4), step_hz, promises);
-  measure_coverage("rig1", true, std::max<std::size_t>(2, trials / 4), step_hz, promises);
+  measure_coverage("A1", false, trials, promises);
+  measure_coverage("A1", true, trials, promises);
+  measure_coverage("rig1", false, std::max<std::size_t>(2, trials / 4), promises);
+  measure_coverage("rig1", true, std::max<std::size_t>(2, trials / 4), promises);
   measure_one_off(std::min<std::size_t>(10, std::max<std::size_t>(2, trials / 5)), promises);
 }
 
