@@ -129,6 +129,7 @@ int Promises::exit_code() const {
 }
 
 int run(int argc, char** argv, const std::string& usage, const std::function<void(const CommandLine&, Promises&)>& measure) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // into a file, too, a program that is stopped has told what it measured
   try {
     const CommandLine line({argv + 1, argv + argc});
     check_number(line.words(), usage);
