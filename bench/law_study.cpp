@@ -2,8 +2,8 @@
 // Iwan, planned levels of 2, 6, 15 and 40 N with harmonics 1 and 3, 12 lines, 1 % circular noise on the FRFs of the part, 1 and 3
 // % on the phasors. Promised: the rms error of parameters, stiffness and limit over the bound is 1.1 in the mean and 1.3 at
 // worst, 95 % intervals cover 92 to 97 %; of all four laws the true one is chosen in 95 % of the tests, and with levels that only
-// press the joint, where the laws are the same, the answer says in 95 % of the tests that it cannot tell them apart and rules the
-// true one out in none of 20.
+// press the joint, where the laws are the same but Iwan's, which slips from the first force on, the answer says in 95 % of the tests
+// that it cannot tell them apart, and rules the true one out in none of 20.
 #include "laws/task/law_study.hpp"
 
 #include <fmt/core.h>
@@ -24,13 +24,14 @@ using namespace jointid;
 
 struct Law {
   const char *name, *parameters;
+  bool begins_as_spring = true;
 };
 constexpr Law all_laws[] = {{"bilinear", "a = 2.5e-5, k = 4e5"},
                             {"ren", "a = 1e-5, b = 2.0, k = 4e5"},
                             {"shoukry", "a = 10.0, b = 4e4"},
-                            {"iwan", "f = 10.0, k = 4e5, chi = -0.4, beta = 0.5"}};
+                            {"iwan", "f = 10.0, k = 4e5, chi = -0.4, beta = 0.5", false}};
 
-/// N. The joint slips from 10 N on; below 0.1 N it is a spring whatever its law is.
+/// N. The joint slips from 10 N on; below 0.1 N it is a spring by every law but Iwan's.
 const std::vector<double> that_reach = {2.0, 6.0, 15.0, 40.0}, that_do_not = {5e-4, 1e-3};
 
 /// The scene of one study, over the part's file.
@@ -92,8 +93,9 @@ class Studies {
     print_choice(study);
     const std::string what = fmt::format("{}, low levels: ", law.name);
     promises_.at_least(what + "share of usable tests", share_of(study.usable, study.trials), bench::least_share(0.95, trials_));
-    promises_.at_least(what + "share that cannot tell", share_of(study.undecided, study.usable),
-                       bench::least_share(0.95, study.usable));
+    if (law.begins_as_spring)
+      promises_.at_least(what + "share that cannot tell", share_of(study.undecided, study.usable),
+                         bench::least_share(0.95, study.usable));
     promises_.at_least(what + "share that does not rule it out", 1.0 - share_of(study.missed, study.usable),
                        bench::least_share(0.95, study.usable));
   }
