@@ -2,8 +2,8 @@
 // Iwan, planned levels of 2, 6, 15 and 40 N with harmonics 1 and 3, 12 lines, 1 % circular noise on the FRFs of the part, 1 and 3
 // % on the phasors. Promised: the rms error of parameters, stiffness and limit over the bound is 1.1 in the mean and 1.3 at
 // worst, 95 % intervals cover 92 to 97 %; of all four laws the true one is chosen in 95 % of the tests, and with levels that only
-// press the joint, where the laws are the same but Iwan's, which slips from the first force on, the answer says in 95 % of the tests
-// that it cannot tell them apart, and rules the true one out in none of 20.
+// press the joint, where the laws are the same but Iwan's, which slips from the first force on, the answer says in 95 % of the
+// tests that it cannot tell them apart, and rules the true one out in none of 20.
 #include "laws/task/law_study.hpp"
 
 #include <fmt/core.h>
