@@ -20,27 +20,16 @@ namespace {
 using Path = std::filesystem::path;
 using Infos = std::vector<problems::ProblemInfo>;
 
-Infos list_loading_curves() {
+template <class Problem>
+Infos infos_of(const std::vector<Problem>& problems) {
   Infos out;
-  for (const auto& curve : problems::loading_curves()) out.push_back({curve.name, curve.description});
-  return out;
-}
-
-Infos list_two_beams() {
-  Infos out;
-  for (const auto& beams : problems::list_two_beams()) out.push_back({beams.name, beams.description});
-  return out;
-}
-
-Infos list_pulses() {
-  Infos out;
-  for (const auto& pulse : problems::list_pulses()) out.push_back({pulse.name, pulse.description()});
-  return out;
-}
-
-Infos list_oscillations() {
-  Infos out;
-  for (const auto& each : problems::list_oscillations()) out.push_back({each.name, each.description});
+  for (const Problem& each : problems) {
+    if constexpr (requires { each.description(); }) {
+      out.push_back({each.name, each.description()});
+    } else {
+      out.push_back({each.name, each.description});
+    }
+  }
   return out;
 }
 
@@ -75,21 +64,21 @@ WrittenProblem write_oscillation(const std::string& name, const Path& directory,
   return {scene, "oscillate " + scene.string() + " --report " + name + ".html"};
 }
 
-constexpr std::array kinds = {
+constexpr std::array all_kinds = {
     ProblemKind{problems::list, write_identification_problem},
-    ProblemKind{list_loading_curves, write_loading_curve},
+    ProblemKind{[] { return infos_of(problems::loading_curves()); }, write_loading_curve},
     ProblemKind{problems::list_flanges, write_identification_problem},
     ProblemKind{problems::list_coupling, write_coupling_problem},
     ProblemKind{problems::list_rig_two, write_rig_two},
     ProblemKind{problems::list_modal_sets, write_modal_set},
-    ProblemKind{list_two_beams, write_two_beams},
-    ProblemKind{list_pulses, write_pulse},
+    ProblemKind{[] { return infos_of(problems::list_two_beams()); }, write_two_beams},
+    ProblemKind{[] { return infos_of(problems::list_pulses()); }, write_pulse},
     ProblemKind{problems::list_law_problems, write_law_problem},
-    ProblemKind{list_oscillations, write_oscillation},
+    ProblemKind{[] { return infos_of(problems::list_oscillations()); }, write_oscillation},
 };
 
 }  // namespace
 
-void add_problem(CLI::App& app, Chosen& chosen) { declare_problem(app, chosen, {.kinds = kinds, .all = true}); }
+void add_problem(CLI::App& app, Chosen& chosen) { declare_problem(app, chosen, {.kinds = all_kinds, .all = true}); }
 
 }  // namespace jointid::cli

@@ -9,7 +9,7 @@
 namespace jointid::cli {
 namespace {
 
-constexpr std::array kinds = {
+constexpr std::array linear_kinds = {
     ProblemKind{problems::list, write_identification_problem},
     ProblemKind{problems::list_flanges, write_identification_problem},
     ProblemKind{problems::list_coupling, write_coupling_problem},
@@ -18,7 +18,7 @@ constexpr std::array kinds = {
 
 }  // namespace
 
-ProblemKinds linear_problems() { return {.kinds = kinds, .all = false}; }
+ProblemKinds linear_problems() { return {.kinds = linear_kinds, .all = false}; }
 
 WrittenProblem write_identification_problem(const std::string& name, const std::filesystem::path& directory,
                                             const problems::WriteOptions& options) {
