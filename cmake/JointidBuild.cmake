@@ -55,7 +55,7 @@ option(JOINTID_PRECOMPILE "Precompile the headers that most sources read" ON)
 set(JOINTID_PRECOMPILED
     <algorithm> <array> <atomic> <cmath> <complex> <cstddef> <cstdint> <filesystem> <fstream> <functional> <map> <memory> <mutex> <numbers>
     <numeric> <optional> <random> <ranges> <set> <span> <sstream> <stdexcept> <string> <string_view> <tuple> <utility> <variant> <vector>
-    <Eigen/Core> "${PROJECT_SOURCE_DIR}/dense/products.hpp")
+    <Eigen/Core> <dense/products.hpp>)
 
 function(jointid_precompile target kind level)
   if(NOT JOINTID_PRECOMPILE OR (CMAKE_BUILD_TYPE STREQUAL "Asan" AND NOT kind STREQUAL "TEST"))
@@ -78,6 +78,7 @@ function(jointid_precompile target kind level)
     target_compile_options(${headers} PRIVATE -${level}
                            "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>") # for ccache
     target_link_libraries(${headers} PRIVATE Eigen3::Eigen jointid_warnings)
+    target_include_directories(${headers} PRIVATE "${PROJECT_SOURCE_DIR}")
     target_precompile_headers(${headers} PRIVATE ${JOINTID_PRECOMPILED})
     if(kind STREQUAL "TEST")
       target_precompile_headers(${headers} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
