@@ -49,8 +49,7 @@ laws::LawScene scene_of(const std::filesystem::path& part, const Law& law, bool 
 
 class Studies {
  public:
-  Studies(const bench::CommandLine& line, bench::Promises& promises)
-      : trials_(line.count(0, 200, 2)), few_(trials_ < 200), promises_(promises) {
+  Studies(const bench::CommandLine& line, bench::Promises& promises) : trials_(line.count(0, 200, 2)), promises_(promises) {
     problems::write(problems::make_law_problem("sdof-iwan"), folder_, {});
   }
   ~Studies() {
@@ -73,11 +72,11 @@ class Studies {
     fmt::print("rms over bound {:.2f} in the mean, {:.2f} at worst; coverage {:.3f}, least {:.3f}\n", sum, worst, held, least);
     const std::string what = fmt::format("{}, {:g} %: ", law.name, 100.0 * noise);
     promises_.at_least(what + "share of usable tests", share_of(study.usable, study.trials), bench::least_share(0.98, trials_));
-    promises_.at_most(what + "rms over bound, mean", sum, few_ ? bench::largest_rms(trials_) : 1.1);
-    promises_.at_most(what + "rms over bound, worst", worst, few_ ? 1.3 * bench::largest_rms(trials_) : 1.3);
-    promises_.at_least(what + "coverage", held, few_ ? bench::least_share(0.95, trials_) : 0.92);
+    promises_.at_most(what + "rms over bound, mean", sum, few() ? bench::largest_rms(trials_) : 1.1);
+    promises_.at_most(what + "rms over bound, worst", worst, few() ? 1.3 * bench::largest_rms(trials_) : 1.3);
+    promises_.at_least(what + "coverage", held, few() ? bench::least_share(0.95, trials_) : 0.92);
     promises_.at_least(what + "least coverage", least, bench::least_share(0.94, trials_));
-    if (!few_) promises_.at_most(what + "coverage, at most", held, 0.97);
+    if (!few()) promises_.at_most(what + "coverage, at most", held, 0.97);
   }
 
   void choice(const Law& law, double noise) {
@@ -101,6 +100,9 @@ class Studies {
   }
 
  private:
+  /// Chance widens the limits.
+  bool few() const { return trials_ < 200; }
+
   static double share_of(std::size_t some, std::size_t all) {
     return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : jointid::nan;
   }
@@ -124,7 +126,6 @@ class Studies {
   }
 
   std::size_t trials_;
-  bool few_;  ///< chance widens the limits
   bench::Promises& promises_;
   std::filesystem::path folder_ = std::filesystem::temp_directory_path() / fmt::format("jointid-bench-law-study-{}", ::getpid());
 };

@@ -1,6 +1,5 @@
 #include "problems/problem.hpp"
 
-#include "base/error.hpp"
 #include "problems/case/catalogue.hpp"
 #include "problems/case/coupling_problem.hpp"
 #include "problems/case/flange.hpp"
@@ -24,13 +23,7 @@ Problem make(const std::string& name) {
   }
   for (const ProblemInfo& info : list_coupling()) names.push_back(info.name);
   for (const ProblemInfo& info : list_modal_sets()) names.push_back(info.name);
-  const std::string near = nearest_word(name, names);
-  throw InputError(
-      {.kind = ErrorKind::usage,
-       .file = {},
-       .place = "problem",
-       .problem = "there is no problem '" + name + "'",
-       .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
+  refuse_problem("there is no problem '" + name + "'", name, names);
 }
 
 }  // namespace jointid::problems

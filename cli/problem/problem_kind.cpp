@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "cli/options/complete_program.hpp"
 
 namespace jointid::cli {
@@ -14,12 +13,12 @@ const ProblemKind* find(std::span<const ProblemKind> kinds, const std::string& n
   return found == kinds.end() ? nullptr : &*found;
 }
 
-std::string nearest_name(std::span<const ProblemKind> kinds, const std::string& name) {
+std::vector<std::string> names_of(std::span<const ProblemKind> kinds) {
   std::vector<std::string> names;
   for (const ProblemKind& kind : kinds) {
     for (const problems::ProblemInfo& info : kind.list()) names.push_back(info.name);
   }
-  return nearest_word(name, names);
+  return names;
 }
 
 }  // namespace
@@ -29,13 +28,8 @@ bool ProblemKinds::have(const std::string& name) const { return find(kinds, name
 WrittenProblem ProblemKinds::write(const std::string& name, const std::filesystem::path& directory,
                                    const problems::WriteOptions& options) const {
   if (const ProblemKind* kind = find(kinds, name)) return kind->write(name, directory, options);
-  const std::string near = nearest_name(kinds, name);
-  const std::string more = all ? "" : std::string("; for more of them, ") + how_to_complete;
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "problem",
-                    .problem = "there is no problem '" + name + "'",
-                    .remedy = (near.empty() ? "list the problems to see their names" : "did you mean " + near + "?") + more});
+  problems::refuse_problem("there is no problem '" + name + "'", name, names_of(kinds),
+                           all ? "" : std::string("; for more of them, ") + how_to_complete);
 }
 
 }  // namespace jointid::cli

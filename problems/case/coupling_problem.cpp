@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base/error.hpp"
 #include "base/temporary_file.hpp"
 #include "problems/case/coupling_cases.hpp"
 #include "problems/case/set_format.hpp"
@@ -115,12 +114,7 @@ CouplingProblem make_coupling(const std::string& name) {
     if (definition.name == name) return build(definition);
     names.push_back(definition.name);
   }
-  const std::string near = nearest_word(name, names);
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "problem",
-                    .problem = "there is no coupling problem '" + name + "'",
-                    .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
+  refuse_problem("there is no coupling problem '" + name + "'", name, names);
 }
 
 std::vector<frf::FrfSet> polluted(const CouplingProblem& problem, std::uint64_t seed, std::uint64_t trial) {

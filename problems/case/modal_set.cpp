@@ -1,10 +1,8 @@
 #include "problems/case/modal_set.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
 #include "base/random.hpp"
 #include "problems/case/case.hpp"
 
@@ -66,19 +64,10 @@ ModalSet thirty(const ProblemInfo& info) {
 
 std::vector<ProblemInfo> list_modal_sets() { return infos; }
 
-bool is_modal_set(const std::string& name) {
-  return std::ranges::any_of(infos, [&](const ProblemInfo& info) { return info.name == name; });
-}
-
 ModalSet make_modal_set(const std::string& name) {
   if (name == infos[0].name) return pair(infos[0]);
   if (name == infos[1].name) return thirty(infos[1]);
-  const std::string near = nearest_word(name, std::vector{infos[0].name, infos[1].name});
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "problem",
-                    .problem = "there is no modal set '" + name + "'",
-                    .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
+  refuse_problem("there is no modal set '" + name + "'", name, {infos[0].name, infos[1].name});
 }
 
 frf::FrfSet polluted(const ModalSet& set, std::uint64_t seed, std::uint64_t trial) {

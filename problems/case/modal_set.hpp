@@ -23,8 +23,6 @@ struct ModalSet {
 
 std::vector<ProblemInfo> list_modal_sets();
 
-bool is_modal_set(const std::string& name);
-
 /// Throws InputError (usage) with the nearest name when there is none.
 ModalSet make_modal_set(const std::string& name);
 

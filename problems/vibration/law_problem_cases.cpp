@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "problems/structure/beam.hpp"
 #include "problems/vibration/rig_two.hpp"
 
@@ -105,12 +104,7 @@ LawProblem make_law_problem(const std::string& name) {
     if (problem.name == name) return problem;
     names.push_back(problem.name);
   }
-  const std::string near = nearest_word(name, names);
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "problem",
-                    .problem = "there is no problem '" + name + "' with friction laws",
-                    .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
+  refuse_problem("there is no problem '" + name + "' with friction laws", name, names);
 }
 
 }  // namespace jointid::problems

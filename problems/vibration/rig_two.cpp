@@ -1,12 +1,10 @@
 #include "problems/vibration/rig_two.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "base/complex.hpp"
-#include "base/error.hpp"
 #include "base/random.hpp"
 #include "base/temporary_file.hpp"
 #include "friction/curve/equivalent.hpp"
@@ -100,12 +98,7 @@ const Clamping& find(const std::string& name) {
     if (each.name == name) return each;
     names.emplace_back(each.name);
   }
-  const std::string near = nearest_word(name, names);
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "problem",
-                    .problem = "there is no rig '" + name + "'",
-                    .remedy = near.empty() ? "list the problems to see their names" : "did you mean " + near + "?"});
+  refuse_problem("there is no rig '" + name + "'", name, names);
 }
 
 /// gain·e^{iφ} per FRF and an error of every value; `set` numbers the measurement.
@@ -137,10 +130,6 @@ std::vector<ProblemInfo> list_rig_two() {
   std::vector<ProblemInfo> out;
   for (const Clamping& each : clampings()) out.push_back({each.name, each.description});
   return out;
-}
-
-bool is_rig_two(const std::string& name) {
-  return std::ranges::any_of(clampings(), [&](const Clamping& each) { return each.name == name; });
 }
 
 RigTwo make_rig_two(const std::string& name) {

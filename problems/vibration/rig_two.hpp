@@ -35,8 +35,6 @@ std::array<frf::Dof, 2> rig_two_middles();
 
 std::vector<ProblemInfo> list_rig_two();
 
-bool is_rig_two(const std::string& name);
-
 /// Throws InputError (usage) with the nearest name when there is none.
 RigTwo make_rig_two(const std::string& name);
 
