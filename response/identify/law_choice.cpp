@@ -56,23 +56,31 @@ std::vector<std::vector<Joint>> together(const std::vector<Joint>& beside, const
   return starts;
 }
 
+/// Where fits of a candidate begin.
+struct Starts {
+  std::vector<std::vector<Joint>> joints;
+  double distance = 0.0;  ///< χ² of the forces of the direct steps at the first
+};
+
 /// Starts by the direct steps.
-std::vector<std::vector<Joint>> starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws,
-                                          const std::vector<Joint>& beside, const LawConstraints& constraints) {
+Starts starts_of(const std::vector<DirectStep>& steps, const std::vector<std::string>& laws, const std::vector<Joint>& beside,
+                 const LawConstraints& constraints) {
   if (laws.size() != beside.size()) {
     fail_laws(std::to_string(laws.size()) + " laws for " + std::to_string(beside.size()) + " joints", "name one for each joint");
   }
-  std::vector<std::vector<Joint>> starts = together(beside, constraints, [&](std::size_t j) {
+  Starts starts;
+  starts.joints = together(beside, constraints, [&](std::size_t j) {
     try {
       ForceFit fit = fit_forces(steps, j, laws[j], beside[j]);
       if (!fit.joint.friction) fail_laws("no start of " + laws[j] + " suits joint " + std::to_string(j + 1), "give its values");
       fit.family.insert(fit.family.begin(), fit.joint);
+      starts.distance += fit.chi_square;
       return fit.family;
     } catch (const std::invalid_argument& wrong) {
       fail_laws(wrong.what(), "");
     }
   });
-  for (std::vector<Joint>& start : starts) begin_beside(steps, constraints, start);
+  for (std::vector<Joint>& start : starts.joints) begin_beside(steps, constraints, start);
   return starts;
 }
 
@@ -124,16 +132,27 @@ bool is_good(const LawFit& fit) {
   return is_minimum(fit.status) && fit.chi_square < chi_square_quantile(static_cast<double>(fit.freedom), far);
 }
 
+constexpr double hopeless = 4.0, room = 100.0;  ///< times χ² of the best law and so much more: far behind it
+
+/// Whether another law, which the data do not contradict, leaves the end of a fit far behind.
+bool is_beaten(const LawFit& fit, const LawFit* rival) {
+  return rival != nullptr && !fit.joints.empty() &&
+         chi_square_of_one(fit) > hopeless * chi_square_of_one(*rival) + room / static_cast<double>(fit.freedom);
+}
+
 constexpr int most_first_steps = 40;  ///< of a start: what has not come near a minimum by then is no start
 
-/// The best of all starts.
+/// The best of all starts; `rival`: where two end far behind that one no other is tried.
 LawFit best_of(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-               const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options, const LawConstraints& constraints) {
+               const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options, const LawConstraints& constraints,
+               const LawFit* rival) {
   constexpr double same = 0.1, far = 2.0;  // of χ², and of χ² of one number
   LawFit best;
   bool again = false;
-  for (std::size_t i = 0; i < starts.size() && !again && !(i > 0 && is_good(best)); ++i) {
+  int beaten = 0;
+  for (std::size_t i = 0; i < starts.size() && !again && beaten < 2 && !(i > 0 && is_good(best)); ++i) {
     LawFit fit = fit_laws(structure, states, unknowns_of(starts[i], constraints), options);
+    if (is_beaten(fit, rival)) ++beaten;
     again = i > 0 && is_minimum(fit.status) && is_minimum(best.status) && std::abs(fit.chi_square - best.chi_square) < same &&
             chi_square_of_one(fit) < far;
     if (i == 0 || rank(fit) < rank(best)) best = std::move(fit);
@@ -146,15 +165,15 @@ LawFit best_of(const std::shared_ptr<const Receptance>& structure, const std::ve
 /// other lines often do not.
 std::optional<LawFit> fit_by_some(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
                                   std::size_t count, const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options,
-                                  const LawConstraints& constraints) {
+                                  const LawConstraints& constraints, const LawFit* rival) {
   constexpr double as_good = 2.0;
   std::optional<LawFit> best;
   for (const double share : {0.5, 0.25, 0.75}) {
     const std::vector<MeasuredState> some = some_lines(states, count, share);
     if (some.empty()) return std::nullopt;
-    LawFit found = best_of(structure, some, starts, options, constraints);
+    LawFit found = best_of(structure, some, starts, options, constraints, rival);
     if (is_minimum(found.status) && (!best || chi_square_of_one(found) < chi_square_of_one(*best))) best = std::move(found);
-    if (best && is_good(*best)) break;
+    if (best && (is_good(*best) || is_beaten(*best, rival))) break;
   }
   if (!best) return std::nullopt;
   LawFit fit = fit_laws(structure, states, unknowns_of(joints_of(*best), constraints), options);
@@ -165,17 +184,18 @@ std::optional<LawFit> fit_by_some(const std::shared_ptr<const Receptance>& struc
 /// The best of all starts; harmonics are not added yet. Of many lines some tell first where to start, of fewer where no start
 /// did.
 LawFit first_fit(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
-                 const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints) {
+                 const std::vector<std::vector<Joint>>& starts, LawFitOptions options, const LawConstraints& constraints,
+                 const LawFit* rival = nullptr) {
   constexpr double roughly = 0.01;  // of a deviation
   if (options.harmonics.empty()) {
     options.harmonics = measured_harmonics(states);
     options.steps.enough = roughly;
   }
   options.steps.most_steps = std::min(options.steps.most_steps, most_first_steps);
-  if (auto fit = fit_by_some(structure, states, lines_for_a_start, starts, options, constraints)) return std::move(*fit);
-  LawFit best = best_of(structure, states, starts, options, constraints);
-  if (is_good(best)) return best;
-  auto fit = fit_by_some(structure, states, lines_for_a_start / 2, starts, options, constraints);
+  if (auto fit = fit_by_some(structure, states, lines_for_a_start, starts, options, constraints, rival)) return std::move(*fit);
+  LawFit best = best_of(structure, states, starts, options, constraints, rival);
+  if (is_good(best) || is_beaten(best, rival)) return best;
+  auto fit = fit_by_some(structure, states, lines_for_a_start / 2, starts, options, constraints, rival);
   return fit && rank(*fit) < rank(best) ? std::move(*fit) : best;
 }
 
@@ -211,7 +231,7 @@ LawFit last_fit(const std::shared_ptr<const Receptance>& structure, const std::v
 std::vector<std::vector<Joint>> law_starts(const Receptance& structure, const std::vector<MeasuredState>& states,
                                            const std::vector<std::string>& laws, const std::vector<Joint>& beside,
                                            const LawConstraints& constraints) {
-  return starts_of(direct_steps(structure, states), laws, beside, constraints);
+  return starts_of(direct_steps(structure, states), laws, beside, constraints).joints;
 }
 
 LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::vector<MeasuredState>& states,
@@ -223,13 +243,23 @@ std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& 
                                        const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
                                        const LawFitOptions& options, const LawConstraints& constraints) {
-  constexpr double hopeless = 4.0, room = 100.0;
   const std::vector<DirectStep> steps = direct_steps(*structure, states);
+  std::vector<std::pair<Starts, std::vector<std::string>>> nearest_first;
+  for (const std::vector<std::string>& laws : candidates)
+    nearest_first.emplace_back(starts_of(steps, laws, beside, constraints), laws);
+  std::ranges::stable_sort(nearest_first, {}, [](const auto& each) { return each.first.distance; });
   std::vector<LawCandidate> fitted;
+  std::optional<LawFit> rival;  // the best of those that the data do not contradict
   double least = std::numeric_limits<double>::infinity();
-  for (const std::vector<std::string>& laws : candidates) {
-    fitted.push_back({laws, first_fit(structure, states, starts_of(steps, laws, beside, constraints), options, constraints)});
-    if (is_minimum(fitted.back().fit.status)) least = std::min(least, fitted.back().fit.aic);
+  for (auto& [starts, laws] : nearest_first) {
+    if (rival) {
+      const std::vector<std::vector<Joint>> like = starts_like(*rival, laws, constraints);
+      if (!like.empty() && !starts.joints.empty()) starts.joints.insert(starts.joints.begin() + 1, like.front());
+    }
+    fitted.push_back({laws, first_fit(structure, states, starts.joints, options, constraints, rival ? &*rival : nullptr)});
+    const LawFit& fit = fitted.back().fit;
+    if (is_minimum(fit.status)) least = std::min(least, fit.aic);
+    if (is_good(fit) && (!rival || fit.aic < rival->aic)) rival = fit;
   }
   begin_again(structure, states, options, constraints, fitted);
   for (LawCandidate& each : fitted) {

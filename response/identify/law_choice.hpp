@@ -30,9 +30,11 @@ LawFit fit_from(const std::shared_ptr<const Receptance>& structure, const std::v
                 const std::vector<std::vector<Joint>>& starts, const LawFitOptions& options = {},
                 const LawConstraints& constraints = {});
 
-/// Every candidate fitted as by fit_from; those that the data do not contradict, but whose χ² is above that of the best by more
-/// than 1, again from starts with its stiffnesses and limits; those whose first fit is four times as bad as the best one get no
-/// further harmonics. Those that converged first, of them those with the smallest AIC = χ² + 2 · unknowns.
+/// Every candidate fitted as by fit_from, those first whose forces are nearest to the direct step's; where two starts of a law,
+/// one with the stiffnesses and limits of the best before it, end four times as bad as a law that the data do not contradict, no
+/// other is tried. Those that the data do not contradict, but whose χ² is above that of the best by more than 1, again from
+/// starts with its stiffnesses and limits; those whose first fit is four times as bad as the best one get no further harmonics.
+/// Those that converged first, of them those with the smallest AIC = χ² + 2 · unknowns.
 std::vector<LawCandidate> compare_laws(const std::shared_ptr<const Receptance>& structure,
                                        const std::vector<MeasuredState>& states,
                                        const std::vector<std::vector<std::string>>& candidates, const std::vector<Joint>& beside,
