@@ -10,6 +10,7 @@
 
 #include "base/eigen.hpp"
 #include "base/error.hpp"
+#include "by_case.hpp"
 #include "dense/lu.hpp"
 #include "problems/case/catalogue.hpp"
 #include "problems/case/thesis_beams.hpp"
@@ -19,7 +20,7 @@
 namespace jointid::problems {
 namespace {
 
-class EveryCase : public testing::TestWithParam<Case> {};
+class EveryCase : public ByCase {};
 
 Eigen::MatrixXcd joint_impedance(const Case& definition, double frequency_hz) {
   const double omega = 2.0 * std::numbers::pi * frequency_hz;
@@ -57,7 +58,7 @@ Eigen::MatrixXcd line_of(const std::vector<frf::FrfSet>& sets, const std::vector
 /// Coupling by the joint: H_asm = H_sub − H_sj (I + Z_j H_jj)⁻¹ Z_j H_js (docs/formulas.md §2, 6.12) over all
 /// measured DOFs. The substructure files alone, the truth alone and the assembly file have to agree.
 TEST_P(EveryCase, AssemblyIsTheSubstructuresCoupledByTheTrueJoint) {
-  Case definition = GetParam();
+  Case definition = definition_;
   definition.accelerometer_mass = 0.0;  // it loads parts and assembly differently, on purpose
   if (definition.name == "G4" || definition.name == "G5") {
     // Its parts are coupled by a rigid, its assembly by a very hard rotary spring: only similar.
@@ -91,13 +92,13 @@ TEST_P(EveryCase, AssemblyIsTheSubstructuresCoupledByTheTrueJoint) {
 }
 
 TEST_P(EveryCase, FrfSetsHaveTheirSizesAndTheSceneNamesThem) {
-  const Problem problem = build(GetParam());
+  const Problem problem = build(definition_);
   std::vector<frf::FrfSet> sets = problem.substructures;
   sets.push_back(problem.assembly);
   for (const frf::FrfSet& set : sets) {
     EXPECT_NO_THROW(frf::validate(set.header));
     EXPECT_EQ(set.values.size(), set.header.lines() * set.header.entries());
-    EXPECT_EQ(set.header.frequency_hz, frequencies(GetParam().axis));
+    EXPECT_EQ(set.header.frequency_hz, frequencies(definition_.axis));
     EXPECT_THAT(problem.scene, testing::HasSubstr("\"" + set.header.file + "\""));
     EXPECT_FALSE(set.header.nodes.empty());
   }
@@ -107,7 +108,7 @@ TEST_P(EveryCase, FrfSetsHaveTheirSizesAndTheSceneNamesThem) {
 }
 
 TEST_P(EveryCase, NoiseChangesEverySetAndRepeats) {
-  const Problem problem = build(GetParam());
+  const Problem problem = build(definition_);
   const Measurement first = polluted(problem, 1, 0);
   const Measurement again = polluted(problem, 1, 0);
   ASSERT_EQ(first.substructures.size(), problem.substructures.size());
@@ -121,8 +122,8 @@ TEST_P(EveryCase, NoiseChangesEverySetAndRepeats) {
 }
 
 TEST_P(EveryCase, TheTruthIsSymmetricOverTheJointDofs) {
-  for (const JointMatrix& matrix : GetParam().joint) {
-    ASSERT_EQ(matrix.truth.size(), GetParam().joint_dofs.size());
+  for (const JointMatrix& matrix : definition_.joint) {
+    ASSERT_EQ(matrix.truth.size(), definition_.joint_dofs.size());
     for (std::size_t i = 0; i < matrix.truth.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(matrix.truth[i][j], matrix.truth[j][i]);
     }
@@ -132,10 +133,10 @@ TEST_P(EveryCase, TheTruthIsSymmetricOverTheJointDofs) {
 /// The unknowns that the scene declares are those of the problem, and their exact values give the true
 /// matrices.
 TEST_P(EveryCase, ExactUnknownsGiveTheTruth) {
-  const Problem problem = build(GetParam());
+  const Problem problem = build(definition_);
   restrictions::JointSpec spec;
   spec.dofs = problem.joint_dofs;
-  for (const JointMatrix& matrix : GetParam().joint) spec.matrices[matrix.kind] = matrix.spec;
+  for (const JointMatrix& matrix : definition_.joint) spec.matrices[matrix.kind] = matrix.spec;
   const restrictions::Restriction restriction = restrictions::build({spec});
   ASSERT_EQ(restriction.unknowns.size(), problem.unknowns.size());
   std::vector<double> exact;
@@ -153,13 +154,7 @@ TEST_P(EveryCase, ExactUnknownsGiveTheTruth) {
   }
 }
 
-std::string test_name(const testing::TestParamInfo<Case>& info) {
-  std::string name = info.param.name;
-  std::erase(name, '-');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, testing::ValuesIn(all_cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Cases, EveryCase, testing::ValuesIn(ByCase::all()), ByCase::name_of);
 
 TEST(Catalogue, HasEveryCaseOnce) {
   std::set<std::string> names;

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "by_case.hpp"
 #include "ident/scene/read_scene.hpp"
-#include "problems/case/catalogue.hpp"
 #include "problems/case/in_memory.hpp"
 
 namespace jointid::problems {
 namespace {
 
-class EveryScene : public testing::TestWithParam<Case> {};
+class EveryScene : public ByCase {};
 
 bool excluded(const ident::Scene& scene, double frequency_hz) {
   return std::any_of(
@@ -22,7 +22,6 @@ bool excluded(const ident::Scene& scene, double frequency_hz) {
 }
 
 TEST_P(EveryScene, SaysWhatTheCaseSays) {
-  const Case& definition = GetParam();
   const Problem problem = build(definition);
   const ident::Scene scene = ident::parse_scene(problem.scene, "folder/" + problem.name + ".toml");
   ASSERT_EQ(scene.data.substructures.size(), problem.substructures.size());
@@ -31,18 +30,18 @@ TEST_P(EveryScene, SaysWhatTheCaseSays) {
   }
   ASSERT_EQ(scene.joints.size(), 1U);
   EXPECT_EQ(scene.joints[0].dofs, problem.joint_dofs);
-  EXPECT_EQ(scene.joints[0].matrices.size(), definition.joint.size());
+  EXPECT_EQ(scene.joints[0].matrices.size(), definition_.joint.size());
   EXPECT_EQ(scene.truth, problem.truth);
-  EXPECT_EQ(ident::name(scene.identify.method), definition.method);
-  EXPECT_EQ(scene.identify.equations.size(), definition.equations.size());
-  EXPECT_EQ(scene.identify.delta, definition.delta);
-  EXPECT_EQ(scene.noise.has_value(), !definition.hammer.has_value());
+  EXPECT_EQ(ident::name(scene.identify.method), definition_.method);
+  EXPECT_EQ(scene.identify.equations.size(), definition_.equations.size());
+  EXPECT_EQ(scene.identify.delta, definition_.delta);
+  EXPECT_EQ(scene.noise.has_value(), !definition_.hammer.has_value());
 }
 
 /// Of the lines in the file, all lie in the range; those left out are the ones at natural frequencies, and
 /// not many.
 TEST_P(EveryScene, UsesTheLinesOfTheCase) {
-  const Problem problem = build(GetParam());
+  const Problem problem = build(definition_);
   const ident::Scene scene = ident::parse_scene(problem.scene, "scene.toml");
   const std::vector<double>& axis = problem.assembly.header.frequency_hz;
   EXPECT_EQ(scene.frequency.range_hz, (ident::Range{axis.front(), axis.back()}));
@@ -54,21 +53,15 @@ TEST_P(EveryScene, UsesTheLinesOfTheCase) {
     };
     const bool resonant = near(problem.assembly_modes) || std::any_of(problem.substructure_modes.begin(),
                                                                       problem.substructure_modes.end(), near);
-    EXPECT_EQ(excluded(scene, f), resonant && GetParam().exclude_resonances) << f;
+    EXPECT_EQ(excluded(scene, f), resonant && definition_.exclude_resonances) << f;
     left_out += excluded(scene, f) ? 1U : 0U;
   }
-  EXPECT_EQ(left_out > 0, GetParam().exclude_resonances);
+  EXPECT_EQ(left_out > 0, definition_.exclude_resonances);
   EXPECT_LE(left_out, axis.size() / 5);
   EXPECT_THAT(plan(scene, {problem.substructures, problem.assembly})->warnings, testing::IsEmpty());
 }
 
-std::string test_name(const testing::TestParamInfo<Case>& info) {
-  std::string name = info.param.name;
-  std::erase(name, '-');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(all_cases()), test_name);
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(ByCase::all()), ByCase::name_of);
 
 }  // namespace
 }  // namespace jointid::problems
