@@ -14,9 +14,12 @@ BlockPiece find_piece(const FrfHeader& header, std::size_t source, const std::ve
                    .transposed = transposed};
   const auto match = [](const std::vector<Dof>& wanted, const std::vector<Dof>& stored, std::vector<std::size_t>& place,
                         std::vector<std::size_t>& index, std::vector<double>& sign) {
+    std::size_t next = 0;  // mostly stored in the order in which they are wanted
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      const std::size_t found = find_coordinate(stored, wanted[i]);
+      const bool follows = next < stored.size() && stored[next].same_coordinate(wanted[i]);
+      const std::size_t found = follows ? next : find_coordinate(stored, wanted[i]);
       if (found == npos) continue;
+      next = found + 1;
       place.push_back(i);
       index.push_back(found);
       sign.push_back(wanted[i].sign * stored[found].sign);

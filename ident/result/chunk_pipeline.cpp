@@ -107,7 +107,7 @@ void run_chunks(LineShares::Range lines, std::size_t chunk, const char* stage,
 }
 
 std::size_t chunk_lines(std::size_t entries_per_line) {
-  constexpr std::size_t chunk_bytes = 8u << 20;
+  constexpr std::size_t chunk_bytes = 1u << 20;  // what is read is still in the cache when it is worked on
   const std::size_t line_bytes = std::max<std::size_t>(1, entries_per_line * sizeof(std::complex<double>));
   return std::max<std::size_t>(1, chunk_bytes / line_bytes);
 }
