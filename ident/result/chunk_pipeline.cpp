@@ -114,8 +114,9 @@ std::size_t chunk_lines(std::size_t entries_per_line) {
 
 std::size_t worker_count(std::size_t lines, std::size_t chunk, std::size_t threads) {
   const std::size_t chunks = (lines + chunk - 1) / chunk;
+  if (chunks <= 1) return 1;  // to count cores opens a file of the system
   const std::size_t used = threads_or_cores(threads);
-  return used == 1 ? 1 : std::clamp<std::size_t>(chunks, 1, used + 1);
+  return used == 1 ? 1 : std::min(chunks, used + 1);
 }
 
 }  // namespace jointid::ident
