@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/kernel.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -28,15 +30,36 @@ double row_norm2(const minimise::LineProduct& line, const SubProduct& part, std:
   return sum;
 }
 
+/// Σ_k w_k² (|c1_k|² + |c2_k|²) of numbers side by side.
+JOINTID_KERNEL double weighted_norm2(const double* c1, const double* c2, const double* weight, std::size_t count) {
+  double sum = 0.0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t k = 0; k < count; ++k) {
+    const double size2 = c1[2 * k] * c1[2 * k] + c1[2 * k + 1] * c1[2 * k + 1] + c2[2 * k] * c2[2 * k] + c2[2 * k + 1] * c2[2 * k + 1];
+    sum += weight[k] * weight[k] * size2;
+  }
+  return sum;
+}
+
+const double* numbers(const Complex& first) { return reinterpret_cast<const double*>(&first); }
+
 double right_norm2(const minimise::LineProduct& line, const SubProduct& part) {
+  const std::size_t count = part.columns.size(), first = count > 0 ? part.columns.front() : 0;
+  bool side_by_side = line.c_error.empty();
+  for (std::size_t k = 0; k < count; ++k) side_by_side = side_by_side && part.columns[k] == first + k;
   double sum = 0.0;
   for (std::size_t i = 0; i < part.rows.size(); ++i) {
+    const std::size_t m = part.rows[i];
     double row = 0.0;
-    for (std::size_t k = 0; k < part.columns.size(); ++k) {
-      const std::size_t m = part.rows[i], l = part.columns[k];
-      const double element2 = line.c_error.empty() ? std::norm(line.c1(m, l)) + std::norm(line.c2(m, l))
-                                                   : squared(line.c_error[m * line.c1.columns + l]);
-      row += squared(part.column_weight[k]) * element2;
+    if (side_by_side && count > 0) {
+      row = weighted_norm2(numbers(line.c1(m, first)), numbers(line.c2(m, first)), part.column_weight.data(), count);
+    } else {
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t l = part.columns[k];
+        const double element2 = line.c_error.empty() ? std::norm(line.c1(m, l)) + std::norm(line.c2(m, l))
+                                                     : squared(line.c_error[m * line.c1.columns + l]);
+        row += squared(part.column_weight[k]) * element2;
+      }
     }
     sum += squared(part.row_weight[i]) * row;
   }
