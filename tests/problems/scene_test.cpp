@@ -22,7 +22,7 @@ bool excluded(const ident::Scene& scene, double frequency_hz) {
 }
 
 TEST_P(EveryScene, SaysWhatTheCaseSays) {
-  const Problem problem = build(definition);
+  const Problem problem = build(definition_);
   const ident::Scene scene = ident::parse_scene(problem.scene, "folder/" + problem.name + ".toml");
   ASSERT_EQ(scene.data.substructures.size(), problem.substructures.size());
   for (std::size_t i = 0; i < problem.substructures.size(); ++i) {
