@@ -400,16 +400,20 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
 }
 
 double LikelihoodEstimator::misfit_at(std::vector<double> theta) {
+  constexpr std::size_t some = 10, some_of_poor = 40;  // lines tell starts apart
   theta.resize(unknowns_, 0.0);
   lines_.take_variances_as_measured();
+  const bool poor = lines_.layout().a.empty(), some_alone = lines_.look_at_some(poor ? some_of_poor : some);
   lines_.begin(theta);
-  if (lines_.layout().is_large() || !lines_.layout().a.empty()) {  // the fit mostly begins at the first start that is looked at
+  if (!some_alone && (lines_.layout().is_large() || !poor)) {  // the fit mostly begins at the first start that is looked at
     lines_.linearise(theta);
     linearised_at_ = std::move(theta);
   } else {
     lines_.linearise_frfs(theta);
   }
-  return lines_.linearised_misfit();
+  const double misfit = lines_.linearised_misfit();
+  lines_.look_at_all();
+  return misfit;
 }
 
 Eigen::MatrixXd LikelihoodEstimator::information_at(std::vector<double> theta) {

@@ -50,7 +50,7 @@ const LineData& FittedLines::data_at(std::size_t line, const std::vector<double>
 void FittedLines::for_all(const std::function<void(std::size_t, LineModel&)>& work) {
   std::atomic<std::size_t> begun = 0;
   const auto work_on = [&](std::size_t i, LineModel& model) {
-    if (lines_[i].redundancy <= 0.0) return;
+    if (!is_looked_at(i)) return;
     if (watch_) watch_(begun++, own_.size());
     work(i, model);
   };
@@ -84,6 +84,16 @@ void FittedLines::exchange_costs() {
     lines_[i].cost = costs[2 * i];
     lines_[i].reduced.cost = costs[2 * i + 1];
   }
+}
+
+bool FittedLines::look_at_some(std::size_t count) {
+  const auto used = std::ranges::count_if(lines_, [](const FittedLine& line) { return line.redundancy > 0.0; });
+  const std::size_t every = static_cast<std::size_t>(used) / count;
+  passed_over_.assign(every > 1 ? lines_.size() : 0, true);
+  for (std::size_t i = 0, place = 0; i < passed_over_.size(); ++i) {
+    if (lines_[i].redundancy > 0.0 && place++ % every == 0) passed_over_[i] = false;
+  }
+  return every > 1;
 }
 
 void FittedLines::begin(const std::vector<double>& theta) {
@@ -335,8 +345,9 @@ bool FittedLines::fit(std::size_t unknowns) const {
 
 double FittedLines::linearised_misfit() const {
   double misfit = 0.0, redundancy = 0.0;
-  for (const FittedLine& line : lines_) {
-    if (line.redundancy <= 0.0) continue;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const FittedLine& line = lines_[i];
+    if (!is_looked_at(i)) continue;
     misfit += line.redundancy * std::log1p(line.reduced.cost / line.redundancy);
     redundancy += line.redundancy;
   }

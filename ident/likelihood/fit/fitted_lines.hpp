@@ -29,6 +29,10 @@ class FittedLines {
   const std::vector<FittedLine>& snapshot() const { return lines_; }
   void restore(std::vector<FittedLine> snapshot) { lines_ = std::move(snapshot); }
 
+  /// Until look_at_all() only lines spread over those in use are worked on, so many or a few more; false: these are all.
+  bool look_at_some(std::size_t count);
+  void look_at_all() { passed_over_.clear(); }
+
   /// first_state() of every line.
   void begin(const std::vector<double>& theta);
 
@@ -99,7 +103,7 @@ class FittedLines {
   /// At most one line in five is outlying, and χ² of the others is within five standard deviations of its expectation.
   bool fit(std::size_t unknowns) const;
 
-  /// The mean of log(1 + χ²/r) over lines as linearised, weighted by their redundancy r.
+  /// The mean of log(1 + χ²/r) over the lines that are looked at, as linearised, weighted by their redundancy r.
   double linearised_misfit() const;
 
   std::size_t bytes() const;
@@ -112,6 +116,9 @@ class FittedLines {
   /// For this process's lines; then costs are known of all.
   void for_all(const std::function<void(std::size_t, LineModel&)>& work);
   void exchange_costs();
+  bool is_looked_at(std::size_t line) const {
+    return lines_[line].redundancy > 0.0 && (passed_over_.empty() || !passed_over_[line]);
+  }
 
   /// The line without the systematic errors of `theta`; as measured where there are none.
   const LineData& data_at(std::size_t line, const std::vector<double>& theta);
@@ -125,6 +132,7 @@ class FittedLines {
   LineShares::Range own_;
   std::vector<std::unique_ptr<LineModel>> models_;  ///< one per thread, kept: their matrices are large
   double tolerance_ = 1.0;
+  std::vector<bool> passed_over_;  ///< which lines; empty: none
   bool as_measured_ = true;  ///< the variances
 };
 
