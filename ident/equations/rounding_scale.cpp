@@ -1,6 +1,7 @@
 #include "ident/equations/rounding_scale.hpp"
 
 #include <cmath>
+#include <span>
 
 #include "base/kernel.hpp"
 
@@ -43,25 +44,34 @@ JOINTID_KERNEL double weighted_norm2(const double* c1, const double* c2, const d
 
 const double* numbers(const Complex& first) { return reinterpret_cast<const double*>(&first); }
 
+/// Weighted squares of the elements of row m in the columns of the part, or of their errors.
+double right_row_norm2(const minimise::LineProduct& line, const SubProduct& part, std::size_t m) {
+  double row = 0.0;
+  for (std::size_t k = 0; k < part.columns.size(); ++k) {
+    const std::size_t l = part.columns[k];
+    const double element2 = line.c_error.empty() ? std::norm(line.c1(m, l)) + std::norm(line.c2(m, l))
+                                                 : squared(line.c_error[m * line.c1.columns + l]);
+    row += squared(part.column_weight[k]) * element2;
+  }
+  return row;
+}
+
+bool are_side_by_side(std::span<const std::size_t> columns) {
+  for (std::size_t k = 1; k < columns.size(); ++k) {
+    if (columns[k] != columns[0] + k) return false;
+  }
+  return !columns.empty();
+}
+
 double right_norm2(const minimise::LineProduct& line, const SubProduct& part) {
-  const std::size_t count = part.columns.size(), first = count > 0 ? part.columns.front() : 0;
-  bool side_by_side = line.c_error.empty();
-  for (std::size_t k = 0; k < count; ++k) side_by_side = side_by_side && part.columns[k] == first + k;
+  const bool plain = line.c_error.empty() && are_side_by_side(part.columns);
   double sum = 0.0;
   for (std::size_t i = 0; i < part.rows.size(); ++i) {
     const std::size_t m = part.rows[i];
-    double row = 0.0;
-    if (side_by_side && count > 0) {
-      row = weighted_norm2(numbers(line.c1(m, first)), numbers(line.c2(m, first)), part.column_weight.data(), count);
-    } else {
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t l = part.columns[k];
-        const double element2 = line.c_error.empty() ? std::norm(line.c1(m, l)) + std::norm(line.c2(m, l))
-                                                     : squared(line.c_error[m * line.c1.columns + l]);
-        row += squared(part.column_weight[k]) * element2;
-      }
-    }
-    sum += squared(part.row_weight[i]) * row;
+    sum += squared(part.row_weight[i]) *
+           (plain ? weighted_norm2(numbers(line.c1(m, part.columns[0])), numbers(line.c2(m, part.columns[0])),
+                                   part.column_weight.data(), part.columns.size())
+                  : right_row_norm2(line, part, m));
   }
   return sum;
 }

@@ -45,6 +45,29 @@ TEST(LikelihoodScene, ReadsHnnAloneFromTheStartOfTheScene) {
   EXPECT_LT(largest_error(solution, h4.truth), 5.0);
 }
 
+/// Starts are told apart by some lines, and these are taken from those that are measured.
+TEST(LikelihoodScene, LinesThatAreNotMeasuredAreNone) {
+  LikelihoodCase a1("A1");
+  a1.at(0.05);
+  problems::Measurement noisy = problems::polluted(a1.problem, 5, 0);
+  const frf::FrfHeader& header = noisy.assembly.header;
+  const std::size_t entries = header.response.size() * header.reference.size();
+  for (std::size_t line = 0; line < header.lines(); ++line) {
+    if (line % 3 == 1) continue;
+    const double f = header.frequency_hz[line];
+    a1.scene.frequency.exclude_hz.push_back({f - 1e-3, f + 1e-3});
+  }
+  const Solution without = solve(*problems::plan(a1.scene, noisy));
+  a1.scene.frequency.exclude_hz.clear();
+  for (std::size_t line = 0; line < header.lines(); ++line) {
+    if (line % 3 != 1) std::fill_n(noisy.assembly.values.begin() + std::ptrdiff_t(line * entries), entries, Complex(nan, nan));
+  }
+  const Solution unmeasured = solve(*problems::plan(a1.scene, noisy));
+  EXPECT_EQ(unmeasured.status, without.status) << unmeasured.message;
+  for (std::size_t u = 0; u < without.unknowns.size(); ++u)
+    EXPECT_NEAR(unmeasured.unknowns[u].value, without.unknowns[u].value, 0.01 * *without.unknowns[u].std_error);
+}
+
 TEST(LikelihoodScene, AnUncertainEstimateIsTheBestOfAllStarts) {
   LikelihoodCase c1("C1");
   const std::vector<double> bound = c1.at(0.05).bound();

@@ -92,6 +92,20 @@ TEST(LawChoice, FindsTheTrueLaw) {
   }
 }
 
+/// What is tried first depends on the data, not on the order in which laws are named.
+TEST(LawChoice, DoesNotDependOnTheOrderOfTheLaws) {
+  std::mt19937_64 generator(3);
+  const auto states = noisy(measure(masses(1), joint_of(truths[0]), levels, omegas), generator);
+  const std::vector<std::vector<std::string>> laws = {{"bilinear"}, {"shoukry"}, {"ren"}, {"iwan"}};
+  const auto forwards = compare_laws(masses(1), states, laws, nothing_beside, {.harmonics = {1, 3}});
+  const auto backwards = compare_laws(masses(1), states, {laws.rbegin(), laws.rend()}, nothing_beside, {.harmonics = {1, 3}});
+  ASSERT_EQ(forwards.size(), backwards.size());
+  for (std::size_t i = 0; i < forwards.size(); ++i) {
+    EXPECT_EQ(forwards[i].laws, backwards[i].laws);
+    EXPECT_EQ(forwards[i].fit.chi_square, backwards[i].fit.chi_square) << forwards[i].laws[0];
+  }
+}
+
 /// Levels far below slip: laws cannot be told apart, and the stiffness is known all the same.
 TEST(LawChoice, CannotTellLawsThatDoNotSlip) {
   std::mt19937_64 generator(5);
