@@ -46,7 +46,8 @@ void check_delta(double delta) {
 }  // namespace
 
 void declare(CLI::App& command, CompareArguments& arguments) {
-  CLI::Option* scene = command.add_option("SCENE", arguments.scene, "Scene file (TOML) with [truth] and [noise]");
+  CLI::Option* scene =
+      command.add_option("SCENE", arguments.scene, "Scene file (TOML) with [truth] and [noise], or one of friction laws");
   const auto list = [&command](const char* name, auto& to, const char* what) {
     return command.add_option(name, to, what)->delimiter(',');
   };
@@ -66,7 +67,8 @@ void declare(CLI::App& command, CompareArguments& arguments) {
   add_outputs(&command, arguments, "the figures", "the figures", "tables and plots");
   command.footer(
       "Examples:\n  jointid problem write B b --clean && jointid compare b/B.toml --weightings WA,WBS --deltas 0,0.05,0.1\n"
-      "  jointid compare --reproduce 6.9 --report table.html");
+      "  jointid compare --reproduce 6.9 --report table.html\n"
+      "  jointid problem write sdof-iwan iwan && jointid compare iwan/sdof-iwan.toml --trials 20");
 }
 
 study::Alternatives alternatives(const CompareArguments& arguments) {

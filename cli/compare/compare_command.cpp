@@ -7,6 +7,7 @@
 
 #include "cli/compare/comparison_page.hpp"
 #include "cli/compare/comparison_text.hpp"
+#include "cli/compare/law_comparison_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/problem/reproduction_page.hpp"
@@ -14,6 +15,8 @@
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "scene/kind.hpp"
+#include "scene/text.hpp"
 
 namespace jointid::cli {
 namespace {
@@ -101,7 +104,9 @@ ExitCode execute(const CompareArguments& arguments, std::ostream& out) {
           reproduction_report(report));
     return ExitCode::done;
   }
-  const ident::Scene scene = ident::read_scene(arguments.scene);
+  const std::string text = scene::read_text(arguments.scene);
+  if (scene::is_law_scene(text, arguments.scene)) return compare_law_scene(arguments, text, out);
+  const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_outputs(arguments, ident::files_of(scene));
   const ComparisonReport report = compared(arguments, scene, out);
   write(arguments, out, report, scene);

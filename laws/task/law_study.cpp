@@ -5,15 +5,13 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
-#include <set>
 
 #include "base/control.hpp"
 #include "base/parallel.hpp"
-#include "base/random.hpp"
 #include "base/statistics.hpp"
 #include "laws/task/assumed_states.hpp"
 #include "laws/task/identify_laws.hpp"
-#include "response/structure/corrected_receptance.hpp"
+#include "laws/task/simulated_levels.hpp"
 
 namespace jointid::laws {
 namespace {
@@ -28,23 +26,6 @@ std::vector<std::pair<std::size_t, friction::FittedValue>> values_of(const std::
   }
   return all;
 }
-
-/// Standard normal numbers of one stream, one after the other.
-class Numbers {
- public:
-  explicit Numbers(RandomStream stream) : stream_(stream) {}
-  double next() {
-    if (second_) return *std::exchange(second_, std::nullopt);
-    const auto [first, second] = normal_numbers(stream_, entry_++);
-    second_ = second;
-    return first;
-  }
-
- private:
-  RandomStream stream_;
-  std::uint64_t entry_ = 0;
-  std::optional<double> second_;
-};
 
 class Trials {
  public:
@@ -76,19 +57,8 @@ class Trials {
 
  private:
   std::optional<LawIdentification> identified(std::size_t trial) const {
-    LevelStates data = assumed_.data;
-    const auto truth = drawn_parts(trial);
-    Numbers noise({.seed = options_.seed, .trial = trial, .set = 1});
-    for (response::MeasuredState& state : data.states) {
-      const auto exact = responses_of(assumed_, truth, state);
-      if (!exact) return std::nullopt;
-      for (Eigen::Index k = 0; k < exact->size(); ++k) {
-        const double real = noise.next(), imaginary = noise.next();
-        state.response(k) = (*exact)(k) + state.deviation(k) * Complex(real, imaginary);
-      }
-    }
-    draw_forces(trial, data.states);
-    return identify_states(scene_, std::move(data));
+    auto data = simulated_levels(assumed_, options_.seed, trial);
+    return data ? std::optional(identify_states(scene_, std::move(*data))) : std::nullopt;
   }
 
   LawTrial made(std::size_t trial) const {
@@ -114,34 +84,6 @@ class Trials {
       out.values.push_back({value.value, interval[0], interval[1]});
     }
     return out;
-  }
-
-  /// The forces that were measured, about the true ones.
-  void draw_forces(std::size_t trial, std::vector<response::MeasuredState>& states) const {
-    Numbers noise({.seed = options_.seed, .trial = trial, .set = 2});
-    for (response::MeasuredState& state : states) {
-      for (Eigen::Index k = 0; k < state.force_deviation.size(); ++k) {
-        const double real = noise.next(), imaginary = noise.next();
-        state.force.amplitudes(k) += state.force_deviation(k) * Complex(real, imaginary);
-      }
-    }
-  }
-
-  std::shared_ptr<const response::Receptance> drawn_parts(std::size_t trial) const {
-    std::set<double> lines;
-    for (const response::MeasuredState& state : assumed_.data.states) {
-      for (const int n : assumed_.harmonics) lines.insert(assumed_.data.structure->nearest(n * state.omega));
-    }
-    Numbers noise({.seed = options_.seed, .trial = trial, .set = 0});
-    auto drawn = std::make_shared<response::CorrectedReceptance>(assumed_.data.structure);
-    for (const double omega : lines) {
-      const std::size_t errors = assumed_.data.structure->errors(omega).size();
-      if (errors == 0) continue;
-      Eigen::VectorXd deviations(2 * at(errors));
-      for (double& each : deviations) each = noise.next();
-      drawn->correct(omega, deviations);
-    }
-    return drawn;
   }
 
   LawScene scene_;

@@ -6,6 +6,7 @@
 
 #include "base/control.hpp"
 #include "laws/scene/read_law_scene.hpp"
+#include "laws/task/law_comparison.hpp"
 #include "problems/vibration/law_problem_cases.hpp"
 #include "tests/test_folder.hpp"
 
@@ -74,6 +75,28 @@ TEST_F(LawStudyScene, LawsOfMoreParametersAreNotLeftOutForTheirNumber) {
   EXPECT_GE(study.usable, 19u);
   EXPECT_GE(study.undecided + 3, study.usable);  // 95 % of them, and what 20 of them may be off
   EXPECT_LE(study.missed, 3u);
+}
+
+/// The likelihood of a comparison is that of a study of the same trials, and both ways have the truth in their reach.
+TEST_F(LawStudyScene, WaysAreComparedOnTheSameTests) {
+  const LawStudyOptions options = {.trials = 12, .seed = 3, .threads = 2};
+  const LawStudy study = study_laws(scene_, options);
+  const LawComparison compared = compare_law_ways(scene_, options);
+  ASSERT_EQ(study.usable, options.trials);
+  ASSERT_EQ(compared.values.size(), 2u);
+  EXPECT_EQ(compared.without_response, 0u);
+  for (std::size_t i = 0; i < compared.values.size(); ++i) {
+    const ComparedValue& value = compared.values[i];
+    EXPECT_EQ(value.name, study.values[i].name);
+    EXPECT_EQ(value.truth, study.values[i].truth);
+    EXPECT_EQ(value.ways[0].answers, options.trials);
+    EXPECT_EQ(value.ways[0].rms_error, study.values[i].rms_error) << value.name;
+    EXPECT_EQ(value.ways[0].bias, study.values[i].bias) << value.name;
+    EXPECT_GE(value.ways[1].answers, options.trials - 2);
+    EXPECT_GT(value.ways[1].rms_error, value.ways[0].rms_error) << value.name;
+    EXPECT_LT(value.ways[1].rms_error, 0.1 * value.truth) << value.name;
+  }
+  EXPECT_GT(compared.seconds[0], 0.0);
 }
 
 TEST_F(LawStudyScene, DoesNotDependOnTheThreads) {
