@@ -77,6 +77,7 @@ LawComparison compare_law_ways(const LawScene& scene, const LawStudyOptions& opt
   const LawScene known = with_known_laws(scene, assumed);
   LawComparison out;
   out.laws = assumed.laws;
+  out.assumed = assumed.told;
   out.trials = options.trials;
   out.notes = assumed.data.notes;
   std::vector<std::optional<std::array<Answer, 2>>> trials(options.trials);

@@ -22,7 +22,8 @@ struct ComparedValue {
 
 /// Ways of identifying laws of friction joints on the same simulated tests.
 struct LawComparison {
-  std::vector<std::string> laws;  ///< assumed, and known to both
+  std::vector<std::string> laws;  ///< the true ones, known to both ways
+  bool assumed = true;            ///< told by the scene, else found from the measured levels
   std::size_t trials = 0, without_response = 0;
   std::vector<std::string> ways = {"likelihood", "two_steps"};
   std::vector<double> seconds;  ///< of a trial by the clock, median; as `ways`

@@ -51,7 +51,8 @@ Table law_ways_table(const LawComparison& comparison) {
 
 std::string law_ways_summary(const LawComparison& comparison) {
   std::string text =
-      fmt::format("{} trials, laws assumed and known to both ways: {}\n", comparison.trials, laws::laws_text(comparison.laws));
+      fmt::format("{} trials; laws {}, known to both ways: {}\n", comparison.trials,
+                  comparison.assumed ? "assumed" : "found from the measured levels", laws::laws_text(comparison.laws));
   if (comparison.without_response > 0)
     text += fmt::format("no response of the drawn parts in {} trials\n", comparison.without_response);
   for (std::size_t way = 0; way < comparison.ways.size(); ++way) {
