@@ -221,6 +221,14 @@ command_test(laws_solved SLOW CODE 0 OUT "law: iwan.*initial stiffness.*friction
 command_test(laws_equivalent CODE 0 OUT "joint: stiffness and damping without a law.*status: ok" AFTER law_files ARGS equivalent law_files/sdof-iwan.toml)
 command_test(laws_equivalent_page CODE 0 AFTER law_files ARGS equivalent law_files/sdof-iwan.toml --report laws_equivalent.html)
 command_test(laws_equivalent_csv CODE 0 OUT "joint,level,frequency .Hz." AFTER law_files ARGS equivalent law_files/sdof-iwan.toml --csv -)
+command_test(laws_compared CODE 0 OUT "2 trials; laws found from the measured levels, known to both ways: iwan.*two steps: answers in 2 of 2.*friction limit" AFTER law_files
+  ARGS compare law_files/sdof-iwan.toml --trials 2)
+command_test(laws_compared_json CODE 0 OUT "\"name\": \"two_steps\".*\"rms_error\"" AFTER law_files ARGS compare law_files/sdof-iwan.toml --trials 2 --json -)
+command_test(laws_compared_page CODE 0 AFTER law_files ARGS compare law_files/sdof-iwan.toml --trials 2 --report laws_compared.html)
+command_test(laws_compared_over_input CODE 2 ERR "sdof-iwan_part_1.h5" AFTER law_files
+  ARGS compare law_files/sdof-iwan.toml --trials 2 --json law_files/sdof-iwan_part_1.h5)
+command_test(laws_compared_by_methods CODE 2 ERR "--methods: the scene is one of friction laws" AFTER law_files
+  ARGS compare law_files/sdof-iwan.toml --methods one)
 command_test(laws_plot CODE 2 ERR "there is no FRF of an assembly" AFTER law_files ARGS solve law_files/sdof-iwan.toml --plot 1:+Y/1:+Y)
 
 command_test(flange_written CODE 0 OUT "next: jointid solve" MAKES flange_files ARGS problem write flange-turned flange)
