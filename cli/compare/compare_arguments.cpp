@@ -96,4 +96,15 @@ void check(const CompareArguments& arguments) {
   if (arguments.trials == 0) fail("--trials", "it is 0", "give 1 or more");
 }
 
+void refuse_alternatives(const CompareArguments& arguments) {
+  const std::pair<const char*, bool> given[] = {
+      {"--methods", !arguments.methods.empty()},       {"--equations", !arguments.equations.empty()},
+      {"--weightings", !arguments.weightings.empty()}, {"--deltas", !arguments.deltas.empty()},
+      {"--solvers", !arguments.solvers.empty()},       {"--regenerate", !arguments.regenerate.empty()}};
+  const auto wrong = std::ranges::find_if(given, [](const auto& option) { return option.second; });
+  if (wrong == std::end(given)) return;
+  throw InputError({ErrorKind::usage, arguments.scene.string(), wrong->first,
+                    "the scene is one of friction laws: its ways are the likelihood and two steps", "leave it out"});
+}
+
 }  // namespace jointid::cli

@@ -36,4 +36,7 @@ study::Alternatives alternatives(const CompareArguments& arguments);
 /// Throws InputError (usage) for a command line that cannot be carried out.
 void check(const CompareArguments& arguments);
 
+/// Throws InputError (usage) that names a list, as scenes of friction laws have ways of their own.
+void refuse_alternatives(const CompareArguments& arguments);
+
 }  // namespace jointid::cli

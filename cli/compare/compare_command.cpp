@@ -5,9 +5,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "cli/compare/comparison_page.hpp"
 #include "cli/compare/comparison_text.hpp"
-#include "cli/compare/law_comparison_run.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/problem/reproduction_page.hpp"
@@ -15,6 +15,8 @@
 #include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "laws/scene/read_law_scene.hpp"
+#include "report/laws/law_comparison_text.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
 
@@ -78,6 +80,23 @@ ComparisonReport compared(const CompareArguments& arguments, const ident::Scene&
   });
 }
 
+ExitCode compare_laws(const CompareArguments& arguments, const std::string& text, std::ostream& out) {
+  refuse_alternatives(arguments);
+  const laws::LawScene scene = laws::parse_law_scene(text, arguments.scene);
+  check_outputs(arguments, laws::files_of(scene));
+  Progress progress;
+  const study::TrialOptions trials = watched(arguments, progress);
+  const laws::LawComparison found = laws::compare_law_ways(scene, {.trials = trials.trials,
+                                                                   .seed = trials.seed,
+                                                                   .threads = threads_or_cores(trials.threads),
+                                                                   .interrupted = trials.interrupted,
+                                                                   .progress = trials.progress});
+  write(arguments, out, report::law_comparison_text(scene, found), report::law_comparison_json(found),
+        report::law_comparison_csv(found), report::law_comparison_page(scene, found));
+  const bool answered = std::ranges::any_of(found.values, [](const auto& value) { return value.ways.front().answers > 0; });
+  return answered ? ExitCode::done : ExitCode::unusable;
+}
+
 bool some_usable(const std::vector<study::Combination>& combinations) {
   const auto usable = [](const auto& status) { return ident::is_usable(status.first); };
   return std::ranges::any_of(combinations, [&](const auto& each) { return std::ranges::any_of(each.statuses, usable); });
@@ -105,7 +124,7 @@ ExitCode execute(const CompareArguments& arguments, std::ostream& out) {
     return ExitCode::done;
   }
   const std::string text = scene::read_text(arguments.scene);
-  if (scene::is_law_scene(text, arguments.scene)) return compare_law_scene(arguments, text, out);
+  if (scene::is_law_scene(text, arguments.scene)) return compare_laws(arguments, text, out);
   const ident::Scene scene = ident::parse_scene(text, arguments.scene);
   check_outputs(arguments, ident::files_of(scene));
   const ComparisonReport report = compared(arguments, scene, out);

@@ -47,18 +47,12 @@ Answer by_two_steps(const std::vector<std::string>& laws, const LevelStates& dat
 
 WayError error_of(const std::vector<std::optional<std::array<Answer, 2>>>& trials, std::size_t way, std::size_t value,
                   double truth) {
-  WayError out;
+  std::vector<double> found;
   for (const auto& trial : trials) {
-    if (!trial || !std::isfinite((*trial)[way].values[value])) continue;
-    const double error = (*trial)[way].values[value] - truth;
-    ++out.answers;
-    out.bias += error;
-    out.rms_error += error * error;
+    if (trial && std::isfinite((*trial)[way].values[value])) found.push_back((*trial)[way].values[value]);
   }
-  const auto count = static_cast<double>(out.answers);
-  out.bias = out.answers > 0 ? out.bias / count : nan;
-  out.rms_error = out.answers > 0 ? std::sqrt(out.rms_error / count) : nan;
-  return out;
+  const auto [bias, rms] = errors_about(truth, found);
+  return {found.size(), bias, rms};
 }
 
 /// The scene with the assumed laws alone.
@@ -99,7 +93,7 @@ LawComparison compare_law_ways(const LawScene& scene, const LawStudyOptions& opt
     if (way == 0) out.without_response = trials.size() - seconds.size();
     out.seconds.push_back(seconds.empty() ? nan : median(seconds));
   }
-  for (const StudiedValue& value : law_study_plan(scene).values) {
+  for (const StudiedValue& value : law_study_plan(scene, assumed).values) {
     if (!is_compared(value)) continue;
     ComparedValue compared{value.joint, value.name, value.unit, value.truth, value.bound, {}};
     for (std::size_t way = 0; way < out.ways.size(); ++way)

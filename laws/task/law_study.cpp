@@ -9,7 +9,6 @@
 #include "base/control.hpp"
 #include "base/parallel.hpp"
 #include "base/statistics.hpp"
-#include "laws/task/assumed_states.hpp"
 #include "laws/task/identify_laws.hpp"
 #include "laws/task/simulated_levels.hpp"
 
@@ -98,16 +97,15 @@ void add(const LawTrial& trial, std::vector<StudiedValue>& values) {
   for (std::size_t i = 0; i < std::min(trial.values.size(), values.size()); ++i) {
     const LawTrial::Value& told = trial.values[i];
     if (!std::isfinite(told.value)) continue;
-    const double error = told.value - values[i].truth;
     ++values[i].trials;
     values[i].found.push_back(told.value);
-    values[i].bias += error;
-    values[i].rms_error += error * error;
     if (told.low <= values[i].truth && values[i].truth <= told.high) ++values[i].covered;
   }
 }
 
-LawStudy plan_of(const LawScene& scene, const AssumedStates& assumed) {
+}  // namespace
+
+LawStudy law_study_plan(const LawScene& scene, const AssumedStates& assumed) {
   LawStudy out;
   out.laws = assumed.laws;
   out.assumed = assumed.told;
@@ -124,13 +122,23 @@ LawStudy plan_of(const LawScene& scene, const AssumedStates& assumed) {
   return out;
 }
 
-}  // namespace
+LawStudy law_study_plan(const LawScene& scene) { return law_study_plan(scene, assumed_states(scene)); }
 
-LawStudy law_study_plan(const LawScene& scene) { return plan_of(scene, assumed_states(scene)); }
+TrialErrors errors_about(double truth, const std::vector<double>& found) {
+  if (found.empty()) return {nan, nan};
+  TrialErrors out;
+  for (const double value : found) {
+    const double error = value - truth;
+    out.bias += error;
+    out.rms += error * error;
+  }
+  const auto count = static_cast<double>(found.size());
+  return {out.bias / count, std::sqrt(out.rms / count)};
+}
 
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
   const AssumedStates assumed = assumed_states(scene);
-  LawStudy out = plan_of(scene, assumed);
+  LawStudy out = law_study_plan(scene, assumed);
   out.trials = options.trials;
   const std::string truth = laws_text(assumed.laws);
   for (const LawTrial& trial : Trials(scene, assumed, options).run()) {
@@ -147,9 +155,9 @@ LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
   }
   out.chi_square = out.usable > 0 ? out.chi_square / static_cast<double>(out.usable) : nan;
   for (StudiedValue& value : out.values) {
-    const auto count = static_cast<double>(value.trials);
-    value.bias = value.trials > 0 ? value.bias / count : nan;
-    value.rms_error = value.trials > 0 ? std::sqrt(value.rms_error / count) : nan;
+    const auto [bias, rms] = errors_about(value.truth, value.found);
+    value.bias = bias;
+    value.rms_error = rms;
   }
   return out;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "laws/scene/law_scene.hpp"
+#include "laws/task/assumed_states.hpp"
 #include "response/identify/law_fit.hpp"
 
 namespace jointid::laws {
@@ -63,6 +64,13 @@ struct LawStudy {
 
 /// What a study is of: laws, truth and bounds of its values; no trial.
 LawStudy law_study_plan(const LawScene& scene);
+LawStudy law_study_plan(const LawScene& scene, const AssumedStates& assumed);
+
+/// Mean and root mean square of errors; NaN without one.
+struct TrialErrors {
+  double bias = 0.0, rms = 0.0;
+};
+TrialErrors errors_about(double truth, const std::vector<double>& found);
 
 /// Each trial draws the true FRFs of the parts about those of the files, by the files' variances, solves harmonic balance of the
 /// assumed laws over them, draws the phasors of responses and forces about these states, and identifies as identify_laws does,
