@@ -81,12 +81,6 @@ class StudyProgress {
   std::optional<std::size_t> first_;
 };
 
-void require_one_process(const StudyArguments& arguments) {
-  if (ident::processes_started() == 1) return;
-  throw InputError({ErrorKind::usage, arguments.scene.string(), "mpirun", "studies of friction laws are not shared by processes",
-                    "leave it out: --threads uses the cores of one machine; seeds of other machines are studies of their own"});
-}
-
 /// What a study needs to run.
 struct Start {
   std::optional<laws::LawScene> laws;  ///< one of friction joints; then nothing else is there
@@ -101,7 +95,6 @@ Start start_in(ident::Team& team, const StudyArguments& arguments) {
     check(arguments);
     const std::string text = scene::read_text(arguments.scene);
     if (scene::is_law_scene(text, arguments.scene)) {
-      require_one_process(arguments);
       start.laws = laws::parse_law_scene(text, arguments.scene);
       return;
     }
@@ -139,29 +132,40 @@ std::filesystem::path law_trials_file(const StudyArguments& arguments) {
   return arguments.out.empty() ? std::filesystem::path(arguments.scene.stem().string() + ".study.csv") : arguments.out;
 }
 
-ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& scene, std::ostream& out) {
+/// The leader writes; the others make their part of the trials.
+ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& scene, ident::Team& team, std::ostream& out) {
   const std::filesystem::path path = law_trials_file(arguments);
-  check_targets(laws::files_of(scene),
-                {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--out", path.string()}});
-  laws::LawStudyOptions options = {.trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments)};
-  laws::TrialFile file(path, {scene::read_text(arguments.scene), arguments.seed, laws::law_study_plan(scene)}, arguments.resume);
-  options.known = file.known();
+  laws::LawStudyOptions options = {
+      .trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments), .interrupted = interrupted};
+  std::optional<laws::TrialFile> file;
+  ident::start_together(team, [&] {
+    if (team.rank() != 0) return;
+    check_targets(
+        laws::files_of(scene),
+        {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--out", path.string()}});
+    file.emplace(path, laws::TrialFileKey{scene::read_text(arguments.scene), arguments.seed, laws::law_study_plan(scene)},
+                 arguments.resume);
+  });
+  if (!file) {
+    laws::study_laws_together(scene, options, team);
+    return ExitCode::done;
+  }
+  options.known = file->known();
   std::atomic<std::size_t> done = 0;
   StudyProgress progress;
-  options.interrupted = interrupted;
-  options.made = [&](const laws::LawTrial& trial) { file.add(trial); };
+  options.made = [&](const laws::LawTrial& trial) { file->add(trial); };
   options.progress = [&](std::size_t so_far, std::size_t total) {
     done = so_far;
     progress.show(so_far, total);
   };
   const auto to_resume = [&] {
     return fmt::format("interrupted; {} keeps {} of {} trials, the same command with --resume continues", path.string(),
-                       std::max<std::size_t>(done, file.known().size()), arguments.trials);
+                       std::max<std::size_t>(done, file->known().size()), arguments.trials);
   };
   const LastWords words(to_resume);
   const laws::LawStudy study = [&] {
     try {
-      return laws::study_laws(scene, options);
+      return *laws::study_laws_together(scene, options, team);
     } catch (const Interrupted&) {
       throw Interrupted(to_resume());
     }
@@ -193,7 +197,7 @@ void add_study(CLI::App& app, Chosen& chosen) {
 ExitCode execute(const StudyArguments& arguments, std::ostream& out) {
   const auto team = ident::join_team();
   const Start start = start_in(*team, arguments);
-  if (start.laws) return study_law_scene(arguments, *start.laws, out);
+  if (start.laws) return study_law_scene(arguments, *start.laws, *team, out);
   const study::StudyOptions& options = start.options;
   const study::StudyRun run = run_watched(start, *team);
   if (team->rank() != 0) return ExitCode::done;

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
 #include <optional>
 
-#include "base/control.hpp"
-#include "base/parallel.hpp"
 #include "base/statistics.hpp"
 #include "laws/task/identify_laws.hpp"
+#include "laws/task/shared_trials.hpp"
 #include "laws/task/simulated_levels.hpp"
 
 namespace jointid::laws {
@@ -26,38 +24,12 @@ std::vector<std::pair<std::size_t, friction::FittedValue>> values_of(const std::
   return all;
 }
 
+/// Makes any trial of a study.
 class Trials {
  public:
-  Trials(const LawScene& scene, const AssumedStates& assumed, const LawStudyOptions& options)
-      : scene_(scene), assumed_(assumed), options_(options), results_(options.trials) {
+  Trials(const LawScene& scene, const AssumedStates& assumed, std::uint64_t seed)
+      : scene_(scene), assumed_(assumed), seed_(seed) {
     scene_.harmonics = assumed.harmonics;
-  }
-
-  std::vector<LawTrial> run() {
-    std::vector<bool> known(results_.size(), false);
-    for (const LawTrial& trial : options_.known) {
-      if (trial.trial >= results_.size()) continue;
-      results_[trial.trial] = trial;
-      if (!known[trial.trial]) ++done_;
-      known[trial.trial] = true;
-    }
-    for_each_index(results_.size(), options_.threads, [&](std::size_t trial) {
-      if (known[trial]) return;
-      stop_if(options_.interrupted);
-      results_[trial] = made(trial);
-      const std::scoped_lock lock(mutex_);
-      ++done_;
-      if (options_.made) options_.made(results_[trial]);
-      if (options_.progress) options_.progress(done_, results_.size());
-    });
-    stop_if(options_.interrupted);
-    return std::move(results_);
-  }
-
- private:
-  std::optional<LawIdentification> identified(std::size_t trial) const {
-    auto data = simulated_levels(assumed_, options_.seed, trial);
-    return data ? std::optional(identify_states(scene_, std::move(*data))) : std::nullopt;
   }
 
   LawTrial made(std::size_t trial) const {
@@ -85,12 +57,15 @@ class Trials {
     return out;
   }
 
+ private:
+  std::optional<LawIdentification> identified(std::size_t trial) const {
+    auto data = simulated_levels(assumed_, seed_, trial);
+    return data ? std::optional(identify_states(scene_, std::move(*data))) : std::nullopt;
+  }
+
   LawScene scene_;
   const AssumedStates& assumed_;
-  const LawStudyOptions& options_;
-  std::vector<LawTrial> results_;
-  std::mutex mutex_;
-  std::size_t done_ = 0;
+  std::uint64_t seed_;
 };
 
 void add(const LawTrial& trial, std::vector<StudiedValue>& values) {
@@ -137,11 +112,24 @@ TrialErrors errors_about(double truth, const std::vector<double>& found) {
 }
 
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
-  const AssumedStates assumed = assumed_states(scene);
-  LawStudy out = law_study_plan(scene, assumed);
+  const auto alone = ident::make_team_of_one();
+  return *study_laws_together(scene, options, *alone);
+}
+
+std::optional<LawStudy> study_laws_together(const LawScene& scene, const LawStudyOptions& options, ident::Team& team) {
+  std::optional<AssumedStates> assumed;
+  LawStudy out;
+  ident::start_together(team, [&] {
+    assumed = assumed_states(scene);
+    out = law_study_plan(scene, *assumed);
+  });
+  const Trials trials(scene, *assumed, options.seed);
+  const auto make = [&](std::size_t trial) { return trials.made(trial); };
+  const auto all = trials_made_together(make, out.values.size(), options, team);
+  if (!all) return std::nullopt;
   out.trials = options.trials;
-  const std::string truth = laws_text(assumed.laws);
-  for (const LawTrial& trial : Trials(scene, assumed, options).run()) {
+  const std::string truth = laws_text(assumed->laws);
+  for (const LawTrial& trial : *all) {
     ++out.statuses[trial.status];
     if (trial.contradicts) ++out.contradicting;
     if (!trial.usable) continue;

@@ -1,42 +1,17 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "ident/team/team.hpp"
 #include "laws/scene/law_scene.hpp"
 #include "laws/task/assumed_states.hpp"
+#include "laws/task/law_trial.hpp"
 #include "response/identify/law_fit.hpp"
 
 namespace jointid::laws {
-
-/// What one trial found; all that the statistics of a study need.
-struct LawTrial {
-  /// A number with its 95 % interval; NaN where there is none.
-  struct Value {
-    double value = 0.0, low = 0.0, high = 0.0;
-  };
-  std::size_t trial = 0;
-  std::string status;  ///< word of LawStatus, "no_response" where the drawn parts have none
-  std::string laws;    ///< chosen, as laws_text()
-  bool usable = false, contradicts = false;
-  bool undecided = false;     ///< other laws are as good
-  bool missed = false;        ///< the true ones neither chosen nor among those
-  double chi_square = 0.0;    ///< over its freedom; NaN where nothing was fitted
-  std::vector<Value> values;  ///< as LawStudy::values; none unless usable with the true laws
-};
-
-struct LawStudyOptions {
-  std::size_t trials = 1000;
-  std::uint64_t seed = 1;
-  std::size_t threads = 1;
-  std::function<bool()> interrupted{};                                   ///< asked between trials, by any thread
-  std::function<void(std::size_t done, std::size_t total)> progress{};  ///< by one thread at a time
-  std::vector<LawTrial> known{};                ///< trials that were made before, which are not made again
-  std::function<void(const LawTrial&)> made{};  ///< told of each new one, by one thread at a time
-};
 
 /// One number of a joint over the trials whose laws are those assumed and whose fit is usable.
 struct StudiedValue {
@@ -77,5 +52,10 @@ TrialErrors errors_about(double truth, const std::vector<double>& found);
 /// with the harmonics of the assumed states. Trial t depends on the seed and t alone, whatever the threads. Throws InputError as
 /// predict_law_bound, Interrupted when it is interrupted.
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options);
+
+/// The same study shared by the processes of a team: each makes a part of the trials on its own threads. The leader has them all,
+/// tells each as if it were its own (made, progress) and returns the study; what is known() need be given to it alone. The others
+/// return nothing, as the leader does alone.
+std::optional<LawStudy> study_laws_together(const LawScene& scene, const LawStudyOptions& options, ident::Team& team);
 
 }  // namespace jointid::laws
