@@ -15,7 +15,7 @@
 namespace jointid::laws {
 namespace {
 
-using Numbers = std::vector<std::uint64_t>;
+using TrialNumbers = std::vector<std::uint64_t>;
 
 /// What the leader has of a study.
 class KnownTrials {
@@ -26,8 +26,8 @@ class KnownTrials {
     }
   }
 
-  Numbers missing() const {
-    Numbers out;
+  TrialNumbers missing() const {
+    TrialNumbers out;
     for (std::size_t trial = 0; trial < trials_.size(); ++trial) {
       if (!is_known_[trial]) out.push_back(trial);
     }
@@ -57,8 +57,8 @@ class KnownTrials {
   std::mutex mutex_;
 };
 
-Numbers part_of(const Numbers& missing, const ident::Team& team) {
-  Numbers out;
+TrialNumbers part_of(const TrialNumbers& missing, const ident::Team& team) {
+  TrialNumbers out;
   for (std::size_t i = team.rank(); i < missing.size(); i += team.size()) out.push_back(missing[i]);
   return out;
 }
@@ -68,7 +68,7 @@ class OwnTrials {
  public:
   using Put = std::function<void(const LawTrial& trial)>;
 
-  OwnTrials(Numbers numbers, const MakeTrial& make, const LawStudyOptions& options, Put put)
+  OwnTrials(TrialNumbers numbers, const MakeTrial& make, const LawStudyOptions& options, Put put)
       : numbers_(std::move(numbers)), make_(make), options_(options), put_(std::move(put)) {}
 
   void start() {
@@ -95,7 +95,7 @@ class OwnTrials {
   std::exception_ptr failure() const { return failure_; }  ///< once they have ended
 
  private:
-  Numbers numbers_;
+  TrialNumbers numbers_;
   const MakeTrial& make_;
   const LawStudyOptions& options_;
   Put put_;
@@ -151,7 +151,7 @@ std::string text_of(const std::exception_ptr& failure) {
 }
 
 void follow(const MakeTrial& make, std::size_t values, const LawStudyOptions& options, ident::Team& team) {
-  Numbers missing;
+  TrialNumbers missing;
   team.share(missing);
   Post post(values);
   OwnTrials own(part_of(missing, team), make, options, [&](const LawTrial& trial) { post.put(trial); });
@@ -214,7 +214,7 @@ std::optional<std::vector<LawTrial>> trials_made_together(const MakeTrial& make,
     return std::nullopt;
   }
   KnownTrials known(options);
-  Numbers missing = known.missing();
+  TrialNumbers missing = known.missing();
   team.share(missing);
   OwnTrials own(part_of(missing, team), make, options, [&](const LawTrial& trial) { known.put(trial); });
   if (team.size() == 1) {

@@ -25,7 +25,7 @@ fails_once 2 'SCENE' -n 3 "$jointid" study
 fails_once 2 '--trials' -n 3 "$jointid" study a1/A1.toml --trials 0
 fails_once 3 'absent/a.h5' -n 3 "$jointid" study a1/A1.toml --out absent/a.h5
 "$jointid" problem write sdof-iwan iwan > /dev/null
-fails_once 2 'not shared by processes' -n 2 "$jointid" study iwan/sdof-iwan.toml --trials 2
+fails_once 3 'absent/a.csv' -n 3 "$jointid" study iwan/sdof-iwan.toml --trials 2 --out absent/a.csv
 cp -r a1 broken && head -c 100 a1/A1_assembly.h5 > broken/A1_assembly.h5
 fails_once 3 'A1_assembly.h5' -n 3 "$jointid" study broken/A1.toml
 fails_once 2 'absent.toml' -n 1 "$jointid" study a1/A1.toml : -n 1 "$jointid" study absent.toml
@@ -42,6 +42,20 @@ kill -INT $process
 end_of $process && fail "mpirun ended well after Ctrl-C"
 "${mpirun[@]}" -n 2 "${study[@]}" --trials 2000 --out stopped.h5 --resume > resumed.txt
 cmp whole.h5 stopped.h5 || fail "the file after Ctrl-C of mpirun differs"
+
+# Friction laws: the same as by one process, and after Ctrl-C.
+laws=("$jointid" study iwan/sdof-iwan.toml --seed 3 --threads 1)
+"${laws[@]}" --trials 5 --json one.json --out one.csv
+"${mpirun[@]}" -n 2 "${laws[@]}" --trials 5 --json two.json --out two.csv
+cmp one.json two.json || fail "a study of laws differs by the processes"
+[[ $(sort one.csv) == "$(sort two.csv)" ]] || fail "its trials do"
+"${mpirun[@]}" -n 2 "${laws[@]}" --trials 1000 --out half.csv > /dev/null 2>&1 &
+process=$!
+until [[ -e half.csv ]] && (($(wc -l < half.csv) > 4)); do sleep 0.02; done
+kill -INT $process
+end_of $process && fail "mpirun of a study of laws ended well after Ctrl-C"
+"${mpirun[@]}" -n 2 "${laws[@]}" --trials 5 --json two.json --out half.csv --resume
+cmp one.json two.json || fail "a study of laws after Ctrl-C of mpirun differs"
 
 # Without mpirun. The trap itself is tried first.
 code=0

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <atomic>
 #include <barrier>
+#include <deque>
 #include <exception>
 #include <functional>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -63,13 +66,24 @@ class ThreadTeam {
       for (const double number : all.front()) numbers.push_back(static_cast<std::uint64_t>(number));
     }
 
-    void send(const std::vector<double>&) override {}
-    void send_end(const std::string&) override {}
-    std::optional<TeamMessage> receive() override { return std::nullopt; }
-    void stop_others() override {}
-    bool stopped() override { return false; }
+    void send(const std::vector<double>& numbers) override { put(numbers); }
+    void send_end(const std::string& failure) override { put(TeamEnd{failure}); }
+    std::optional<TeamMessage> receive() override {
+      const std::scoped_lock lock(team_.mutex_);
+      if (team_.messages_.empty()) return std::nullopt;
+      TeamMessage first = std::move(team_.messages_.front());
+      team_.messages_.pop_front();
+      return first;
+    }
+    void stop_others() override { team_.stops_ = true; }
+    bool stopped() override { return team_.stops_; }
 
    private:
+    void put(TeamMessage message) {
+      const std::scoped_lock lock(team_.mutex_);
+      team_.messages_.push_back(std::move(message));
+    }
+
     ThreadTeam& team_;
     std::size_t rank_;
   };
@@ -77,6 +91,9 @@ class ThreadTeam {
   std::size_t size_;
   std::vector<std::vector<double>> all_;
   std::barrier<> meeting_;
+  std::mutex mutex_;
+  std::deque<TeamMessage> messages_;
+  std::atomic<bool> stops_ = false;
 };
 
 }  // namespace jointid::ident
