@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -21,7 +22,12 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 /// With numbers of all bits, some of which are none.
 LawTrial some_trial(std::size_t number) {
   const double value = 1.0 / (3.0 + static_cast<double>(number));
-  LawTrial out{.trial = number, .status = "ok", .laws = "bilinear + ren", .usable = number % 3 != 0, .chi_square = 10.0 * value};
+  LawTrial out;
+  out.trial = number;
+  out.status = "ok";
+  out.laws = "bilinear + ren";
+  out.usable = number % 3 != 0;
+  out.chi_square = 10.0 * value;
   if (out.usable) out.values = {{value, -value, 1e300 * value}, {none, none, none}};
   return out;
 }
