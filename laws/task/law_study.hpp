@@ -53,9 +53,9 @@ TrialErrors errors_about(double truth, const std::vector<double>& found);
 /// predict_law_bound, Interrupted when it is interrupted.
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options);
 
-/// The same study shared by the processes of a team: each makes a part of the trials on its own threads. The leader has them all,
-/// tells each as if it were its own (made, progress) and returns the study; what is known() need be given to it alone. The others
-/// return nothing, as the leader does alone.
+/// The same study shared by the processes of a team: each makes a part of the trials on its own threads. The leader is told of
+/// each as if it were its own (made, progress) and returns the study; the trials that are known need be given to it alone. The
+/// others return nothing. Throws as study_laws(), and in the leader InputError when another process fails.
 std::optional<LawStudy> study_laws_together(const LawScene& scene, const LawStudyOptions& options, ident::Team& team);
 
 }  // namespace jointid::laws
