@@ -1,6 +1,7 @@
 #include "cli/run.hpp"
 
 #include <iostream>
+#include <string>
 
 #include "cli/text/failure.hpp"
 #include "cli/text/interrupt.hpp"
@@ -27,7 +28,13 @@ int finish(ExitCode code) {
   return static_cast<int>(code);
 }
 
+/// What cannot be shared is done once, by the first process: each would do it, and write the same files.
 int perform(const ChosenCommand& command) {
+  if (const std::size_t processes = ident::processes_started(); processes > 1 && !command.is_shared) {
+    if (ident::process_number() != 0) return 0;
+    print_warning("this command is not shared by the " + std::to_string(processes) +
+                  " processes that mpirun started; one of them does it");
+  }
   catch_interrupts();
   return finish(command.execute(std::cout));
 }

@@ -11,14 +11,15 @@
 
 namespace jointid::cli {
 
-/// Declares a command whose options fill a T; choosing the command stores that T, what executes it and, where there is such a
-/// function, is_elsewhere() of it.
+/// Declares a command whose options fill a T; choosing the command stores that T, what executes it and, where there are such,
+/// T::is_shared and the function is_elsewhere() of it.
 template <class T>
 std::pair<CLI::App*, T*> add_command(CLI::App& parent, Chosen& chosen, const char* name, const char* what) {
   auto arguments = std::make_shared<T>();
   CLI::App* command = parent.add_subcommand(name, what);
   command->callback([arguments, &chosen] {
     chosen = ChosenCommand{*arguments, [arguments](std::ostream& out) { return execute(*arguments, out); }};
+    if constexpr (requires { T::is_shared; }) chosen->is_shared = T::is_shared;
     if constexpr (requires { is_elsewhere(*arguments); }) chosen->is_elsewhere = [arguments] { return is_elsewhere(*arguments); };
   });
   return {command, arguments.get()};

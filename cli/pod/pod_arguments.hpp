@@ -6,6 +6,7 @@
 namespace jointid::cli {
 
 struct PodArguments : report::PodTask {
+  static constexpr bool is_shared = true;
   Target json, csv, report;
 };
 

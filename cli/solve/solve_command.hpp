@@ -16,6 +16,7 @@ class App;
 namespace jointid::cli {
 
 struct SolveArguments {
+  static constexpr bool is_shared = true;
   std::filesystem::path scene;
   Target json, csv;
   Target report;  ///< HTML

@@ -15,6 +15,7 @@ class App;
 namespace jointid::cli {
 
 struct StudyArguments {
+  static constexpr bool is_shared = true;
   std::filesystem::path scene, out;  ///< out: empty for the scene's name with .study.h5 in the current folder
   std::size_t trials = 1000;
   std::uint64_t seed = 1;

@@ -58,6 +58,11 @@ end_of $process && fail "mpirun of a study of laws ended well after Ctrl-C"
 "${mpirun[@]}" -n 2 "${laws[@]}" --trials 4 --json two.json --out half.csv --resume
 cmp one.json two.json || fail "a study of laws after Ctrl-C of mpirun differs"
 
+# What is not shared is done once.
+"${mpirun[@]}" -n 3 "${laws[@]/study/compare}" --trials 1 > out 2> err || fail "compare: $(cat err)"
+[[ $(grep -c 'not shared by the 3 processes' err) == 1 ]] || fail "compare: not told once: $(cat err)"
+[[ $(grep -c 'friction limit' out) == 1 ]] || fail "compare: not done once: $(cat out)"
+
 # Without mpirun. The trap itself is tried first.
 code=0
 OMPI_COMM_WORLD_SIZE=2 ASAN_OPTIONS=verify_asan_link_order=0 LD_PRELOAD=$trap "${study[@]}" --out trap.h5 > /dev/null 2> err || code=$?
