@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
 #include "study/outbox.hpp"
@@ -72,7 +71,7 @@ class Study {
         if (team_.stopped() || is_interrupted()) state_.stop = true;
       }
     }
-    team_.send_end(failure_text());
+    team_.send_end(ident::text_of_end(state_.failure));
     run.done = run.computed = state_.computed;
     return run;
   }
@@ -146,20 +145,8 @@ class Study {
   void note_failure(const std::string& text) {
     if (text.empty()) return;
     const std::lock_guard lock(state_.mutex);
-    if (!state_.failure) {
-      state_.failure = std::make_exception_ptr(InputError(
-          {.kind = ErrorKind::data, .file = {}, .place = "another process", .problem = text, .remedy = {}}));
-    }
+    if (!state_.failure) state_.failure = ident::failure_elsewhere(text);
     state_.stop = true;
-  }
-
-  std::string failure_text() const {
-    if (!state_.failure) return {};
-    try {
-      std::rethrow_exception(state_.failure);
-    } catch (const std::exception& error) {
-      return error.what();
-    }
   }
 
   std::shared_ptr<const TrialData> data_;

@@ -137,17 +137,23 @@ ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& 
   const std::filesystem::path path = law_trials_file(arguments);
   laws::LawStudyOptions options = {
       .trials = arguments.trials, .seed = arguments.seed, .threads = threads_of(arguments), .interrupted = interrupted};
+  laws::AssumedStates assumed;
   std::optional<laws::TrialFile> file;
   ident::start_together(team, [&] {
-    if (team.rank() != 0) return;
-    check_targets(
-        laws::files_of(scene),
-        {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--out", path.string()}});
-    file.emplace(path, laws::TrialFileKey{scene::read_text(arguments.scene), arguments.seed, laws::law_study_plan(scene)},
-                 arguments.resume);
+    const bool leads = team.rank() == 0;
+    if (leads) {
+      check_targets(
+          laws::files_of(scene),
+          {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}, {"--out", path.string()}});
+    }
+    assumed = laws::assumed_states(scene);
+    if (leads) {
+      const std::string text = scene::read_text(arguments.scene);
+      file.emplace(path, laws::TrialFileKey{text, arguments.seed, laws::law_study_plan(scene, assumed)}, arguments.resume);
+    }
   });
   if (!file) {
-    laws::study_laws_together(scene, options, team);
+    laws::study_laws_together(scene, assumed, options, team);
     return ExitCode::done;
   }
   options.known = file->known();
@@ -165,7 +171,7 @@ ExitCode study_law_scene(const StudyArguments& arguments, const laws::LawScene& 
   const LastWords words(to_resume);
   const laws::LawStudy study = [&] {
     try {
-      return *laws::study_laws_together(scene, options, team);
+      return *laws::study_laws_together(scene, assumed, options, team);
     } catch (const Interrupted&) {
       throw Interrupted(to_resume());
     }

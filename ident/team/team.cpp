@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/control.hpp"
 #include "base/error.hpp"
 #include "base/module.hpp"
 
@@ -61,6 +62,22 @@ void start_together(Team& team, const std::function<void()>& start) {
   if (first == team.size()) return;
   if (first == team.rank()) std::rethrow_exception(failure);
   throw ToldElsewhere();
+}
+
+std::string text_of_end(const std::exception_ptr& failure) {
+  if (!failure) return {};
+  try {
+    std::rethrow_exception(failure);
+  } catch (const Interrupted&) {
+    return {};
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+std::exception_ptr failure_elsewhere(const std::string& text) {
+  return std::make_exception_ptr(
+      InputError({.kind = ErrorKind::data, .file = {}, .place = "another process", .problem = text, .remedy = {}}));
 }
 
 std::size_t processes_started() { return std::max(std::size_t{1}, variable("OMPI_COMM_WORLD_SIZE", "PMI_SIZE")); }

@@ -17,6 +17,12 @@ struct TeamEnd {
 };
 using TeamMessage = std::variant<std::vector<double>, TeamEnd>;
 
+/// TeamEnd::failure of a process that ended with this: empty where nothing went wrong or it was stopped.
+std::string text_of_end(const std::exception_ptr& failure);
+
+/// What the leader throws where another process ended with such a text: an InputError.
+std::exception_ptr failure_elsewhere(const std::string& text);
+
 /// The processes that share a study or a solution; number 0 leads and writes. To be used by the main thread only.
 class Team {
  public:

@@ -97,8 +97,6 @@ LawStudy law_study_plan(const LawScene& scene, const AssumedStates& assumed) {
   return out;
 }
 
-LawStudy law_study_plan(const LawScene& scene) { return law_study_plan(scene, assumed_states(scene)); }
-
 TrialErrors errors_about(double truth, const std::vector<double>& found) {
   if (found.empty()) return {nan, nan};
   TrialErrors out;
@@ -113,22 +111,19 @@ TrialErrors errors_about(double truth, const std::vector<double>& found) {
 
 LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options) {
   const auto alone = ident::make_team_of_one();
-  return *study_laws_together(scene, options, *alone);
+  return *study_laws_together(scene, assumed_states(scene), options, *alone);
 }
 
-std::optional<LawStudy> study_laws_together(const LawScene& scene, const LawStudyOptions& options, ident::Team& team) {
-  std::optional<AssumedStates> assumed;
+std::optional<LawStudy> study_laws_together(const LawScene& scene, const AssumedStates& assumed, const LawStudyOptions& options,
+                                            ident::Team& team) {
   LawStudy out;
-  ident::start_together(team, [&] {
-    assumed = assumed_states(scene);
-    out = law_study_plan(scene, *assumed);
-  });
-  const Trials trials(scene, *assumed, options.seed);
+  ident::start_together(team, [&] { out = law_study_plan(scene, assumed); });
+  const Trials trials(scene, assumed, options.seed);
   const auto make = [&](std::size_t trial) { return trials.made(trial); };
   const auto all = trials_made_together(make, out.values.size(), options, team);
   if (!all) return std::nullopt;
   out.trials = options.trials;
-  const std::string truth = laws_text(assumed->laws);
+  const std::string truth = laws_text(assumed.laws);
   for (const LawTrial& trial : *all) {
     ++out.statuses[trial.status];
     if (trial.contradicts) ++out.contradicting;

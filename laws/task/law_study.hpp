@@ -38,7 +38,6 @@ struct LawStudy {
 };
 
 /// What a study is of: laws, truth and bounds of its values; no trial.
-LawStudy law_study_plan(const LawScene& scene);
 LawStudy law_study_plan(const LawScene& scene, const AssumedStates& assumed);
 
 /// Mean and root mean square of errors; NaN without one.
@@ -56,6 +55,7 @@ LawStudy study_laws(const LawScene& scene, const LawStudyOptions& options);
 /// The same study shared by the processes of a team: each makes a part of the trials on its own threads. The leader is told of
 /// each as if it were its own (made, progress) and returns the study; the trials that are known need be given to it alone. The
 /// others return nothing. Throws as study_laws(), and in the leader InputError when another process fails.
-std::optional<LawStudy> study_laws_together(const LawScene& scene, const LawStudyOptions& options, ident::Team& team);
+std::optional<LawStudy> study_laws_together(const LawScene& scene, const AssumedStates& assumed, const LawStudyOptions& options,
+                                            ident::Team& team);
 
 }  // namespace jointid::laws

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/control.hpp"
-#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace jointid::laws {
@@ -106,7 +105,7 @@ class OwnTrials {
 
 void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
 
-/// Trials as numbers, which is what teams send: the bytes of their lines.
+/// Trials on their way to the leader as numbers, which is what teams send: the bytes of their lines.
 class Post {
  public:
   explicit Post(std::size_t values) : values_(values) {}
@@ -123,31 +122,19 @@ class Post {
     return out;
   }
 
-  std::vector<LawTrial> opened(const std::vector<double>& sent) const {
-    std::string lines;
-    for (const double byte : sent) lines.push_back(static_cast<char>(byte));
-    std::vector<LawTrial> out;
-    std::istringstream in(lines);
-    for (std::string line; std::getline(in, line);) out.push_back(*trial_of(line, values_));
-    return out;
-  }
-
  private:
   std::size_t values_;
   std::mutex mutex_;
   std::string lines_;
 };
 
-/// Empty where it was stopped.
-std::string text_of(const std::exception_ptr& failure) {
-  if (!failure) return {};
-  try {
-    std::rethrow_exception(failure);
-  } catch (const Interrupted&) {
-    return {};
-  } catch (const std::exception& error) {
-    return error.what();
-  }
+std::vector<LawTrial> opened(const std::vector<double>& sent, std::size_t values) {
+  std::string lines;
+  for (const double byte : sent) lines.push_back(static_cast<char>(byte));
+  std::vector<LawTrial> out;
+  std::istringstream in(lines);
+  for (std::string line; std::getline(in, line);) out.push_back(*trial_of(line, values));
+  return out;
 }
 
 void follow(const MakeTrial& make, std::size_t values, const LawStudyOptions& options, ident::Team& team) {
@@ -162,14 +149,14 @@ void follow(const MakeTrial& make, std::size_t values, const LawStudyOptions& op
     if (team.stopped()) own.stop();
     wait_a_little();
   }
-  team.send_end(text_of(own.failure()));
+  team.send_end(ident::text_of_end(own.failure()));
 }
 
 /// Takes what the others send until they and the own trials have ended.
 class Leader {
  public:
   Leader(KnownTrials& known, OwnTrials& own, std::size_t values, ident::Team& team)
-      : known_(known), own_(own), post_(values), team_(team), others_(team.size() - 1) {}
+      : known_(known), own_(own), values_(values), team_(team), others_(team.size() - 1) {}
 
   void run() {
     while (!own_.has_ended() || others_ > 0) {
@@ -187,9 +174,9 @@ class Leader {
     try {
       if (const auto* end = std::get_if<ident::TeamEnd>(&message)) {
         --others_;
-        if (!end->failure.empty()) throw InputError({ErrorKind::data, {}, "another process", end->failure, {}});
+        if (!end->failure.empty()) std::rethrow_exception(ident::failure_elsewhere(end->failure));
       } else {
-        for (const LawTrial& trial : post_.opened(std::get<std::vector<double>>(message))) known_.put(trial);
+        for (const LawTrial& trial : opened(std::get<std::vector<double>>(message), values_)) known_.put(trial);
       }
     } catch (...) {
       if (!failure_) failure_ = std::current_exception();
@@ -199,7 +186,7 @@ class Leader {
 
   KnownTrials& known_;
   OwnTrials& own_;
-  Post post_;
+  std::size_t values_;
   ident::Team& team_;
   std::size_t others_;
   std::exception_ptr failure_;

@@ -39,7 +39,7 @@ class Trials : public testing::Test {
   Trials() {
     problems::write(problems::make_law_problem("sdof-iwan"), folder_, {});
     scene_ = parse_law_scene(text, folder_ / "plan.toml");
-    key_ = {text, 4, law_study_plan(scene_)};
+    key_ = {text, 4, law_study_plan(scene_, assumed_states(scene_))};
   }
 
   LawStudy run(TrialFile& file, std::size_t stop_after = 100) {
