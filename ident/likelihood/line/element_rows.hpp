@@ -14,15 +14,19 @@ struct RowColumns {
   std::size_t stride;
 };
 
-/// What every row of a line has in common: the places of Y, and how Z depends on the unknowns (none: no shapes).
+/// What every row of a line has in common: the places of Y, how Z depends on the unknowns (none: no shapes), and how many other unknowns
+/// there are, whose columns write_rows() leaves alone.
 struct RowShape {
   std::span<const std::uint32_t> y_row, y_column;
   std::span<const ImpedanceTerm> terms;
   std::span<const ImpedanceShape> shapes;
   std::span<const ImpedancePart> parts;
+  std::size_t others = 0;
 
-  /// Of the FRFs Y, the unknowns and the residual.
-  std::size_t tail() const { return 2 * y_row.size() + parts.size() + 1; }
+  /// Of the FRFs Y, the unknowns, the others and the residual.
+  std::size_t tail() const { return first_other() + others + 1; }
+  std::size_t first_other() const { return 2 * y_row.size() + parts.size(); }
+  std::size_t residual() const { return tail() - 1; }
 };
 
 /// Of every left number N values of l, of λ and of x, of every right one of g, a and r, real and imaginary part in turn.

@@ -124,6 +124,28 @@ void LineModel::put_systematic_prior(std::size_t variable, const Channel& channe
   if (!complex_) prior_weight_.push_back(channel.weight[i].imag());
 }
 
+/// What the systematic errors of a measured FRF add to its row, which is there.
+void LineModel::add_prior_terms(std::size_t variable, Complex residual, Complex weight) {
+  const std::size_t last = rows_.columns() - 1, first = 2 * layout_.variables() + joint_unknowns_;
+  const std::span terms = std::span(terms_->terms).subspan(terms_->first[variable], terms_->first[variable + 1] - terms_->first[variable]);
+  const auto moved = [&](const SystematicTerm& term) {
+    const Complex change = term.derivative(residual);
+    return Complex(-weight.real() * change.real(), -weight.imag() * change.imag());
+  };
+  for (const SystematicTerm& one : terms) {
+    const Complex by = moved(one);
+    const std::size_t column = first + one.unknown;
+    *rows_.block(column, 2 * variable) += weight.real() * by.real();
+    *rows_.block(column, 2 * variable + 1) += weight.imag() * by.imag();
+    *rows_.block(last, column) += by.real() * weight.real() * residual.real() + by.imag() * weight.imag() * residual.imag();
+    for (const SystematicTerm& other : terms) {
+      if (other.unknown < one.unknown) continue;
+      const Complex with = moved(other);
+      *rows_.block(first + other.unknown, column) += by.real() * with.real() + by.imag() * with.imag();
+    }
+  }
+}
+
 /// A measured FRF whose error depends on others, as a row of its own. False: it stands alone.
 bool LineModel::put_correlated_prior(std::size_t variable, Complex residual, Complex weight) {
   const minimise::Correlation::Place place = correlation_ ? correlation_->place(variable) : minimise::Correlation::Place();
@@ -176,8 +198,8 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   correlation_ = data.correlation.get();
   if (correlation_) correlated_rows_.reset(*correlation_, (complex_ ? 1 : 2) * layout_.variables() + others);
   add_priors(data, state);
-  if (!complex_ && !correlation_ && !terms_) {
-    plain_rows_.add_to(rows_, data, state, factors, with_joint ? &joint : nullptr);
+  if (!complex_ && !correlation_) {
+    plain_rows_.add_to(rows_, data, state, factors, with_joint ? &joint : nullptr, terms_);
     return;
   }
   add_a(data, joint, state);
@@ -224,21 +246,19 @@ void LineModel::add_priors(const LineData& data, const LineState& state) {
   const auto is_systematic = [&](std::size_t variable, Complex weight) {
     return terms_ && terms_->has(variable) && weight.real() > 0.0 && weight.imag() > 0.0;
   };
-  for (std::size_t i = 0; i < layout_.x.size(); ++i) {
-    const Complex current = state.x(at(layout_.x[i].row), at(layout_.x[i].column));
-    if (is_systematic(i, data.x.weight[i])) {
-      put_systematic_prior(i, data.x, i, current);
-      continue;
+  const auto add = [&](std::size_t variable, const Channel& channel, std::size_t i, Complex current, double guess) {
+    const Complex residual = channel.value[i] - current, weight = channel.weight[i];
+    const bool systematic = is_systematic(variable, weight), plain = !complex_ && !correlation_;
+    if (systematic && !plain) {
+      put_systematic_prior(variable, channel, i, current);
+      return;
     }
-    add_prior(i, data.x.value[i] - current, data.x.weight[i], x_guess);
-  }
+    add_prior(variable, residual, weight, guess);
+    if (systematic) add_prior_terms(variable, residual, weight);
+  };
+  for (std::size_t i = 0; i < layout_.x.size(); ++i) add(i, data.x, i, state.x(at(layout_.x[i].row), at(layout_.x[i].column)), x_guess);
   for (std::size_t i = 0; i < layout_.y.size(); ++i) {
-    const Complex current = state.y(at(layout_.y[i].row), at(layout_.y[i].column));
-    if (is_systematic(layout_.x.size() + i, data.y.weight[i])) {
-      put_systematic_prior(layout_.x.size() + i, data.y, i, current);
-      continue;
-    }
-    add_prior(layout_.x.size() + i, data.y.value[i] - current, data.y.weight[i], y_guess);
+    add(layout_.x.size() + i, data.y, i, state.y(at(layout_.y[i].row), at(layout_.y[i].column)), y_guess);
   }
 }
 

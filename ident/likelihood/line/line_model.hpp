@@ -62,6 +62,7 @@ class LineModel {
   void add_priors(const LineData& data, const LineState& state);
   void add_prior(std::size_t variable, Complex residual, Complex weight, double guess);
   void put_systematic_prior(std::size_t variable, const Channel& channel, std::size_t i, Complex current);
+  void add_prior_terms(std::size_t variable, Complex residual, Complex weight);
   bool put_correlated_prior(std::size_t variable, Complex residual, Complex weight);
   void add_a(const LineData& data, const JointImpedance& joint, const LineState& state);
   void add_b(const LineData& data, const JointImpedance& joint, const LineState& state);

@@ -2,9 +2,12 @@
 
 #include <cstddef>
 
-#include "ident/likelihood/line/eight.hpp"
+
 
 namespace jointid::ident {
+
+/// Of so many neighbouring numbers the kernels take multiples.
+inline constexpr std::size_t kernel_width = 8;
 
 /// The next multiple of kernel_width: what the kernels take for so many numbers.
 constexpr std::size_t widths_of(std::size_t count) { return (count + kernel_width - 1) / kernel_width * kernel_width; }

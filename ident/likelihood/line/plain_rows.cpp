@@ -147,16 +147,40 @@ std::span<const std::uint32_t> PlainRows::rows_of(std::uint32_t run) const {
   return std::span(x_row_).subspan(layout_.x_first[run], layout_.x_first[run + 1] - layout_.x_first[run]);
 }
 
+/// The columns of systematic errors, for the rows of `count` slots: measured values move with them, not predicted ones.
+void PlainRows::put_terms(std::size_t first, std::size_t count, const RowShape& shape, const SystematicTerms& terms,
+                          RowColumns tails) const {
+  for (std::size_t u = 0; u < terms.unknowns; ++u) std::fill_n(tails.data + (shape.first_other() + u) * tails.stride, 2 * count, 0.0);
+  const double* const residuals = tails.data + shape.residual() * tails.stride;
+  const auto part = [](double weighted, double weight) { return weight == 0.0 ? 0.0 : weighted / weight; };
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t element = element_[first + i];
+    if (element == elements_) continue;
+    const double re = weight_re_[first + i], im = weight_im_[first + i];
+    const Complex residual(part(residuals[i], re), part(residuals[count + i], im));
+    const std::size_t place = layout_.variables() + element;
+    for (std::size_t t = terms.first[place]; t < terms.first[place + 1]; ++t) {
+      const Complex change = terms.terms[t].derivative(residual);
+      double* const column = tails.data + (shape.first_other() + terms.terms[t].unknown) * tails.stride;
+      column[i] -= re * change.real();
+      column[count + i] -= im * change.imag();
+    }
+  }
+}
+
 /// The rows of a group; what they add to the columns of the FRFs X.
-void PlainRows::add_runs(const Group& group, const RowShape& shape, const ElementTables& tables, NormalRows& normal) {
+void PlainRows::add_runs(const Group& group, const RowShape& shape, const ElementTables& tables, const SystematicTerms* terms,
+                         NormalRows& normal) {
   const std::span<const std::uint32_t> run = rows_of(group.run);
   const std::size_t tail = 2 * layout_.x.size(), columns = 2 * run.size(), stride = normal.stride();
   const RowColumns own{tails_.data() + rows_, stride_}, more{more_tails_.data(), more_stride_};
   const RowColumns own_heads{heads_.data(), own_stride_}, more_heads{more_heads_.data(), more_stride_};
   write_rows(shape, tables, group_of(group.first, group.own), run, own, own_heads, room_.data());
+  if (terms) put_terms(group.first, group.own, shape, *terms, own);
   rows_ += 2 * group.own;
   if (columns == 0) return;
   write_rows(shape, tables, group_of(group.first + group.own, group.more), run, more, more_heads, room_.data());
+  if (terms) put_terms(group.first + group.own, group.more, shape, *terms, more);
   const std::size_t first = 2 * layout_.x_first[group.run];
   const RowColumns below{normal.block(tail, first), stride}, diagonal{normal.block(first, first), stride};
   add_dots(below, own_heads, columns, own, shape.tail(), 2 * group.own);
@@ -172,11 +196,12 @@ void PlainRows::flush(std::size_t width, NormalRows& normal) {
 }
 
 void PlainRows::add_to(NormalRows& normal, const LineData& data, const LineState& state, const LineFactors& factors,
-                       const JointImpedance* joint) {
+                       const JointImpedance* joint, const SystematicTerms* terms) {
   fill_tables(state, factors);
   fill_elements(data, state);
-  RowShape shape{y_row_, y_column_, {}, {}, {}};
-  if (joint) shape = {y_row_, y_column_, joint->terms(), joint->shapes(), joint->parts()};
+  const std::size_t others = terms ? terms->unknowns : 0;
+  RowShape shape{y_row_, y_column_, {}, {}, {}, others};
+  if (joint) shape = {y_row_, y_column_, joint->terms(), joint->shapes(), joint->parts(), others};
   const ElementTables tables{layout_.joint, left_table_.data(), right_table_.data()};
   std::size_t longest = 0;
   for (std::size_t k = 0; k < layout_.others; ++k) longest = std::max(longest, layout_.x_first[k + 1] - layout_.x_first[k]);
@@ -188,7 +213,7 @@ void PlainRows::add_to(NormalRows& normal, const LineData& data, const LineState
   rows_ = 0;
   for (const Group& group : groups_) {
     if (rows_ + 2 * group.own > stride_) flush(shape.tail(), normal);
-    add_runs(group, shape, tables, normal);
+    add_runs(group, shape, tables, terms, normal);
   }
   flush(shape.tail(), normal);
   const std::size_t d_left = layout_.joint + (layout_.b.empty() ? 0 : layout_.joint);

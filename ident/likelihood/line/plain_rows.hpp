@@ -12,14 +12,15 @@
 
 namespace jointid::ident {
 
-/// The rows of measured A, B and D of a line without correlated or systematic errors, as LineModel has them, eight elements at a time:
-/// column by column of X those that touch it, of which each is counted once for what all rows have in common.
+/// The rows of measured A, B and D of a line without correlated errors, as LineModel has them, eight elements at a time: column by column
+/// of X those that touch it, of which each is counted once for what all rows have in common.
 class PlainRows {
  public:
   explicit PlainRows(const LineLayout& layout);
 
-  /// Adds their squares to `normal`, which has columns for the unknowns of `joint` or, without it, none.
-  void add_to(NormalRows& normal, const LineData& data, const LineState& state, const LineFactors& factors, const JointImpedance* joint);
+  /// Adds their squares to `normal`, which has columns for the unknowns of `joint` and of `terms` or, without them, none.
+  void add_to(NormalRows& normal, const LineData& data, const LineState& state, const LineFactors& factors, const JointImpedance* joint,
+              const SystematicTerms* terms);
 
  private:
   static constexpr std::uint32_t no_run = 0xffffffff;
@@ -41,7 +42,8 @@ class PlainRows {
   void fill_elements(const LineData& data, const LineState& state);
   ElementGroup group_of(std::size_t first, std::size_t count) const;
   std::span<const std::uint32_t> rows_of(std::uint32_t run) const;
-  void add_runs(const Group& group, const RowShape& shape, const ElementTables& tables, NormalRows& normal);
+  void add_runs(const Group& group, const RowShape& shape, const ElementTables& tables, const SystematicTerms* terms, NormalRows& normal);
+  void put_terms(std::size_t first, std::size_t count, const RowShape& shape, const SystematicTerms& terms, RowColumns tails) const;
   void flush(std::size_t width, NormalRows& normal);
 
   const LineLayout& layout_;
