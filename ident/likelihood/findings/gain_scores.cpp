@@ -119,7 +119,7 @@ class LineScores {
     data.terms = joined(declared.get(), known - joint, *data.terms);
     const JointImpedance impedance(plan_.restriction, *plan_.columns, plan_.omega0, data.omega);
     model.linearise(data, impedance, estimator_.impedance_of(i, fit_.theta), estimator_.state_of(i), true);
-    const auto reduced = model.reduce(0.0);
+    const auto reduced = model.reduce(0.0, false);
     if (!reduced) return;
     std::vector<std::size_t> columns = impedance.columns();
     for (std::size_t column = joint; column < unknowns(); ++column) columns.push_back(column);

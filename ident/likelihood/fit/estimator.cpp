@@ -30,8 +30,9 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
 /// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
-/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations; not at the end.
-constexpr double kept_while_rough = 1.0, kept = 0.1;
+/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations; before the end
+/// while it moves less than errors do.
+constexpr double kept = 0.1;
 constexpr double rough = 0.1;  // while weights may still change; FRFs need not be optimised to the end then
 constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
@@ -95,6 +96,9 @@ void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd&
   }
   lines_.add_to(information, gradient);
 }
+
+/// How far an estimate mostly is from the truth, in standard deviations: the root of how many unknowns there are.
+double LikelihoodEstimator::usual_distance() const { return std::sqrt(static_cast<double>(unknowns_)); }
 
 /// The step of the joint from the lines as they are linearised where they stand, weighted by their own χ².
 Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information) {
@@ -184,7 +188,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
     if (!std::exchange(is_linearised, false)) {
-      if (moved_ > (tolerance < rough ? kept : kept_while_rough)) {
+      if (moved_ > (tolerance < rough ? kept : usual_distance())) {
         lines_.linearise(fit.theta);
         moved_ = 0.0;
       } else {
@@ -238,12 +242,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
 /// A full step with all lines at their minimum and linearised there: steps before may have had information and FRFs that were
 /// near, which leaves errors of first order in how near.
 void LikelihoodEstimator::finish_exactly(LikelihoodFit& fit, Relaxation until) {
-  if (lines_.layout().is_large()) {
-    lines_.settle(fit.theta, Relaxation::end);
-  } else {
-    lines_.relax(fit.theta);
-    lines_.linearise(fit.theta);
-  }
+  lines_.settle(fit.theta, Relaxation::end);
   Eigen::VectorXd gradient;
   sum(fit.theta, fit.information, gradient);
   const double loss = total(fit.theta);
@@ -261,7 +260,7 @@ void LikelihoodEstimator::finish_exactly(LikelihoodFit& fit, Relaxation until) {
 LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch) {
   lines_.take_variances_as_measured();
   LikelihoodFit fit = begun(std::move(start));
-  if (lines_.layout().a.empty() || !whitened_stage(fit, 4, 1.0, true, watch)) implicit_stage(fit, watch);
+  if (lines_.layout().a.empty() || !whitened_stage(fit, 4, usual_distance(), true, watch)) implicit_stage(fit, watch);
   if (lines_.variances_by_law()) {
     lines_.arrive(fit.theta);
     lines_.take_variances_here(fit.theta);
@@ -279,8 +278,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
   }
-  const bool stay = lines_.layout().is_large();  // lines are optimised and factored once more in the end
-  if (fit.converged) fit.converged = project(fit, settled, watch, stay ? From::last_project : From::anywhere);
+  if (fit.converged) fit.converged = project(fit, settled, watch, From::last_project);  // lines are factored once more in the end
   finish(fit);
   return fit;
 }

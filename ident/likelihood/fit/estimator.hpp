@@ -127,6 +127,7 @@ class LikelihoodEstimator {
  private:
   double total(const std::vector<double>& theta) const;
   void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
+  double usual_distance() const;
   double misfit_of(double loss) const;  ///< errors over those that were assumed: √(loss over its expectation), at most 1
   Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
   bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, bool moves_frfs, const FitWatcher& watch);

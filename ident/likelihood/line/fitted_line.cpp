@@ -68,7 +68,7 @@ bool follow_gradient(const LineData& data, const ComplexMatrix& z, const LineMod
 
 /// The gradient with the FRFs optimised, by steps of the model's factors; empty where these do not get there.
 std::optional<Eigen::VectorXd> followed_gradient(const LineData& data, const ComplexMatrix& z, const LineModel& model, FittedLine& line) {
-  constexpr double shrinks = 0.1, negligible = 1e-9;
+  constexpr double shrinks = 0.1, negligible = 1e-6;
   double last = std::numeric_limits<double>::infinity(), cost = last;
   for (;;) {
     put_on_constraint(model.layout(), z, line.state);
@@ -144,7 +144,7 @@ Eigen::MatrixXd gradients_nearby(const LineData& data, const ComplexMatrix& here
 
 bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, FittedLine& line, Relaxation until) {
   const LineLayout& layout = model.layout();
-  constexpr double near = 0.01;  // of the redundancy: as far the information of a large line is that of the place before
+  const double near = layout.is_large() ? 1e-2 : 1e-4;  // of the redundancy: as far the information is that of the place before
   put_on_constraint(layout, z, line.state);
   line.cost = line_cost(layout, data, z, line.state.x, line.state.y);
   line.reduced = linearised(data, z, model, line);
@@ -152,7 +152,7 @@ bool settle(const LineData& data, const ComplexMatrix& z, LineModel& model, Fitt
   const double before = line.cost;
   const auto gain = take(data, z, layout, line.reduced.own, line);
   if (gain && follow_gradient(data, z, model, line, until, *gain)) {
-    if (has_plain_errors(data) && (until == Relaxation::beginning || (layout.is_large() && before - line.cost <= near * line.redundancy))) {
+    if (has_plain_errors(data) && (until == Relaxation::beginning || before - line.cost <= near * line.redundancy)) {
       take_gradient(data, z, layout, line);
       return true;
     }

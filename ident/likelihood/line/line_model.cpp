@@ -314,9 +314,9 @@ void LineModel::add_d(const LineData& data, const JointImpedance& joint, const L
   }
 }
 
-std::optional<ReducedLine> LineModel::reduce(double damping) {
+std::optional<ReducedLine> LineModel::reduce(double damping, bool answer) {
   if (eliminated_) return elimination_->reduce(damping);
-  return complex_ ? reduce_complex(damping) : reduce_real(damping);
+  return complex_ ? reduce_complex(damping) : reduce_real(damping, answer);
 }
 
 /// U = L Lᴴ of the FRFs, and what is real in the Schur complement of the joint's unknowns, which are.
@@ -353,7 +353,7 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
   return out;
 }
 
-std::optional<ReducedLine> LineModel::reduce_real(double damping) {
+std::optional<ReducedLine> LineModel::reduce_real(double damping, bool answer) {
   const std::size_t v = 2 * layout_.variables(), size = rows_.columns(), stride = rows_.stride();
   real_factor_.resize(rows_.values().size());
   for (std::size_t j = 0; j < size; ++j) {
@@ -363,19 +363,20 @@ std::optional<ReducedLine> LineModel::reduce_real(double damping) {
   for (std::size_t i = 0; i < v; ++i) real_factor_[i * stride + i] += damping * prior_weight_[i] * prior_weight_[i];
   if (!eliminate(real_factor_.data(), stride, v, size)) return std::nullopt;
   const auto p = at(unknowns_);
-  solved_.resize(v * widths_of(size - v));
-  solve_eliminated(real_factor_.data(), stride, v, size, solved_.data());
-  const Eigen::Map<const RowMatrixXd, 0, Eigen::OuterStride<>> solved(solved_.data(), at(v), p + 1,
-                                                                      Eigen::OuterStride<>(at(widths_of(size - v))));
   const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> schur(real_factor_.data() + v * stride + v, p + 1, p + 1,
                                                                          Eigen::OuterStride<>(at(stride)));
   ReducedLine out;
   out.information = schur.topLeftCorner(p, p).selfadjointView<Eigen::Lower>();
   out.gradient = schur.bottomLeftCorner(1, p).transpose();
   out.cost = schur(p, p);
+  if (!std::isfinite(out.cost)) return std::nullopt;
+  if (!answer) return out;
+  solved_.resize(v * widths_of(size - v));
+  solve_eliminated(real_factor_.data(), stride, v, size, solved_.data());
+  const Eigen::Map<const RowMatrixXd, 0, Eigen::OuterStride<>> solved(solved_.data(), at(v), p + 1,
+                                                                      Eigen::OuterStride<>(at(widths_of(size - v))));
   out.back = std::make_shared<Eigen::MatrixXd>(solved.leftCols(p));
   out.own = solved.col(p);
-  if (!std::isfinite(out.cost)) return std::nullopt;
   return out;
 }
 

@@ -45,8 +45,9 @@ class LineModel {
   void prepare(const ComplexMatrix& z, const LineState& state);
 
   /// Eliminates the FRFs, with damping · weight² added for measured X and Y (relative to a wide guess for those not measured).
-  /// Empty when the FRFs are not determined without more damping.
-  std::optional<ReducedLine> reduce(double damping);
+  /// Empty when the FRFs are not determined without more damping. Without `answer` there is no way back to the FRFs: real lines
+  /// save half.
+  std::optional<ReducedLine> reduce(double damping, bool answer = true);
 
   /// U⁻¹g for another g, by the factors of the last reduce() that had a result.
   LineStep own_step(const LineStep& gradient) const;
@@ -57,7 +58,7 @@ class LineModel {
  private:
   bool are_circular(const LineData& data) const;
   bool eliminates(const LineData& data, const JointImpedance& joint);
-  std::optional<ReducedLine> reduce_real(double damping);
+  std::optional<ReducedLine> reduce_real(double damping, bool answer);
   std::optional<ReducedLine> reduce_complex(double damping);
   void add_priors(const LineData& data, const LineState& state);
   void add_prior(std::size_t variable, Complex residual, Complex weight, double guess);

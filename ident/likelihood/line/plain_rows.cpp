@@ -205,11 +205,14 @@ void PlainRows::add_to(NormalRows& normal, const LineData& data, const LineState
   const ElementTables tables{layout_.joint, left_table_.data(), right_table_.data()};
   std::size_t longest = 0;
   for (std::size_t k = 0; k < layout_.others; ++k) longest = std::max(longest, layout_.x_first[k + 1] - layout_.x_first[k]);
-  room_.resize(2 * kernel_width * tables.numbers());
-  tails_.resize(shape.tail() * stride_);
-  more_tails_.resize(shape.tail() * more_stride_);
-  heads_.resize(2 * longest * own_stride_);
-  more_heads_.resize(2 * longest * more_stride_);
+  const auto make_room = [](std::vector<double>& of, std::size_t size) {
+    if (of.size() < size) of.resize(size);
+  };
+  make_room(room_, 2 * kernel_width * tables.numbers());
+  make_room(tails_, shape.tail() * stride_);
+  make_room(more_tails_, shape.tail() * more_stride_);
+  make_room(heads_, 2 * longest * own_stride_);
+  make_room(more_heads_, 2 * longest * more_stride_);
   rows_ = 0;
   for (const Group& group : groups_) {
     if (rows_ + 2 * group.own > stride_) flush(shape.tail(), normal);
