@@ -48,7 +48,7 @@ RC_GTEST_PROP(NormalRows, AddUpToTheProductOfTheDenseMatrix, (unsigned seed)) {
     }
     rows.finish();
     const Eigen::MatrixXd expected = dense.transpose() * dense;
-    const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> found(rows.values().data(), at(columns), at(columns),
+    const Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> found(rows.values(), at(columns), at(columns),
                                                                            Eigen::OuterStride<>(at(rows.stride())));
     for (Eigen::Index c = 0; c < expected.cols(); ++c) {
       for (Eigen::Index r = c; r < expected.rows(); ++r) RC_ASSERT(std::abs(found(r, c) - expected(r, c)) <= 1e-12);

@@ -2,6 +2,7 @@
 
 #include "base/eigen.hpp"
 #include "dense/lu.hpp"
+#include "ident/likelihood/line/lane_matrix.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -15,13 +16,19 @@ Complex weighed(const Channel& channel, std::size_t i, const Complex& predicted,
   return {re * weight.real(), im * weight.imag()};
 }
 
-ComplexMatrix weighed(const std::vector<Element>& elements, const Channel& channel, const ComplexMatrix& predicted, double& cost) {
-  ComplexMatrix out = ComplexMatrix::Zero(predicted.rows(), predicted.cols());
+/// The same of a block, as a matrix.
+LaneMatrix weighed(const std::vector<Element>& elements, const Channel& channel, const LaneMatrix& predicted, double& cost) {
+  LaneMatrix out(predicted.rows(), predicted.columns());
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const auto row = at(elements[i].row), column = at(elements[i].column);
-    out(row, column) = weighed(channel, i, predicted(row, column), cost);
+    const auto [row, column] = elements[i];
+    out.put(row, column, weighed(channel, i, predicted(row, column), cost));
   }
   return out;
+}
+
+LaneMatrix split(const ComplexMatrix& matrix) {
+  return {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols()),
+          [&](std::size_t i, std::size_t j) { return matrix(at(i), at(j)); }};
 }
 
 }  // namespace
@@ -31,31 +38,46 @@ bool has_plain_errors(const LineData& data) { return !data.correlation && !data.
 LineGradient gradient_of(const LineLayout& layout, const LineData& data, const JointImpedance& joint, const ComplexMatrix& z,
                          const LineState& state) {
   LineGradient out;
-  const auto n = state.y.rows();
-  const ComplexMatrix p = dense::inverse(ComplexMatrix::Identity(n, n) + state.y * z), b = p * state.y, g = z * state.a;
-  const ComplexMatrix e_d = weighed(layout.d, data.d, state.x.transpose() * g, out.cost);
-  const ComplexMatrix e_a = weighed(layout.a, data.a, state.a, out.cost);
-  const ComplexMatrix by_a = p.adjoint() * e_a, by_d = g.conjugate() * e_d;
-  ComplexMatrix by_x = weighed(layout.x, data.x, state.x, out.cost) + by_a + by_d;
-  by_x.noalias() += g.conjugate() * e_d.transpose();
-  ComplexMatrix by_y = -(by_a + by_d) * g.adjoint();
-  ComplexMatrix answered = e_a * state.a.adjoint();
+  const std::size_t n = layout.joint, others = layout.others;
+  const ComplexMatrix inverse = dense::inverse(ComplexMatrix::Identity(at(n), at(n)) + state.y * z);
+  const LaneMatrix p = split(inverse), p_h = split(inverse.adjoint()), a = split(state.a);
+  LaneMatrix b(n, n), g(n, others), d(others, others);
+  b.add_product(p.plain(), split(state.y).plain());
+  g.add_product(split(z).plain(), a.plain());
+  d.add_product(split(state.x.transpose()).plain(), g.plain());
+  const LaneMatrix e_d = weighed(layout.d, data.d, d, out.cost), e_a = weighed(layout.a, data.a, a, out.cost);
+  LaneMatrix by_x(n, others), by_y(n, n), by_z(n, n), answered(n, n), driven(n, others);
+  by_x.add_product(p_h.plain(), e_a.plain());
+  by_x.add_product(g.conjugate(), e_d.plain());
+  by_y.add_product(by_x.plain(), g.adjoint(), -1.0);
+  by_x.add_product(g.conjugate(), e_d.transpose());
+  answered.add_product(e_a.plain(), a.adjoint());
   if (!layout.b.empty()) {
-    const ComplexMatrix e_b = weighed(layout.b, data.b, b, out.cost);
-    by_y += p.adjoint() * e_b * p.conjugate();
-    answered += e_b * b.adjoint();
+    const LaneMatrix e_b = weighed(layout.b, data.b, b, out.cost);
+    LaneMatrix through(n, n);
+    through.add_product(p_h.plain(), e_b.plain());
+    by_y.add_product(through.plain(), p.conjugate());
+    answered.add_product(e_b.plain(), b.adjoint());
   }
-  out.joint = joint.along(state.a.conjugate() * e_d * state.a.adjoint() - b.adjoint() * answered);
+  driven.add_product(a.conjugate(), e_d.plain());
+  by_z.add_product(driven.plain(), a.adjoint());
+  by_z.add_product(LaneMatrix(n, n, [&b](std::size_t i, std::size_t j) { return b(j, i); }).conjugate(), answered.plain(), -1.0);
+  out.joint = joint.along(ComplexMatrix::NullaryExpr(at(n), at(n), [&by_z](Eigen::Index i, Eigen::Index j) {
+    return by_z(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  }));
   out.own.resize(at(2 * layout.variables()));
   Eigen::Index v = 0;
   const auto put = [&](const Complex& value) {
     out.own[v++] = value.real();
     out.own[v++] = value.imag();
   };
-  for (const auto [row, column] : layout.x) put(by_x(at(row), at(column)));
+  for (std::size_t i = 0; i < layout.x.size(); ++i) {
+    const auto [row, column] = layout.x[i];
+    put(weighed(data.x, i, state.x(at(row), at(column)), out.cost) + by_x(row, column));
+  }
   for (std::size_t i = 0; i < layout.y.size(); ++i) {
-    const auto row = at(layout.y[i].row), column = at(layout.y[i].column);
-    const Complex measured = weighed(data.y, i, state.y(row, column), out.cost);
+    const auto [row, column] = layout.y[i];
+    const Complex measured = weighed(data.y, i, state.y(at(row), at(column)), out.cost);
     put(measured + (row == column ? by_y(row, row) : by_y(row, column) + by_y(column, row)));
   }
   return out;

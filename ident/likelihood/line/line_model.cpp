@@ -210,7 +210,7 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   const auto size = at(rows_.columns());
   using Strided = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   complex_ ? correlated_rows_.add_to(complex_rows_.normal())
-           : correlated_rows_.add_to(Strided(rows_.values().data(), size, size, Eigen::OuterStride<>(at(rows_.stride()))));
+           : correlated_rows_.add_to(Strided(rows_.values(), size, size, Eigen::OuterStride<>(at(rows_.stride()))));
 }
 
 void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight, double guess) {
@@ -227,7 +227,7 @@ void LineModel::add_prior(std::size_t variable, Complex residual, Complex weight
     return;
   }
   const std::size_t last = rows_.columns() - 1, stride = rows_.stride();
-  double* normal = rows_.values().data();
+  double* normal = rows_.values();
   for (const auto& [part_weight, part] :
        {std::pair(weight.real(), residual.real()), std::pair(weight.imag(), residual.imag())}) {
     const std::size_t v = prior_weight_.size();
@@ -355,10 +355,10 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
 
 std::optional<ReducedLine> LineModel::reduce_real(double damping, bool answer) {
   const std::size_t v = 2 * layout_.variables(), size = rows_.columns(), stride = rows_.stride();
-  real_factor_.resize(rows_.values().size());
+  real_factor_.resize(std::max(real_factor_.size(), rows_.room()));
   for (std::size_t j = 0; j < size; ++j) {
     const std::size_t from = j * stride + lower_part(j);
-    std::copy_n(rows_.values().data() + from, stride - lower_part(j), real_factor_.data() + from);
+    std::copy_n(rows_.values() + from, stride - lower_part(j), real_factor_.data() + from);
   }
   for (std::size_t i = 0; i < v; ++i) real_factor_[i * stride + i] += damping * prior_weight_[i] * prior_weight_[i];
   if (!eliminate(real_factor_.data(), stride, v, size)) return std::nullopt;
@@ -371,7 +371,7 @@ std::optional<ReducedLine> LineModel::reduce_real(double damping, bool answer) {
   out.cost = schur(p, p);
   if (!std::isfinite(out.cost)) return std::nullopt;
   if (!answer) return out;
-  solved_.resize(v * widths_of(size - v));
+  solved_.resize(std::max(solved_.size(), v * widths_of(size - v)));
   solve_eliminated(real_factor_.data(), stride, v, size, solved_.data());
   const Eigen::Map<const RowMatrixXd, 0, Eigen::OuterStride<>> solved(solved_.data(), at(v), p + 1,
                                                                       Eigen::OuterStride<>(at(widths_of(size - v))));

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "ident/likelihood/line/normal_kernels.hpp"
+
 namespace jointid::ident {
 
 /// Jᵀ J of weighted real rows, each of which touches up to two runs of neighbouring columns and the tail that all rows have in common:
@@ -22,8 +24,9 @@ class NormalRows {
   /// The matrix, as eliminate() takes it; of the rows that were added once finish() was called.
   std::size_t stride() const { return stride_; }
   double* block(std::size_t row, std::size_t column) { return values_.data() + column * stride_ + row; }
-  std::vector<double>& values() { return values_; }
-  const std::vector<double>& values() const { return values_; }
+  double* values() { return values_.data(); }
+  const double* values() const { return values_.data(); }
+  std::size_t room() const { return columns_ * stride_ + kernel_width; }  ///< numbers
 
   /// Coefficients of the row to be added, those of its runs and its tail one after the other; zero at first.
   double* real() { return real_.data(); }
