@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "base/eigen.hpp"
@@ -169,6 +170,14 @@ bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
   return *beyond_any_joint_;
 }
 
+/// Within a standard deviation of an end of another start, after a step of less than that: two such ends count as one (search_of()).
+bool LikelihoodEstimator::is_at_known_end(const std::vector<double>& theta, double step) const {
+  if (known_end_ == nullptr || !(step < 1.0)) return false;
+  Eigen::VectorXd apart(at(unknowns_));
+  for (std::size_t i = 0; i < unknowns_; ++i) apart[at(i)] = theta[i] - known_end_->theta[i];
+  return norm_of(apart, known_end_->information) < std::sqrt(lines_.tolerance());
+}
+
 bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from) {
   const Relaxation until = relaxation(tolerance);
   if (from == From::anywhere) {
@@ -215,6 +224,10 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       fit.theta = next;
       tell(fit, loss);
       break;
+    }
+    if (scale == 1.0 && is_at_known_end(fit.theta, size)) {
+      fit.reached_known = true;
+      return true;
     }
     taken = scale * step;
     moved_ += scale * size;
@@ -266,6 +279,7 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
     lines_.take_variances_here(fit.theta);
   }
   fit.converged = project(fit, rough, watch);
+  if (fit.reached_known) return fit;
   for (double before = 2.0 * lines_.tolerance(); fit.converged && lines_.tolerance() > 1.0 && lines_.tolerance() < 0.9 * before;) {
     before = lines_.tolerance();  // lines that fit better now may tell others as outlying
     fit.converged = project(fit, rough, watch);
@@ -373,7 +387,9 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
+    known_end_ = follow == Follow::until_reached_twice && fits ? &best : nullptr;
     LikelihoodFit fit = run_from(*start, watch);
+    if (fit.reached_known) std::tie(fit.loss, fit.theta) = std::tie(best.loss, best.theta);
     if (fit.converged) ends.push_back({fit.loss, fit.theta});
     const double end_loss = fit.loss;
     if (!any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged)) {
@@ -391,6 +407,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     if (follow == Follow::all || !fits) continue;
     if (follow == Follow::until_reached_twice ? times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best))) break;
   }
+  known_end_ = nullptr;
   best.ends = std::move(ends);
   lines_.restore(std::move(lines));
   lines_.take_variances_here(best.theta);

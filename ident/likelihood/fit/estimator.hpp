@@ -23,6 +23,7 @@ struct LikelihoodFit {
   std::size_t starts = 0;           ///< how many starts were tried
   double loss = 0.0;                ///< Σ L
   bool converged = false;           ///< the last step was below 10⁻³ standard deviations
+  bool reached_known = false;       ///< ended where another start had settled
   bool hopeless = false;  ///< stopped, or no other start tried, because steps and starts did not mend lines that are far from fitting
   std::size_t bytes = 0;            ///< of the lines' states and what was linearised about them
 
@@ -36,7 +37,8 @@ struct LikelihoodFit {
 /// How many starts are followed.
 enum class Follow {
   until_it_fits,        ///< by χ², unless it is doubtful: then all
-  until_reached_twice,  ///< it fits, and two starts ended in the best: for data with several minima that χ² cannot tell from noise
+  until_reached_twice,  ///< it fits, and two starts ended in the best: for data with several minima that χ² cannot tell from noise.
+                        ///< A start that comes to within its standard deviation is not followed to the end
   all
 };
 
@@ -142,6 +144,7 @@ class LikelihoodEstimator {
   Relaxation relaxation(double tolerance) const;
   bool far_from_fitting() const;
   bool beyond_any_joint(const std::vector<double>& theta);
+  bool is_at_known_end(const std::vector<double>& theta, double step) const;
   LikelihoodFit begun(std::vector<double> start);
   LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
   void finish(LikelihoodFit& fit) const;
@@ -152,6 +155,7 @@ class LikelihoodEstimator {
   std::function<void(const LikelihoodFit&, double)> listener_;
   std::function<bool(const std::vector<double>&)> second_opinion_;
   std::optional<bool> beyond_any_joint_;  ///< what it said
+  const LikelihoodFit* known_end_ = nullptr;  ///< that fits; a start that gets there is not followed further
   std::size_t unknowns_;  ///< with those of systematic errors
   std::size_t joint_unknowns_;
   FittedLines lines_;
