@@ -28,69 +28,99 @@ JOINTID_INLINE Reflection reflection(double alpha, double below) {
   return {beta, head, -1.0 / (beta * head)};
 }
 
+/// A row of a panel.
+template <std::size_t lanes>
+struct Row {
+  Lanes<lanes> part[panel / lanes];
+
+  JOINTID_INLINE void load_from(const double* from) {
+    for (std::size_t p = 0; p < panel / lanes; ++p) load(from + p * lanes, part[p]);
+  }
+  JOINTID_INLINE void store_to(double* to) const {
+    for (std::size_t p = 0; p < panel / lanes; ++p) store(part[p], to + p * lanes);
+  }
+  JOINTID_INLINE void add(double factor, const Row& other) {
+    for (std::size_t p = 0; p < panel / lanes; ++p) part[p] += factor * other.part[p];
+  }
+  template <int column>
+  JOINTID_INLINE double at() const {
+    return part[column / lanes][column % lanes];
+  }
+};
+
 /// sum += AᵀB of two panels.
+template <std::size_t lanes>
 JOINTID_INLINE void add_product(const double* a, const double* b, std::size_t rows, Square& sum) {
-  for (std::size_t i = 0; i < rows; ++i) {
-    const double *left = a + i * panel, *right = b + i * panel;
+  for (std::size_t first = 0; first < panel; first += lanes) {
+    Row<lanes> sums[lanes];
+    for (std::size_t r = 0; r < lanes; ++r) sums[r].load_from(sum[first + r]);
+    for (std::size_t i = 0; i < rows; ++i) {
+      Row<lanes> right;
+      right.load_from(b + i * panel);
 #pragma GCC unroll 8
-    for (std::size_t r = 0; r < panel; ++r) {
-#pragma omp simd
-      for (std::size_t j = 0; j < panel; ++j) sum[r][j] += left[r] * right[j];
+      for (std::size_t r = 0; r < lanes; ++r) sums[r].add(a[i * panel + first + r], right);
     }
+    for (std::size_t r = 0; r < lanes; ++r) sums[r].store_to(sum[first + r]);
   }
 }
 
 /// B −= AW.
+template <std::size_t lanes>
 JOINTID_INLINE void subtract_product(const double* a, double* b, std::size_t rows, const Square& w) {
   for (std::size_t i = 0; i < rows; ++i) {
-    const double* left = a + i * panel;
-    double* row = b + i * panel;
-    double rest[panel];
-#pragma omp simd
-    for (std::size_t j = 0; j < panel; ++j) rest[j] = row[j];
+    Row<lanes> rest;
+    rest.load_from(b + i * panel);
 #pragma GCC unroll 8
     for (std::size_t r = 0; r < panel; ++r) {
-#pragma omp simd
-      for (std::size_t j = 0; j < panel; ++j) rest[j] -= left[r] * w[r][j];
+      Row<lanes> other;
+      other.load_from(w[r]);
+      rest.add(-a[i * panel + r], other);
     }
-#pragma omp simd
-    for (std::size_t j = 0; j < panel; ++j) row[j] = rest[j];
+    rest.store_to(b + i * panel);
   }
 }
 
-/// A row of a panel.
-using Lanes = double __attribute__((vector_size(panel * sizeof(double)), aligned(sizeof(double)), may_alias));
-
 /// Calls one(row, sum) for all rows of a panel with sums side by side, since one addition need not wait for the last, and adds these.
-template <class One>
+template <std::size_t lanes, class One>
 JOINTID_INLINE void sum_rows(double* x, std::size_t rows, const One& one, double (&sums)[panel]) {
   constexpr std::size_t chains = 4;
-  Lanes sum[chains] = {};
+  Row<lanes> sum[chains] = {};
   std::size_t i = 0;
   for (; i + chains <= rows; i += chains) {
 #pragma GCC unroll 4
-    for (std::size_t c = 0; c < chains; ++c) one(reinterpret_cast<Lanes*>(x + (i + c) * panel), sum[c]);
+    for (std::size_t c = 0; c < chains; ++c) one(x + (i + c) * panel, sum[c]);
   }
-  for (; i < rows; ++i) one(reinterpret_cast<Lanes*>(x + i * panel), sum[0]);
-  *reinterpret_cast<Lanes*>(sums) = (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  for (; i < rows; ++i) one(x + i * panel, sum[0]);
+  sum[0].add(1.0, sum[1]);
+  sum[2].add(1.0, sum[3]);
+  sum[0].add(1.0, sum[2]);
+  sum[0].store_to(sums);
 }
 
 /// sums ← products of the first column of a panel with all.
+template <std::size_t lanes>
 JOINTID_INLINE void first_sums(double* x, std::size_t rows, double (&sums)[panel]) {
-  sum_rows(x, rows, [](const Lanes* row, Lanes& to) { to += (*row)[0] * *row; }, sums);
+  const auto one = [](const double* row, Row<lanes>& to) {
+    Row<lanes> value;
+    value.load_from(row);
+    to.add(row[0], value);
+  };
+  sum_rows<lanes>(x, rows, one, sums);
 }
 
 /// row ← row − row_k w for all rows of a panel; sums ← products of the column k + 1 of what comes out with all.
-template <int k>
+template <std::size_t lanes, int k>
 JOINTID_INLINE void update_panel(double* x, std::size_t rows, const double (&w)[panel], double (&sums)[panel]) {
-  const Lanes step = *reinterpret_cast<const Lanes*>(w);
-  const auto one = [&](Lanes* row, Lanes& to) {
-    constexpr int n = k + 1;
-    const Lanes value = *row - (*row)[k] * step;
-    *row = value;
-    to += __builtin_shufflevector(value, value, n, n, n, n, n, n, n, n) * value;
+  Row<lanes> step;
+  step.load_from(w);
+  const auto one = [&](double* row, Row<lanes>& to) {
+    Row<lanes> value;
+    value.load_from(row);
+    value.add(-row[k], step);
+    value.store_to(row);
+    to.add(value.template at<k + 1>(), value);
   };
-  sum_rows(x, rows, one, sums);
+  sum_rows<lanes>(x, rows, one, sums);
 }
 
 /// What the reflections of a panel are made of: V has the diagonal `heads` above the panel, `gammas` of each, and above the diagonal
@@ -102,7 +132,7 @@ struct Reflections {
 
 /// Reflects the columns k and behind it, whose products with column k are `sums`; w = γuᵀ[R; X] of each. Columns before k stay as
 /// they are, so that the sums are their products with column k, too.
-template <int k>
+template <std::size_t lanes, int k>
 JOINTID_INLINE void reflect_columns(double* r, std::size_t stride, double* x, std::size_t rows, double (&sums)[panel],
                                     Reflections& out) {
   double* top = r + k * stride;
@@ -117,17 +147,18 @@ JOINTID_INLINE void reflect_columns(double* r, std::size_t stride, double* x, st
   out.heads[k] = h.head;
   out.gammas[k] = h.gamma;
   if constexpr (k + 1 < panel) {
-    update_panel<k>(x, rows, w, sums);
-    reflect_columns<k + 1>(r, stride, x, rows, sums, out);
+    update_panel<lanes, k>(x, rows, w, sums);
+    reflect_columns<lanes, k + 1>(r, stride, x, rows, sums, out);
   }
 }
 
 /// Reflects the columns of a panel x below the diagonal square r of the triangle one after another: x becomes the lower part of V,
 /// whose upper part is the diagonal `heads`; t of I − VTVᵀ, their product.
+template <std::size_t lanes>
 JOINTID_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std::size_t rows, Reflections& out, Square& t) {
   double sums[panel];
-  first_sums(x, rows, sums);
-  reflect_columns<0>(r, stride, x, rows, sums, out);
+  first_sums<lanes>(x, rows, sums);
+  reflect_columns<lanes, 0>(r, stride, x, rows, sums, out);
   for (std::size_t j = 0; j < panel; ++j) {
     for (std::size_t i = 0; i < panel; ++i) {
       double sum = 0.0;
@@ -138,13 +169,14 @@ JOINTID_INLINE void reflect_panel(double* r, std::size_t stride, double* x, std:
 }
 
 /// Applies (I − VTVᵀ)ᵀ to a square of the triangle and the panel x below it.
-JOINTID_INLINE void apply(const double* v, const double (&heads)[panel], const Square& t, double* r, std::size_t stride, double* x,
-                          std::size_t rows) {
+template <std::size_t lanes>
+JOINTID_INLINE void apply(const double* v, const double (&heads)[panel], const Square& t, double* r, std::size_t stride,
+                          double* x, std::size_t rows) {
   Square product, w = {};
   for (std::size_t i = 0; i < panel; ++i) {
     for (std::size_t j = 0; j < panel; ++j) product[i][j] = heads[i] * r[i * stride + j];
   }
-  add_product(v, x, rows, product);
+  add_product<lanes>(v, x, rows, product);
   for (std::size_t i = 0; i < panel; ++i) {
     for (std::size_t k = 0; k <= i; ++k) {
 #pragma omp simd
@@ -152,20 +184,24 @@ JOINTID_INLINE void apply(const double* v, const double (&heads)[panel], const S
     }
     for (std::size_t j = 0; j < panel; ++j) r[i * stride + j] -= heads[i] * w[i][j];
   }
-  subtract_product(v, x, rows, w);
+  subtract_product<lanes>(v, x, rows, w);
 }
 
 /// R of [R; X], R [width, width], X in panels, which are destroyed.
-JOINTID_KERNEL void take_in(double* r, double* x, std::size_t rows, std::size_t width) {
+template <std::size_t lanes>
+JOINTID_INLINE void take_in_lanes(double* r, double* x, std::size_t rows, std::size_t width) {
   Square t;
   Reflections made;
   for (std::size_t k = 0; k < width; k += panel) {
     double* v = x + k / panel * panel_size;
-    reflect_panel(r + k * width + k, width, v, rows, made, t);
+    reflect_panel<lanes>(r + k * width + k, width, v, rows, made, t);
     for (std::size_t c = k + panel; c < width; c += panel)
-      apply(v, made.heads, t, r + k * width + c, width, x + c / panel * panel_size, rows);
+      apply<lanes>(v, made.heads, t, r + k * width + c, width, x + c / panel * panel_size, rows);
   }
 }
+
+JOINTID_KERNEL_OF_LANES(void take_in, (double* r, double* x, std::size_t rows, std::size_t width), take_in_lanes,
+                        (r, x, rows, width))
 
 /// Reflects the column of ones onto the corner and applies that to the row `top` and the panels.
 JOINTID_KERNEL void take_ones_in(double& corner, double* top, const double* ones, double* x, std::size_t rows,
