@@ -35,10 +35,22 @@ SystematicLines::SystematicLines(SystematicPlan plan, frf::FrfSystem& substructu
       unknowns_(plan_.unknowns()),
       coordinates_(coordinates),
       origins_{origins_of(substructures, coordinates), origins_of(assembly, coordinates)} {
+  plan_errors(substructures, false);
+  plan_errors(assembly, true);
   plan_driving_points(substructures, false);
   plan_driving_points(assembly, true);
   plan_other_axes(substructures, false);
   plan_other_axes(assembly, true);
+}
+
+void SystematicLines::plan_errors(const frf::FrfSystem& system, bool of_assembly) {
+  for (std::size_t file = 0; file < system.source_count(); ++file) {
+    for (const bool is_reference : {false, true}) {
+      for (const frf::Dof& coordinate : coordinates_) {
+        errors_[of_assembly ? 1 : 0].push_back(plan_.of({of_assembly, file, is_reference, coordinate}));
+      }
+    }
+  }
 }
 
 void SystematicLines::plan_other_axes(frf::FrfSystem& system, bool of_assembly) {
@@ -116,10 +128,10 @@ SystematicFactor SystematicLines::mass_factor(std::size_t i, std::size_t unknown
   return out;
 }
 
-/// Of a sensor that measured an FRF `value` with the coordinate `other`.
-void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::size_t other, const Symmetric<Measured>& measured,
-                                  Complex value, SystematicWay& out) const {
-  for (const std::size_t u : plan_.of(sensor)) {
+/// Of a sensor at a coordinate that measured an FRF `value` with the coordinate `other`.
+void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::size_t coordinate, std::size_t other,
+                                  const Symmetric<Measured>& measured, Complex value, SystematicWay& out) const {
+  for (const std::size_t u : errors_of(sensor, coordinate)) {
     SystematicFactor factor{u, {}};
     if (unknowns_[u].kind == Systematic::mass) factor = mass_factor(i, u, sensor, measured);
     if (unknowns_[u].kind == Systematic::angle) factor.driving = along_other_axis(i, sensor, u, other) / value;
@@ -134,8 +146,8 @@ SystematicWay SystematicLines::way(std::size_t i, bool of_assembly, const Symmet
   const std::size_t response = transposed ? at.column : at.row, reference = transposed ? at.row : at.column;
   const Complex value = measured.at(at.row, at.column).value;
   SystematicWay out;
-  add_factors(i, {of_assembly, file, false, coordinates_[response]}, reference, measured, value, out);
-  add_factors(i, {of_assembly, file, true, coordinates_[reference]}, response, measured, value, out);
+  add_factors(i, {of_assembly, file, false, coordinates_[response]}, response, reference, measured, value, out);
+  add_factors(i, {of_assembly, file, true, coordinates_[reference]}, reference, response, measured, value, out);
   return out;
 }
 

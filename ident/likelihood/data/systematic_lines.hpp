@@ -52,18 +52,23 @@ class SystematicLines {
   }
   SystematicWay way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const;
   std::vector<SystematicWay> ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const;
+  void plan_errors(const frf::FrfSystem& system, bool of_assembly);
+  const std::vector<std::size_t>& errors_of(const SensorRole& sensor, std::size_t coordinate) const {
+    return errors_[sensor.of_assembly ? 1 : 0][(2 * sensor.file + (sensor.is_reference ? 1 : 0)) * coordinates_.size() + coordinate];
+  }
   void plan_driving_points(frf::FrfSystem& system, bool of_assembly);
   void plan_other_axes(frf::FrfSystem& system, bool of_assembly);
   void read_other_axes(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   Complex along_other_axis(std::size_t i, const SensorRole& sensor, std::size_t unknown, std::size_t coordinate) const;
-  void add_factors(std::size_t i, const SensorRole& sensor, std::size_t other, const Symmetric<Measured>& measured, Complex value,
-                   SystematicWay& out) const;
+  void add_factors(std::size_t i, const SensorRole& sensor, std::size_t coordinate, std::size_t other,
+                   const Symmetric<Measured>& measured, Complex value, SystematicWay& out) const;
   SystematicFactor mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor, const Symmetric<Measured>& measured) const;
 
   SystematicPlan plan_;
   std::vector<SystematicUnknown> unknowns_;
   Dofs coordinates_;
   std::array<std::vector<FrfOrigin>, 2> origins_;
+  std::array<std::vector<std::vector<std::size_t>>, 2> errors_;  ///< SystematicPlan::of() by file, role and coordinate
   std::vector<DrivingPoint> driving_points_;
   std::vector<std::vector<Complex>> driving_;  ///< [line][driving point]
   std::vector<OtherAxis> axes_;

@@ -21,7 +21,8 @@ struct Numbers {
 
 /// `lanes` rows of N columns of C; `turns`: the sign of the imaginary parts of A.
 template <std::size_t lanes, std::size_t N>
-JOINTID_INLINE void add_rows(const Columns<double>& c, const Columns<const double>& a, double turns, const Numbers& b, std::size_t depth) {
+JOINTID_INLINE void add_rows(const Columns<double>& c, const Columns<const double>& a, double turns, const Numbers& b,
+                             std::size_t depth) {
   Lanes<lanes> re[N], im[N];
   for (std::size_t j = 0; j < N; ++j) {
     load(c.data + 2 * j * c.stride, re[j]);
@@ -45,7 +46,8 @@ JOINTID_INLINE void add_rows(const Columns<double>& c, const Columns<const doubl
 }
 
 template <std::size_t machine_lanes>
-JOINTID_INLINE void add_lanes(const Columns<double>& c, std::size_t columns, const Columns<const double>& a, double turns, const Numbers& b, std::size_t depth) {
+JOINTID_INLINE void add_lanes(const Columns<double>& c, std::size_t columns, const Columns<const double>& a, double turns,
+                              const Numbers& b, std::size_t depth) {
   constexpr std::size_t lanes = machine_lanes < 4 ? machine_lanes : 4;
   const std::size_t rows = c.stride;
   for (std::size_t i = 0; i < rows; i += lanes) {
@@ -56,12 +58,14 @@ JOINTID_INLINE void add_lanes(const Columns<double>& c, std::size_t columns, con
     for (; j + 2 <= columns; j += 2) {
       add_rows<lanes, 2>({c.data + 2 * j * c.stride + i, c.stride}, {a.data + i, a.stride}, turns, of_column(j), depth);
     }
-    if (j < columns) add_rows<lanes, 1>({c.data + 2 * j * c.stride + i, c.stride}, {a.data + i, a.stride}, turns, of_column(j), depth);
+    if (j < columns)
+      add_rows<lanes, 1>({c.data + 2 * j * c.stride + i, c.stride}, {a.data + i, a.stride}, turns, of_column(j), depth);
   }
 }
 
 JOINTID_KERNEL_OF_LANES(void add_columns,
-                        (const Columns<double>& c, std::size_t columns, const Columns<const double>& a, double turns, const Numbers& b, std::size_t depth),
+                        (const Columns<double>& c, std::size_t columns, const Columns<const double>& a, double turns,
+                         const Numbers& b, std::size_t depth),
                         add_lanes, (c, columns, a, turns, b, depth))
 
 }  // namespace
@@ -70,8 +74,8 @@ void LaneMatrix::add_product(const Factor& left, const Factor& right, double sig
   const LaneMatrix &a = *left.of, &b = *right.of;
   const std::size_t one_down = right.transposed ? 2 * b.stride_ : 1, one_along = right.transposed ? 1 : 2 * b.stride_;
   const Numbers numbers{b.values_.data(), one_down, one_along, b.stride_, sign, right.conjugated ? -sign : sign};
-  add_columns({values_.data(), stride_}, columns_, {a.values_.data(), a.stride_}, left.conjugated ? -1.0 : 1.0,
-              numbers, a.columns_);
+  add_columns({values_.data(), stride_}, columns_, {a.values_.data(), a.stride_}, left.conjugated ? -1.0 : 1.0, numbers,
+              a.columns_);
 }
 
 }  // namespace jointid::ident

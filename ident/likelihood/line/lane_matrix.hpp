@@ -7,8 +7,8 @@
 
 namespace jointid::ident {
 
-/// A small complex matrix as columns of real and of imaginary parts, filled up to a multiple of four rows, for products by registers of
-/// four numbers: Eigen's packing takes longer than the product of a few rows.
+/// A small complex matrix as columns of real and of imaginary parts, filled up to a multiple of four rows, for products by
+/// registers of four numbers: Eigen's packing takes longer than the product of a few rows.
 class LaneMatrix {
  public:
   /// Zero.
