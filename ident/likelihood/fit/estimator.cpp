@@ -383,7 +383,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   std::vector<double> far;         // losses of ends far from fitting
   beyond_any_joint_.reset();
   const std::ptrdiff_t enough = lines_.layout().a.empty() ? 4 : 2;
-  bool any = false, fits = false;
+  bool any = false, fits = false, is_last = false;
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
@@ -392,7 +392,8 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     if (fit.reached_known) std::tie(fit.loss, fit.theta) = std::tie(best.loss, best.theta);
     if (fit.converged) ends.push_back({fit.loss, fit.theta});
     const double end_loss = fit.loss;
-    if (!any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged)) {
+    is_last = !any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged);
+    if (is_last) {
       best = std::move(fit);
       fits = best.converged && lines_.fit(unknowns_);
       lines = lines_.snapshot();
@@ -410,7 +411,7 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   known_end_ = nullptr;
   best.ends = std::move(ends);
   lines_.restore(std::move(lines));
-  lines_.take_variances_here(best.theta);
+  if (!is_last) lines_.take_variances_here(best.theta);  // the start after it took its own
   return best;
 }
 
