@@ -15,8 +15,8 @@
 #endif
 #define JOINTID_INLINE inline __attribute__((always_inline))
 
-// JOINTID_KERNEL_OF_LANES(void add, (double* x), add_lanes, (x)) defines a kernel by a template that takes the lanes of a register. GCC keeps
-// wider vectors than a register in memory, which costs six times the time; narrower ones leave half of it empty.
+// JOINTID_KERNEL_OF_LANES(void add, (double* x), add_lanes, (x)) defines a kernel by a template that takes the lanes of a register. GCC
+// keeps wider vectors than a register in memory, which costs up to six times the time; narrower ones leave half of it empty.
 #if JOINTID_SETS > 1
 #define JOINTID_KERNEL_OF_LANES(result_and_name, parameters, body, arguments)                                                     \
   namespace {                                                                                                                   \
