@@ -31,9 +31,8 @@ double half_of(const Eigen::VectorXd& step, const std::vector<double>& theta, co
 /// Fit of the joint's unknowns ends when less than this is left, in standard deviations: those that the misfit makes, which may be
 /// more than was assumed, or less, down to this part of it (FRFs without noise).
 constexpr double settled = 1e-3;
-/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations; before the end
-/// while it moves less than errors do.
-constexpr double kept = 0.1;
+/// Information of lines from where they stood stays while the joint moves less than this, in standard deviations; not at the end.
+constexpr double kept_while_rough = 1.0, kept = 0.1;
 constexpr double rough = 0.1;  // while weights may still change; FRFs need not be optimised to the end then
 constexpr double least_misfit = 1e-6;
 constexpr double least_ratio = 0.1;  // of one step to the last: where an earlier one told it
@@ -197,7 +196,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
   while (fit.iterations < most_iterations) {
     watch(++fit.iterations);
     if (!std::exchange(is_linearised, false)) {
-      if (moved_ > (tolerance < rough ? kept : usual_distance())) {
+      if (moved_ > (tolerance < rough ? kept : kept_while_rough)) {
         lines_.linearise(fit.theta);
         moved_ = 0.0;
       } else {
@@ -292,7 +291,8 @@ LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const Fit
     for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
     if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
   }
-  if (fit.converged) fit.converged = project(fit, settled, watch, From::last_project);  // lines are factored once more in the end
+  const bool stay = lines_.layout().is_large();  // lines are optimised and factored once more in the end
+  if (fit.converged) fit.converged = project(fit, settled, watch, stay ? From::last_project : From::anywhere);
   finish(fit);
   return fit;
 }

@@ -68,7 +68,7 @@ bool follow_gradient(const LineData& data, const ComplexMatrix& z, const LineMod
 
 /// The gradient with the FRFs optimised, by steps of the model's factors; empty where these do not get there.
 std::optional<Eigen::VectorXd> followed_gradient(const LineData& data, const ComplexMatrix& z, const LineModel& model, FittedLine& line) {
-  constexpr double shrinks = 0.1, negligible = 1e-6;
+  constexpr double shrinks = 0.1, negligible = 1e-9;
   double last = std::numeric_limits<double>::infinity(), cost = last;
   for (;;) {
     put_on_constraint(model.layout(), z, line.state);
