@@ -194,10 +194,28 @@ std::optional<LineState> settled(const LineSample& s, const std::vector<double>&
   return std::nullopt;
 }
 
-/// Circular errors: the complex equations are the real ones, as far as normal equations of their condition can tell.
-RC_GTEST_PROP(LikelihoodLine, ComplexEquationsAreTheRealOnes, (unsigned seed)) {
+/// Of three systematic errors, each in about a third of the elements.
+std::shared_ptr<const SystematicTerms> any_terms(LineSample& s) {
+  auto out = std::make_shared<SystematicTerms>();
+  out->unknowns = 3;
+  out->first = {0};
+  for (const Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
+    for (std::size_t i = 0; i < channel->value.size(); ++i) {
+      for (std::size_t u = 0; u < out->unknowns; ++u) {
+        if (s.normal() > 0.4) out->terms.push_back({u, 0.1 * s.any(), s.any(), 1.0});
+      }
+      out->first.push_back(out->terms.size());
+    }
+  }
+  return out;
+}
+
+/// Circular errors: the complex equations are the real ones, as far as normal equations of their condition can tell; of
+/// systematic errors, too, which real ones have beside plain rows.
+RC_GTEST_PROP(LikelihoodLine, ComplexEquationsAreTheRealOnes, (unsigned seed, bool systematic)) {
   std::mt19937_64 random(seed);
   LineSample s(any_shape(random), random);
+  if (systematic) s.data.terms = any_terms(s);
   for (Channel* channel : {&s.data.x, &s.data.y, &s.data.a, &s.data.b, &s.data.d}) {
     for (Complex& weight : channel->weight) weight.imag(weight.real());
   }

@@ -4,6 +4,7 @@
 #include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
 #include "ident/likelihood/line/frf_weight.hpp"
+#include "ident/likelihood/line/lane_matrix.hpp"
 #include "ident/likelihood/line/normal_kernels.hpp"
 #include "ident/likelihood/line/normal_rows.hpp"
 #include "likelihood_line_sample.hpp"
@@ -53,6 +54,35 @@ RC_GTEST_PROP(NormalRows, AddUpToTheProductOfTheDenseMatrix, (unsigned seed)) {
     for (Eigen::Index c = 0; c < expected.cols(); ++c) {
       for (Eigen::Index r = c; r < expected.rows(); ++r) RC_ASSERT(std::abs(found(r, c) - expected(r, c)) <= 1e-12);
     }
+  }
+}
+
+/// The right factor in all its forms, the left one as it is and conjugated.
+RC_GTEST_PROP(LaneMatrix, AddsProducts, (unsigned seed, bool transposed, bool conjugated, bool left_conjugated)) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  const auto size = [&random] { return std::uniform_int_distribution<std::size_t>(1, 11)(random); };
+  const std::size_t rows = size(), depth = size(), columns = size();
+  const auto any = [&](std::size_t m, std::size_t n) -> Eigen::MatrixXcd {
+    return Eigen::MatrixXcd::NullaryExpr(at(m), at(n), [&] { return Complex(normal(random), normal(random)); });
+  };
+  const auto lanes = [](const Eigen::MatrixXcd& of) {
+    return LaneMatrix(static_cast<std::size_t>(of.rows()), static_cast<std::size_t>(of.cols()),
+                      [&of](std::size_t i, std::size_t j) { return of(at(i), at(j)); });
+  };
+  const Eigen::MatrixXcd start = any(rows, columns), a = any(rows, depth),
+                         b = transposed ? any(columns, depth) : any(depth, columns);
+  LaneMatrix sum = lanes(start);
+  const LaneMatrix left = lanes(a), right = lanes(b);
+  sum.add_product(
+      left_conjugated ? left.conjugate() : left.plain(),
+      transposed ? (conjugated ? right.adjoint() : right.transpose()) : (conjugated ? right.conjugate() : right.plain()), -1.0);
+  Eigen::MatrixXcd factor = transposed ? Eigen::MatrixXcd(b.transpose()) : b;
+  if (conjugated) factor = factor.conjugate().eval();
+  const Eigen::MatrixXcd expected = start - (left_conjugated ? Eigen::MatrixXcd(a.conjugate()) : a) * factor;
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j)
+      RC_ASSERT(std::abs(sum(i, j) - expected(at(i), at(j))) <= 1e-13 * (1.0 + expected.norm()));
   }
 }
 
