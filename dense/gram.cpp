@@ -1,15 +1,11 @@
 #include "dense/gram.hpp"
 
-#include <cstring>
-
 #include "base/kernel.hpp"
 
 namespace jointid::dense {
 namespace {
 
-typedef double Four __attribute__((vector_size(32)));
-
-JOINTID_INLINE void load(const double* from, Four& to) { std::memcpy(&to, from, sizeof to); }
+using Four = Lanes<4>;
 
 JOINTID_INLINE double sum_of(const Four& v) { return (v[0] + v[2]) + (v[1] + v[3]); }
 

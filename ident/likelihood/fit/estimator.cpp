@@ -63,6 +63,17 @@ void share_out(const Eigen::VectorXd& free, double cost, double tie_share, Admis
   for (std::size_t k = 0; k < pulls.size(); ++k) fit.shares[k] = sum > 0.0 ? (cost - fit.tie_cost) * pulls[k] / sum : 0.0;
 }
 
+Eigen::VectorXd difference(const std::vector<double>& to, const std::vector<double>& from) {
+  Eigen::VectorXd out(at(to.size()));
+  for (std::size_t i = 0; i < to.size(); ++i) out[at(i)] = to[i] - from[i];
+  return out;
+}
+
+/// Within a standard deviation of where another start ended: two such ends count as one (search_of()).
+bool is_at(const LikelihoodFit& end, const std::vector<double>& theta, double tolerance) {
+  return norm_of(difference(theta, end.theta), end.information) < std::sqrt(tolerance);
+}
+
 std::vector<double> added(std::vector<double> theta, const Eigen::VectorXd& step, double scale) {
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] += scale * step[at(i)];
   return theta;
@@ -96,9 +107,6 @@ void LikelihoodEstimator::sum(const std::vector<double>& theta, Eigen::MatrixXd&
   }
   lines_.add_to(information, gradient);
 }
-
-/// How far an estimate mostly is from the truth, in standard deviations: the root of how many unknowns there are.
-double LikelihoodEstimator::usual_distance() const { return std::sqrt(static_cast<double>(unknowns_)); }
 
 /// The step of the joint from the lines as they are linearised where they stand, weighted by their own χ².
 Eigen::VectorXd LikelihoodEstimator::whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information) {
@@ -169,15 +177,8 @@ bool LikelihoodEstimator::beyond_any_joint(const std::vector<double>& theta) {
   return *beyond_any_joint_;
 }
 
-/// Within a standard deviation of an end of another start, after a step of less than that: two such ends count as one (search_of()).
-bool LikelihoodEstimator::is_at_known_end(const std::vector<double>& theta, double step) const {
-  if (known_end_ == nullptr || !(step < 1.0)) return false;
-  Eigen::VectorXd apart(at(unknowns_));
-  for (std::size_t i = 0; i < unknowns_; ++i) apart[at(i)] = theta[i] - known_end_->theta[i];
-  return norm_of(apart, known_end_->information) < std::sqrt(lines_.tolerance());
-}
-
-bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from) {
+bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from,
+                                  const LikelihoodFit* known) {
   const Relaxation until = relaxation(tolerance);
   if (from == From::anywhere) {
     lines_.settle(fit.theta, until);
@@ -224,7 +225,7 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
       tell(fit, loss);
       break;
     }
-    if (scale == 1.0 && is_at_known_end(fit.theta, size)) {
+    if (known && scale == 1.0 && size < 1.0 && is_at(*known, fit.theta, lines_.tolerance())) {
       fit.reached_known = true;
       return true;
     }
@@ -269,30 +270,30 @@ void LikelihoodEstimator::finish_exactly(LikelihoodFit& fit, Relaxation until) {
   }
 }
 
-LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch) {
+LikelihoodFit LikelihoodEstimator::run_from(std::vector<double> start, const FitWatcher& watch, const LikelihoodFit* known) {
+  const double usual =
+      std::sqrt(static_cast<double>(unknowns_));  // how far an estimate is from the truth, in standard deviations
   lines_.take_variances_as_measured();
   LikelihoodFit fit = begun(std::move(start));
-  if (lines_.layout().a.empty() || !whitened_stage(fit, 4, usual_distance(), true, watch)) implicit_stage(fit, watch);
+  if (lines_.layout().a.empty() || !whitened_stage(fit, 4, usual, true, watch)) implicit_stage(fit, watch);
   if (lines_.variances_by_law()) {
     lines_.arrive(fit.theta);
     lines_.take_variances_here(fit.theta);
   }
-  fit.converged = project(fit, rough, watch);
+  fit.converged = project(fit, rough, watch, From::anywhere, known);
   if (fit.reached_known) return fit;
   for (double before = 2.0 * lines_.tolerance(); fit.converged && lines_.tolerance() > 1.0 && lines_.tolerance() < 0.9 * before;) {
     before = lines_.tolerance();  // lines that fit better now may tell others as outlying
-    fit.converged = project(fit, rough, watch);
+    fit.converged = project(fit, rough, watch, From::anywhere, known);
   }
   while (fit.converged && lines_.variances_by_law() && fit.iterations < most_iterations) {
     const std::vector<double> before = fit.theta;
     lines_.take_variances_here(fit.theta);
-    fit.converged = project(fit, rough, watch, From::last_project);
-    Eigen::VectorXd moved(at(unknowns_));
-    for (std::size_t i = 0; i < unknowns_; ++i) moved[at(i)] = fit.theta[i] - before[i];
-    if (norm_of(moved, fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
+    fit.converged = project(fit, rough, watch, From::last_project, known);
+    if (norm_of(difference(fit.theta, before), fit.information) < 10.0 * settled * std::sqrt(lines_.tolerance())) break;
   }
   const bool stay = lines_.layout().is_large();  // lines are optimised and factored once more in the end
-  if (fit.converged) fit.converged = project(fit, settled, watch, stay ? From::last_project : From::anywhere);
+  if (fit.converged) fit.converged = project(fit, settled, watch, stay ? From::last_project : From::anywhere, known);
   finish(fit);
   return fit;
 }
@@ -387,8 +388,8 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
-    known_end_ = follow == Follow::until_reached_twice && fits ? &best : nullptr;
-    LikelihoodFit fit = run_from(*start, watch);
+    const bool is_known = follow == Follow::until_reached_twice && fits;
+    LikelihoodFit fit = run_from(*start, watch, is_known ? &best : nullptr);
     if (fit.reached_known) std::tie(fit.loss, fit.theta) = std::tie(best.loss, best.theta);
     if (fit.converged) ends.push_back({fit.loss, fit.theta});
     const double end_loss = fit.loss;
@@ -408,7 +409,6 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     if (follow == Follow::all || !fits) continue;
     if (follow == Follow::until_reached_twice ? times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best))) break;
   }
-  known_end_ = nullptr;
   best.ends = std::move(ends);
   lines_.restore(std::move(lines));
   if (!is_last) lines_.take_variances_here(best.theta);  // the start after it took its own

@@ -129,7 +129,6 @@ class LikelihoodEstimator {
  private:
   double total(const std::vector<double>& theta) const;
   void sum(const std::vector<double>& theta, Eigen::MatrixXd& information, Eigen::VectorXd& gradient) const;
-  double usual_distance() const;
   double misfit_of(double loss) const;  ///< errors over those that were assumed: √(loss over its expectation), at most 1
   Eigen::VectorXd whitened_step(const std::vector<double>& theta, Eigen::MatrixXd& information);
   bool whitened_stage(LikelihoodFit& fit, std::size_t most, double tolerance, bool moves_frfs, const FitWatcher& watch);
@@ -140,13 +139,14 @@ class LikelihoodEstimator {
     last_project  ///< only weights have changed since
   };
   void finish_exactly(LikelihoodFit& fit, Relaxation until);
-  bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from = From::anywhere);
+  /// `known`: an end of another start; a fit that gets there goes no further.
+  bool project(LikelihoodFit& fit, double tolerance, const FitWatcher& watch, From from = From::anywhere,
+               const LikelihoodFit* known = nullptr);
   Relaxation relaxation(double tolerance) const;
   bool far_from_fitting() const;
   bool beyond_any_joint(const std::vector<double>& theta);
-  bool is_at_known_end(const std::vector<double>& theta, double step) const;
   LikelihoodFit begun(std::vector<double> start);
-  LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch);
+  LikelihoodFit run_from(std::vector<double> start, const FitWatcher& watch, const LikelihoodFit* known);
   void finish(LikelihoodFit& fit) const;
   void tell(const LikelihoodFit& fit, double loss = std::numeric_limits<double>::infinity()) const {
     if (listener_) listener_(fit, loss);
@@ -155,7 +155,6 @@ class LikelihoodEstimator {
   std::function<void(const LikelihoodFit&, double)> listener_;
   std::function<bool(const std::vector<double>&)> second_opinion_;
   std::optional<bool> beyond_any_joint_;  ///< what it said
-  const LikelihoodFit* known_end_ = nullptr;  ///< that fits; a start that gets there is not followed further
   std::size_t unknowns_;  ///< with those of systematic errors
   std::size_t joint_unknowns_;
   FittedLines lines_;

@@ -40,29 +40,23 @@ ReachableFrfs frfs_of(const LineLayout& layout, const LineData& data) {
   return out;
 }
 
-JointImpedance joint_at(const Plan& plan, const LineData& line) {
-  return {plan.restriction, *plan.columns, plan.omega0, line.omega};
-}
-
-/// Some 40 lines, enough for a start; all where the unknowns of lines differ.
-std::vector<const LineData*> spread_lines(const Plan& plan, const LikelihoodData& data) {
+/// Every so many lines give some 40, enough for a start; all do where the unknowns of lines differ.
+std::size_t lines_apart(const Plan& plan, const std::vector<LineData>& lines) {
   constexpr std::size_t enough = 40;
-  std::vector<const LineData*> lines;
-  for (const LineData& line : data.lines()) lines.push_back(&line);
-  const auto has_all = [&plan](const LineData* line) { return joint_at(plan, *line).columns().size() == plan.columns->size(); };
-  const std::size_t every = lines.size() / enough;
-  if (every < 2 || !std::ranges::all_of(lines, has_all)) return lines;
-  std::vector<const LineData*> out;
-  for (std::size_t i = 0; i < lines.size(); i += every) out.push_back(lines[i]);
-  return out;
+  const auto has_all = [&plan](const LineData& line) {
+    return plan.columns->at(hertz(line.omega)).size() == plan.columns->size();
+  };
+  return std::ranges::all_of(lines, has_all) ? std::max<std::size_t>(1, lines.size() / enough) : 1;
 }
 
 }  // namespace
 
 std::vector<double> predicted_start(const Plan& plan, const LikelihoodData& data, std::vector<double> theta) {
   std::vector<ResponseLine> lines;
-  for (const LineData* line : spread_lines(plan, data)) {
-    lines.emplace_back(frfs_of(data.layout(), *line), joint_at(plan, *line));
+  const std::size_t apart = lines_apart(plan, data.lines());
+  for (std::size_t i = 0; i < data.lines().size(); i += apart) {
+    const LineData& line = data.lines()[i];
+    lines.emplace_back(frfs_of(data.layout(), line), JointImpedance(plan.restriction, *plan.columns, plan.omega0, line.omega));
   }
   ResponseProblem problem(std::move(lines), theta.size());
   NewtonOptions options;

@@ -5,7 +5,6 @@
 
 #include "base/kernel.hpp"
 
-
 namespace jointid::ident {
 namespace {
 

@@ -198,7 +198,7 @@ void LineModel::linearise(const LineData& data, const JointImpedance& joint, con
   correlation_ = data.correlation.get();
   if (correlation_) correlated_rows_.reset(*correlation_, (complex_ ? 1 : 2) * layout_.variables() + others);
   add_priors(data, state);
-  if (!complex_ && !correlation_) {
+  if (are_plain()) {
     plain_rows_.add_to(rows_, data, state, factors, with_joint ? &joint : nullptr, terms_);
     return;
   }
@@ -248,8 +248,8 @@ void LineModel::add_priors(const LineData& data, const LineState& state) {
   };
   const auto add = [&](std::size_t variable, const Channel& channel, std::size_t i, Complex current, double guess) {
     const Complex residual = channel.value[i] - current, weight = channel.weight[i];
-    const bool systematic = is_systematic(variable, weight), plain = !complex_ && !correlation_;
-    if (systematic && !plain) {
+    const bool systematic = is_systematic(variable, weight);
+    if (systematic && !are_plain()) {
       put_systematic_prior(variable, channel, i, current);
       return;
     }
@@ -355,7 +355,7 @@ std::optional<ReducedLine> LineModel::reduce_complex(double damping) {
 
 std::optional<ReducedLine> LineModel::reduce_real(double damping, bool answer) {
   const std::size_t v = 2 * layout_.variables(), size = rows_.columns(), stride = rows_.stride();
-  real_factor_.resize(std::max(real_factor_.size(), rows_.room()));
+  make_room(real_factor_, rows_.room());
   for (std::size_t j = 0; j < size; ++j) {
     const std::size_t from = j * stride + lower_part(j);
     std::copy_n(rows_.values() + from, stride - lower_part(j), real_factor_.data() + from);
@@ -371,7 +371,7 @@ std::optional<ReducedLine> LineModel::reduce_real(double damping, bool answer) {
   out.cost = schur(p, p);
   if (!std::isfinite(out.cost)) return std::nullopt;
   if (!answer) return out;
-  solved_.resize(std::max(solved_.size(), v * widths_of(size - v)));
+  make_room(solved_, v * widths_of(size - v));
   solve_eliminated(real_factor_.data(), stride, v, size, solved_.data());
   const Eigen::Map<const RowMatrixXd, 0, Eigen::OuterStride<>> solved(solved_.data(), at(v), p + 1,
                                                                       Eigen::OuterStride<>(at(widths_of(size - v))));

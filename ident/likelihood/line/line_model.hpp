@@ -57,6 +57,7 @@ class LineModel {
 
  private:
   bool are_circular(const LineData& data) const;
+  bool are_plain() const { return !complex_ && !correlation_; }  ///< equations that PlainRows takes
   bool eliminates(const LineData& data, const JointImpedance& joint);
   std::optional<ReducedLine> reduce_real(double damping, bool answer);
   std::optional<ReducedLine> reduce_complex(double damping);

@@ -2,8 +2,6 @@
 
 #include <cstddef>
 
-
-
 namespace jointid::ident {
 
 /// Of so many neighbouring numbers the kernels take multiples.

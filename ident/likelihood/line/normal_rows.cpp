@@ -28,7 +28,7 @@ void NormalRows::reset(std::size_t columns, std::size_t tail) {
   columns_ = columns;
   tail_ = tail;
   stride_ = widths_of(columns);
-  values_.resize(std::max(values_.size(), room()));
+  make_room(values_, room());
   for (std::size_t j = 0; j < columns; ++j) std::fill_n(block(lower_part(j), j), stride_ - lower_part(j), 0.0);
   std::fill_n(block(0, columns), kernel_width, 0.0);
   real_.assign(columns, 0.0);

@@ -7,6 +7,11 @@
 
 namespace jointid::ident {
 
+/// For so many numbers; room that there is stays, and is not cleared again.
+inline void make_room(std::vector<double>& of, std::size_t numbers) {
+  if (of.size() < numbers) of.resize(numbers);
+}
+
 /// Jᵀ J of weighted real rows, each of which touches up to two runs of neighbouring columns and the tail that all rows have in common:
 /// the lower triangle, column by column. Rows are kept by their runs and added up by products of blocks (normal_kernels.hpp).
 class NormalRows {

@@ -205,9 +205,6 @@ void PlainRows::add_to(NormalRows& normal, const LineData& data, const LineState
   const ElementTables tables{layout_.joint, left_table_.data(), right_table_.data()};
   std::size_t longest = 0;
   for (std::size_t k = 0; k < layout_.others; ++k) longest = std::max(longest, layout_.x_first[k + 1] - layout_.x_first[k]);
-  const auto make_room = [](std::vector<double>& of, std::size_t size) {
-    if (of.size() < size) of.resize(size);
-  };
   make_room(room_, 2 * kernel_width * tables.numbers());
   make_room(tails_, shape.tail() * stride_);
   make_room(more_tails_, shape.tail() * more_stride_);
