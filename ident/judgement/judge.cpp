@@ -206,12 +206,12 @@ bool shares_errors(const Plan& plan) {
   return !plan.regenerated.empty() || (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors());
 }
 
-void tell_chi_square(const Plan& plan, bool hopeless, Solution& out) {
+void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution& out) {
   const ChiSquare& chi_square = *out.fit.chi_square;
   const LineRatios lines = ratios_of(chi_square);
   const double freedom = std::max(1.0, chi_square.degrees_of_freedom), ratio = lines.mean;
   const bool estimated = estimated_variances(out) || shares_errors(plan);
-  const bool poor = hopeless || ratio > (estimated ? 4.0 : 2.0);
+  const bool poor = fit.hopeless || ratio > (estimated ? 4.0 : 2.0);
   const double likely = chi_square_quantile(freedom, 5.0) / freedom;
   if (!poor && !(ratio > std::max(likely, estimated ? 2.0 : 1.4))) {
     if (!lines.are_many_outlying()) return;
@@ -221,10 +221,14 @@ void tell_chi_square(const Plan& plan, bool hopeless, Solution& out) {
     return;
   }
   tell(out, poor ? Status::poor_fit : Status::doubtful,
-       std::string(hopeless ? "Stopped early: n" : "N") + "o joint of this scene explains the FRFs: they are off by " +
-           digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")." +
+       std::string(fit.hopeless ? "Stopped early: n" : "N") +
+           (fit.several_minima ? "one of the joints that starts led to explains" : "o joint of this scene explains") +
+           " the FRFs: they are off by " + digits(std::sqrt(ratio)) +
+           " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")." +
            (poor ? " No standard errors or intervals are given, they would not hold."
                  : " Standard errors and intervals are too small.") +
+           (fit.several_minima ? " Give [identify] a start near the joint, or starts = 40; or measure the assembly at the joint."
+                               : "") +
            remedy);
 }
 
@@ -232,7 +236,7 @@ void tell_chi_square(const Plan& plan, bool hopeless, Solution& out) {
 
 void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Control& control, Solution& out) {
   const Status before = out.status;
-  tell_chi_square(plan, fit.hopeless, out);
+  tell_chi_square(plan, fit, out);
   if (out.status == Status::doubtful && control.detail == Detail::estimates) {  // studies judge by their many trials
     out.status = before;
     out.message.clear();

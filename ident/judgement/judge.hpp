@@ -34,6 +34,7 @@ struct LikelihoodJudgement {
   const std::vector<double>& theta;
   const Eigen::MatrixXd& covariance;
   bool hopeless = false;  ///< it was stopped because no joint would mend the misfit
+  bool several_minima = false;  ///< a joint that fits may be where no start led
 };
 
 /// Holds an estimate of method likelihood, whose χ² is in `out`, against its law. With ρ the mean χ² over f of the lines, without

@@ -30,6 +30,7 @@
 #include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/likelihood/fit/estimator.hpp"
 #include "ident/likelihood/fit/predicted_start.hpp"
+#include "ident/likelihood/fit/spring_starts.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/plan/joint_guess.hpp"
 #include "ident/plan/prediction.hpp"
@@ -54,19 +55,38 @@ std::optional<std::vector<double>> linear_start(Plan& plan, std::size_t k, const
   return started(plan, start, control);
 }
 
-/// From the scene's start in sizes that fit, the first as it is, then along method "newton" where H_jn of the assembly is not
-/// measured: what the data say of the joint then is far from linear, and its steps come nearer from farther away.
-Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
-  const std::vector<double> given = scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"));
-  const minimise::StartPoints points(given, [&](const std::vector<double>& theta) { return estimator.misfit_at(theta); });
-  const Observations& observations = *likelihood_plan(plan)->observations;
-  if (!observations.layout().a.empty()) {
-    return [points, most](std::size_t k) { return k < most ? std::optional(points(k)) : std::nullopt; };
-  }
-  return [points, most, &plan, &observations](std::size_t k) -> std::optional<std::vector<double>> {
+/// Joints that were given or guessed, in sizes that fit.
+minimise::StartPoints in_sizes(const std::vector<std::vector<double>>& joints, LikelihoodEstimator& estimator) {
+  return {joints, [&](const std::vector<double>& theta) { return estimator.misfit_at(theta); }};
+}
+
+/// Where H_jn of the assembly is not measured: the first as it is, then along method "newton" from those in sizes that fit. What
+/// the data say of the joint then is far from linear, and its steps come nearer from farther away.
+Starts predicted_starts(Plan& plan, std::optional<std::vector<double>> first, const minimise::StartPoints& points,
+                        std::size_t most) {
+  return [first = std::move(first), points, most, &plan](std::size_t k) -> std::optional<std::vector<double>> {
     if (k >= most) return std::nullopt;
-    return k == 0 ? points(0) : predicted_start(plan, observations, points(k - 1));
+    if (k == 0 && first) return first;
+    return predicted_start(plan, *likelihood_plan(plan)->observations, points(first ? k - 1 : k));
   };
+}
+
+bool joint_is_reached(const Plan& plan) { return likelihood_plan(plan)->observations->layout().reaches_joint(); }
+
+/// From the scene's start.
+Starts given_starts(Plan& plan, LikelihoodEstimator& estimator, std::size_t most) {
+  const auto points = in_sizes({scaled(plan, joint_values(plan, plan.scene.identify.start, "[identify] start"))}, estimator);
+  if (!joint_is_reached(plan)) return predicted_starts(plan, points(0), points, most);
+  return [points, most](std::size_t k) { return k < most ? std::optional(points(k)) : std::nullopt; };
+}
+
+/// Where H_jn is not measured: from springs, and first from the direct solution when that fits better, as it does without noise.
+Starts guessed_starts(Plan& plan, LikelihoodEstimator& estimator, const std::vector<std::vector<double>>& springs,
+                      const Control& control, std::size_t most) {
+  const auto points = in_sizes(springs, estimator);
+  std::optional direct = linear_start(plan, 0, control);
+  if (!(estimator.misfit_at(*direct) < estimator.misfit_at(points(0)))) direct.reset();
+  return predicted_starts(plan, std::move(direct), points, most);
 }
 
 /// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked out
@@ -86,15 +106,21 @@ Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& 
     if (k >= most) return std::nullopt;
     if (k < found.size()) return found[k];
     if (auto start = linear_start(plan, k, control)) return start;
-    const minimise::StartPoints points(found.front(), [](const std::vector<double>&) { return 0.0; });
+    const minimise::StartPoints points({found.front()}, [](const std::vector<double>&) { return 0.0; });
     return points(minimise::StartPoints::sizes + k);
   };
 }
 
 Starts starts_of(Plan& plan, LikelihoodEstimator& estimator, const Control& control) {
+  const LikelihoodPlan& own = *likelihood_plan(plan);
   const std::size_t wanted = plan.scene.identify.starts;
-  if (likelihood_plan(plan)->start) return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
-  return given_starts(plan, estimator, wanted > 0 ? wanted : 2 * minimise::StartPoints::sizes);
+  const std::size_t of_sizes = wanted > 0 ? wanted : 2 * minimise::StartPoints::sizes;
+  if (!own.start) return given_starts(plan, estimator, of_sizes);
+  if (!joint_is_reached(plan)) {
+    const auto springs = spring_starts(plan, *own.observations);
+    if (!springs.empty()) return guessed_starts(plan, estimator, springs, control, of_sizes);
+  }
+  return linear_starts(plan, estimator, control, wanted > 0 ? wanted : linear_ways.size());
 }
 
 /// Of the unknowns of a fit, by the inverse of its information.
@@ -145,8 +171,7 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
   const Starts starts = starts_of(plan, estimator, control);
   start_time = seconds_since(begun);
   if (plan.solver == "gauss-helmert") {
-    const bool several_minima = !likelihood_plan(plan)->start && likelihood_plan(plan)->observations->layout().a.empty();
-    const Follow usual = several_minima ? Follow::until_reached_twice : Follow::until_it_fits;
+    const Follow usual = joint_is_reached(plan) ? Follow::until_it_fits : Follow::until_reached_twice;
     const Doubt doubtful = [&plan](const LikelihoodFit& fit) { return largest_relative_error(plan, fit) >= nonlinear_error; };
     return estimator.run(starts, watch, plan.scene.identify.starts > 0 ? Follow::all : usual, doubtful);
   }
@@ -323,7 +348,9 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   }
   if (control.judgement == Judgement::none) return;
   const Stopwatch watch(out.runtime_s.check);
-  judge_likelihood(plan, {.theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless}, control, out);
+  const LikelihoodJudgement judgement = {
+      .theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless, .several_minima = !joint_is_reached(plan)};
+  judge_likelihood(plan, judgement, control, out);
 }
 
 class LikelihoodMethod final : public LikelihoodPlan {

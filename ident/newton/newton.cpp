@@ -185,7 +185,7 @@ void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, c
     found.from(given, 0);  // the thesis's scheme as it is
     return;
   }
-  const minimise::StartPoints starts(given, [&](const Point& q) { return problem.misfit(q); });
+  const minimise::StartPoints starts({given}, [&](const Point& q) { return problem.misfit(q); });
   const std::size_t most = wanted > 0 ? wanted : minimise::StartPoints::sizes;
   for (std::size_t k = 0; k < most; ++k) {
     found.from(starts(k), k);

@@ -6,19 +6,19 @@
 
 namespace jointid::minimise {
 
-/// Starts of an iteration from a joint that somebody guessed. First the guess times 10^-4 to 10^4 in half decades, those that
-/// misfit least first, five of them: the shape of a joint is often better known than its size. Then random ones: the best size
-/// with every element changed by up to ±80 %.
+/// Starts of an iteration from joints that were guessed. First the guesses times 10^-4 to 10^4 in half decades, those that misfit
+/// least first, five of them for every guess: the shape of a joint is often better known than its size. Then random ones: the
+/// best with every element changed by up to ±80 %.
 class StartPoints {
  public:
   using Misfit = std::function<double(const std::vector<double>& theta)>;
 
-  StartPoints(std::vector<double> guess, const Misfit& misfit);
+  StartPoints(const std::vector<std::vector<double>>& guesses, const Misfit& misfit);
 
   /// The k-th start.
   std::vector<double> operator()(std::size_t k) const;
 
-  static constexpr std::size_t sizes = 5;
+  static constexpr std::size_t sizes = 5;  ///< of one guess
 
  private:
   std::vector<std::vector<double>> sized_;

@@ -237,7 +237,7 @@ TEST_F(UnreachableJoint, WithoutAStartItBeginsAtTheDirectSolution) {
 }
 
 TEST(StartPoints, SizesThatFitComeFirstThenRandomOnesWithin80Percent) {
-  const minimise::StartPoints starts({2.0, -4.0}, [](const std::vector<double>& theta) { return std::abs(theta[0] - 200.0); });
+  const minimise::StartPoints starts({{2.0, -4.0}}, [](const std::vector<double>& theta) { return std::abs(theta[0] - 200.0); });
   EXPECT_DOUBLE_EQ(starts(0)[0], 200.0);
   EXPECT_DOUBLE_EQ(starts(0)[1], -400.0);
   for (std::size_t k = minimise::StartPoints::sizes; k < 100; ++k) {
@@ -246,6 +246,13 @@ TEST(StartPoints, SizesThatFitComeFirstThenRandomOnesWithin80Percent) {
     EXPECT_EQ(starts(k), starts(k));
     EXPECT_NE(starts(k), starts(k + 1));
   }
+}
+
+TEST(StartPoints, SizesOfSeveralGuessesAreRankedTogether) {
+  const auto misfit = [](const std::vector<double>& theta) { return std::abs(theta[0] - 200.0) + std::abs(theta[1] - 10.0); };
+  const minimise::StartPoints starts({{2.0, -4.0}, {2.0, 0.1}}, misfit);
+  EXPECT_DOUBLE_EQ(starts(0)[1], 10.0);
+  for (std::size_t k = 1; k < 2 * minimise::StartPoints::sizes; ++k) EXPECT_LE(misfit(starts(k - 1)), misfit(starts(k)));
 }
 
 TEST(MinimumList, EndsOfOneMinimumAreOneAndTheBestIsFirst) {

@@ -253,20 +253,25 @@ bool LikelihoodEstimator::project(LikelihoodFit& fit, double tolerance, const Fi
 }
 
 /// A full step with all lines at their minimum and linearised there: steps before may have had information and FRFs that were
-/// near, which leaves errors of first order in how near.
+/// near, which leaves errors of first order in how near. Without noise, where a step takes most of the misfit off, more of them.
 void LikelihoodEstimator::finish_exactly(LikelihoodFit& fit, Relaxation until) {
-  lines_.settle(fit.theta, Relaxation::end);
-  Eigen::VectorXd gradient;
-  sum(fit.theta, fit.information, gradient);
-  const double loss = total(fit.theta);
-  const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
-  const std::vector<FittedLine> before = lines_.snapshot();
-  const std::vector<double> next = added(fit.theta, step, 1.0);
-  lines_.follow(before, next, step, until);
-  if (total(next) <= loss * (1.0 + 1e-9)) {
+  constexpr int most = 4;
+  for (int k = 0; k < most; ++k) {
+    lines_.settle(fit.theta, Relaxation::end);
+    Eigen::VectorXd gradient;
+    sum(fit.theta, fit.information, gradient);
+    const double loss = total(fit.theta);
+    const Eigen::VectorXd step = joint_step(fit.theta, fit.information, gradient);
+    const std::vector<FittedLine> before = lines_.snapshot();
+    const std::vector<double> next = added(fit.theta, step, 1.0);
+    lines_.follow(before, next, step, until);
+    const double next_loss = total(next);
+    if (!(next_loss <= loss * (1.0 + 1e-9))) {
+      lines_.restore(before);
+      return;
+    }
     fit.theta = next;
-  } else {
-    lines_.restore(before);
+    if (!(next_loss < 0.1 * loss)) return;
   }
 }
 
@@ -383,8 +388,9 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   std::vector<FittedLine> lines;  // of the best
   std::vector<double> far;         // losses of ends far from fitting
   beyond_any_joint_.reset();
+  constexpr double at_95_percent = 1.645;  // standard deviations, on one side
   const std::ptrdiff_t enough = lines_.layout().a.empty() ? 4 : 2;
-  bool any = false, fits = false, is_last = false;
+  bool any = false, near = false, fits = false, fits_well = false, is_last = false;
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
@@ -393,10 +399,14 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
     if (fit.reached_known) std::tie(fit.loss, fit.theta) = std::tie(best.loss, best.theta);
     if (fit.converged) ends.push_back({fit.loss, fit.theta});
     const double end_loss = fit.loss;
-    is_last = !any || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged);
+    // One that did not settle, perhaps with variances of another place, was only on its way to one that did and is as good.
+    const bool settles = any && fit.converged && !best.converged && fit.loss < best.loss + static_cast<double>(unknowns_);
+    is_last = !any || settles || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged);
     if (is_last) {
       best = std::move(fit);
+      near = !best.converged && lines_.fit(unknowns_);
       fits = best.converged && lines_.fit(unknowns_);
+      fits_well = fits && lines_.fit(unknowns_, at_95_percent);
       lines = lines_.snapshot();
     }
     any = true;
@@ -407,7 +417,19 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
       break;
     }
     if (follow == Follow::all || !fits) continue;
-    if (follow == Follow::until_reached_twice ? times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best))) break;
+    if (follow == Follow::until_reached_twice ? fits_well && times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best)))
+      break;
+  }
+  if (near) {  // but ran out of iterations
+    LikelihoodFit fit = run_from(best.theta, watch, nullptr);
+    is_last = fit.converged;
+    if (is_last) {
+      ends.push_back({fit.loss, fit.theta});
+      fit.starts = best.starts;
+      fit.iterations += best.iterations;
+      best = std::move(fit);
+      lines = lines_.snapshot();
+    }
   }
   best.ends = std::move(ends);
   lines_.restore(std::move(lines));

@@ -37,7 +37,7 @@ struct LikelihoodFit {
 /// How many starts are followed.
 enum class Follow {
   until_it_fits,        ///< by χ², unless it is doubtful: then all
-  until_reached_twice,  ///< it fits, and two starts ended in the best: for data with several minima that χ² cannot tell from noise.
+  until_reached_twice,  ///< it fits, by χ² at 95 % too, and two starts ended in the best; else all: for data with several minima.
                         ///< A start that comes to within its standard deviation is not followed to the end
   all
 };

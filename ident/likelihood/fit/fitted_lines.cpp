@@ -327,7 +327,7 @@ void FittedLines::add_information(std::size_t line, double weight, Eigen::Matrix
   }
 }
 
-bool FittedLines::fit(std::size_t unknowns) const {
+bool FittedLines::fit(std::size_t unknowns, double deviations) const {
   double chi_square = 0.0, expected = -static_cast<double>(unknowns);
   std::size_t fitting = 0, outliers = 0;
   for (const FittedLine& line : lines_) {
@@ -340,7 +340,7 @@ bool FittedLines::fit(std::size_t unknowns) const {
     chi_square += line.cost;
     expected += line.redundancy;
   }
-  return 4 * outliers <= fitting && chi_square <= expected + 5.0 * std::sqrt(2.0 * std::max(0.0, expected));
+  return 4 * outliers <= fitting && chi_square <= expected + deviations * std::sqrt(2.0 * std::max(0.0, expected));
 }
 
 double FittedLines::linearised_misfit() const {

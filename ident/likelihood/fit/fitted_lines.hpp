@@ -100,8 +100,8 @@ class FittedLines {
   /// Adds weight · information of one line.
   void add_information(std::size_t line, double weight, Eigen::MatrixXd& information) const;
 
-  /// At most one line in five is outlying, and χ² of the others is within five standard deviations of its expectation.
-  bool fit(std::size_t unknowns) const;
+  /// At most one line in five is outlying, and χ² of the others is at most so many standard deviations above its expectation.
+  bool fit(std::size_t unknowns, double deviations = 5.0) const;
 
   /// The mean of log(1 + χ²/r) over the lines that are looked at, as linearised, weighted by their redundancy r.
   double linearised_misfit() const;

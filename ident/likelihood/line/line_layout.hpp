@@ -28,6 +28,9 @@ struct LineLayout {
 
   std::size_t variables() const { return x.size() + y.size(); }  ///< complex
 
+  /// Whether the assembly is measured at joint coordinates.
+  bool reaches_joint() const { return !a.empty() || !b.empty(); }
+
   /// So many that a line costs more than what it takes to save some of its factorisations.
   bool is_large() const { return variables() >= 64; }
 };
