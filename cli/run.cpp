@@ -1,5 +1,7 @@
 #include "cli/run.hpp"
 
+#include <malloc.h>
+
 #include <iostream>
 #include <string>
 
@@ -28,6 +30,12 @@ int finish(ExitCode code) {
   return static_cast<int>(code);
 }
 
+/// Memory that was freed is kept for the next matrices: given back, it comes anew with a page fault for every 4 KiB.
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+}
+
 /// What cannot be shared is done once, by the first process: each would do it, and write the same files.
 int perform(const ChosenCommand& command) {
   if (const std::size_t processes = ident::processes_started(); processes > 1 && !command.is_shared) {
@@ -36,6 +44,7 @@ int perform(const ChosenCommand& command) {
                   " processes that mpirun started; one of them does it");
   }
   catch_interrupts();
+  keep_freed_memory();
   return finish(command.execute(std::cout));
 }
 

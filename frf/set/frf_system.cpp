@@ -160,9 +160,12 @@ std::vector<Complex> FrfSystem::background(const std::vector<Dof>& rows, const s
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Complex> line(rows.size() * columns.size(), Complex(nan, nan));
   if (composition_ != Composition::uncoupled) return line;
+  std::vector<std::size_t> column_source;
+  for (const Dof& column : columns) column_source.push_back(source_of(column));
   for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::size_t row_source = source_of(rows[r]);
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (source_of(rows[r]) != source_of(columns[c])) line[r * columns.size() + c] = 0.0;
+      if (row_source != column_source[c]) line[r * columns.size() + c] = 0.0;
     }
   }
   return line;

@@ -11,10 +11,10 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t lines_of_short_form = 24, all_lines = static_cast<std::size_t>(-1);
+constexpr CheckExtent short_form = {.lines = 24, .values = 1'000'000}, long_form = {.lines = static_cast<std::size_t>(-1)};
 
-CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const Control& control, std::size_t most) {
-  return inquire(read_checked_files(systems, most, control.interrupted), joint, control, most == all_lines);
+CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const Control& control, const CheckExtent& most) {
+  return inquire(read_checked_files(systems, most, control.interrupted), joint, control, most.lines > short_form.lines);
 }
 
 CheckedSystems systems_of(const Plan& plan) { return {plan.scene, *plan.substructures, *plan.assembly, plan.lines}; }
@@ -33,11 +33,11 @@ Dofs joint_of(const Scene& scene) {
 }  // namespace
 
 CheckResult check_data(const Plan& plan, const Control& control) {
-  return check_lines(systems_of(plan), plan.coordinates.joint, control, all_lines);
+  return check_lines(systems_of(plan), plan.coordinates.joint, control, long_form);
 }
 
 CheckResult quick_check(const Plan& plan, const Control& control) {
-  return check_lines(systems_of(plan), plan.coordinates.joint, control, lines_of_short_form);
+  return check_lines(systems_of(plan), plan.coordinates.joint, control, short_form);
 }
 
 CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> substructures, std::shared_ptr<frf::FrfSystem> assembly,
@@ -46,7 +46,7 @@ CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> su
   Scene reduced = scene;
   const auto parts = couple_first(reduced, std::move(substructures), notes);
   const std::vector<Line> lines = choose_lines(reduced, *parts, *assembly, notes);
-  return check_lines({reduced, *parts, *assembly, lines}, joint_of(reduced), control, all_lines);
+  return check_lines({reduced, *parts, *assembly, lines}, joint_of(reduced), control, long_form);
 }
 
 CheckResult check_scene(const Scene& scene, const Control& control) {

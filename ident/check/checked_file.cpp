@@ -1,6 +1,7 @@
 #include "ident/check/checked_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,8 +13,6 @@
 
 namespace jointid::ident {
 namespace {
-
-constexpr std::size_t most_values = 4'000'000;  ///< 64 MB of complex numbers
 
 std::string name_in_scene(const Scene& scene, const std::string& file) {
   const Path relative = Path(file).lexically_relative(scene.file.parent_path());
@@ -126,15 +125,15 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
                    .errors = read_errors(source, source_lines, scene)};
   const auto rows = all_indices(header.response.size()), columns = all_indices(header.reference.size());
   const std::size_t entries = rows.size() * columns.size();
-  std::vector<Complex> values(source_lines.size() * entries);
-  source.read({source_lines, rows, columns}, values);
-  for (std::size_t l = 0; l < source_lines.size(); ++l) {
-    file.frequency_hz.push_back(header.frequency_hz[source_lines[l]]);
+  std::vector<Complex> values(entries);
+  for (const std::size_t l : source_lines) {
+    source.read({std::array{l}, rows, columns}, values);
+    file.frequency_hz.push_back(header.frequency_hz[l]);
     Eigen::MatrixXcd line(rows.size(), columns.size());
     for (std::size_t r = 0; r < rows.size(); ++r) {
       for (std::size_t c = 0; c < columns.size(); ++c) {
         const double sign = header.response[r].sign * header.reference[c].sign;
-        line(at(r), at(c)) = sign * values[l * entries + r * columns.size() + c];
+        line(at(r), at(c)) = sign * values[r * columns.size() + c];
       }
     }
     file.frfs.push_back(std::move(line));
@@ -201,14 +200,14 @@ std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count) {
   return lines;
 }
 
-std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_t most,
+std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, const CheckExtent& most,
                                             const std::function<bool()>& interrupted) {
   frf::FrfSystem* const systems[] = {&of.substructures, &of.assembly};
   std::size_t entries = 0;
   for (const frf::FrfSystem* system : systems) {
     for (std::size_t s = 0; s < system->source_count(); ++s) entries += system->source(s).header().entries();
   }
-  const std::size_t count = std::max<std::size_t>(std::min(most, most_values / std::max<std::size_t>(entries, 1)), 2);
+  const std::size_t count = std::max<std::size_t>(std::min(most.lines, most.values / std::max<std::size_t>(entries, 1)), 2);
   std::vector<CheckedFile> files;
   for (frf::FrfSystem* system : systems) {
     const bool assembly = system == &of.assembly;

@@ -38,8 +38,15 @@ struct CheckedSystems {
   const std::vector<Line>& lines;
 };
 
-/// Reads every file once, at `most` or fewer of its lines, evenly spread, and at no more than 64 MB of values.
-std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, std::size_t most, const std::function<bool()>& interrupted);
+/// How much is read at most.
+struct CheckExtent {
+  std::size_t lines;
+  std::size_t values = 4'000'000;  ///< complex numbers of all files together, 64 MB
+};
+
+/// Reads every file once, at some of its lines, evenly spread; two at least.
+std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, const CheckExtent& most,
+                                            const std::function<bool()>& interrupted);
 
 /// The file at some of its lines.
 CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& lines);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "ident/check/axis_trials.hpp"
 #include "ident/check/rigid_mass.hpp"
@@ -67,18 +68,19 @@ class Inquiry {
         control_(control),
         with_axis_(with_axis),
         screening_(lines_for(setups_, screening_lines, screening_work)),
-        trials_(lines_for(setups_, trial_lines, trial_work)) {}
+        trials_(lines_for(setups_, trial_lines, trial_work)),
+        threads_(screening_ < screening_lines ? threads_or_cores(control.threads) : 1) {}
 
   std::vector<Suspect> suspects() {
     std::vector<Suspect> found;
     const Files lines = lines_of(all_, screening_);
-    Screening screening = screen(lines, setups_);
+    Screening screening = screen(lines, setups_, threads_);
     noise_ = screening.noise;
     for (Suspect& same : find_sameness(lines, setups_, noise_)) found.push_back(std::move(same));
     if (!found.empty()) return found;
     const std::size_t rounds = all_.size() + 2;
     for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)
-      screening = screen(lines_of(all_, screening_), setups_);
+      screening = screen(lines_of(all_, screening_), setups_, threads_);
     if (found.empty()) look_for_rest(lines, screening, found);
     return found;
   }
@@ -87,7 +89,7 @@ class Inquiry {
   bool one_round(const Screening& screening, std::vector<Suspect>& found) {
     stop_if(control_.interrupted);
     const Files small = lines_of(all_, trials_);
-    const Misfit before = misfit_of(small, setups_, noise_);
+    const Misfit before = misfit_of(small, setups_, noise_, threads_);
     std::vector<Scored> scored;
     for (MistakeTrial& trial : trials_of(small, setups_, screening, before)) judge(std::move(trial), small, before, scored);
     if (with_axis_ && best_score(scored) < clear_score) {
@@ -116,7 +118,7 @@ class Inquiry {
       Files changed = trial.only_span ? all_ : small;
       change(changed);
       if (trial.only_span) changed = lines_of(changed, trials_);
-      return misfit_of(changed, setups_, noise_, before, touched);
+      return misfit_of(changed, setups_, noise_, before, touched, threads_);
     };
     const Misfit after = with(trial.undo);
     const double score = (healing(trial.leave ? with(trial.leave) : before, after) + trial.bonus) / doubt(touched, after);
@@ -211,6 +213,7 @@ class Inquiry {
   const Control& control_;
   bool with_axis_;
   std::size_t screening_, trials_;  ///< lines
+  std::size_t threads_;             ///< one where lines are quickly tested
 };
 
 Verdict verdict_of(const std::vector<Suspect>& suspects) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.hpp"
+
 namespace jointid::ident {
 namespace {
 
@@ -24,27 +26,28 @@ double activity(const CheckedFile& file, double noise) {
   return sum;
 }
 
-Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise) {
+Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise,
+                 std::size_t threads) {
   Misfit empty{.span = std::vector<double>(setups.size()),
                .reciprocity = std::vector<double>(files.size()),
                .imaginary = std::vector<double>(files.size()),
                .active = std::vector<double>(files.size())};
-  return misfit_of(files, setups, noise, empty, {.files = std::vector<bool>(files.size(), true), .only_span = false});
+  return misfit_of(files, setups, noise, empty, {.files = std::vector<bool>(files.size(), true), .only_span = false}, threads);
 }
 
 Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise,
-                 const Misfit& before, const Touched& touched) {
+                 const Misfit& before, const Touched& touched, std::size_t threads) {
   Misfit after = before;
-  for (std::size_t s = 0; s < setups.size(); ++s) {
+  for_each_index(setups.size(), threads, [&](std::size_t s) {
     if (touched.setup(setups[s])) after.span[s] = span_test(setups[s], files, SpanDetail::level).level;
-  }
+  });
   if (touched.only_span) return after;
-  for (std::size_t f = 0; f < files.size(); ++f) {
-    if (!touched.files[f]) continue;
+  for_each_index(files.size(), threads, [&](std::size_t f) {
+    if (!touched.files[f]) return;
     after.reciprocity[f] = reciprocity_test(files[f], false).level;
     after.imaginary[f] = 1.0 - phase_test(files[f], false).real_share;
     after.active[f] = activity(files[f], noise[f]);
-  }
+  });
   return after;
 }
 

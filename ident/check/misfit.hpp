@@ -28,11 +28,12 @@ struct Touched {
 };
 
 /// `noise`: relative errors of each file's FRFs, which sizes the imaginary parts that count as active.
-Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise);
+Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise,
+                 std::size_t threads);
 
 /// `before` with what the touched files change.
 Misfit misfit_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, const std::vector<double>& noise,
-                 const Misfit& before, const Touched& touched);
+                 const Misfit& before, const Touched& touched, std::size_t threads);
 
 /// Σ ln(before/after) over span and reciprocity, floored at 0.4 %, and over imaginary shares, plus what becomes passive. 0: no
 /// better.

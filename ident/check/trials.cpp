@@ -5,6 +5,7 @@
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
+#include "base/parallel.hpp"
 #include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "ident/check/delay_fit.hpp"
@@ -516,20 +517,23 @@ std::size_t lines_for(const std::vector<SpanSetup>& setups, std::size_t most, do
 
 std::string remedy_in(const std::string& file, const std::string& line) { return "[data.files.\"" + file + "\"]\n" + line; }
 
-Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups) {
+Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, std::size_t threads) {
   Screening out;
+  out.span.resize(setups.size());
+  for_each_index(setups.size(), threads, [&](std::size_t s) { out.span[s] = span_test(setups[s], files, SpanDetail::rows); });
   out.noise.assign(files.size(), unknown_noise);
-  for (const SpanSetup& setup : setups) {
-    out.span.push_back(span_test(setup, files, SpanDetail::rows));
-    if (out.span.back().lines == 0) continue;
-    for (const std::size_t f : {setup.part, setup.assembly}) out.noise[f] = std::min(out.noise[f], out.span.back().level);
+  for (std::size_t s = 0; s < setups.size(); ++s) {
+    if (out.span[s].lines == 0) continue;
+    for (const std::size_t f : {setups[s].part, setups[s].assembly}) out.noise[f] = std::min(out.noise[f], out.span[s].level);
   }
-  for (std::size_t f = 0; f < files.size(); ++f) {
-    out.reciprocity.push_back(reciprocity_test(files[f], true));
-    out.phase.push_back(phase_test(files[f], true));
+  out.reciprocity.resize(files.size());
+  out.phase.resize(files.size());
+  for_each_index(files.size(), threads, [&](std::size_t f) {
+    out.reciprocity[f] = reciprocity_test(files[f], true);
+    out.phase[f] = phase_test(files[f], true);
     out.noise[f] = files[f].errors ? relative_error(files[f]) : out.noise[f] == unknown_noise ? usual_noise : out.noise[f];
     out.noise[f] = std::max(out.noise[f], 0.003);
-  }
+  });
   return out;
 }
 

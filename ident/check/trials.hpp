@@ -31,7 +31,7 @@ struct Screening {
                                              ///< covariances what these say
 };
 
-Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups);
+Screening screen(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups, std::size_t threads);
 
 /// The mistakes that are worth a trial; none where nothing stands out.
 std::vector<MistakeTrial> trials_of(const std::vector<CheckedFile>& files, const std::vector<SpanSetup>& setups,

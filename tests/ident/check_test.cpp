@@ -49,7 +49,7 @@ problems::Measurement noisy(const problems::Problem& problem, const frf::NoiseMo
 
 std::vector<ident::CheckedFile> files_of(const problems::Problem& problem) {
   const auto plan = problems::plan(problems::scene(problem), {problem.substructures, problem.assembly});
-  return ident::read_checked_files({plan->scene, *plan->substructures, *plan->assembly, plan->lines}, 64, {});
+  return ident::read_checked_files({plan->scene, *plan->substructures, *plan->assembly, plan->lines}, {64}, {});
 }
 
 struct PlantedIn : testing::TestWithParam<std::tuple<const char*, SuspectKind>> {};
@@ -210,7 +210,7 @@ TEST(span_test, finds_the_factor_of_a_row) {
 TEST(reciprocity_test, finds_the_mass_that_travels_with_the_sensor) {
   const problems::Planted planted = problems::plant(problem_named("rig1"), SuspectKind::mass, {.level = 0.0}, 1);
   const auto plan = problems::plan(problems::scene(problem_named("rig1")), planted.data);
-  const auto files = ident::read_checked_files({plan->scene, *plan->substructures, *plan->assembly, plan->lines}, 64, {});
+  const auto files = ident::read_checked_files({plan->scene, *plan->substructures, *plan->assembly, plan->lines}, {64}, {});
   EXPECT_NEAR(ident::reciprocity_test(files.back(), true).mass, 0.003, 1e-8);
 }
 
