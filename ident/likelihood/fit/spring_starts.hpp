@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "ident/likelihood/data/likelihood_data.hpp"
