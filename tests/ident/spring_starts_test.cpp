@@ -128,6 +128,7 @@ TEST_F(SpringStarts, LeadToTheJointUnderNoise) {
 
 TEST_F(SpringStarts, WithoutNoiseTheDirectSolutionIsTheFirst) {
   const auto plan = this->plan();
+  EXPECT_THAT(plan->notes, testing::Contains(HasSubstr("starts are guessed")));
   const Solution found = solve(*plan, {});
   EXPECT_EQ(found.status, Status::ok);
   for (std::size_t u = 0; u < problem_.unknowns.size(); ++u) {

@@ -176,6 +176,11 @@ void plan_observations(Plan& plan, const StartPlanner& plan_start, LikelihoodPla
   if (plan.scene.identify.start.empty()) {
     // Method One, else the direct solution.
     own.start = plan_start(plan, {{Method::one, plan.scene.identify.equations}, {Method::one, {}}, {Method::direct, {}}});
+    if (!own.observations->layout().reaches_joint()) {
+      plan.notes.push_back(
+          "The assembly is not measured at the joint, and [identify] has no start: starts are guessed. One of yours, "
+          "however rough, makes the right minimum surer.");
+    }
   }
   plan.coordinates.responses = plan.coordinates.references = own.others;
   plan.entries_per_line = own.observations->entries_per_line();
