@@ -7,11 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "bench/bench.hpp"
+#include "frf/set/frf_source.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/prediction.hpp"
 #include "problems/case/in_memory.hpp"
@@ -54,15 +56,31 @@ frf::FrfSet thinned(const frf::FrfSet& set) {
   return out;
 }
 
+/// Mean square over the unknowns of the errors in standard deviations of the bound.
+double square_over_bound(const ident::Solution& solution, const std::vector<double>& truth, const std::vector<double>& bound) {
+  double squares = 0.0;
+  for (std::size_t u = 0; u < truth.size(); ++u) squares += std::pow((solution.unknowns[u].value - truth[u]) / bound[u], 2);
+  return squares / static_cast<double>(truth.size());
+}
+
+std::vector<double> truth_of(const problems::Problem& problem) {
+  std::vector<double> truth;
+  for (const problems::ExactUnknown& unknown : problem.unknowns) truth.push_back(unknown.value);
+  return truth;
+}
+
 class Bench {
  public:
   Bench(bool quick, bench::Promises& promises)
-      : problem_(problems::make("H4")), base_(problems::scene(problem_)), quick_(quick), promises_(promises) {
+      : problem_(problems::make("H4")),
+        base_(problems::scene(problem_)),
+        truth_(truth_of(problem_)),
+        quick_(quick),
+        promises_(promises) {
     if (quick) {
       problem_.assembly = thinned(problem_.assembly);
       for (frf::FrfSet& set : problem_.substructures) set = thinned(set);
     }
-    for (const problems::ExactUnknown& unknown : problem_.unknowns) truth_.push_back(unknown.value);
   }
 
   ident::Scene scene(const Way& way) const {
@@ -141,9 +159,7 @@ class Bench {
       errors.push_back(error(solution));
       const ident::DecibelError error = ident::predict(*exact, solution.bands, ident::Control());
       decibels.push_back(std::sqrt(error.sum_of_squares / static_cast<double>(error.entries)));
-      double squares = 0.0;
-      for (std::size_t u = 0; u < truth_.size(); ++u) squares += std::pow((solution.unknowns[u].value - truth_[u]) / bound[u], 2);
-      ratios.push_back(std::sqrt(squares / static_cast<double>(truth_.size())));
+      ratios.push_back(std::sqrt(square_over_bound(solution, truth_, bound)));
     }
     const auto good = std::count_if(errors.begin(), errors.end(), [](double error) { return error <= 0.5; });
     fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {} | {:.0f} |\n", way.label, seeds, settled, good, text(median(errors)),
@@ -174,23 +190,16 @@ class Bench {
 
 /// A set without the FRFs at these coordinates.
 frf::FrfSet without(const frf::FrfSet& set, const std::vector<frf::Dof>& joint) {
-  frf::FrfSet out;
-  out.header = set.header;
-  const auto kept = [&joint](std::vector<frf::Dof>& dofs) {
+  const auto kept = [&joint](const std::vector<frf::Dof>& dofs) {
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < dofs.size(); ++i) {
       if (frf::find_coordinate(joint, dofs[i]) == frf::npos) places.push_back(i);
     }
-    std::erase_if(dofs, [&joint](const frf::Dof& dof) { return frf::find_coordinate(joint, dof) != frf::npos; });
     return places;
   };
-  const std::vector<std::size_t> rows = kept(out.header.response), columns = kept(out.header.reference);
-  for (std::size_t line = 0; line < set.header.lines(); ++line) {
-    for (const std::size_t i : rows) {
-      for (const std::size_t j : columns) out.values.push_back(set.values[set.index(line, i, j)]);
-    }
-  }
-  return out;
+  std::vector<std::size_t> lines(set.header.lines());
+  std::iota(lines.begin(), lines.end(), std::size_t{0});
+  return frf::load(*frf::from_memory(set), {lines, kept(set.header.response), kept(set.header.reference)});
 }
 
 /// Method likelihood on a problem without any start and without the assembly's FRFs at the joint.
@@ -199,12 +208,11 @@ void without_start(const std::string& name, std::size_t seeds, bool promised, be
   ident::Scene scene = problems::scene(problem);
   scene.identify = {};
   scene.identify.method = ident::Method::likelihood;
-  std::vector<double> truth;
-  for (const problems::ExactUnknown& unknown : problem.unknowns) truth.push_back(unknown.value);
+  const std::vector<double> truth = truth_of(problem);
   const frf::FrfSet exact = without(problem.assembly, problem.joint_dofs);
   const std::vector<double> bound =
       tasks::cramer_rao_bound(*problems::plan(scene, {problem.substructures, exact}), truth, ident::Control());
-  std::vector<double> ratios, times;
+  std::vector<double> times;
   std::size_t settled = 0, found = 0;
   double squares_of_found = 0.0;
   for (std::size_t seed = 1; seed <= seeds; ++seed) {
@@ -215,15 +223,11 @@ void without_start(const std::string& name, std::size_t seeds, bool promised, be
     control.threads = 1;
     const ident::Solution solution = ident::solve(*plan, control);
     times.push_back(solution.runtime_s.total);
-    double squares = 0.0;
-    for (std::size_t u = 0; u < truth.size(); ++u) {
-      const double deviations = (solution.unknowns[u].value - truth[u]) / bound[u];
-      squares += deviations * deviations / static_cast<double>(truth.size());
-    }
     settled += ident::is_usable(solution.status);
-    if (!(std::sqrt(squares) < 4.0)) continue;
+    const double square = square_over_bound(solution, truth, bound);
+    if (!(std::sqrt(square) < 4.0)) continue;
     ++found;
-    squares_of_found += squares;
+    squares_of_found += square;
   }
   double largest = 0.0;
   for (std::size_t u = 0; u < truth.size(); ++u) largest = std::max(largest, bound[u] / std::abs(truth[u]));

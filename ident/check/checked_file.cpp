@@ -1,7 +1,6 @@
 #include "ident/check/checked_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -125,15 +124,15 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
                    .errors = read_errors(source, source_lines, scene)};
   const auto rows = all_indices(header.response.size()), columns = all_indices(header.reference.size());
   const std::size_t entries = rows.size() * columns.size();
-  std::vector<Complex> values(entries);
-  for (const std::size_t l : source_lines) {
-    source.read({std::array{l}, rows, columns}, values);
-    file.frequency_hz.push_back(header.frequency_hz[l]);
+  std::vector<Complex> values(source_lines.size() * entries);
+  source.read({source_lines, rows, columns}, values);
+  for (std::size_t l = 0; l < source_lines.size(); ++l) {
+    file.frequency_hz.push_back(header.frequency_hz[source_lines[l]]);
     Eigen::MatrixXcd line(rows.size(), columns.size());
     for (std::size_t r = 0; r < rows.size(); ++r) {
       for (std::size_t c = 0; c < columns.size(); ++c) {
         const double sign = header.response[r].sign * header.reference[c].sign;
-        line(at(r), at(c)) = sign * values[r * columns.size() + c];
+        line(at(r), at(c)) = sign * values[l * entries + r * columns.size() + c];
       }
     }
     file.frfs.push_back(std::move(line));

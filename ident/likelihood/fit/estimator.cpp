@@ -390,37 +390,37 @@ LikelihoodFit LikelihoodEstimator::run(const Starts& starts, const FitWatcher& w
   beyond_any_joint_.reset();
   constexpr double at_95_percent = 1.645;  // standard deviations, on one side
   const std::ptrdiff_t enough = lines_.layout().a.empty() ? 4 : 2;
-  bool any = false, near = false, fits = false, fits_well = false, is_last = false;
+  bool explains = false, explains_well = false, is_last = false;  // by χ², as if it had settled
+  const auto fits = [&] { return explains && best.converged; };
   for (std::size_t k = 0;; ++k) {
     const auto start = starts(k);
     if (!start) break;
-    const bool is_known = follow == Follow::until_reached_twice && fits;
+    const bool is_known = follow == Follow::until_reached_twice && fits();
     LikelihoodFit fit = run_from(*start, watch, is_known ? &best : nullptr);
     if (fit.reached_known) std::tie(fit.loss, fit.theta) = std::tie(best.loss, best.theta);
     if (fit.converged) ends.push_back({fit.loss, fit.theta});
     const double end_loss = fit.loss;
     // One that did not settle, perhaps with variances of another place, was only on its way to one that did and is as good.
-    const bool settles = any && fit.converged && !best.converged && fit.loss < best.loss + static_cast<double>(unknowns_);
-    is_last = !any || settles || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged);
+    const bool settles = fit.converged && !best.converged && fit.loss < best.loss + static_cast<double>(unknowns_);
+    is_last = k == 0 || settles || (fit.loss < best.loss - 1e-3 && fit.converged >= best.converged);
     if (is_last) {
       best = std::move(fit);
-      near = !best.converged && lines_.fit(unknowns_);
-      fits = best.converged && lines_.fit(unknowns_);
-      fits_well = fits && lines_.fit(unknowns_, at_95_percent);
+      explains = lines_.fit(unknowns_);
+      explains_well = lines_.fit(unknowns_, at_95_percent);
       lines = lines_.snapshot();
     }
-    any = true;
     best.starts = k + 1;
     if (far_from_fitting()) far.push_back(end_loss);
-    if (follow != Follow::all && !fits && (times_as_far(best.loss, far) >= enough || beyond_any_joint(best.theta))) {
+    if (follow != Follow::all && !fits() && (times_as_far(best.loss, far) >= enough || beyond_any_joint(best.theta))) {
       best.hopeless = true;
       break;
     }
-    if (follow == Follow::all || !fits) continue;
-    if (follow == Follow::until_reached_twice ? fits_well && times_reached(best.loss, ends) > 1 : !(doubtful && doubtful(best)))
+    if (follow == Follow::all || !fits()) continue;
+    if (follow == Follow::until_reached_twice ? explains_well && times_reached(best.loss, ends) > 1
+                                              : !(doubtful && doubtful(best)))
       break;
   }
-  if (near) {  // but ran out of iterations
+  if (explains && !best.converged) {  // ran out of iterations
     LikelihoodFit fit = run_from(best.theta, watch, nullptr);
     is_last = fit.converged;
     if (is_last) {

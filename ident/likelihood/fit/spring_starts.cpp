@@ -7,6 +7,7 @@
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
 #include "dense/minimum_norm.hpp"
+#include "ident/plan/joint_guess.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -83,12 +84,11 @@ std::vector<double> nearest_joint(const Plan& plan, const restrictions::MatrixTe
   for (const auto& term : stiffness.terms)
     elements(at(term.row * n + term.column), at(term.unknown)) += measured(term.coefficient, term);
   for (const auto& known : stiffness.known) springs(at(known.row), at(known.column)) -= measured(known.value, known);
-  const VectorXd values = dense::RealMinimumNorm(elements).solve(springs.reshaped());
-  std::vector<double> theta;
-  for (std::size_t column = 0; column < plan.columns->size(); ++column) {
-    theta.push_back(values[at(plan.columns->unknown_of(column))] / plan.unscale(column));
-  }
-  return theta;
+  const VectorXd of_unknowns = dense::RealMinimumNorm(elements).solve(springs.reshaped());
+  std::vector<double> values;
+  for (std::size_t column = 0; column < plan.columns->size(); ++column)
+    values.push_back(of_unknowns[at(plan.columns->unknown_of(column))]);
+  return scaled(plan, values);
 }
 
 }  // namespace
