@@ -4,6 +4,8 @@
 #include <numeric>
 #include <vector>
 
+#include "base/text.hpp"
+
 namespace jointid {
 namespace {
 
@@ -17,7 +19,7 @@ std::string message(const InputError::Parts& parts) {
 
 }  // namespace
 
-InputError::InputError(Parts parts) : std::runtime_error(message(parts)), parts_(std::move(parts)) {}
+InputError::InputError(Parts parts) : std::runtime_error(printable(message(parts))), parts_(std::move(parts)) {}
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace jointid {
 
@@ -24,6 +25,10 @@ std::string comma_list(const Items& items, const Word& word = {}) {
   }
   return text;
 }
+
+/// The text as a terminal may show it in one line: control characters, bytes that are no UTF-8 and characters that turn the direction of
+/// writing come as \n, \t, \x1A, \u202E; all else stays.
+std::string printable(std::string_view text);
 
 /// "a, b or c".
 std::string one_of(std::span<const std::string> words);

@@ -11,28 +11,32 @@
 namespace jointid::frf {
 namespace {
 
-/// Motion per force: a length or an angle, over a force or a moment, over seconds to the quantity's power.
+/// Motion per force: a length or an angle, over a force or a moment, over seconds to the quantity's power. An angle leaves no
+/// length above.
 bool fits(const Unit& unit, Quantity quantity) {
-  return unit.force == -1 && unit.time == -static_cast<int>(quantity) && std::abs(unit.length) <= 1;
+  const bool motion = std::abs(unit.length) <= 1 && (unit.angle == 0 || (unit.angle == 1 && unit.length < 1));
+  return unit.force == -1 && unit.time == -static_cast<int>(quantity) && motion;
 }
 
 [[noreturn]] void fail(std::string problem, std::string remedy) {
-  throw InputError({.kind = ErrorKind::data,
-                    .file = {},
-                    .place = {},
-                    .problem = std::move(problem),
-                    .remedy = std::move(remedy)});
+  throw InputError(
+      {.kind = ErrorKind::data, .file = {}, .place = {}, .problem = std::move(problem), .remedy = std::move(remedy)});
+}
+
+/// A proposal comes first, an explanation last.
+std::string with_hint(const std::string& hint, const std::string& remedy) {
+  if (hint.empty()) return remedy;
+  return hint.ends_with('?') ? hint + " Or " + remedy : remedy + "; " + hint;
 }
 
 }  // namespace
 
 double si_factor(std::string_view unit_label, Quantity quantity) {
-  constexpr std::size_t longest = 64;
-  const std::string shown(unit_label.substr(0, longest));
-  const std::string remedy =
-      "write " + frf::unit(quantity) + ", or another product of " + unit_names();
+  constexpr std::size_t longest = 100;
+  const std::string shown = shown_label(unit_label);
+  const std::string remedy = "write " + frf::unit(quantity) + ", or another product of " + unit_names();
   const std::optional<Unit> parsed = unit_label.size() > longest ? std::nullopt : parse_unit(unit_label);
-  if (!parsed) fail("unknown unit '" + shown + "'", remedy);
+  if (!parsed) fail("unknown unit '" + shown + "'", with_hint(unit_label.size() > longest ? "" : unit_hint(unit_label), remedy));
   if (!fits(*parsed, quantity)) fail("unit '" + shown + "' is not a unit of " + name(quantity), remedy);
   return parsed->si;
 }

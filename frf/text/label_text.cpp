@@ -1,0 +1,110 @@
+#include "frf/text/label_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <utility>
+
+#include "frf/text/unit_names.hpp"
+
+namespace jointid::frf {
+namespace {
+
+/// Length of the UTF-8 sequence that `text` begins with, 0 if it is none.
+std::size_t sequence_length(std::string_view text) {
+  const auto first = static_cast<unsigned char>(text[0]);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) return 0;
+  const auto follows = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  return std::ranges::all_of(text.substr(1, length - 1), follows) ? length : 0;
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+constexpr std::array signs = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"⁻", "^-"},    {"⁰", "^0"}, {"¹", "^1"}, {"²", "^2"}, {"³", "^3"},     {"⁴", "^4"},  // powers
+    {"·", "*"},     {"⋅", "*"},  {"×", "*"},  {"•", "*"},  {"∙", "*"},      {"∗", "*"},      {"⸱", "*"},      {"∕", "/"},
+    {"⁄", "/"},     {"÷", "/"},  {"−", "-"},  {"–", "-"},  {"‐", "-"},      {"‑", "-"},      {"µ", "u"},      {"μ", "u"},
+    {"°", "deg"},   {"’", "'"},  {"´", "'"},  {"`", "'"},  {"\u00A0", " "}, {"\u202F", " "}, {"\u2009", " "}, {"\u3000", " "},
+    {"\uFEFF", ""}, {"[", "("},  {"{", "("},  {"]", ")"},  {"}", ")"},      {"\t", " "},
+});
+
+/// Bytes of DOS code pages whose letters in Latin-1 are in no unit: ² ³ µ ° ·.
+constexpr std::array dos_signs = std::to_array<std::pair<std::string_view, std::string_view>>(
+    {{"ý", "^2"}, {"ü", "^3"}, {"æ", "u"}, {"ø", "deg"}, {"ú", "*"}});
+
+/// Pieces of ASCII that mean one sign or one word, in lower case.
+constexpr std::array pieces = std::to_array<std::pair<std::string_view, std::string_view>>(
+    {{"**", "^"}, {"^-^", "^-"}, {"^^", "^"}, {"pk-pk", "pkpk"}, {"p-p", "pp"}, {"-force", "force"}, {" force", "force"}});
+
+std::string_view sign_of(std::string_view sequence, bool dos) {
+  const auto is_it = [&](const auto& sign) { return sign.first == sequence; };
+  if (const auto found = std::ranges::find_if(signs, is_it); found != signs.end()) return found->second;
+  const auto found = dos ? std::ranges::find_if(dos_signs, is_it) : dos_signs.end();
+  return found != dos_signs.end() ? found->second : sequence;
+}
+
+void replace_pieces(std::string& text) {
+  for (const auto& [from, to] : pieces) {
+    for (std::size_t at = lower_case(text).find(from); at != std::string::npos; at = lower_case(text).find(from)) {
+      text.replace(at, from.size(), to);
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view without_padding(std::string_view label) {
+  const auto is_padding = [](unsigned char c) { return c <= ' ' || c == 0x7F; };
+  const auto trim = [&] {
+    while (!label.empty() && is_padding(static_cast<unsigned char>(label.front()))) label.remove_prefix(1);
+    while (!label.empty() && is_padding(static_cast<unsigned char>(label.back()))) label.remove_suffix(1);
+  };
+  trim();
+  label = label.substr(0, label.find('\0'));
+  trim();
+  const bool quoted = label.size() > 1 && (label.front() == '"' || label.front() == '\'') && label.back() == label.front();
+  if (quoted) label = label.substr(1, label.size() - 2);
+  trim();
+  return label;
+}
+
+std::string utf8_label(std::string_view label) {
+  if (is_utf8(label)) return std::string(label);
+  std::string text;
+  for (const unsigned char c : label) {
+    if (c >= 0x80) text += static_cast<char>(0xC0 | (c >> 6));
+    text += static_cast<char>(c < 0x80 ? c : 0x80 | (c & 0x3F));
+  }
+  return text;
+}
+
+std::string plain_label(std::string_view label) {
+  const std::string_view bare = without_padding(label);
+  const bool one_byte = !is_utf8(bare);
+  const std::string text = utf8_label(bare);
+  std::string plain;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view sequence = rest.substr(0, std::max<std::size_t>(1, sequence_length(rest)));
+    rest.remove_prefix(sequence.size());
+    const bool converted_twice = sequence == "Â" && !rest.empty() &&
+                                 sign_of(rest.substr(0, sequence_length(rest)), false) != rest.substr(0, sequence_length(rest));
+    if (!converted_twice) plain += sign_of(sequence, one_byte);
+  }
+  replace_pieces(plain);
+  return plain;
+}
+
+}  // namespace jointid::frf

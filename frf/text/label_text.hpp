@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Labels of other programs' files as text: code pages, padding, signs that only some keyboards have.
+namespace jointid::frf {
+
+/// Without blanks, control bytes and quotes around it; what follows a NUL is padding.
+std::string_view without_padding(std::string_view label);
+
+/// The label in UTF-8: what is no valid UTF-8 is taken for Latin-1.
+std::string utf8_label(std::string_view label);
+
+/// In ASCII, for a parser: superscripts as ^2, dots and crosses as *, dashes as -, the micro sign as u, brackets as ( ), blanks
+/// of all widths as one blank, ** as ^. Signs without a meaning in units stay as they are. Words written in two, "pound-force"
+/// and "pk-pk", are made one.
+std::string plain_label(std::string_view label);
+
+}  // namespace jointid::frf
