@@ -13,8 +13,7 @@ enum class ErrorKind {
   data    ///< unreadable or inconsistent data (exit code 3)
 };
 
-/// The one exception for bad input: what is wrong, where, with which value, and what to do about it. what() is one line that a terminal may
-/// show: control characters of names and values are escaped (printable()); parts() has them as they are.
+/// The one exception for bad input: what is wrong, where, with which value, what to do about it. what() is one line, printable().
 class InputError : public std::runtime_error {
  public:
   struct Parts {

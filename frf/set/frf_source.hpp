@@ -130,7 +130,8 @@ struct OpenOptions {
   enum class Spectra : std::uint8_t { none, motions, forces };
 
   std::optional<Quantity> quantity;  ///< for files that do not name it (UFF types 0/1, MAT, CSV), or name a wrong one
-  std::vector<Dof> response;         ///< for matrices without DOFs (MAT, CSV)
+  std::string unit;                  ///< of the FRFs, e.g. "g/lbf", in place of what the file says of it; empty: as the file says
+  std::vector<Dof> response;         ///< for matrices without DOFs (MAT, CSV), and for records without directions (UFF)
   std::vector<Dof> reference;        ///< default: as the responses, when the matrix is square
   std::string variable;              ///< MAT: name of the FRF variable
   Spectra spectra = Spectra::none;   ///< other formats do not tell them from FRFs

@@ -1,7 +1,6 @@
 #include "frf/uff/analyser_file.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,17 +11,12 @@
 #include "frf/set/units.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
 
 constexpr std::size_t most_label_lines = 60;
-
-std::string lower_case(std::string_view text) {
-  std::string out(text);
-  std::ranges::transform(out, out.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
-}
 
 bool is_heading_row(std::string_view line) {
   const std::string text = lower_case(trimmed(line));
