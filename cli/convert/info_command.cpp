@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/open_options.hpp"
 #include "cli/text/frf_summary.hpp"
@@ -27,8 +28,9 @@ std::string datasets_text(const frf::UffSummary& summary) {
 std::string records_text(const frf::UffSummary& summary) {
   std::vector<std::pair<std::vector<std::string>, std::size_t>> kinds;
   for (const auto& record : summary.functions) {
-    const std::vector<std::string> kind = {record.dataset, record.function, record.quantity,
-                                           record.unit.empty() ? "–" : record.unit, fmt::format("{}", record.points)};
+    const std::string unit = printable(record.unit);
+    const std::vector<std::string> kind = {record.dataset, record.function, record.quantity, unit.empty() ? "–" : unit,
+                                           fmt::format("{}", record.points)};
     const auto found = std::ranges::find(kinds, kind, [](const auto& known) { return known.first; });
     if (found == kinds.end()) {
       kinds.emplace_back(kind, 1);
@@ -48,6 +50,15 @@ std::string records_text(const frf::UffSummary& summary) {
   return table.text();
 }
 
+/// What is put right on reading, and what looks wrong, a line each.
+std::string notes_text(const frf::FrfHeader& header) {
+  std::string text;
+  for (const auto* notes : {&header.changes, &header.doubts}) {
+    for (const std::string& note : *notes) text += "  note: " + printable(note) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_info(CLI::App& app, Chosen& chosen) {
@@ -59,14 +70,14 @@ void add_info(CLI::App& app, Chosen& chosen) {
 
 ExitCode execute(const InfoArguments& arguments, std::ostream& out) {
   const frf::FileFormat format = frf::detect_format(arguments.file);
-  out << arguments.file.string() << ": " << frf::name(format) << '\n';
+  out << printable(arguments.file.string()) << ": " << frf::name(format) << '\n';
   if (format == frf::FileFormat::uff) {
     const frf::UffSummary summary = frf::summarize_uff(arguments.file);
     out << datasets_text(summary) << records_text(summary);
   }
   const auto source = frf::open(arguments.file, arguments.open);
   const FrfCensus census = with_progress("reading", [&] { return take_census(*source, interrupted); });
-  out << "FRFs\n" << summary_text(source->header(), census);
+  out << "FRFs\n" << summary_text(source->header(), census) << notes_text(source->header());
   return census.complete ? ExitCode::done : ExitCode::interrupted;
 }
 

@@ -2,10 +2,24 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.hpp"
 #include "cli/options/of_option.hpp"
 #include "frf/set/merged_set.hpp"
+#include "frf/set/unit_label.hpp"
 
 namespace jointid::cli {
+namespace {
+
+[[noreturn]] void unknown_unit(const std::string& text) {
+  const std::string hint = frf::unit_hint(text);
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = {},
+                    .place = "--unit",
+                    .problem = "unknown unit '" + frf::shown_label(text) + "'",
+                    .remedy = (hint.empty() ? "" : hint + (hint.ends_with('?') ? " " : "; ")) + "write motion over force, e.g. m/(s^2*N) or g/lbf"});
+}
+
+}  // namespace
 
 std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
   std::vector<frf::Dof> dofs;
@@ -38,6 +52,12 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
         open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); });
       },
       "receptance, mobility or accelerance, for files that do not name it or name a wrong one");
+  command->add_option_function<std::string>(
+      "--unit", [&open](const std::string& text) {
+        if (!frf::parse_unit(text)) unknown_unit(text);
+        open.unit = text;
+      },
+      "UFF, text exports: unit of the FRFs in place of what the file says, e.g. g/lbf");
   const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
     command
         ->add_option_function<std::vector<std::string>>(
@@ -47,7 +67,7 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
         ->delimiter(',');
   };
   dofs("--response", open.response,
-       "Response DOFs, e.g. 4:+Y,4:+RZ, for files without DOFs (MAT, CSV, text exports); with several files one each");
+       "Response DOFs, e.g. 4:+Y,4:+RZ, for files without DOFs (MAT, CSV, UFF without directions, text exports); with several files one each");
   dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
   command->add_option("--variable", open.variable, "MAT: name of the FRF variable");
 }

@@ -9,11 +9,11 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "frf/csv/analyser_file.hpp"
 #include "frf/csv/csv_file.hpp"
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "frf/mat/mat_file.hpp"
-#include "frf/uff/analyser_file.hpp"
 #include "frf/uff/uff_file.hpp"
 
 namespace jointid::frf {

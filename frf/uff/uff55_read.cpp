@@ -5,6 +5,7 @@
 #include "frf/uff/uff55.hpp"
 #include "frf/uff/uff_scan.hpp"
 #include "frf/uff/uff_text.hpp"
+#include "frf/uff/uff_unit_table.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -73,10 +74,12 @@ class Lines {
 
 /// Record 6.
 struct Kind {
-  std::int64_t analysis = 0, characteristic = 0, data_type = 0, values = 0;
+  std::int64_t analysis = 0, characteristic = 0, specific = 0, data_type = 0, values = 0;
 
   bool is_complex() const { return analysis == 3 || analysis == 7; }
   bool is_mode() const { return (analysis == 2 || is_complex()) && (data_type == 2 || data_type == 5); }
+  /// Strains, stresses and reactions of a mode are no shape.
+  bool is_motion() const { return specific <= 1 || specific == 8 || specific == 11 || specific == 12; }
   bool is_vector() const { return (characteristic == 2 && values == 3) || (characteristic == 3 && values == 6); }
 };
 
@@ -113,8 +116,9 @@ bool read_mode(uff::ByteFile& file, const Dataset& dataset, Uff55Mode& mode) {
   Lines lines(file, dataset);
   for (std::string& id : mode.id) id = uff::to_utf8(uff::trim(lines.next("ID lines")));
   lines.next("record 6");
-  const Kind kind{lines.integer(1, "record 6"), lines.integer(2, "record 6"), lines.integer(4, "record 6"), lines.integer(5, "record 6")};
-  if (!kind.is_mode() || !kind.is_vector()) return false;
+  const auto field = [&](std::size_t index) { return lines.integer(index, "record 6"); };
+  const Kind kind{field(1), field(2), field(3), field(4), field(5)};
+  if (!kind.is_mode() || !kind.is_motion() || !kind.is_vector()) return false;
   mode.is_complex = kind.is_complex();
   lines.next("record 7");
   const std::int64_t reals = lines.integer(1, "record 7");
@@ -126,15 +130,30 @@ bool read_mode(uff::ByteFile& file, const Dataset& dataset, Uff55Mode& mode) {
   return true;
 }
 
+/// The modal masses of a file in mm and N are in tonnes. Shapes are pure numbers, but rotations beside translations.
+void scale_to_si(Uff55Mode& mode, const uff::UnitFactors& factors) {
+  const double mass = factors.length / factors.force;
+  mode.modal_mass *= mass;
+  mode.modal_a *= mass;
+  mode.modal_b *= mass;
+  for (std::size_t i = 0; i < mode.dofs.size(); ++i) {
+    if (mode.dofs[i].is_rotation()) mode.shape[i] *= factors.length;
+  }
+}
+
 }  // namespace
 
 std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path) {
   uff::ByteFile file(path);
+  const std::vector<Dataset> datasets = uff::scan(file);
+  const uff::UnitTable units(file, datasets);
   std::vector<Uff55Mode> modes;
-  for (const Dataset& dataset : uff::scan(file)) {
+  for (const Dataset& dataset : datasets) {
     if (dataset.number != 55 || dataset.binary) continue;
     Uff55Mode mode;
-    if (read_mode(file, dataset, mode)) modes.push_back(std::move(mode));
+    if (!read_mode(file, dataset, mode)) continue;
+    scale_to_si(mode, units.at(dataset));
+    modes.push_back(std::move(mode));
   }
   if (modes.empty()) {
     throw InputError({.kind = ErrorKind::data,

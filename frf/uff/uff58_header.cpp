@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/error.hpp"
+#include "frf/set/unit_label.hpp"
+#include "frf/text/label_text.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
@@ -47,8 +50,8 @@ constexpr std::array<const char*, 29> function_names = {"general or unknown func
 /// One header line, read by columns; errors name the record.
 class RecordLine {
  public:
-  RecordLine(const std::string& line, int record, const Place& place)
-      : line_(one_byte_per_column(line)), record_("record " + std::to_string(record)), place_(place) {}
+  RecordLine(const std::string& line, int record, const Place& place, bool by_bytes = false)
+      : raw_(line), line_(by_bytes ? line : one_byte_per_column(line)), by_bytes_(by_bytes), record_("record " + std::to_string(record)), place_(place) {}
 
   std::int64_t integer(std::size_t begin, std::size_t width, const char* what) const {
     const std::string_view field = column(line_, begin, width);
@@ -71,12 +74,19 @@ class RecordLine {
     return *value;
   }
 
+  /// Empty where it states nothing.
   std::string text(std::size_t begin, std::size_t width) const {
-    const std::string value = to_utf8(column(line_, begin, width));
-    return value == "NONE" ? std::string() : value;
+    const std::string value = by_bytes_ ? utf8_label(column(raw_, begin, width)) : text_column(raw_, begin, width);
+    return states_no_unit(value) ? std::string() : value;
   }
 
-  const std::string& line() const { return line_; }
+  /// A field behind a name that one blank separates from it: by bytes where that blank stands there alone.
+  std::string text_behind_name(std::size_t begin, std::size_t width) const {
+    const bool parted = text_column(raw_, begin - 1, 1).empty() && !text_column(raw_, begin, width).empty();
+    if (parted || !has_wide_characters(raw_)) return text(begin, width);
+    const bool parted_by_bytes = column(raw_, begin - 1, 1).empty() && !column(raw_, begin, width).empty();
+    return RecordLine(raw_, 0, place_, parted_by_bytes).text(begin, width);
+  }
 
   [[noreturn]] void fail(const char* what, std::string_view field, std::size_t begin,
                          std::size_t width) const {
@@ -87,7 +97,9 @@ class RecordLine {
   }
 
  private:
+  std::string raw_;
   std::string line_;
+  bool by_bytes_;
   std::string record_;
   const Place& place_;
 };
@@ -96,6 +108,7 @@ DofRecord parse_dof(const RecordLine& record, std::size_t begin) {
   DofRecord dof;
   dof.node = record.integer(begin + 11, 10, "node");
   dof.direction = record.code(begin + 21, 4, "direction code", -6, 6);
+  dof.entity = record.text(begin + 1, 10);
   return dof;
 }
 
@@ -130,8 +143,25 @@ AxisRecord parse_axis(const std::string& line, int number, const Place& place) {
   const RecordLine record(line, number, place);
   AxisRecord axis;
   axis.data_type = record.code(0, 10, "specific data type", 0, 999);
-  axis.unit = record.text(47, 20);
+  axis.unit = record.text_behind_name(47, 20);
   return axis;
+}
+
+void parse_function(Header58& header, const RecordLine& record) {
+  header.function_type = record.code(0, 5, "function type", 0, 9999);
+  header.load_case = record.integer(20, 10, "load case");
+  header.response = parse_dof(record, 30);
+  header.reference = parse_dof(record, 55);
+}
+
+/// By bytes where columns of characters make no sense.
+void parse_function(Header58& header, const std::string& line, const Place& place) {
+  try {
+    parse_function(header, RecordLine(line, 6, place));
+  } catch (const InputError&) {
+    if (!has_wide_characters(line)) throw;
+    parse_function(header, RecordLine(line, 6, place, true));
+  }
 }
 
 }  // namespace
@@ -150,11 +180,7 @@ Header58 parse_header58(const std::array<std::string, header_lines>& lines, cons
   Header58 header;
   constexpr std::size_t id_lines = 5;
   for (std::size_t i = 0; i < id_lines; ++i) header.id.push_back(to_utf8(trim(one_byte_per_column(lines[i]))));
-  const RecordLine record6(lines[5], 6, place);
-  header.function_type = record6.code(0, 5, "function type", 0, 9999);
-  header.load_case = record6.integer(20, 10, "load case");
-  header.response = parse_dof(record6, 30);
-  header.reference = parse_dof(record6, 55);
+  parse_function(header, lines[5], place);
   parse_data_form(header, lines[6], place);
   header.abscissa = parse_axis(lines[7], 8, place);
   header.numerator = parse_axis(lines[8], 9, place);

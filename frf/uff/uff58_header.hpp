@@ -16,6 +16,7 @@ namespace jointid::frf::uff {
 inline constexpr int function_frf = 4;
 inline constexpr int function_coherence = 6;
 inline constexpr int function_spectrum = 12;
+inline constexpr int function_multiple_coherence = 26;
 
 /// Specific data types of records 8–11 that this program tells apart.
 inline constexpr int type_displacement = 8;
@@ -31,13 +32,16 @@ inline constexpr std::size_t header_lines = 11;
 /// Records 8–11: what stands on an axis.
 struct AxisRecord {
   int data_type = 0;
-  std::string unit;
+  std::string unit;  ///< as the file has it, UTF-8; empty: none stated
 };
 
 /// Half of record 6. Direction codes: 0 scalar, ±1…3 translations, ±4…6 rotations.
 struct DofRecord {
   std::int64_t node = 0;
   int direction = 0;
+  std::string entity{};  ///< name, UTF-8; empty: none
+
+  bool is_dof() const { return direction != 0 && node >= 0; }
 
   bool is_rotation() const { return direction >= 4 || direction <= -4; }
   /// Needs a direction; a scalar has no DOF.
@@ -67,7 +71,8 @@ struct Header58 {
   std::uint64_t numbers_per_point() const { return (even ? 0u : 1u) + (is_complex() ? 2u : 1u); }
 };
 
-/// Parses the eleven header lines by their columns; throws InputError at `place`.
+/// Parses the eleven header lines by their columns; throws InputError at `place`. Columns are characters; of bytes where a name with
+/// letters of several bytes shifts the fields behind it, as it does where a program pads by bytes.
 Header58 parse_header58(const std::array<std::string, header_lines>& lines, const Place& place);
 
 /// Widths of the columns of a data line (record 12): 6E13.5, 4E20.12, 2(E13.5,E20.12) or E13.5,2E20.12.

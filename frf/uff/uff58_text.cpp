@@ -30,9 +30,14 @@ bool has_gap(std::string_view line, const std::vector<std::string_view>& fields,
 }
 
 bool append(std::vector<double>& numbers, std::string_view field) {
-  const auto value = parse_real(field);
+  const auto value = parse_value(field);
   if (value) numbers.push_back(*value);
   return value.has_value();
+}
+
+/// Two numbers that did not fit and touch: "****…****".
+bool is_overflow_of_several(std::string_view field, std::span<const std::size_t> widths) {
+  return field.starts_with('*') && field.size() > std::ranges::max(widths);
 }
 
 /// Appends the numbers of a line; false if it cannot be read, with whatever it had appended taken back.
@@ -40,7 +45,7 @@ bool append_line(std::vector<double>& numbers, std::string_view line, std::span<
   const std::size_t before = numbers.size();
   const auto fields = words(line);
   if (std::all_of(fields.begin(), fields.end(),
-                  [&](std::string_view field) { return append(numbers, field); })) {
+                  [&](std::string_view field) { return !is_overflow_of_several(field, widths) && append(numbers, field); })) {
     if (!has_gap(line, fields, widths)) return true;
     numbers.resize(before);
     return false;

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <string>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "frf/uff/uff_coherence.hpp"
+#include "frf/uff/uff_dofs.hpp"
 #include "frf/uff/uff_geometry.hpp"
 
 namespace jointid::frf::uff {
@@ -34,8 +36,27 @@ std::vector<std::size_t> records_of(const std::vector<Dataset>& datasets, int fu
   return records;
 }
 
+/// Of motions over forces; where there are none, all, whose errors say what they are.
 std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets) {
-  return records_of(datasets, function_frf, [](const Header58&) { return true; });
+  auto records = records_of(datasets, function_frf, may_be_motion_over_force);
+  return records.empty() ? records_of(datasets, function_frf, [](const Header58&) { return true; }) : records;
+}
+
+/// What is left out: "1 FRF is left out, as it is no motion over a force: 15:+Z/1:+Z (pressure / excitation force)".
+void name_others(const std::vector<Dataset>& datasets, std::size_t read, std::vector<std::string>& doubts) {
+  constexpr std::size_t shown = 3;
+  const auto all = records_of(datasets, function_frf, [](const Header58&) { return true; });
+  const auto others = records_of(datasets, function_frf, [](const Header58& header) { return !may_be_motion_over_force(header); });
+  if (others.empty() || all.size() == read) return;
+  std::string text = others.size() == 1 ? "1 FRF is left out, as it is no motion over a force: "
+                                        : std::to_string(others.size()) + " FRFs are left out, as they are no motions over forces: ";
+  text += comma_list(std::span(others).first(std::min(shown, others.size())), [&](std::size_t record) {
+    const Header58& header = *datasets[record].function;
+    const std::string unit = shown_label(header.numerator.unit);
+    return header.response.name() + "/" + header.reference.name() + " (" + quantity_in_words(header) + (unit.empty() ? "" : ", " + unit) + ")";
+  });
+  if (others.size() > shown) text += ", …";
+  doubts.push_back(text);
 }
 
 /// Those of the wanted kind; where a record does not say its kind, it is taken for it.
@@ -57,21 +78,12 @@ std::vector<std::size_t> spectra_of(const std::vector<Dataset>& datasets, Spectr
                          : "export the FRFs as dataset 58 with function type 4; of time records `jointid frf` makes them"});
 }
 
-void require_phases(const Dataset& dataset) {
+void require_phases(const Dataset& dataset, bool spectrum) {
   if (dataset.function->is_complex()) return;
-  dataset.place.fail("record 7",
-                     "the spectrum is real (ordinate type " + std::to_string(dataset.function->ordinate_type) + "): it has no phases",
-                     "export complex spectra, of the same trigger for all channels and the force");
-}
-
-void require_direction(const Dataset& dataset, const DofRecord& dof, const char* role) {
-  if (dof.direction != 0 && dof.node >= 0) return;
-  dataset.place.fail(
-      "record 6",
-      std::string(role) + " node " + std::to_string(dof.node) + " with direction code " +
-          std::to_string(dof.direction) + " is not a DOF",
-      "export the FRFs with nodes and directions, or write them there: 1 to 3 for +X to +Z, 4 to 6 for "
-      "rotations, negative against the axis");
+  const std::string type = " is real (ordinate type " + std::to_string(dataset.function->ordinate_type) + "): it has no phases";
+  dataset.place.fail("record 7", (spectrum ? "the spectrum" : "the FRF") + type,
+                     spectrum ? "export complex spectra, of the same trigger for all channels and the force"
+                              : "export complex FRFs, real and imaginary part; magnitudes and decibels are not enough");
 }
 
 class CatalogueBuilder {
@@ -86,6 +98,8 @@ class CatalogueBuilder {
     spectra_ = records.empty() && options_.spectra != Spectra::none;
     if (spectra_) records = spectra_of(datasets_, options_.spectra);
     if (records.empty()) nothing_in(datasets_, file_.name(), options_.spectra);
+    if (!spectra_) name_others(datasets_, records.size(), header_.doubts);
+    give_dofs(datasets_, records, options_, !spectra_, file_.name());
     catalogue_.first_record = records.front();
     set_axis(datasets_[records.front()]);
     for (const std::size_t record : records) check(record);
@@ -131,12 +145,8 @@ class CatalogueBuilder {
     const Dataset& dataset = datasets_[index];
     const Header58& header = *dataset.function;
     require_readable(dataset);
-    require_direction(dataset, header.response, "response");
-    if (spectra_) {
-      require_phases(dataset);
-    } else {
-      require_direction(dataset, header.reference, "reference");
-    }
+    require_dofs(dataset, !spectra_);
+    require_phases(dataset, spectra_);
     if (header.points != header_.lines()) {
       dataset.place.fail("record 7",
                          std::to_string(header.points) + " points but " +
@@ -166,7 +176,7 @@ class CatalogueBuilder {
   Ordinate interpret(std::size_t index, const UnitFactors& factors) const {
     const Dataset& dataset = datasets_[index];
     const auto interpret = spectra_ ? interpret_spectrum : interpret_ordinate;
-    return interpret(*dataset.function, factors, options_.quantity, dataset.place);
+    return interpret(*dataset.function, factors, {options_.quantity, options_.unit}, dataset.place);
   }
 
   void place(std::size_t index, const UnitFactors& factors) {

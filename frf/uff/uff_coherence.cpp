@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <span>
 
+#include "base/text.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
@@ -18,8 +20,8 @@ Coordinates coordinates(const Header58& header) {
 /// Uneven records are compared with the axis when they are read.
 bool usable(const Dataset& dataset, const std::vector<double>& axis) {
   const Header58& header = *dataset.function;
-  if (header.function_type != function_coherence || header.response.direction == 0 ||
-      header.reference.direction == 0 || header.points != axis.size()) {
+  if (header.function_type != function_coherence || !header.response.is_dof() || !header.reference.is_dof() ||
+      header.points != axis.size()) {
     return false;
   }
   if (!header.even) return true;
@@ -44,31 +46,101 @@ double averages_in(std::string line) {
   return 0.0;
 }
 
-}  // namespace
+/// 0 where no line says it.
+double averages_of(const Dataset& dataset) {
+  for (const std::string& line : dataset.function->id) {
+    if (const double averages = averages_in(line); averages > 0.0) return averages;
+  }
+  return 0.0;
+}
 
-void attach_coherences(ByteFile& file, Catalogue& catalogue) {
-  std::map<Coordinates, std::vector<std::size_t>> found;
-  for (std::size_t i = 0; i < catalogue.datasets.size(); ++i) {
-    const Dataset& dataset = catalogue.datasets[i];
-    if (dataset.function && usable(dataset, catalogue.header.frequency_hz)) {
-      found[coordinates(*dataset.function)].push_back(i);
+class Attachment {
+ public:
+  Attachment(ByteFile& file, Catalogue& catalogue) : file_(file), catalogue_(catalogue), doubts_(catalogue.header.doubts) {}
+
+  void run() {
+    find_records();
+    if (multiple_ > 0)
+      doubts_.push_back("multiple coherences (function type 26, " + std::to_string(multiple_) + " of them) are not used: they say nothing of one FRF alone");
+    if (found_.empty() || !all_have_one()) return;
+    for (auto& [at, record] : catalogue_.grid) {
+      record.coherence = found_.at(coordinates(function_of(record))).front();
+      require_readable(catalogue_.datasets[record.coherence]);
+      require_plausible_size(file_, catalogue_.datasets[record.coherence]);
+    }
+    catalogue_.header.noise = NoiseRecord::coherence;
+    take_averages();
+  }
+
+ private:
+  const Header58& function_of(const GridRecord& record) const { return *catalogue_.datasets[record.dataset].function; }
+  std::string name_of(const GridRecord& record) const {
+    return function_of(record).response.name() + "/" + function_of(record).reference.name();
+  }
+
+  void find_records() {
+    for (std::size_t i = 0; i < catalogue_.datasets.size(); ++i) {
+      const Dataset& dataset = catalogue_.datasets[i];
+      if (!dataset.function) continue;
+      if (dataset.function->function_type == function_multiple_coherence) ++multiple_;
+      if (usable(dataset, catalogue_.header.frequency_hz)) found_[coordinates(*dataset.function)].push_back(i);
     }
   }
-  for (const auto& [at, record] : catalogue.grid) {
-    const auto match = found.find(coordinates(*catalogue.datasets[record.dataset].function));
-    if (match == found.end() || match->second.size() != 1) return;
+
+  bool same_numbers(const std::vector<std::size_t>& records) {
+    const Points first = read_points(file_, catalogue_.datasets[records.front()]);
+    return std::ranges::all_of(records, [&](std::size_t record) {
+      return read_points(file_, catalogue_.datasets[record]).values == first.values;
+    });
   }
-  std::size_t first = npos;
-  for (auto& [at, record] : catalogue.grid) {
-    record.coherence = found.at(coordinates(*catalogue.datasets[record.dataset].function)).front();
-    require_readable(catalogue.datasets[record.coherence]);
-    require_plausible_size(file, catalogue.datasets[record.coherence]);
-    first = std::min(first, record.coherence);
+
+  /// Names those that have none, or several.
+  bool all_have_one() {
+    std::vector<std::string> without, several;
+    bool differ = false;
+    for (const auto& [at, record] : catalogue_.grid) {
+      const auto match = found_.find(coordinates(function_of(record)));
+      if (match == found_.end()) without.push_back(name_of(record));
+      if (match == found_.end() || match->second.size() == 1) continue;
+      several.push_back(name_of(record));
+      differ = differ || !same_numbers(match->second);
+    }
+    if (!without.empty()) {
+      doubts_.push_back("coherences are not used, as " + std::to_string(without.size()) + " of " + std::to_string(catalogue_.grid.size()) +
+                        " FRFs have none: " + first_of(without));
+    }
+    if (differ) doubts_.push_back("coherences are not used, as some FRFs have several that differ: " + first_of(several));
+    if (!differ && !several.empty()) doubts_.push_back("the same coherence stands there several times: " + first_of(several));
+    return without.empty() && !differ;
   }
-  catalogue.header.noise = NoiseRecord::coherence;
-  for (const std::string& line : catalogue.datasets[first].function->id) {
-    if (catalogue.header.averages == 0.0) catalogue.header.averages = averages_in(line);
+
+  static std::string first_of(const std::vector<std::string>& names) {
+    constexpr std::size_t shown = 5;
+    return comma_list(std::span(names).first(std::min(shown, names.size()))) + (names.size() > shown ? ", …" : "");
   }
-}
+
+  void take_averages() {
+    double least = 0.0, most = 0.0;
+    for (const auto& [at, record] : catalogue_.grid) {
+      double averages = averages_of(catalogue_.datasets[record.coherence]);
+      if (averages == 0.0) averages = averages_of(catalogue_.datasets[record.dataset]);
+      if (averages == 0.0) continue;
+      least = least == 0.0 ? averages : std::min(least, averages);
+      most = std::max(most, averages);
+    }
+    catalogue_.header.averages = least;
+    if (most > least) doubts_.push_back("FRFs have " + digits(least, "%.0f") + " to " + digits(most, "%.0f") + " averages: " + digits(least, "%.0f") + " are taken for all");
+  }
+
+  ByteFile& file_;
+  Catalogue& catalogue_;
+  std::vector<std::string>& doubts_;
+  std::map<Coordinates, std::vector<std::size_t>> found_;  ///< coherence records
+  std::size_t multiple_ = 0;
+};
+
+}  // namespace
+
+void attach_coherences(ByteFile& file, Catalogue& catalogue) { Attachment(file, catalogue).run(); }
 
 }  // namespace jointid::frf::uff

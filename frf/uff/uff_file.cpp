@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "base/temporary_file.hpp"
+#include "base/text.hpp"
 #include "frf/uff/uff_catalogue.hpp"
 #include "frf/uff/uff_catalogue_builder.hpp"
 #include "frf/uff/uff_text.hpp"
@@ -84,7 +85,8 @@ class UffSource final : public FrfSource {
     const Window window = values(record.dataset, lines);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const double frequency = header_.frequency_hz[lines[i]];
-      out[i * stride] = record.factor * window.at(lines[i]) * to_receptance(record.quantity, frequency);
+      const Complex value = record.factor * window.at(lines[i]) * to_receptance(record.quantity, frequency);
+      out[i * stride] = is_infinite(value) ? Complex(std::nan(""), std::nan("")) : value;  // at 0 Hz only
     }
   }
 
@@ -96,7 +98,7 @@ class UffSource final : public FrfSource {
     }
     const std::size_t first = lines.front(), count = lines.back() - first + 1;
     const std::span<const Complex> values = stored_values(index, first, count);
-    require_finite(dataset, values);
+    require_finite(dataset, values, first);
     return {values, first};
   }
 
@@ -136,7 +138,7 @@ class UffSource final : public FrfSource {
     const uff::Dataset& dataset = catalogue_.datasets[index];
     uff::Points points = uff::read_points(file_, dataset);
     if (!dataset.function->even) uff::require_axis(catalogue_, dataset, std::move(points.abscissa));
-    require_finite(dataset, points.values);
+    require_finite(dataset, points.values, 0);
     if (!dataset.binary) keep(index, std::move(points.values));
     checked_.insert(index);
   }
@@ -149,12 +151,16 @@ class UffSource final : public FrfSource {
     }
   }
 
-  /// NaN means not measured; an infinite value means nothing.
-  static void require_finite(const uff::Dataset& dataset, std::span<const Complex> values) {
-    const auto infinite = std::find_if(values.begin(), values.end(), [](const Complex& value) {
-      return std::isinf(value.real()) || std::isinf(value.imag());
-    });
-    if (infinite != values.end()) dataset.place.fail("data", "a value is infinite", "export the FRF again");
+  static bool is_infinite(const Complex& value) { return std::isinf(value.real()) || std::isinf(value.imag()); }
+
+  /// NaN means not measured; an infinite value means nothing, but at 0 Hz, where it is what a division by ω² gave. `first`: the line of
+  /// the first value.
+  void require_finite(const uff::Dataset& dataset, std::span<const Complex> values, std::size_t first) const {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double frequency = header_.frequency_hz[first + i];
+      if (!is_infinite(values[i]) || frequency == 0.0) continue;
+      dataset.place.fail("data", "a value is infinite, at " + digits(frequency, "%.9g") + " Hz", "export the FRF again, or write NaN there");
+    }
   }
 
   uff::ByteFile file_;
@@ -177,6 +183,7 @@ std::unique_ptr<FrfSource> open_uff(const std::filesystem::path& path, const Ope
 
 bool looks_like_uff(std::span<const char> first_bytes) {
   std::string_view rest(first_bytes.data(), first_bytes.size());
+  if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   const auto next_line = [&] {
     const std::size_t end = rest.find('\n');
     const std::string_view line = rest.substr(0, end);

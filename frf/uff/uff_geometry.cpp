@@ -1,5 +1,6 @@
 #include "frf/uff/uff_geometry.hpp"
 
+#include <cmath>
 #include <set>
 
 #include "frf/uff/uff_coordinate_systems.hpp"
@@ -51,7 +52,7 @@ class NodeReader {
     std::array<double, 3> local{};
     for (std::size_t i = 0; i < 3; ++i) {
       const auto value = parse_real(column(line, begin + i * width, width));
-      if (!value) fail(dataset, line);
+      if (!value || !std::isfinite(*value)) fail(dataset, line);
       local[i] = *value;
     }
     const auto position = systems_.global(defined_in_, local, length);

@@ -9,6 +9,7 @@
 namespace jointid::frf::uff {
 namespace {
 
+constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
 constexpr const char* damaged = "the file is damaged or cut off; export it again";
 
 class Scanner {
@@ -25,11 +26,16 @@ class Scanner {
  private:
   Place here() const { return {file_.name(), {}, file_.position()}; }
 
-  /// Reads up to and including the next opening -1; false at the end of the file.
+  /// Reads up to and including the next opening -1; false at the end of the file. Marks of UTF-8 stand where files were joined, too; an
+  /// end-of-file byte of DOS is passed where a dataset follows, and is the end where anything else does.
   bool find_opening() {
     for (Place place = here(); file_.next_line(line_); place = here()) {
+      const bool ends = line_.starts_with('\x1A');
+      if (ends) line_.remove_prefix(1);
+      if (line_.starts_with(utf8_mark)) line_.remove_prefix(utf8_mark.size());
       if (is_delimiter(line_)) return true;
       if (trim(line_).empty()) continue;
+      if (ends) return false;
       const std::string text = to_utf8(one_byte_per_column(line_.substr(0, 20)));
       place.fail({}, "a dataset must begin with '    -1' but '" + text + "' stands here",
                  datasets_.empty() ? "this is not a UFF file" : damaged);

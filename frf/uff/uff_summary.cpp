@@ -5,34 +5,10 @@
 #include "base/error.hpp"
 #include "frf/uff/uff58_data.hpp"
 #include "frf/uff/uff_file.hpp"
+#include "frf/uff/uff_units.hpp"
 
 namespace jointid::frf {
 namespace {
-
-constexpr std::pair<int, const char*> data_type_names[] = {{0, "unknown"},
-                                                           {1, "general"},
-                                                           {2, "stress"},
-                                                           {3, "strain"},
-                                                           {5, "temperature"},
-                                                           {6, "heat flux"},
-                                                           {8, "displacement"},
-                                                           {9, "reaction force"},
-                                                           {11, "velocity"},
-                                                           {12, "acceleration"},
-                                                           {13, "excitation force"},
-                                                           {15, "pressure"},
-                                                           {16, "mass"},
-                                                           {17, "time"},
-                                                           {18, "frequency"},
-                                                           {19, "rpm"},
-                                                           {20, "order"}};
-
-std::string data_type_name(int type) {
-  for (const auto& [code, text] : data_type_names) {
-    if (code == type) return text;
-  }
-  return "type " + std::to_string(type);
-}
 
 /// "numerator / denominator", or the numerator alone when record 10 is not used.
 std::string over(const std::string& numerator, const std::string& denominator) {
@@ -42,7 +18,6 @@ std::string over(const std::string& numerator, const std::string& denominator) {
 
 UffSummary::Function describe(const uff::Dataset& dataset) {
   const uff::Header58& header = *dataset.function;
-  const bool ratio = header.denominator.data_type != 0;
   std::array<std::string, 5> id;
   std::ranges::copy(header.id, id.begin());
   return {.dataset = dataset.name(),
@@ -52,8 +27,7 @@ UffSummary::Function describe(const uff::Dataset& dataset) {
           .response = header.response.name(),
           .reference = header.reference.name(),
           .points = header.points,
-          .quantity = over(data_type_name(header.numerator.data_type),
-                           ratio ? data_type_name(header.denominator.data_type) : std::string()),
+          .quantity = uff::quantity_in_words(header),
           .unit = over(header.numerator.unit, header.denominator.unit),
           .abscissa_unit = header.abscissa.unit};
 }

@@ -1,13 +1,17 @@
 #include "frf/uff/uff_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <system_error>
 
+#include "frf/text/label_text.hpp"
+#include "frf/text/special_number.hpp"
+
 namespace jointid::frf::uff {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
+constexpr std::string_view blanks("\0 \t\r\n\x1A", 6);
 
 /// Length of the UTF-8 sequence at `at`, 0 if it is not one (overlong forms are left to be Latin-1).
 std::size_t utf8_length(std::string_view text, std::size_t at) {
@@ -90,6 +94,28 @@ std::string_view column(std::string_view line, std::size_t begin, std::size_t wi
   return begin >= line.size() ? std::string_view() : trim(line.substr(begin, width));
 }
 
+bool has_wide_characters(std::string_view line) {
+  bool wide = false;
+  for (std::size_t at = 0; at < line.size();) {
+    const std::size_t length = utf8_length(line, at);
+    if (length == 0) return false;
+    wide = wide || length > 1;
+    at += length;
+  }
+  return wide;
+}
+
+std::string text_column(std::string_view line, std::size_t begin, std::size_t width) {
+  if (!has_wide_characters(line)) return utf8_label(column(line, begin, width));
+  const auto byte_of = [&](std::size_t wanted) {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < wanted && at < line.size(); ++i) at += utf8_length(line, at);
+    return at;
+  };
+  const std::size_t from = byte_of(begin);
+  return std::string(trim(line.substr(from, byte_of(begin + width) - from)));
+}
+
 std::vector<std::string_view> words(std::string_view line) {
   std::vector<std::string_view> found;
   for (std::size_t begin = line.find_first_not_of(blanks); begin != std::string_view::npos;) {
@@ -118,6 +144,11 @@ std::optional<double> parse_real(std::string_view text) {
   const auto [last, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && last == text.data() + text.size()) return value;
   return parse_with_exponent(text);
+}
+
+std::optional<double> parse_value(std::string_view text) {
+  const auto real = parse_real(text);
+  return real ? real : special_number(text);
 }
 
 bool is_delimiter(std::string_view line) { return trim(line) == "-1" && line.find('1') < 6; }

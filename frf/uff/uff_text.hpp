@@ -10,7 +10,7 @@
 /// Text as UFF files hold it: Fortran columns, Fortran numbers, Latin-1 or UTF-8 headers.
 namespace jointid::frf::uff {
 
-/// Without blanks, tabs and line ends on either side.
+/// Without blanks, tabs, line ends, and the NULs and end-of-file bytes (Ctrl-Z) with which some programs fill fields and files, on either side.
 std::string_view trim(std::string_view text);
 
 /// The line with one byte per column: valid UTF-8 becomes Latin-1 (characters beyond it '?'), anything else
@@ -23,6 +23,12 @@ std::string to_utf8(std::string_view latin1);
 /// Columns [begin, begin + width) of the line, trimmed; beyond the end of the line all is blank.
 std::string_view column(std::string_view line, std::size_t begin, std::size_t width);
 
+/// The same columns with one character of valid UTF-8 a column, as UTF-8; of bytes otherwise, which are then Latin-1.
+std::string text_column(std::string_view line, std::size_t begin, std::size_t width);
+
+/// Whether the line is valid UTF-8 with characters of several bytes, so that columns of characters are not those of bytes.
+bool has_wide_characters(std::string_view line);
+
 /// The blank-separated words of a line.
 std::vector<std::string_view> words(std::string_view line);
 
@@ -32,6 +38,9 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 /// A whole Fortran real: exponents with E, D, either case, or with their sign only (1.0+100). Too small is 0;
 /// too large, blank or anything else is empty.
 std::optional<double> parse_real(std::string_view text);
+
+/// A value of a data line: parse_real(), or what special_number() knows: NaN, 1.#QNAN, -1.#IND, ***, infinite.
+std::optional<double> parse_value(std::string_view text);
 
 /// The line that opens and closes every dataset: -1 in the first six columns and nothing else.
 bool is_delimiter(std::string_view line);

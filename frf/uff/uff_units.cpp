@@ -2,49 +2,134 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <string>
+#include <utility>
 
+#include "base/error.hpp"
+#include "frf/text/unit_names.hpp"
 #include "frf/uff/uff_text.hpp"
 
 namespace jointid::frf::uff {
 namespace {
+
+constexpr std::array data_type_names = std::to_array<std::pair<int, const char*>>({{0, "unknown"},
+                                                                                   {1, "general"},
+                                                                                   {2, "stress"},
+                                                                                   {3, "strain"},
+                                                                                   {5, "temperature"},
+                                                                                   {6, "heat flux"},
+                                                                                   {8, "displacement"},
+                                                                                   {9, "reaction force"},
+                                                                                   {11, "velocity"},
+                                                                                   {12, "acceleration"},
+                                                                                   {13, "excitation force"},
+                                                                                   {15, "pressure"},
+                                                                                   {16, "mass"},
+                                                                                   {17, "time"},
+                                                                                   {18, "frequency"},
+                                                                                   {19, "rpm"},
+                                                                                   {20, "order"}});
+
+std::string data_type_name(int type) {
+  const auto found = std::ranges::find(data_type_names, type, &std::pair<int, const char*>::first);
+  return found != data_type_names.end() ? found->second : "type " + std::to_string(type);
+}
+
+bool is_motion(int type) { return type == type_displacement || type == type_velocity || type == type_acceleration; }
 
 /// What records 9 and 10 say by their unit labels.
 struct LabelledUnits {
   std::optional<Quantity> quantity;
   std::optional<double> numerator;
   std::optional<double> denominator;
+  bool ratio = false;  ///< the label of record 9 is that of the whole FRF
 };
+
+constexpr const char* give_quantity =
+    "give the key quantity = \"receptance\", \"mobility\" or \"accelerance\" under [data.files.\"NAME\"] in "
+    "the scene, or "
+    "--quantity of the command";
+
+constexpr const char* give_unit =
+    "export calibrated channels, or say what its numbers are: unit = \"m/(s^2*N)\" under [data.files.\"NAME\"] in the scene, or "
+    "--unit of "
+    "the command";
 
 std::optional<Quantity> quantity_of_time_exponent(int exponent) {
   if (exponent > 0 || exponent < -2) return std::nullopt;
   return static_cast<Quantity>(-exponent);
 }
 
-LabelledUnits read_labels(const Header58& header) {
-  LabelledUnits read;
+[[noreturn]] void refuse(const char* record, const std::string& problem, const std::string& hint, const Place& place) {
+  place.fail(record, problem + (hint.empty() || hint.ends_with('?') ? "" : ": " + hint),
+             (hint.ends_with('?') ? hint + " Or " : "") + give_unit);
+}
+
+/// Empty where the label states none.
+std::optional<Unit> stated_unit(const std::string& label, const char* record, const Place& place) {
+  const auto unit = parse_unit(label);
+  if (!unit && !states_no_unit(label)) refuse(record, "unknown unit '" + shown_label(label) + "'", unit_hint(label), place);
+  return unit;
+}
+
+/// Rms over peak, and capitals alone above a unit that depends on them.
+void require_together(const AxisRecord& above, const AxisRecord& below, const Place& place) {
+  const std::string ratio = "(" + above.unit + ")/(" + below.unit + ")";
+  if (parse_unit(above.unit) && parse_unit(below.unit) && !parse_unit(ratio)) {
+    refuse("records 9 and 10", "units '" + shown_label(above.unit) + "' and '" + shown_label(below.unit) + "' do not go together",
+           unit_hint(ratio), place);
+  }
+}
+
+/// The label of a translation at a rotation, as programs write that know no other.
+bool is_si_at_rotation(const Unit& unit, const DofRecord& dof) { return unit.si == 1.0 && dof.is_rotation(); }
+
+void read_denominator(const Header58& header, const Place& place, LabelledUnits& read) {
+  const auto unit = stated_unit(header.denominator.unit, "record 10", place);
+  if (!unit || read.ratio) return;
+  const int length = header.reference.is_rotation() ? 1 : 0;
+  if (unit->same_dimension({1.0, length, 0, 1})) {
+    read.denominator = unit->si;
+  } else if (!is_si_at_rotation(*unit, header.reference) || unit->force != 1) {
+    refuse("record 10",
+           "unit '" + shown_label(header.denominator.unit) + "' is not one of a " + (length == 1 ? "moment" : "force"), {},
+           place);
+  }
+}
+
+void read_numerator(const Header58& header, const Place& place, LabelledUnits& read) {
+  const auto unit = stated_unit(header.numerator.unit, "record 9", place);
+  if (!unit) return;
   const int motion_length = header.response.is_rotation() ? 0 : 1;
   const int load_length = header.reference.is_rotation() ? 1 : 0;
-  const auto denominator = parse_label(header.denominator.unit);
-  if (denominator && denominator->same_dimension({1.0, load_length, 0, 1}))
-    read.denominator = denominator->si;
-  const auto numerator = parse_label(header.numerator.unit);
-  if (!numerator) return read;
-  const auto quantity = quantity_of_time_exponent(numerator->time);
-  const bool motion = numerator->force == 0 && numerator->length == motion_length;
-  const bool ratio = numerator->force == -1 && numerator->length == motion_length - load_length;
-  if (!quantity || (!motion && !ratio)) return read;
-  read.quantity = quantity;
-  read.numerator = numerator->si;
-  if (ratio) read.denominator = 1.0;
+  const auto quantity = quantity_of_time_exponent(unit->time);
+  const bool motion = unit->force == 0 && unit->length == motion_length;
+  read.ratio = quantity && unit->force == -1 && unit->length == motion_length - load_length;
+  if (quantity && (motion || read.ratio)) {
+    read.quantity = quantity;
+    read.numerator = unit->si;
+    if (read.ratio) read.denominator = 1.0;
+  } else if (!quantity || unit->force > 0 ||
+             (!is_si_at_rotation(*unit, header.response) && !is_si_at_rotation(*unit, header.reference))) {
+    refuse("record 9",
+           "unit '" + shown_label(header.numerator.unit) + "' is not one of a " +
+               (motion_length == 1 ? "translation" : "rotation") + ", its velocity or acceleration",
+           {}, place);
+  }
+}
+
+LabelledUnits read_labels(const Header58& header, const Place& place) {
+  LabelledUnits read;
+  read_numerator(header, place, read);
+  read_denominator(header, place, read);
+  require_together(header.numerator, header.denominator, place);
   return read;
 }
 
 std::optional<Quantity> quantity_of_types(const Header58& header, const Place& place) {
   const int above = header.numerator.data_type;
   const int below = header.denominator.data_type;
-  const bool motion = above == type_displacement || above == type_velocity || above == type_acceleration;
+  const bool motion = is_motion(above);
   if ((!motion && above > 1) || (below != type_force && below > 1)) {
     place.fail("records 9 and 10",
                "an FRF of data type " + std::to_string(above) + " over " + std::to_string(below) +
@@ -56,13 +141,13 @@ std::optional<Quantity> quantity_of_types(const Header58& header, const Place& p
   return above == type_velocity ? Quantity::mobility : Quantity::accelerance;
 }
 
-constexpr const char* give_quantity =
-    "give the key quantity = \"receptance\", \"mobility\" or \"accelerance\" under [data.files.\"NAME\"] in "
-    "the scene, or "
-    "--quantity of the command";
+/// By the labels alone: they say motion, and they or the data type say force.
+std::optional<Quantity> quantity_of_labels(const LabelledUnits& labels, const Header58& header) {
+  return labels.denominator || header.denominator.data_type == type_force ? labels.quantity : std::nullopt;
+}
 
-Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity> label,
-                          std::optional<Quantity> given, const Header58& header, const Place& place) {
+Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity> label, std::optional<Quantity> given,
+                          const Header58& header, const Place& place) {
   if (given) return *given;
   if (!types) {
     place.fail("records 9 and 10",
@@ -72,37 +157,77 @@ Quantity resolve_quantity(std::optional<Quantity> types, std::optional<Quantity>
   }
   if (label && label != types) {
     place.fail("record 9",
-               "data type " + std::to_string(header.numerator.data_type) + " makes it " + name(*types) +
-                   " but its unit '" + header.numerator.unit + "' makes it " + name(*label),
+               "data type " + std::to_string(header.numerator.data_type) + " makes it " + name(*types) + " but its unit '" +
+                   header.numerator.unit + "' makes it " + name(*label),
                give_quantity);
   }
   return *types;
 }
 
-}  // namespace
-
-std::optional<Unit> parse_label(std::string_view label) {
-  constexpr std::array<std::pair<char, std::string_view>, 4> spellings = {{{'\xB5', "u"}, {'\xB2', "^2"}, {'\xB3', "^3"}, {'\xB7', "*"}}};
-  std::string ascii;
-  for (const char c : one_byte_per_column(trim(label))) {
-    const auto found = std::ranges::find(spellings, c, &std::pair<char, std::string_view>::first);
-    ascii += found != spellings.end() ? std::string(found->second) : std::string(1, c);
+/// The label of record 9 is of another quantity than the user says: its force holds, its motion is not used.
+void drop_motion(LabelledUnits& labels, const Header58& header, Quantity given, const Place& place) {
+  if (labels.numerator != 1.0) {
+    place.fail(
+        "record 9",
+        "its unit '" + shown_label(header.numerator.unit) + "' is one of " + name(*labels.quantity) + ", and " + name(given) +
+            " is given: nothing says in which unit its numbers are",
+        "give the unit, too: unit = \"" + unit(given) + "\" under [data.files.\"NAME\"] in the scene, or --unit of the command");
   }
-  return parse_unit(ascii);
+  labels.numerator.reset();
+  if (labels.ratio) labels.denominator.reset();
 }
 
-Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given,
+/// With the unit that the user gives in place of the labels.
+Header58 with_unit(const Header58& header, const std::string& unit, const Place& place) {
+  Header58 said = header;
+  said.numerator.unit = unit;
+  said.denominator.unit.clear();
+  LabelledUnits read;
+  read_numerator(said, place, read);
+  if (!read.ratio) {
+    place.fail("record 9",
+               "the unit '" + shown_label(unit) + "' that is given is not one of " + said.response.name() + " over " +
+                   said.reference.name(),
+               "give that of motion over force, e.g. m/(s^2*N) or g/lbf");
+  }
+  return said;
+}
+
+Ordinate interpret_labelled(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given,
                             const Place& place) {
-  LabelledUnits labels = read_labels(header);
+  LabelledUnits labels = read_labels(header, place);
   Ordinate ordinate;
-  const auto types = quantity_of_types(header, place);
+  auto types = quantity_of_types(header, place);
+  if (!types) types = quantity_of_labels(labels, header);
   ordinate.quantity = resolve_quantity(types, labels.quantity, given, header, place);
   ordinate.stated = types ? types : labels.quantity;
-  if (labels.quantity && labels.quantity != ordinate.quantity) labels = {};
+  if (labels.quantity && labels.quantity != ordinate.quantity) drop_motion(labels, header, ordinate.quantity, place);
   const double motion = header.response.is_rotation() ? 1.0 : 1.0 / factors.length;
   const double load = (header.reference.is_rotation() ? 1.0 / factors.length : 1.0) / factors.force;
   ordinate.to_si = labels.numerator.value_or(motion) / labels.denominator.value_or(load);
   return ordinate;
+}
+
+}  // namespace
+
+std::optional<Unit> parse_label(std::string_view label) { return parse_unit(label); }
+
+bool may_be_motion_over_force(const Header58& header) {
+  const int above = header.numerator.data_type, below = header.denominator.data_type;
+  if ((!is_motion(above) && above > 1) || (below != type_force && below > 1)) return false;
+  if (above > 1 || parse_unit(header.numerator.unit)) return true;
+  const std::string hint = unit_hint(header.numerator.unit);
+  return !hint.ends_with("is a pressure") && !hint.ends_with("is a strain") && !hint.ends_with("is a temperature");
+}
+
+std::string quantity_in_words(const Header58& header) {
+  const std::string above = data_type_name(header.numerator.data_type);
+  return header.denominator.data_type == 0 ? above : above + " / " + data_type_name(header.denominator.data_type);
+}
+
+Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, const GivenUnits& given, const Place& place) {
+  if (given.unit.empty()) return interpret_labelled(header, factors, given.quantity, place);
+  return interpret_labelled(with_unit(header, given.unit, place), factors, given.quantity, place);
 }
 
 std::optional<bool> spectrum_of_forces(const Header58& header) {
@@ -111,30 +236,34 @@ std::optional<bool> spectrum_of_forces(const Header58& header) {
   return unit ? std::optional(unit->force == 1) : std::nullopt;
 }
 
-Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given, const Place& place) {
-  const int turns = header.response.is_rotation() ? 1 : 0;
-  const auto unit = parse_label(header.numerator.unit);
+Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, const GivenUnits& given, const Place& place) {
+  Header58 motion = header;
+  if (!given.unit.empty()) motion.numerator.unit = given.unit;
   if (spectrum_of_forces(header).value_or(false)) {
+    const int turns = header.response.is_rotation() ? 1 : 0;
+    const auto unit = stated_unit(motion.numerator.unit, "record 9", place);
     const bool fits = unit && unit->same_dimension({1.0, turns, 0, 1});
+    if (unit && !fits && !is_si_at_rotation(*unit, header.response))
+      refuse("record 9", "unit '" + shown_label(motion.numerator.unit) + "' is not one of a " + (turns == 1 ? "moment" : "force"),
+             {}, place);
     return {.to_si = fits ? unit->si : (turns == 1 ? 1.0 / factors.length : 1.0) / factors.force};
   }
   // That of the same motion over 1 N.
-  Header58 motion = header;
   motion.denominator = {.data_type = type_force, .unit = "N"};
   motion.reference.direction = static_cast<int>(Direction::x);
-  return interpret_ordinate(motion, factors, given, place);
+  return interpret_labelled(motion, factors, given.quantity, place);
 }
 
 double abscissa_to_hz(const Header58& header, const Place& place) {
   if (header.abscissa.data_type > 1 && header.abscissa.data_type != type_frequency) {
-    place.fail(
-        "record 8",
-        "abscissa of data type " + std::to_string(header.abscissa.data_type) + " is not a frequency (18)",
-        "export FRFs over frequency");
+    place.fail("record 8", "abscissa of data type " + std::to_string(header.abscissa.data_type) + " is not a frequency (18)",
+               "export FRFs over frequency");
   }
-  if (header.abscissa.unit == "kHz") return 1000.0;
-  if (header.abscissa.unit == "rad/s") return 1.0 / (2.0 * std::numbers::pi);
-  return 1.0;
+  try {
+    return hertz_per(header.abscissa.unit).value_or(1.0);
+  } catch (const InputError& error) {
+    place.fail("record 8", error.parts().problem, error.parts().remedy);
+  }
 }
 
 }  // namespace jointid::frf::uff

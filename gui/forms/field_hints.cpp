@@ -71,6 +71,7 @@ const Hints& hints() {
       {"virtual_points impact_weights", QT_TRANSLATE_NOOP("Said", "of impacts in the fit: { \"33:+Y\" = 0.5 }")},
       {"virtual_points files", QT_TRANSLATE_NOOP("Said", "in which files; without them in all that have its sensors")},
       {"data.files.* quantity", QT_TRANSLATE_NOOP("Said", "receptance, mobility or accelerance, whatever the file says")},
+      {"data.files.* unit", QT_TRANSLATE_NOOP("Said", "of its FRFs, where it says none or a wrong one: g/lbf")},
       {"data.files.* dofs", QT_TRANSLATE_NOOP("Said", "of its responses: 4:+Y, 5:+Y")},
       {"data.files.* reference_dofs", QT_TRANSLATE_NOOP("Said", "of its references; without them those of the responses")},
       {"data.files.* variable", QT_TRANSLATE_NOOP("Said", "the variable of a MATLAB file that has the FRFs")},

@@ -24,6 +24,7 @@ std::string list_text(const char* option, const std::vector<frf::Dof>& dofs) {
 std::string open_text(const frf::OpenOptions& options) {
   std::string text;
   if (options.quantity) text += " --quantity " + frf::name(*options.quantity);
+  if (!options.unit.empty()) text += " --unit " + shell_word(q(options.unit)).toStdString();
   if (!options.variable.empty()) text += " --variable " + shell_word(q(options.variable)).toStdString();
   return text + list_text("response", options.response) + list_text("reference", options.reference);
 }

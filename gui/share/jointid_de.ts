@@ -2590,6 +2590,10 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>ihrer Referenzen; ohne sie die der Antworten</translation>
     </message>
     <message>
+        <source>of its FRFs, where it says none or a wrong one: g/lbf</source>
+        <translation>ihrer FRFs, wo sie keine oder eine falsche nennt: g/lbf</translation>
+    </message>
+    <message>
         <source>the variable of a MATLAB file that has the FRFs</source>
         <translation>die Variable einer MATLAB-Datei mit den FRFs</translation>
     </message>

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "frf/set/unit_label.hpp"
 #include "ident/scene/scene_sections.hpp"
 
 namespace jointid::ident {
@@ -49,7 +50,7 @@ std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names
 
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
-  keys.insert(keys.begin(), {"quantity", "dofs", "reference_dofs", "variable", "mass"});
+  keys.insert(keys.begin(), {"quantity", "unit", "dofs", "reference_dofs", "variable", "mass"});
   return item.table(keys);
 }
 
@@ -58,6 +59,12 @@ frf::OpenOptions read_options(const scene::Table& table) {
   if (const auto quantity = table.find("quantity")) {
     const std::string& word = quantity->text();
     options.quantity = quantity->here([&] { return frf::parse_quantity(word); });
+  }
+  if (const auto unit = table.find("unit")) {
+    options.unit = unit->text_not_empty();
+    const std::string hint = frf::unit_hint(options.unit);
+    if (!frf::parse_unit(options.unit))
+      unit->fail("unknown unit '" + frf::shown_label(options.unit) + "'" + (hint.empty() ? "" : ": " + hint), "write motion over force, e.g. m/(s^2*N) or g/lbf");
   }
   if (const auto dofs = table.find("dofs")) options.response = dofs->dofs();
   if (const auto dofs = table.find("reference_dofs")) {

@@ -1,4 +1,4 @@
-#include "frf/uff/analyser_file.hpp"
+#include "frf/csv/analyser_file.hpp"
 
 #include <gmock/gmock.h>
 

@@ -18,13 +18,13 @@ bool looks_like_analyser_text(std::span<const char> head);
 ///     Units: Ratio
 ///     Ref Chan:Resp Chan ⇥ 1+Z:4-Z        reference:response, node and direction; or Resp Chan:Ref Chan
 ///     …                                   other labels are passed over
-///     Frequency ⇥ Real ⇥ Imaginary        in Hz; a pair of columns per FRF
+///     Frequency ⇥ Real ⇥ Imaginary        a pair of columns per FRF
 ///     Units:
-///     Hz ⇥ (m/s²)(N) ⇥                    motion over force, (A)(B) meaning A/B; tells the quantity
+///     Hz ⇥ (m/s²)(N) ⇥                    of the frequencies; motion over force, (A)(B) meaning A/B; tells the quantity
 ///     0.0 ⇥ -0.16 ⇥ 0
 ///
 /// The DOFs of OpenOptions come first: as many responses × references as FRFs, row by row. Without a unit OpenOptions::quantity
-/// in SI units is taken. Throws InputError naming the line of what does not fit.
+/// in SI units is taken; OpenOptions::unit stands in place of all units. Throws InputError naming the line of what does not fit.
 std::unique_ptr<FrfSource> open_analyser_text(const std::filesystem::path& path, const OpenOptions& options = {});
 
 }  // namespace jointid::frf

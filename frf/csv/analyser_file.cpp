@@ -1,4 +1,4 @@
-#include "frf/uff/analyser_file.hpp"
+#include "frf/csv/analyser_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,9 @@
 
 #include "base/error.hpp"
 #include "frf/set/line_scale.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
+#include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
@@ -152,7 +154,7 @@ class AnalyserText {
     while (!rest.empty()) {
       const std::string_view line = take_until(rest, '\n');
       ++line_;
-      if (trimmed(line).empty()) continue;
+      if (without_padding(line).empty()) continue;  // an end-of-file byte of DOS, too
       const std::vector<std::string_view> cells = split(line, '\t');
       if (set_.header.frequency_hz.empty() && is_label(cells)) {
         read_units(cells);
@@ -170,7 +172,7 @@ class AnalyserText {
   void read_units(const std::vector<std::string_view>& cells) {
     const std::string of_axis = lower_case(cells[0]);
     if (of_axis.empty() || of_axis.starts_with("units")) return;
-    if (of_axis != "hz") fail(here(), "the axis is in '" + as_utf8(cells[0].substr(0, 20)) + "'", "export frequencies in Hz");
+    hz_per_unit_ = located(set_.header.file, here(), [&] { return hertz_per(cells[0]).value_or(1.0); });
     for (std::size_t k = 0; k < frfs_ && 2 * k + 1 < cells.size(); ++k) units_[k] = as_ratio(as_utf8(cells[2 * k + 1]));
   }
 
@@ -184,12 +186,13 @@ class AnalyserText {
         fail(here() + ", column " + std::to_string(i + 1), "'" + as_utf8(cells[i].substr(0, 30)) + "' is not a number",
              "export the FRF again");
       }
-      i == 0 ? set_.header.frequency_hz.push_back(value) : cells_.push_back(value);
+      i == 0 ? set_.header.frequency_hz.push_back(hz_per_unit_ * value) : cells_.push_back(value);
     }
   }
 
   /// The quantity that the units are of, and their factors to SI.
   std::vector<double> si_factors() {
+    if (!options_.unit.empty()) units_.assign(frfs_, options_.unit);
     if (std::ranges::all_of(units_, [](const std::string& unit) { return unit.empty(); })) {
       if (!options_.quantity) fail({}, "does not say which quantity it holds", "name it, e.g. --quantity accelerance");
       set_.header.quantity = *options_.quantity;
@@ -231,6 +234,7 @@ class AnalyserText {
   const OpenOptions& options_;
   FrfSet set_;
   std::size_t line_ = 0, frfs_ = 0;
+  double hz_per_unit_ = 1.0;
   bool response_first_ = false;
   std::vector<std::string_view> channels_;
   std::vector<std::string> units_;
