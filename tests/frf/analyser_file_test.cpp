@@ -66,6 +66,20 @@ TEST_F(AnalyserFile, TheUnitTellsTheQuantityAndTheFactor) {
   EXPECT_THAT(error(exported("1+Z:4Z", "(V)(N)", row)), HasSubstr("unknown unit '(V)/(N)'"));
 }
 
+TEST_F(AnalyserFile, UnitsOfOtherAnalysers) {
+  const std::string row = "10\t 2\t 0\r\n";
+  const double plain = read(exported("1+Z:4Z", "(m/s^2)(N)", row)).values[0].real();
+  EXPECT_NEAR(read(exported("1+Z:4Z", "(G)(LBF)", row)).values[0].real() / plain, 9.80665 / 4.4482216152605, 1e-14);
+  EXPECT_NEAR(read(exported("1+Z:4Z", "(g rms)(N rms)", row)).values[0].real() / plain, 9.80665, 1e-13);
+  EXPECT_NEAR(read(exported("1+Z:4Z", "(IN/S^2)(lbs)", row + "\x1A")).values[0].real() / plain, 0.0254 / 4.4482216152605, 1e-14);
+  EXPECT_THAT(error(exported("1+Z:4Z", "(m/s^2)(V)", row)), HasSubstr("V is a voltage"));
+  OpenOptions said;
+  said.unit = "g/lbf";
+  EXPECT_NEAR(read(exported("1+Z:4Z", "(V)(V)", row), said).values[0].real() / plain, 9.80665 / 4.4482216152605, 1e-14);
+  EXPECT_NEAR(read("Ref Chan:Resp Chan\t1Z:2Z\nFrequency\tReal\tImaginary\nrad/sec\t(m)(N)\n1\t2\t3\n").header.frequency_hz[0],
+              0.5 / std::numbers::pi, 1e-16);
+}
+
 TEST_F(AnalyserFile, DofsMayBeGivenWhereTheLabelsSayNothing) {
   const std::string row = "10\t 2\t 0\r\n";
   const OpenOptions given = of_dofs(dofs({"4:-X"}), dofs({"1:+X"}));
@@ -92,8 +106,8 @@ TEST_F(AnalyserFile, WhatDoesNotFitIsNamedWithItsLine) {
   EXPECT_THAT(error(exported("1+Z:4Z", unit, "10\t 2\t x\r\n")), HasSubstr("line 10, column 3: 'x' is not a number"));
   EXPECT_THAT(error(exported("1+Z:4Z", unit, "")), HasSubstr("holds no lines of numbers"));
   EXPECT_THAT(error("Frequency\tReal\tPhase\n10\t1\t2\n"), HasSubstr("not Real and Imaginary"));
-  EXPECT_THAT(error("Ref Chan:Resp Chan\t1Z:2Z\nFrequency\tReal\tImaginary\nrad/s\t(m)(N)\n1\t2\t3\n"),
-              HasSubstr("the axis is in 'rad/s'"));
+  EXPECT_THAT(error("Ref Chan:Resp Chan\t1Z:2Z\nFrequency\tReal\tImaginary\norder\t(m)(N)\n1\t2\t3\n"),
+              HasSubstr("line 3: 'order' is no unit of frequency that is known"));
 }
 
 TEST_F(AnalyserFile, AMeasuredExportIsThatOfTheBeam) {
