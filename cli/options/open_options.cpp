@@ -2,24 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
-#include "base/error.hpp"
 #include "cli/options/of_option.hpp"
 #include "frf/set/merged_set.hpp"
-#include "frf/set/unit_label.hpp"
+#include "frf/set/units.hpp"
 
 namespace jointid::cli {
-namespace {
-
-[[noreturn]] void unknown_unit(const std::string& text) {
-  const std::string hint = frf::unit_hint(text);
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = {},
-                    .place = "--unit",
-                    .problem = "unknown unit '" + frf::shown_label(text) + "'",
-                    .remedy = (hint.empty() ? "" : hint + (hint.ends_with('?') ? " " : "; ")) + "write motion over force, e.g. m/(s^2*N) or g/lbf"});
-}
-
-}  // namespace
 
 std::vector<frf::Dof> parse_dofs(const std::vector<std::string>& texts) {
   std::vector<frf::Dof> dofs;
@@ -54,7 +41,7 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
       "receptance, mobility or accelerance, for files that do not name it or name a wrong one");
   command->add_option_function<std::string>(
       "--unit", [&open](const std::string& text) {
-        if (!frf::parse_unit(text)) unknown_unit(text);
+        of_option("--unit", [&] { frf::require_frf_unit(text); });
         open.unit = text;
       },
       "UFF, text exports: unit of the FRFs in place of what the file says, e.g. g/lbf");

@@ -52,4 +52,13 @@ double si_factor(std::string_view unit_label, const FrfHeader& header) {
   return factor;
 }
 
+void require_frf_unit(std::string_view unit_label) {
+  const std::string remedy = "write motion over force, e.g. m/(s^2*N), mm/s/N or g/lbf";
+  const std::optional<Unit> unit = parse_unit(unit_label);
+  if (!unit) fail("unknown unit '" + shown_label(unit_label) + "'", with_hint(unit_hint(unit_label), remedy));
+  const auto of = [&](Quantity quantity) { return fits(*unit, quantity); };
+  if (!of(Quantity::receptance) && !of(Quantity::mobility) && !of(Quantity::accelerance))
+    fail("unit '" + shown_label(unit_label) + "' is no motion over a force", remedy);
+}
+
 }  // namespace jointid::frf

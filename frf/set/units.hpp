@@ -17,4 +17,7 @@ double si_factor(std::string_view unit_label, Quantity quantity);
 /// of rad/N), so a set with rotations must be in SI units; otherwise throws InputError.
 double si_factor(std::string_view unit_label, const FrfHeader& header);
 
+/// Throws InputError (data) unless the label is a motion over a force or moment, of any quantity.
+void require_frf_unit(std::string_view unit_label);
+
 }  // namespace jointid::frf

@@ -35,9 +35,11 @@ std::optional<double> of_old_windows(std::string_view text) {
 }  // namespace
 
 std::optional<double> special_number(std::string_view text) {
-  std::string lower = lower_case(text);
-  std::erase_if(lower, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+  const std::string lower = lower_case(text);
+  constexpr std::string_view blanks = " \t\r";
   std::string_view word = lower;
+  word.remove_prefix(std::min(word.size(), word.find_first_not_of(blanks)));
+  word = word.substr(0, word.find_last_not_of(blanks) + 1);
   if (word.empty()) return std::nullopt;
   if (std::ranges::all_of(word, [](char c) { return c == '*'; })) return nan;
   const double sign = word.starts_with('-') ? -1.0 : 1.0;

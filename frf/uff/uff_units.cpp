@@ -195,9 +195,9 @@ Header58 with_unit(const Header58& header, const std::string& unit, const Place&
 
 Ordinate interpret_labelled(const Header58& header, const UnitFactors& factors, std::optional<Quantity> given,
                             const Place& place) {
+  auto types = quantity_of_types(header, place);
   LabelledUnits labels = read_labels(header, place);
   Ordinate ordinate;
-  auto types = quantity_of_types(header, place);
   if (!types) types = quantity_of_labels(labels, header);
   ordinate.quantity = resolve_quantity(types, labels.quantity, given, header, place);
   ordinate.stated = types ? types : labels.quantity;
@@ -238,7 +238,8 @@ std::optional<bool> spectrum_of_forces(const Header58& header) {
 
 Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, const GivenUnits& given, const Place& place) {
   Header58 motion = header;
-  if (!given.unit.empty()) motion.numerator.unit = given.unit;
+  if (!given.unit.empty())
+    place.fail("record 9", "the unit '" + shown_label(given.unit) + "' is given, and this is a spectrum, no FRF", "leave it out");
   if (spectrum_of_forces(header).value_or(false)) {
     const int turns = header.response.is_rotation() ? 1 : 0;
     const auto unit = stated_unit(motion.numerator.unit, "record 9", place);

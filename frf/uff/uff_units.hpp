@@ -56,7 +56,7 @@ Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, 
 std::optional<bool> spectrum_of_forces(const Header58& header);
 
 /// Interprets record 9 of a spectrum, whose denominator says nothing: motions as numerators of FRFs; a force (moment) becomes N (N·m) by
-/// its unit label, else by dataset 164, and is called a receptance. `given.unit` stands in place of the label.
+/// its unit label, else by dataset 164, and is called a receptance. Throws InputError for labels as interpret_ordinate(), and where a unit is given, which is one of FRFs.
 Ordinate interpret_spectrum(const Header58& header, const UnitFactors& factors, const GivenUnits& given, const Place& place);
 
 /// Factor to Hz of the abscissa by its label, hertz_per(); 1 without one. Throws InputError at record 8 for a label that is not understood,

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "frf/set/unit_label.hpp"
+#include "frf/set/units.hpp"
 #include "ident/scene/scene_sections.hpp"
 
 namespace jointid::ident {
@@ -62,9 +62,7 @@ frf::OpenOptions read_options(const scene::Table& table) {
   }
   if (const auto unit = table.find("unit")) {
     options.unit = unit->text_not_empty();
-    const std::string hint = frf::unit_hint(options.unit);
-    if (!frf::parse_unit(options.unit))
-      unit->fail("unknown unit '" + frf::shown_label(options.unit) + "'" + (hint.empty() ? "" : ": " + hint), "write motion over force, e.g. m/(s^2*N) or g/lbf");
+    unit->here([&] { frf::require_frf_unit(options.unit); });
   }
   if (const auto dofs = table.find("dofs")) options.response = dofs->dofs();
   if (const auto dofs = table.find("reference_dofs")) {

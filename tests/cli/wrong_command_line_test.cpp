@@ -129,6 +129,7 @@ const Wrong command_lines[] = {
      {"info", "a.h5", "--quantity", "volts"},
      2,
      {"--quantity", "'volts'", "receptance, mobility or accelerance"}},
+    {"UnitWord", {}, {"info", "a.h5", "--unit", "V/N"}, 2, {"--unit", "unknown unit 'V/N'", "V is a voltage"}},
     {"DofWord",
      {},
      {"info", "a.h5", "--response", "1:+Y,4:+Q"},

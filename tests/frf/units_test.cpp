@@ -52,6 +52,12 @@ TEST(Units, AUnitOfAnotherQuantityIsAnError) {
   EXPECT_NE(product.find("unit 'm N' is not a unit of receptance"), std::string::npos) << product;
 }
 
+TEST(Units, OfFrfsAreMotionsOverForces) {
+  for (const char* label : {"m/N", "mm/s/N", "g/lbf", "rad/(N*m)", "1/kg"}) EXPECT_NO_THROW(require_frf_unit(label)) << label;
+  EXPECT_NE(message_of([] { require_frf_unit("g"); }).find("unit 'g' is no motion over a force; write"), std::string::npos);
+  EXPECT_NE(message_of([] { require_frf_unit("V/N"); }).find("V is a voltage"), std::string::npos);
+}
+
 TEST(Units, ALabelOfTranslationsDoesNotScaleRotations) {
   FrfHeader header;
   header.response = dofs({"1:+Y", "1:+RZ"});
