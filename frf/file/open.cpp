@@ -5,26 +5,24 @@
 namespace jointid::frf {
 namespace {
 
-void require_applicable(const std::filesystem::path& path, const Format& format, const OpenOptions& options) {
-  const auto refuse = [&](const char* option, const char* what, const char* remedy) {
-    throw InputError({.kind = ErrorKind::usage,
-                      .file = path.string(),
-                      .place = {},
-                      .problem = std::string(option) + " is given, and " + format.name + " " + what,
-                      .remedy = remedy});
-  };
-  const bool uff = format.format == FileFormat::uff, analyser = format.format == FileFormat::analyser_text;
-  if (!options.variable.empty() && (uff || analyser || format.format == FileFormat::csv))
-    refuse("variable (--variable)", "has no variables", "leave it out");
-  if (!options.unit.empty() && !uff && !analyser)
-    refuse("unit (--unit)", "has a place of its own for it", "write it there: # unit = g/lbf in CSV, a variable unit in MATLAB files, the attribute in HDF5");
+/// Of formats that have a place of their own for it, it is told there.
+void require_unit_applies(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
+  if (options.unit.empty() || format.format == FileFormat::uff || format.format == FileFormat::analyser_text) return;
+  throw InputError({.kind = ErrorKind::usage,
+                    .file = path.string(),
+                    .place = {},
+                    .problem = "the unit '" + options.unit + "' is given, and a file of format " + format.name +
+                               " has a place of its own for it",
+                    .remedy = "write it there (# unit = g/lbf in CSV, a variable unit in MATLAB files, an attribute in HDF5) and "
+                              "leave out --unit, in a "
+                              "scene unit"});
 }
 
 }  // namespace
 
 std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOptions& options) {
   const Format& format = format_of(path);
-  require_applicable(path, format, options);
+  require_unit_applies(format, path, options);
   auto source = format.open(path, options);
   return options.quantity ? reinterpreted(std::move(source), *options.quantity) : std::move(source);
 }

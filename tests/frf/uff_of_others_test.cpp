@@ -279,9 +279,9 @@ TEST(UffOfOthers, OptionsThatDoNotApplyAreErrors) {
             HasSubstr("rename")));
   EXPECT_THAT(refusal(accelerance().str(), named({}, {"8:+X"})), HasSubstr("its references are given"));
   expect_right(read(accelerance().str(), named({"1:+Z"}, {"1:+Z"})));  // no contradiction
-  OpenOptions variable;
-  variable.variable = "H";
-  EXPECT_THAT(refusal(accelerance().str(), variable), HasSubstr("variable (--variable) is given, and UFF has no variables"));
+  const std::string table = "# quantity = receptance\nfrequency_hz, 1:Y/1:Y re, 1:Y/1:Y im\n10, 1, 0\n";
+  EXPECT_THAT(refusal(table, said("g/lbf")),
+              HasSubstr("the unit 'g/lbf' is given, and a file of format CSV has a place of its own for it"));
 }
 
 TEST(UffOfOthers, NamesOfPoints) {
