@@ -40,7 +40,8 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
       },
       "receptance, mobility or accelerance, for files that do not name it or name a wrong one");
   command->add_option_function<std::string>(
-      "--unit", [&open](const std::string& text) {
+      "--unit",
+      [&open](const std::string& text) {
         of_option("--unit", [&] { frf::require_frf_unit(text); });
         open.unit = text;
       },
@@ -54,7 +55,8 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
         ->delimiter(',');
   };
   dofs("--response", open.response,
-       "Response DOFs, e.g. 4:+Y,4:+RZ, for files without DOFs (MAT, CSV, UFF without directions, text exports); with several files one each");
+       "Response DOFs, e.g. 4:+Y,4:+RZ, for files without DOFs (MAT, CSV, UFF without directions, text exports); with several "
+       "files one each");
   dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
   command->add_option("--variable", open.variable, "MAT: name of the FRF variable");
 }

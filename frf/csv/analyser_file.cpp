@@ -30,7 +30,8 @@ std::string as_utf8(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    const bool pair = byte >= 0xC2 && byte <= 0xDF && i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) & 0xC0U) == 0x80U;
+    const bool pair =
+        byte >= 0xC2 && byte <= 0xDF && i + 1 < text.size() && (static_cast<unsigned char>(text[i + 1]) & 0xC0U) == 0x80U;
     if (byte < 0x80 || pair) {
       out += text[i];
       if (pair) out += text[++i];
@@ -71,7 +72,9 @@ std::size_t dof_place(std::vector<Dof>& dofs, const Dof& dof) {
 
 class AnalyserText {
  public:
-  AnalyserText(const std::filesystem::path& path, const OpenOptions& options) : options_(options) { set_.header.file = path.string(); }
+  AnalyserText(const std::filesystem::path& path, const OpenOptions& options) : options_(options) {
+    set_.header.file = path.string();
+  }
 
   FrfSet read(std::string_view rest) {
     if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
@@ -112,7 +115,8 @@ class AnalyserText {
   void read_headings(std::string_view line) {
     const std::vector<std::string_view> cells = split(line, '\t');
     for (std::size_t i = 1; i < cells.size(); i += 2) {
-      const bool pair = i + 1 < cells.size() && lower_case(cells[i]).starts_with("real") && lower_case(cells[i + 1]).starts_with("imag");
+      const bool pair =
+          i + 1 < cells.size() && lower_case(cells[i]).starts_with("real") && lower_case(cells[i + 1]).starts_with("imag");
       if (!pair)
         fail(here(), "column " + std::to_string(i + 1) + " and the next are not Real and Imaginary",
              "export real and imaginary part");
@@ -127,8 +131,10 @@ class AnalyserText {
       header.response = options_.response;
       header.reference = options_.reference.empty() ? options_.response : options_.reference;
       if (header.entries() != frfs_) {
-        fail({}, "holds " + std::to_string(frfs_) + " FRFs, and " + std::to_string(header.response.size()) + " responses and " +
-             std::to_string(header.reference.size()) + " references were given", "give a response and a reference for each");
+        fail({},
+             "holds " + std::to_string(frfs_) + " FRFs, and " + std::to_string(header.response.size()) + " responses and " +
+                 std::to_string(header.reference.size()) + " references were given",
+             "give a response and a reference for each");
       }
       for (std::size_t k = 0; k < frfs_; ++k) pairs_.emplace_back(k / header.reference.size(), k % header.reference.size());
       return;
@@ -146,7 +152,8 @@ class AnalyserText {
            "give them, e.g. --response 4:-X --reference 1:+X");
     }
     const Dof& response = response_first_ ? *first : *second;
-    const Dof reference = options_.reference.size() == 1 && frfs_ == 1 ? options_.reference.front() : (response_first_ ? *second : *first);
+    const Dof reference =
+        options_.reference.size() == 1 && frfs_ == 1 ? options_.reference.front() : (response_first_ ? *second : *first);
     return {dof_place(set_.header.response, response), dof_place(set_.header.reference, reference)};
   }
 
@@ -178,7 +185,8 @@ class AnalyserText {
 
   void read_row(const std::vector<std::string_view>& cells) {
     if (cells.size() < 2 * frfs_ + 1) {
-      fail(here(), "has " + std::to_string(cells.size()) + " cells, the headings " + std::to_string(2 * frfs_ + 1), "export the FRF again");
+      fail(here(), "has " + std::to_string(cells.size()) + " cells, the headings " + std::to_string(2 * frfs_ + 1),
+           "export the FRF again");
     }
     for (std::size_t i = 0; i < 2 * frfs_ + 1; ++i) {
       double value = 0.0;

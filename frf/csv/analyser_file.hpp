@@ -8,8 +8,8 @@
 
 namespace jointid::frf {
 
-/// Whether the beginning of a file is that of an analyser's text export: lines of labels, then a row of tab-separated headings that
-/// begins with Frequency and has Real in it.
+/// Whether the beginning of a file is that of an analyser's text export: lines of labels, then a row of tab-separated headings
+/// that begins with Frequency and has Real in it.
 bool looks_like_analyser_text(std::span<const char> head);
 
 /// Opens the text export of an analyser and loads it whole. Latin-1 or UTF-8, lines ended by LF or CR/LF, cells separated by

@@ -28,10 +28,11 @@ struct Uff55Mode {
   std::vector<std::complex<double>> shape;   ///< as long as dofs
 };
 
-/// The mode shapes of a universal file, in its order. Datasets 55 of other analyses (static, transient, …) and other data than three or
-/// six components per node, or of strains, stresses and reactions, are passed over. Dataset 164 holds for modal masses, modal A and B (mass,
-/// force·s/length and force/length of the file's units: tonnes where it says mm and N) and for rotations of shapes beside its lengths.
-/// Without one values are taken as SI. Throws InputError when there is none, and where a dataset breaks the format.
+/// The mode shapes of a universal file, in its order. Datasets 55 of other analyses (static, transient, …) and other data than
+/// three or six components per node, or of strains, stresses and reactions, are passed over. Dataset 164 holds for modal masses,
+/// modal A and B (mass, force·s/length and force/length of the file's units: tonnes where it says mm and N) and for rotations of
+/// shapes beside its lengths. Without one values are taken as SI. Throws InputError when there is none, and where a dataset
+/// breaks the format.
 std::vector<Uff55Mode> read_uff55(const std::filesystem::path& path);
 
 /// Writes dataset 151, 164 (SI), 2411 if nodes are known, and a dataset 55 for each mode, by a temporary name: real data for

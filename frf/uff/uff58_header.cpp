@@ -51,7 +51,11 @@ constexpr std::array<const char*, 29> function_names = {"general or unknown func
 class RecordLine {
  public:
   RecordLine(const std::string& line, int record, const Place& place, bool by_bytes = false)
-      : raw_(line), line_(by_bytes ? line : one_byte_per_column(line)), by_bytes_(by_bytes), record_("record " + std::to_string(record)), place_(place) {}
+      : raw_(line),
+        line_(by_bytes ? line : one_byte_per_column(line)),
+        by_bytes_(by_bytes),
+        record_("record " + std::to_string(record)),
+        place_(place) {}
 
   std::int64_t integer(std::size_t begin, std::size_t width, const char* what) const {
     const std::string_view field = column(line_, begin, width);

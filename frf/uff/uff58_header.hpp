@@ -71,8 +71,8 @@ struct Header58 {
   std::uint64_t numbers_per_point() const { return (even ? 0u : 1u) + (is_complex() ? 2u : 1u); }
 };
 
-/// Parses the eleven header lines by their columns; throws InputError at `place`. Columns are characters; of bytes where a name with
-/// letters of several bytes shifts the fields behind it, as it does where a program pads by bytes.
+/// Parses the eleven header lines by their columns; throws InputError at `place`. Columns are characters; of bytes where a name
+/// with letters of several bytes shifts the fields behind it, as it does where a program pads by bytes.
 Header58 parse_header58(const std::array<std::string, header_lines>& lines, const Place& place);
 
 /// Widths of the columns of a data line (record 12): 6E13.5, 4E20.12, 2(E13.5,E20.12) or E13.5,2E20.12.

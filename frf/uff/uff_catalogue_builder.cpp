@@ -46,14 +46,17 @@ std::vector<std::size_t> frf_records(const std::vector<Dataset>& datasets) {
 void name_others(const std::vector<Dataset>& datasets, std::size_t read, std::vector<std::string>& doubts) {
   constexpr std::size_t shown = 3;
   const auto all = records_of(datasets, function_frf, [](const Header58&) { return true; });
-  const auto others = records_of(datasets, function_frf, [](const Header58& header) { return !may_be_motion_over_force(header); });
+  const auto others =
+      records_of(datasets, function_frf, [](const Header58& header) { return !may_be_motion_over_force(header); });
   if (others.empty() || all.size() == read) return;
-  std::string text = others.size() == 1 ? "1 FRF is left out, as it is no motion over a force: "
-                                        : std::to_string(others.size()) + " FRFs are left out, as they are no motions over forces: ";
+  std::string text = others.size() == 1
+                         ? "1 FRF is left out, as it is no motion over a force: "
+                         : std::to_string(others.size()) + " FRFs are left out, as they are no motions over forces: ";
   text += comma_list(std::span(others).first(std::min(shown, others.size())), [&](std::size_t record) {
     const Header58& header = *datasets[record].function;
     const std::string unit = shown_label(header.numerator.unit);
-    return header.response.name() + "/" + header.reference.name() + " (" + quantity_in_words(header) + (unit.empty() ? "" : ", " + unit) + ")";
+    return header.response.name() + "/" + header.reference.name() + " (" + quantity_in_words(header) +
+           (unit.empty() ? "" : ", " + unit) + ")";
   });
   if (others.size() > shown) text += ", …";
   doubts.push_back(text);

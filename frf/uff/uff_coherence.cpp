@@ -61,7 +61,8 @@ class Attachment {
   void run() {
     find_records();
     if (multiple_ > 0)
-      doubts_.push_back("multiple coherences (function type 26, " + std::to_string(multiple_) + " of them) are not used: they say nothing of one FRF alone");
+      doubts_.push_back("multiple coherences (function type 26, " + std::to_string(multiple_) +
+                        " of them) are not used: they say nothing of one FRF alone");
     if (found_.empty() || !all_have_one()) return;
     for (auto& [at, record] : catalogue_.grid) {
       record.coherence = found_.at(coordinates(function_of(record))).front();
@@ -89,9 +90,8 @@ class Attachment {
 
   bool same_numbers(const std::vector<std::size_t>& records) {
     const Points first = read_points(file_, catalogue_.datasets[records.front()]);
-    return std::ranges::all_of(records, [&](std::size_t record) {
-      return read_points(file_, catalogue_.datasets[record]).values == first.values;
-    });
+    return std::ranges::all_of(
+        records, [&](std::size_t record) { return read_points(file_, catalogue_.datasets[record]).values == first.values; });
   }
 
   /// Names those that have none, or several.
@@ -106,8 +106,8 @@ class Attachment {
       differ = differ || !same_numbers(match->second);
     }
     if (!without.empty()) {
-      doubts_.push_back("coherences are not used, as " + std::to_string(without.size()) + " of " + std::to_string(catalogue_.grid.size()) +
-                        " FRFs have none: " + first_of(without));
+      doubts_.push_back("coherences are not used, as " + std::to_string(without.size()) + " of " +
+                        std::to_string(catalogue_.grid.size()) + " FRFs have none: " + first_of(without));
     }
     if (differ) doubts_.push_back("coherences are not used, as some FRFs have several that differ: " + first_of(several));
     if (!differ && !several.empty()) doubts_.push_back("the same coherence stands there several times: " + first_of(several));
@@ -129,7 +129,9 @@ class Attachment {
       most = std::max(most, averages);
     }
     catalogue_.header.averages = least;
-    if (most > least) doubts_.push_back("FRFs have " + digits(least, "%.0f") + " to " + digits(most, "%.0f") + " averages: " + digits(least, "%.0f") + " are taken for all");
+    if (most > least)
+      doubts_.push_back("FRFs have " + digits(least, "%.0f") + " to " + digits(most, "%.0f") +
+                        " averages: " + digits(least, "%.0f") + " are taken for all");
   }
 
   ByteFile& file_;

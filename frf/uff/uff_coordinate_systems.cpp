@@ -114,13 +114,15 @@ void CoordinateSystems::read_points(ByteFile& file, const Dataset& dataset, doub
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const auto value = parse_integer(column(lines[at], 10 * i, 10));
       if (!value || (i == 1 && (*value < 0 || *value > 2)))
-        fail(dataset, "'" + to_utf8(one_byte_per_column(trim(lines[at]))) + "' is not a label, a kind (0, 1 or 2), a reference, a colour and a method");
+        fail(dataset, "'" + to_utf8(one_byte_per_column(trim(lines[at]))) +
+                          "' is not a label, a kind (0, 1 or 2), a reference, a colour and a method");
       fields[i] = *value;
     }
     Points points{&dataset, fields[0], fields[2], static_cast<Kind>(fields[1]), {}};
     for (std::size_t i = 0; i < 9; ++i) {
       const auto value = parse_real(column(lines[at + 2 + i / 6], width * (i % 6), width));
-      if (!value || !std::isfinite(*value)) fail(dataset, "the points of coordinate system " + std::to_string(points.label) + " are not nine numbers of 13 columns");
+      if (!value || !std::isfinite(*value))
+        fail(dataset, "the points of coordinate system " + std::to_string(points.label) + " are not nine numbers of 13 columns");
       points.points[i / 3][i % 3] = *value / length;
     }
     const bool known = systems_.contains(points.label);
@@ -132,7 +134,8 @@ void CoordinateSystems::read_points(ByteFile& file, const Dataset& dataset, doub
 /// False while its reference is not there, and for one in a reference that is curved.
 bool CoordinateSystems::place(const Points& points) {
   const auto axes = axes_through(points.points);
-  if (!axes) fail(*points.dataset, "the three points of coordinate system " + std::to_string(points.label) + " do not say a plane");
+  if (!axes)
+    fail(*points.dataset, "the three points of coordinate system " + std::to_string(points.label) + " do not say a plane");
   System system{points.kind, *axes, points.points[0]};
   const System* reference = points.reference == 0 ? nullptr : find(points.reference);
   if (points.reference != 0 && reference == nullptr) return false;

@@ -13,12 +13,12 @@
 
 namespace jointid::frf::uff {
 
-/// The coordinate systems of the datasets 2420 and 18 of a file, by their labels; 2420 comes first where both have one. In 2420 a matrix
-/// of four rows is the axes of the system and its origin in global axes: global = Σ local_i · row_i + row_4. In 18 three points of a
-/// reference system are the origin, one on +X and one in the half plane of +X and +Z. Systems whose reference is not there, or curved, and
-/// those that are defined otherwise (method above 1) are known to be there, and not described. Of cylindrical ones (r, θ, z) and spherical ones (r, θ from Z,
-/// φ round Z) angles are in degrees, and the axes of a node are along its r, θ and z or φ. Labels 0 and, where no dataset defines
-/// it, 1 are the global Cartesian system.
+/// The coordinate systems of the datasets 2420 and 18 of a file, by their labels; 2420 comes first where both have one. In 2420 a
+/// matrix of four rows is the axes of the system and its origin in global axes: global = Σ local_i · row_i + row_4. In 18 three
+/// points of a reference system are the origin, one on +X and one in the half plane of +X and +Z. Systems whose reference is not
+/// there, or curved, and those that are defined otherwise (method above 1) are known to be there, and not described. Of
+/// cylindrical ones (r, θ, z) and spherical ones (r, θ from Z, φ round Z) angles are in degrees, and the axes of a node are along
+/// its r, θ and z or φ. Labels 0 and, where no dataset defines it, 1 are the global Cartesian system.
 class CoordinateSystems {
  public:
   using Vector = std::array<double, 3>;
@@ -44,7 +44,9 @@ class CoordinateSystems {
 
   /// Null for the global system and for those that the file does not define.
   const System* find(std::int64_t label) const;
-  bool is_global(std::int64_t label) const { return label == 0 || (label == 1 && find(label) == nullptr && !not_described_.contains(1)); }
+  bool is_global(std::int64_t label) const {
+    return label == 0 || (label == 1 && find(label) == nullptr && !not_described_.contains(1));
+  }
   static Axes local_axes(Kind kind, const Vector& local);
   void read(ByteFile& file, const Dataset& dataset, double length);
 

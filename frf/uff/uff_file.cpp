@@ -153,13 +153,14 @@ class UffSource final : public FrfSource {
 
   static bool is_infinite(const Complex& value) { return std::isinf(value.real()) || std::isinf(value.imag()); }
 
-  /// NaN means not measured; an infinite value means nothing, but at 0 Hz, where it is what a division by ω² gave. `first`: the line of
-  /// the first value.
+  /// NaN means not measured; an infinite value means nothing, but at 0 Hz, where it is what a division by ω² gave. `first`: the
+  /// line of the first value.
   void require_finite(const uff::Dataset& dataset, std::span<const Complex> values, std::size_t first) const {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const double frequency = header_.frequency_hz[first + i];
       if (!is_infinite(values[i]) || frequency == 0.0) continue;
-      dataset.place.fail("data", "a value is infinite, at " + digits(frequency, "%.9g") + " Hz", "export the FRF again, or write NaN there");
+      dataset.place.fail("data", "a value is infinite, at " + digits(frequency, "%.9g") + " Hz",
+                         "export the FRF again, or write NaN there");
     }
   }
 

@@ -26,8 +26,8 @@ class Scanner {
  private:
   Place here() const { return {file_.name(), {}, file_.position()}; }
 
-  /// Reads up to and including the next opening -1; false at the end of the file. Marks of UTF-8 stand where files were joined, too; an
-  /// end-of-file byte of DOS is passed where a dataset follows, and is the end where anything else does.
+  /// Reads up to and including the next opening -1; false at the end of the file. Marks of UTF-8 stand where files were joined,
+  /// too; an end-of-file byte of DOS is passed where a dataset follows, and is the end where anything else does.
   bool find_opening() {
     for (Place place = here(); file_.next_line(line_); place = here()) {
       const bool ends = line_.starts_with('\x1A');

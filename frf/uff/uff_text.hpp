@@ -10,7 +10,8 @@
 /// Text as UFF files hold it: Fortran columns, Fortran numbers, Latin-1 or UTF-8 headers.
 namespace jointid::frf::uff {
 
-/// Without blanks, tabs, line ends, and the NULs and end-of-file bytes (Ctrl-Z) with which some programs fill fields and files, on either side.
+/// Without blanks, tabs, line ends, and the NULs and end-of-file bytes (Ctrl-Z) with which some programs fill fields and files,
+/// on either side.
 std::string_view trim(std::string_view text);
 
 /// The line with one byte per column: valid UTF-8 becomes Latin-1 (characters beyond it '?'), anything else

@@ -427,8 +427,8 @@ TEST(UffRead, ScalarDirectionIsNoDof) {
   Record record = simple_record();
   record.reference_direction = 0;
   EXPECT_THAT(load_error(record.str()),
-              AllOf(HasSubstr("reference node 1 with direction code 0"), HasSubstr("--reference 1:+X (reference_dofs in a scene)"),
-                    HasSubstr("write them there")));
+              AllOf(HasSubstr("reference node 1 with direction code 0"),
+                    HasSubstr("--reference 1:+X (reference_dofs in a scene)"), HasSubstr("write them there")));
 }
 
 TEST(UffRead, AxesAgreeWithinATenthOfALine) {

@@ -35,11 +35,12 @@ TEST(UffText, WhatIsNoReal) {
 }
 
 TEST(UffText, ValuesThatAreNoNumbers) {
-  for (const char* text : {"NaN", "nan", "-nan", "1.#QNAN", "-1.#IND", "1.#QNAN0000E+00", "-1.#IND00E+000", "1.#SNAN", "1.#R", "1.$", "1,#QNAN",
-                           "nan(ind)", "-nan(ind)", "NaNQ", "*************"}) {
+  for (const char* text : {"NaN", "nan", "-nan", "1.#QNAN", "-1.#IND", "1.#QNAN0000E+00", "-1.#IND00E+000", "1.#SNAN", "1.#R",
+                           "1.$", "1,#QNAN", "nan(ind)", "-nan(ind)", "NaNQ", "*************"}) {
     EXPECT_TRUE(parse_value(text) && std::isnan(*parse_value(text))) << text;
   }
-  for (const char* text : {"inf", "Infinity", "1.#INF", "1.#INF00E+000", "1.#J"}) EXPECT_THAT(parse_value(text), Optional(HUGE_VAL)) << text;
+  for (const char* text : {"inf", "Infinity", "1.#INF", "1.#INF00E+000", "1.#J"})
+    EXPECT_THAT(parse_value(text), Optional(HUGE_VAL)) << text;
   EXPECT_THAT(parse_value("-1.#INF"), Optional(-HUGE_VAL));
   EXPECT_THAT(parse_value("1.5E+01"), Optional(15.0));
   for (const char* text : {"", "1.#", "1.#QNANx", "-1.#IND0E+00-1.#IND0E+00", "nan(ind)-nan(ind)", "n/a", "**1**", "1.#QNAN 2"})
@@ -58,7 +59,7 @@ TEST(UffText, ColumnsCountCharactersNotBytes) {
   EXPECT_EQ(one_byte_per_column("m/s\xC2\xB2 7"), "m/s\xB2 7");  // UTF-8
   EXPECT_EQ(one_byte_per_column("m/s\xB2 7"), "m/s\xB2 7");      // Latin-1
   EXPECT_EQ(one_byte_per_column("\xCE\xBCm"), "?m");             // beyond Latin-1
-  EXPECT_EQ(text_column("\xCE\xBCm 7", 0, 2), "\xCE\xBCm");  // kept
+  EXPECT_EQ(text_column("\xCE\xBCm 7", 0, 2), "\xCE\xBCm");      // kept
   EXPECT_EQ(text_column("m/s\xB2 7", 0, 4), "m/s\xC2\xB2");
   EXPECT_EQ(to_utf8("m/s\xB2"), "m/s\xC2\xB2");
   EXPECT_EQ(column("abc  def", 3, 4), "de");

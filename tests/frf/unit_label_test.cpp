@@ -350,7 +350,7 @@ TEST(UnitLabels, AmplitudesAreKeptBesideTheFactor) {
 
 TEST(UnitLabels, OnlyBlankAndNoneStateNothing) {
   for (const std::string& label : {std::string(), std::string("  "), std::string("NONE"), std::string(" None "),
-                                  std::string("\0\0", 2), std::string("NONE\0\0", 6)})
+                                   std::string("\0\0", 2), std::string("NONE\0\0", 6)})
     EXPECT_TRUE(states_no_unit(label)) << label;
   for (const char* label : {"V", "-", "1", "EU", "unknown"}) EXPECT_FALSE(states_no_unit(label)) << label;
 }
