@@ -132,7 +132,8 @@ struct OpenOptions {
   std::optional<Quantity> quantity;  ///< for files that do not name it (UFF types 0/1, MAT, CSV), or name a wrong one
   std::vector<Dof> response;         ///< for matrices without DOFs (MAT, CSV)
   std::vector<Dof> reference;        ///< default: as the responses, when the matrix is square
-  std::string variable;              ///< MAT: name of the FRF variable
+  std::string variable;              ///< files of named arrays (MAT, HDF5, npz): the FRFs, S.field of a struct
+  std::string frequency_variable{};  ///< the same of the frequencies; of .npy the file that holds them
   Spectra spectra = Spectra::none;   ///< other formats do not tell them from FRFs
 };
 
