@@ -1,10 +1,51 @@
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/set/corrections.hpp"
 
 namespace jointid::frf {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string problem, std::string remedy) {
+  throw InputError(
+      {.kind = ErrorKind::usage, .file = path.string(), .place = {}, .problem = std::move(problem), .remedy = std::move(remedy)});
+}
+
+/// What the user says and the format has no place for is not left out silently.
+void require_variables(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
+  if (format.variables || (options.variable.empty() && options.frequency_variable.empty())) return;
+  const bool frf = !options.variable.empty();
+  const std::string option = frf ? "--variable, in a scene variable" : "--frequency-variable, in a scene frequency_variable";
+  refuse(path,
+         "the variable '" + (frf ? options.variable : options.frequency_variable) + "' is named, and a file of format " +
+             format.name + " has none",
+         "leave out " + option);
+}
+
+/// DOFs that a reader had no use for, since the file names its own.
+void require_given_dofs(const FrfHeader& header, const std::filesystem::path& path, const OpenOptions& options) {
+  const auto require = [&](const std::vector<Dof>& given, const std::vector<Dof>& own, const char* which, const char* option) {
+    if (given.empty() || given == own) return;
+    constexpr std::size_t most = 6;
+    const std::vector<Dof> some(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(std::min(most, own.size())));
+    refuse(path,
+           std::string("names its ") + which + " itself, " + comma_list(names(some)) + (own.size() > most ? " …" : "") +
+               ", and others are given",
+           std::string("leave out ") + option + "; a scene can rename DOFs ([data.files], rename)");
+  };
+  require(options.response, header.response, "responses", "--response, in a scene dofs");
+  require(options.reference, header.reference, "references", "--reference, in a scene reference_dofs");
+}
+
+}  // namespace
 
 std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOptions& options) {
-  auto source = format_of(path).open(path, options);
+  const Format& format = format_of(path);
+  require_variables(format, path, options);
+  auto source = format.open(path, options);
+  if (!format.variables) require_given_dofs(source->header(), path, options);
   return options.quantity ? reinterpreted(std::move(source), *options.quantity) : std::move(source);
 }
 
