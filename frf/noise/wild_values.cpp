@@ -10,7 +10,8 @@
 namespace jointid::frf {
 namespace {
 
-constexpr double wild_factor = 500.0, no_resonance = 1e5, rise = 1.3, opposite = 0.7, agreement = 1.0;
+constexpr double large_factor = 500.0, small_factor = 1000.0, rounding = 1e-10, no_resonance = 1e5, rise = 1.3, opposite = 0.7,
+                 agreement = 1.0;
 constexpr std::size_t fewest_neighbours = 3, most_runs = 100'000, piece_bytes = std::size_t{4} << 20;
 
 bool is_number(Complex h) { return !std::isnan(h.real()) && !std::isnan(h.imag()); }
@@ -42,10 +43,12 @@ void WildSearch::add_line(std::span<const Complex> values) {
   counted_lines_ += counts ? 1 : 0;
   std::ranges::copy(values, values_[line % kept].begin());
   std::vector<double>& magnitudes = magnitudes_[line % kept];
+  double& maximum = maxima_[line % kept] = 0.0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double larger = std::max(std::abs(values[i].real()), std::abs(values[i].imag()));
     const bool finite = is_number(values[i]) && !std::isinf(larger);
     magnitudes[i] = finite && counts ? larger : std::numeric_limits<double>::quiet_NaN();
+    maximum = finite && counts && larger > maximum ? larger : maximum;
     if (finite || !counts) continue;
     const bool infinite = is_infinite(values[i]);
     note(infinite ? WildKind::infinite : WildKind::not_a_number, line, i, 0.0);
@@ -69,13 +72,18 @@ void WildSearch::judge(std::size_t line) {
       largest[i] = other[i] > largest[i] ? other[i] : largest[i];
     }
   }
-  constexpr double close = 0.5 * wild_factor;
+  std::vector<double> maxima;
+  for (std::size_t n = first; n <= last; ++n) {
+    if (n != line) maxima.push_back(maxima_[n % kept]);
+  }
+  const double floor = maxima.empty() ? 0.0 : rounding * typical_of(maxima);
+  constexpr double close = 0.5 * large_factor;
   for (std::size_t i = 0; i < own.size(); ++i) {
-    if (own[i] > close * least[i] || own[i] * close < largest[i]) judge(line, i);
+    if (own[i] > close * least[i] || own[i] * close < largest[i]) judge(line, i, floor);
   }
 }
 
-void WildSearch::judge(std::size_t line, std::size_t entry) {
+void WildSearch::judge(std::size_t line, std::size_t entry, double floor) {
   const double f = header_.frequency_hz[line], size = std::abs(value(line, entry));
   std::array<double, 2 * reach> above{}, below{};
   std::size_t count = 0;
@@ -87,9 +95,9 @@ void WildSearch::judge(std::size_t line, std::size_t entry) {
   }
   if (count < fewest_neighbours) return;
   const double under = typical_of(std::span(above).first(count)), over = typical_of(std::span(below).first(count));
-  if (under > 0.0 && size > wild_factor * under) {
+  if (under > 0.0 && size > std::max(large_factor * under, floor)) {
     if (size > no_resonance * under || !is_resonance(line, entry)) note(WildKind::large, line, entry, size / under);
-  } else if (over > 0.0 && size * wild_factor < over && is_dropout(line, entry, over)) {
+  } else if (over > floor && size * small_factor < over && is_dropout(line, entry, over)) {
     note(WildKind::small, line, entry, size / over);
   }
 }
@@ -106,7 +114,7 @@ bool WildSearch::is_dropout(std::size_t line, std::size_t entry, double typical)
     for (std::size_t k = 1; k <= reach; ++k) {
       if ((step < 0 && k > line) || (step > 0 && line + k >= lines_)) break;
       const std::size_t n = step < 0 ? line - k : line + k;
-      if (magnitude(n, entry) * wild_factor > typical) return std::optional(value(n, entry));
+      if (magnitude(n, entry) * small_factor > typical) return std::optional(value(n, entry));
     }
     return std::optional<Complex>();
   };

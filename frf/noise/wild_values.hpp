@@ -42,11 +42,12 @@ inline constexpr std::size_t most_judged_frfs = std::size_t{1} << 18;  ///< seve
 /// the frequency.
 ///   - large: |H| > 500 M. A resonance between two lines is left out: |H_{l±1}| ≥ 1.3 |H_{l±2}| on both sides and
 ///     |H_{l−1} + H_{l+1}| < 0.7 |H_{l−1} − H_{l+1}|, unless |H| > 10⁵ M;
-///   - small: |H| < M/500 and its nearest neighbours that are not small themselves, one on each side, agree: their difference is
+///   - small: |H| < M/1000 and its nearest neighbours that are not small themselves, one on each side, agree: their difference is
 ///   at most
 ///     their mean. So an antiresonance, where they have opposite signs, is left out, and so are the ends;
+///   - what is below 10⁻¹⁰ of the largest FRF on lines about it is rounding: H of a large, M of a small one;
 ///   - an FRF that is nowhere a number or zero everywhere, and all values at 0 Hz, are left out.
-/// Gaussian noise alone makes about one value in two million small.
+/// Gaussian noise alone makes about one value in ten million small.
 class WildSearch {
  public:
   /// `header` must outlive it and have at most `most_judged_frfs`.
@@ -63,7 +64,7 @@ class WildSearch {
 
   void add_line(std::span<const Complex> values);
   void judge(std::size_t line);
-  void judge(std::size_t line, std::size_t entry);
+  void judge(std::size_t line, std::size_t entry, double floor);
   bool is_resonance(std::size_t line, std::size_t entry) const;
   bool is_dropout(std::size_t line, std::size_t entry, double typical) const;
   Complex value(std::size_t line, std::size_t entry) const { return values_[line % kept][entry]; }
@@ -75,6 +76,7 @@ class WildSearch {
   std::size_t lines_ = 0, judged_ = 0, counted_lines_ = 0;
   std::array<std::vector<Complex>, kept> values_;
   std::array<std::vector<double>, kept> magnitudes_;  ///< max(|re|, |im|); NaN where that is no finite number or at 0 Hz
+  std::array<double, kept> maxima_{};                 ///< of all FRFs
   std::vector<std::size_t> missing_;                  ///< of each FRF, lines that are no number
   std::vector<std::array<std::size_t, 4>> open_;      ///< of each FRF and kind, the run in found_ that goes on, or npos
   std::vector<WildValue> found_;

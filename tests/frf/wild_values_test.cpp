@@ -116,6 +116,12 @@ TEST(WildValues, NumbersThatAreNoneAreNamedButNotWholeFrfs) {
   EXPECT_EQ(wild.found[2].response, 1U);
 }
 
+TEST(WildValues, RoundingOfAnFrfThatIsZeroIsNone) {
+  FrfSet set = structure(200, 3, 5.0, 2.0, 0.01);
+  for (std::size_t l = 0; l < 200; ++l) set.values[set.index(l, 2, 0)] *= 1e-17 * (l % 50 == 7 ? 1e4 : 1.0);
+  EXPECT_TRUE(search(set).found.empty());
+}
+
 TEST(WildValues, NoiseAndZerosAreNone) {
   std::mt19937_64 generator(5);
   std::normal_distribution<double> normal;
