@@ -75,7 +75,7 @@ void add_convert(CLI::App& app, Chosen& chosen) {
             to->in = {files.begin(), files.end() - 1};
             to->out = files.back();
           },
-          "Files to read: UFF, HDF5, MAT, CSV or text exports of an analyser; last the file to write")
+          "Files to read: UFF, HDF5, MAT, numpy, CSV or text exports of an analyser; last the file to write")
       ->required();
   add_open_options(command, arguments->open);
   command->footer(

@@ -63,7 +63,7 @@ std::string notes_text(const frf::FrfHeader& header) {
 
 void add_info(CLI::App& app, Chosen& chosen) {
   auto [command, arguments] = add_command<InfoArguments>(app, chosen, "info", "Say what an FRF file holds");
-  command->add_option("FILE", arguments->file, "UFF, HDF5, MAT or CSV")->required();
+  command->add_option("FILE", arguments->file, "UFF, HDF5, MAT, numpy (.npz, .npy), CSV or text export of an analyser")->required();
   add_open_options(command, arguments->open);
   command->footer("Example:\n  jointid info beam_long.uff");
 }

@@ -35,9 +35,8 @@ std::unique_ptr<frf::FrfSource> open_as_one(const std::vector<std::filesystem::p
 
 void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   command->add_option_function<std::string>(
-      "--quantity", [&open](const std::string& text) {
-        open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); });
-      },
+      "--quantity",
+      [&open](const std::string& text) { open.quantity = of_option("--quantity", [&] { return frf::parse_quantity(text); }); },
       "receptance, mobility or accelerance, for files that do not name it or name a wrong one");
   command->add_option_function<std::string>(
       "--unit",
@@ -49,8 +48,7 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
   const auto dofs = [command](const char* name, std::vector<frf::Dof>& to, const char* what) {
     command
         ->add_option_function<std::vector<std::string>>(
-            name,
-            [&to, name](const std::vector<std::string>& texts) { to = of_option(name, [&] { return parse_dofs(texts); }); },
+            name, [&to, name](const std::vector<std::string>& texts) { to = of_option(name, [&] { return parse_dofs(texts); }); },
             what)
         ->delimiter(',');
   };
@@ -58,7 +56,9 @@ void add_open_options(CLI::App* command, frf::OpenOptions& open) {
        "Response DOFs, e.g. 4:+Y,4:+RZ, for files without DOFs (MAT, CSV, UFF without directions, text exports); with several "
        "files one each");
   dofs("--reference", open.reference, "Reference DOFs; default: as the responses");
-  command->add_option("--variable", open.variable, "MAT: name of the FRF variable");
+  command->add_option("--variable", open.variable, "MAT, HDF5, npz: name of the FRF variable; S.field of a struct");
+  command->add_option("--frequency-variable", open.frequency_variable,
+                      "The same of the frequencies; of .npy the file that holds them");
 }
 
 }  // namespace jointid::cli

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cli/options/dof_list.hpp"
 #include "cli/text/line_pieces.hpp"
+#include "frf/set/line_scale.hpp"
 #include "report/text/table.hpp"
 
 namespace jointid::cli {
@@ -48,6 +50,37 @@ std::string missing_text(const FrfCensus& census) {
   return fmt::format("{} of {} values ({:.3g} %)", census.missing, census.values, percent);
 }
 
+constexpr std::size_t most_shown = 12;
+
+std::string place_text(const frf::FrfHeader& header, const frf::WildValue& wild) {
+  const std::string frf = wild.response == frf::npos
+                              ? "all FRFs"
+                              : header.response[wild.response].name() + "/" + header.reference[wild.reference].name();
+  if (wild.line == wild.last_line)
+    return fmt::format("{}, line {} ({:g} Hz)", frf, wild.line + 1, header.frequency_hz[wild.line]);
+  return fmt::format("{}, lines {} to {} ({:g} to {:g} Hz)", frf, wild.line + 1, wild.last_line + 1,
+                     header.frequency_hz[wild.line], header.frequency_hz[wild.last_line]);
+}
+
+std::string what_text(const frf::FrfHeader& header, const frf::WildValue& wild) {
+  if (wild.kind == frf::WildKind::not_a_number) return "not a number";
+  if (wild.kind == frf::WildKind::infinite) return "infinite";
+  const Complex stored = frf::LineScale::from_receptance(header.quantity, header.frequency_hz[wild.line]).value(wild.value);
+  return fmt::format("{:.2g} times its neighbours: {:.4g}{:+.4g}i {}", wild.factor, stored.real() + 0.0, stored.imag() + 0.0,
+                     frf::unit(header.quantity));
+}
+
+/// Most of a file's gaps are whole FRFs, which the table counts.
+std::string wild_text(const frf::FrfHeader& header, const frf::WildValues& wild) {
+  if (!wild.looked) return fmt::format("values that stand out: not looked for in more than {} FRFs\n", frf::most_judged_frfs);
+  if (wild.found.empty()) return {};
+  std::string text = "values that are no FRF of a structure\n";
+  for (std::size_t i = 0; i < std::min(most_shown, wild.found.size()); ++i)
+    text += "  " + place_text(header, wild.found[i]) + ": " + what_text(header, wild.found[i]) + "\n";
+  const std::size_t more = wild.found.size() + wild.more - std::min(most_shown, wild.found.size());
+  return more == 0 ? text : text + fmt::format("  and {} more\n", more);
+}
+
 }  // namespace
 
 FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted) {
@@ -58,10 +91,13 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
   census.covariance = source.has_covariance();
   census.references = source.has_reference_correlation();
   census.factor = source.factor_shape();
+  std::optional<frf::WildSearch> wild;
+  if (header.entries() <= frf::most_judged_frfs) wild.emplace(header);
   census.complete = for_each_piece(header, lines_per_piece(header), [&](const frf::Block& block) {
     if (interrupted()) return false;
     values.resize(block.size());
     source.read(block, values);
+    if (wild) wild->add(values);
     for (std::size_t i = 0; i < values.size(); ++i) {
       const bool missing = std::isnan(values[i].real()) || std::isnan(values[i].imag());
       census.missing += missing ? 1 : 0;
@@ -70,6 +106,7 @@ FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& inter
     census.values += values.size();
     return true;
   });
+  census.wild = wild ? wild->finish() : frf::WildValues{.found = {}, .more = 0, .looked = false};
   census.zero_frfs = static_cast<std::size_t>(std::ranges::count(nonzero, char{0}));
   return census;
 }
@@ -84,7 +121,7 @@ std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census) 
   table.add({"noise record", noise_text(header, census)});
   table.add({"not measured", missing_text(census)});
   table.add({"FRFs without a value", fmt::format("{} of {}", census.zero_frfs, header.entries())});
-  return table.text();
+  return table.text() + wild_text(header, census.wild);
 }
 
 }  // namespace jointid::cli

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "frf/noise/wild_values.hpp"
 #include "frf/set/frf_source.hpp"
 
 namespace jointid::cli {
@@ -16,12 +17,13 @@ struct FrfCensus {
   bool references = false;    ///< and between references
   frf::FactorShape factor{};  ///< these are stored as a factor, or of rank 0
   bool complete = true;       ///< false when it was interrupted
+  frf::WildValues wild{};     ///< values that are no number, infinite, or stand far out of their neighbours
 };
 
 /// Reads a source once, a few lines at a time, so that a file larger than the memory passes.
 FrfCensus take_census(frf::FrfSource& source, const std::function<bool()>& interrupted);
 
-/// Header and census for reading.
+/// Header and census for reading; the first of the values that stand out one by one.
 std::string summary_text(const frf::FrfHeader& header, const FrfCensus& census);
 
 }  // namespace jointid::cli

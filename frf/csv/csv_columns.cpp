@@ -1,14 +1,27 @@
 #include "frf/csv/csv_columns.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "base/text.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/text/located.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
 
 using enum CsvPart;
+
+/// Other words for parts, in lower case; `phase` needs a unit.
+constexpr std::array<std::pair<std::string_view, CsvPart>, 6> part_words = {
+    {{"real", re}, {"imag", im}, {"imaginary", im}, {"magnitude", mag}, {"abs", mag}, {"amplitude", mag}}};
+
+bool is_degrees(std::string_view unit) {
+  return unit == "°" || unit == "º" || unit == "degrees" || unit == "degree" || unit == "deg";
+}
 
 std::size_t index_of(std::vector<Dof>& dofs, const Dof& dof) {
   const auto found = std::find(dofs.begin(), dofs.end(), dof);
@@ -28,6 +41,7 @@ class HeaderRow {
     if (table_.columns.size() == 1) fail(0, "no column but the frequency", "add columns of FRFs");
     for (std::size_t column = 1; column < table_.columns.size(); ++column) add(column);
     for (const auto& [pair, columns] : pairs_) require_complete(pair, columns);
+    if (named_) require_given(options_.response, header_.response), require_given(options_.reference, header_.reference);
     return std::move(pairs_);
   }
 
@@ -43,23 +57,57 @@ class HeaderRow {
     const std::size_t blank = name.rfind(' ');
     const bool named = blank != std::string::npos;
     const CsvPart part = parse_part(column, std::string_view(name).substr(named ? blank + 1 : 0));
-    if (column > 1 && named != named_)
-      fail(column, "columns with and without DOFs", "name all of them or none");
+    if (column > 1 && named != named_) fail(column, "columns with and without DOFs", "name all of them or none");
     named_ = named;
-    const Pair pair =
-        named ? named_pair(column, std::string_view(name).substr(0, blank)) : unnamed_pair(column, part);
+    const Pair pair = named ? named_pair(column, std::string_view(name).substr(0, blank)) : unnamed_pair(column, part);
     if (pairs_[pair].has(part)) fail(column, "'" + name + "' stands there twice", "remove one");
     pairs_[pair][part] = column;
   }
 
   CsvPart parse_part(std::size_t column, std::string_view word) const {
-    const auto found = std::ranges::find(csv_part_names, word);
-    if (found == csv_part_names.end()) {
+    const std::string plain = lower_case(word);
+    const std::string& unit = table_.units[column];
+    const auto found = std::ranges::find(csv_part_names, plain);
+    const auto other = std::ranges::find(part_words, plain, [](const auto& pair) { return pair.first; });
+    std::optional<CsvPart> part;
+    if (found != csv_part_names.end()) part = static_cast<CsvPart>(found - csv_part_names.begin());
+    if (other != part_words.end()) part = other->second;
+    if (plain == "phase") part = phase_part(column, unit);
+    if (!part) {
       fail(column, "'" + table_.columns[column] + "' is not a column of an FRF",
            "write response/reference and re, im, mag, phase_deg, phase_rad, var_re, var_im or coherence, e.g. 4:+Y/1:+Y "
            "re");
     }
-    return static_cast<CsvPart>(found - csv_part_names.begin());
+    require_unit_of(column, *part, unit);
+    return *part;
+  }
+
+  CsvPart phase_part(std::size_t column, const std::string& unit) const {
+    const std::string plain = lower_case(unit);
+    if (is_degrees(plain)) return phase_deg;
+    if (plain == "rad") return phase_rad;
+    fail(column, "'" + table_.columns[column] + "' does not say whether it is in degrees or radians",
+         "name it phase_deg or phase_rad");
+  }
+
+  /// What the SI factor of the FRF does not look at.
+  void require_unit_of(std::size_t column, CsvPart part, const std::string& unit) const {
+    const std::string plain = lower_case(unit);
+    const bool right = part == phase_deg ? is_degrees(plain) : part == phase_rad ? plain == "rad" : plain == "1";
+    const bool scaled = part == re || part == im || part == mag;
+    if (scaled || right || states_no_unit(unit) || unit == "-") return;
+    const bool variance = part == var_re || part == var_im;
+    table_.fail(table_.units_line, column,
+                "a column " + std::string(csv_part_names[static_cast<std::size_t>(part)]) + " in '" + shown_label(unit) +
+                    "' is not understood",
+                variance ? "leave the unit out: variances are in that of the FRFs, squared"
+                         : "leave the unit out, or export it in that of its name");
+  }
+
+  void require_given(const std::vector<Dof>& given, const std::vector<Dof>& own) const {
+    if (given.empty() || given == own) return;
+    fail(0, "the columns name their DOFs, " + comma_list(names(own)) + ", and others are given",
+         "leave out the DOFs that are given (--response, --reference, in a scene dofs), or the DOFs of the columns");
   }
 
   Pair named_pair(std::size_t column, std::string_view label) {
@@ -68,8 +116,7 @@ class HeaderRow {
       fail(column, "'" + std::string(label) + "' is not response/reference", "write e.g. 4:+Y/1:+Y re");
     }
     const auto parse = [&](std::string_view text) {
-      return located(table_.file, CsvTable::place(table_.header_line, column),
-                     [&] { return Dof::parse(text); });
+      return located(table_.file, CsvTable::place(table_.header_line, column), [&] { return Dof::parse(text); });
     };
     const Dof response = parse(label.substr(0, slash));
     const Dof reference = parse(label.substr(slash + 1));
@@ -83,8 +130,8 @@ class HeaderRow {
     header_.reference = options_.reference.empty() ? options_.response : options_.reference;
     if (pair >= header_.entries()) {
       fail(column,
-           "'" + table_.columns[column] + "' has no DOFs, and " + std::to_string(header_.response.size()) +
-               " responses and " + std::to_string(header_.reference.size()) + " references were given",
+           "'" + table_.columns[column] + "' has no DOFs, and " + std::to_string(header_.response.size()) + " responses and " +
+               std::to_string(header_.reference.size()) + " references were given",
            "write e.g. 4:+Y/1:+Y re, or give the DOFs when opening");
     }
     return {pair / header_.reference.size(), pair % header_.reference.size()};
@@ -97,8 +144,7 @@ class HeaderRow {
     const bool two_phases = both(phase_deg, phase_rad);
     const bool polar = columns.has(mag) && phase, half_polar = columns.has(mag) != (phase || two_phases);
     if (both(re, im) != polar && !half(re, im) && !half_polar && !two_phases && !half(var_re, var_im)) return;
-    const std::string name =
-        header_.response[pair.first].name() + "/" + header_.reference[pair.second].name();
+    const std::string name = header_.response[pair.first].name() + "/" + header_.reference[pair.second].name();
     fail(0, "the columns of " + name + " are no complete FRF",
          "give re and im, or mag and phase_deg (or phase_rad), and var_re with var_im");
   }
@@ -114,10 +160,26 @@ class HeaderRow {
 }  // namespace
 
 CsvColumns::CsvColumns(const CsvTable& table, const OpenOptions& options, FrfHeader& header)
-    : pairs_(HeaderRow(table, options, header).read()) {}
+    : table_(table), pairs_(HeaderRow(table, options, header).read()) {}
 
 bool CsvColumns::has(CsvPart part) const {
   return std::ranges::any_of(pairs_, [&](const auto& pair) { return pair.second.has(part); });
+}
+
+const std::string& CsvColumns::unit(const OfPair& pair, std::size_t& column) const {
+  static const std::string none;
+  column = 0;
+  for (const CsvPart part : {re, im, mag}) {
+    const std::size_t own = pair[part];
+    if (own == 0 || states_no_unit(table_.units[own])) continue;
+    if (column != 0 && table_.units[own] != table_.units[column])
+      table_.fail(table_.units_line, own,
+                  "the parts of one FRF have different units, '" + shown_label(table_.units[column]) + "' and '" +
+                      shown_label(table_.units[own]) + "'",
+                  "export them alike");
+    if (column == 0) column = own;
+  }
+  return column == 0 ? none : table_.units[column];
 }
 
 }  // namespace jointid::frf

@@ -31,8 +31,9 @@ class CsvColumns {
   };
   using Pairs = std::map<std::pair<std::size_t, std::size_t>, OfPair>;
 
-  /// Fills the DOFs of `header`. Throws InputError naming the column that is none of an FRF, stands there
-  /// twice or lacks its other half.
+  /// Fills the DOFs of `header`; `table` must outlive it. Throws InputError naming the column that is none of an FRF, stands
+  /// there twice, lacks its other half or has a unit that its part cannot have, and where the columns name other DOFs than the
+  /// options.
   CsvColumns(const CsvTable& table, const OpenOptions& options, FrfHeader& header);
 
   /// Columns by (response, reference) index.
@@ -40,7 +41,11 @@ class CsvColumns {
 
   bool has(CsvPart part) const;
 
+  /// The unit that the titles or a row under them give a pair, and its column; empty where they give none.
+  const std::string& unit(const OfPair& pair, std::size_t& column) const;
+
  private:
+  const CsvTable& table_;
   Pairs pairs_;
 };
 

@@ -14,6 +14,7 @@
 #include "frf/csv/csv_columns.hpp"
 #include "frf/csv/csv_nodes.hpp"
 #include "frf/set/line_scale.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/located.hpp"
 
@@ -34,18 +35,41 @@ constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
                     .remedy = std::move(remedy)});
 }
 
-Quantity read_quantity(const CsvTable& table, const OpenOptions& options) {
+/// The unit that the file gives its FRFs first; empty where it gives none.
+std::string first_unit(const CsvTable& table, const CsvColumns& columns) {
+  const auto key = table.keys.find("unit");
+  if (key != table.keys.end()) return key->second;
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    std::size_t column = 0;
+    if (const std::string& unit = columns.unit(of_pair, column); !unit.empty()) return unit;
+  }
+  return {};
+}
+
+Quantity read_quantity(const CsvTable& table, const CsvColumns& columns, const OpenOptions& options) {
   const auto key = table.keys.find("quantity");
   if (key != table.keys.end())
     return located(table.file, "# quantity", [&] { return parse_quantity(key->second, options.quantity); });
   if (options.quantity) return *options.quantity;
+  if (const auto quantity = quantity_of_unit(first_unit(table, columns))) return *quantity;
   fail(table, {}, "does not say which quantity it holds", "begin it with e.g. # quantity = accelerance");
 }
 
-double read_si_factor(const CsvTable& table, const FrfHeader& header) {
+/// By the key `unit`, by the unit of its columns, or 1. Throws where both are there and differ.
+double si_factor_of(const CsvTable& table, const CsvColumns& columns, const CsvColumns::OfPair& pair, const FrfHeader& header) {
   const auto key = table.keys.find("unit");
-  if (key == table.keys.end()) return 1.0;
-  return located(table.file, "# unit", [&] { return si_factor(key->second, header); });
+  const bool by_key = key != table.keys.end() && !states_no_unit(key->second);
+  std::size_t column = 0;
+  const std::string& own = columns.unit(pair, column);
+  const double of_file = by_key ? located(table.file, "# unit", [&] { return si_factor(key->second, header); }) : 1.0;
+  if (column == 0) return of_file;
+  const double of_column = located(table.file, CsvTable::place(table.units_line, column), [&] { return si_factor(own, header); });
+  if (by_key && std::abs(of_file - of_column) > 1e-9 * of_file) {
+    table.fail(table.units_line, column,
+               "the unit '" + shown_label(own) + "' is not that of # unit, '" + shown_label(key->second) + "'",
+               "remove the wrong one");
+  }
+  return of_column;
 }
 
 double read_averages(const CsvTable& table) {
@@ -55,8 +79,7 @@ double read_averages(const CsvTable& table) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc() && end == text.data() + text.size() && value >= 1.0) return value;
-  fail(table, "# averages", "'" + text + "' is not a number of averages",
-       "write e.g. # averages = 10, or leave it out");
+  fail(table, "# averages", "'" + text + "' is not a number of averages", "write e.g. # averages = 10, or leave it out");
 }
 
 void read_noise_kind(const CsvTable& table, const CsvColumns& columns, FrfHeader& header) {
@@ -71,14 +94,12 @@ void read_noise_kind(const CsvTable& table, const CsvColumns& columns, FrfHeader
 }
 
 /// NaN in either half makes the whole value not measured.
-Complex whole(double a, double b) {
-  return std::isnan(a) || std::isnan(b) ? Complex{not_measured, not_measured} : Complex{a, b};
-}
+Complex whole(double a, double b) { return std::isnan(a) || std::isnan(b) ? Complex{not_measured, not_measured} : Complex{a, b}; }
 
 Complex stored_value(const CsvTable& table, std::size_t row, const CsvColumns::OfPair& columns) {
   if (columns.has(re)) return whole(table.cell(row, columns[re]), table.cell(row, columns[im]));
-  const double angle =
-      columns.has(phase_rad) ? table.cell(row, columns[phase_rad]) : table.cell(row, columns[phase_deg]) * std::numbers::pi / 180.0;
+  const double angle = columns.has(phase_rad) ? table.cell(row, columns[phase_rad])
+                                              : table.cell(row, columns[phase_deg]) * std::numbers::pi / 180.0;
   const double magnitude = table.cell(row, columns[mag]);
   if (magnitude < 0.0) {
     table.fail(table.lines[row], columns[mag], fmt::format("the magnitude {:g} is below 0", magnitude),
@@ -87,20 +108,20 @@ Complex stored_value(const CsvTable& table, std::size_t row, const CsvColumns::O
   return whole(magnitude * std::cos(angle), magnitude * std::sin(angle));
 }
 
-void fill(const CsvTable& table, const CsvColumns& columns, double si, FrfSet& set) {
+void fill(const CsvTable& table, const CsvColumns& columns, FrfSet& set) {
   const FrfHeader& header = set.header;
   const std::size_t size = header.lines() * header.entries();
   set.values.assign(size, {not_measured, not_measured});
   if (header.noise == NoiseRecord::variance) set.variance.assign(size, {not_measured, not_measured});
   if (header.noise == NoiseRecord::coherence) set.coherence.assign(size, not_measured);
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const LineScale scale = LineScale::to_receptance(header.quantity, si, header.frequency_hz[row]);
-    for (const auto& [pair, of_pair] : columns.pairs()) {
+  for (const auto& [pair, of_pair] : columns.pairs()) {
+    const double si = si_factor_of(table, columns, of_pair, header);
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const LineScale scale = LineScale::to_receptance(header.quantity, si, header.frequency_hz[row]);
       const std::size_t at = set.index(row, pair.first, pair.second);
       set.values[at] = scale.value(stored_value(table, row, of_pair));
       if (of_pair.has(var_re)) {
-        set.variance[at] =
-            scale.variance(whole(table.cell(row, of_pair[var_re]), table.cell(row, of_pair[var_im])));
+        set.variance[at] = scale.variance(whole(table.cell(row, of_pair[var_re]), table.cell(row, of_pair[var_im])));
       }
       if (of_pair.has(coherence)) set.coherence[at] = table.cell(row, of_pair[coherence]);
     }
@@ -134,7 +155,7 @@ void doubt_degrees(const CsvTable& table, const CsvColumns& columns, FrfHeader& 
 std::vector<double> read_frequency(const CsvTable& table) {
   std::vector<double> axis;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    axis.push_back(table.cell(row, 0));
+    axis.push_back(table.hz_per_unit * table.cell(row, 0));
     if (std::isnan(axis.back())) table.fail(table.lines[row], 0, "no frequency", "fill or remove the line");
   }
   return axis;
@@ -143,19 +164,30 @@ std::vector<double> read_frequency(const CsvTable& table) {
 }  // namespace
 
 bool looks_like_csv(std::span<const char> head) {
-  const auto binary = [](char c) {
-    return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r' && c != '\n';
-  };
-  if (std::ranges::any_of(head, binary)) return false;
   std::string_view rest(head.data(), head.size());
+  if (rest.starts_with("\xFF\xFE") || rest.starts_with("\xFE\xFF")) return true;  // UTF-16
+  const auto binary = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\r' && c != '\n'; };
+  if (std::ranges::any_of(head, binary)) return false;
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   while (!rest.empty()) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
     const std::size_t start = line.find_first_not_of(" \t\r");
     if (start == std::string_view::npos) continue;
-    if (line[start] != '#') return csv_separator(line.substr(start)) != '\0';
+    if (line[start] != '#') return line.starts_with("sep=") || csv_separator(line.substr(start)) != '\0';
     if (rest.empty()) return true;  // nothing but comments as far as we see
+  }
+  return false;
+}
+
+bool names_frfs(std::span<const char> head) {
+  const std::string_view text(head.data(), head.size());
+  const std::string_view titles = text.substr(0, text.find("\n", std::min(text.find("requency"), text.size())));
+  for (std::size_t at = titles.find(':'); at != std::string_view::npos; at = titles.find(':', at + 1)) {
+    std::string_view rest = titles.substr(at + 1);
+    rest.remove_prefix(std::min(rest.find_first_not_of("+-"), rest.size()));
+    rest.remove_prefix(std::min(rest.find_first_not_of("RXYZ"), rest.size()));
+    if (rest.starts_with('/') && rest.size() > 1 && rest[1] >= '0' && rest[1] <= '9') return true;
   }
   return false;
 }
@@ -166,12 +198,12 @@ std::unique_ptr<FrfSource> open_csv(const std::filesystem::path& path, const Ope
   set.header.file = table.file;
   set.header.nodes = read_csv_nodes(table);
   const CsvColumns columns(table, options, set.header);
-  set.header.quantity = read_quantity(table, options);
+  set.header.quantity = read_quantity(table, columns, options);
   set.header.frequency_hz = read_frequency(table);
   read_noise_kind(table, columns, set.header);
   validate(set.header);
   doubt_degrees(table, columns, set.header);
-  fill(table, columns, read_si_factor(table, set.header), set);
+  fill(table, columns, set);
   return from_memory(std::move(set));
 }
 

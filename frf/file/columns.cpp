@@ -95,7 +95,8 @@ void add_variable(const MatVariable& variable, Columns& out) {
 Columns read_variables(MatFile& file) {
   Columns out{file.file(), {}};
   for (const MatInfo& info : file.variables()) {
-    if (info.kind == MatKind::real && info.dims.size() <= 2) add_variable(file.read(info), out);
+    const bool of_array = info.name.find('(') != std::string::npos;  // an array of structs
+    if (info.kind == MatKind::real && info.dims.size() <= 2 && !of_array) add_variable(file.read(info), out);
   }
   if (out.columns.empty()) fail(out.file, {}, "has no real vector or matrix", "store displacement and force as vectors of doubles");
   return out;

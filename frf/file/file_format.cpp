@@ -14,6 +14,8 @@
 #include "frf/hdf5/hdf5_file.hpp"
 #include "frf/hdf5/hdf5_writer.hpp"
 #include "frf/mat/mat_file.hpp"
+#include "frf/npy/npy_file.hpp"
+#include "frf/npy/npy_header.hpp"
 #include "frf/uff/uff_file.hpp"
 
 namespace jointid::frf {
@@ -76,10 +78,18 @@ bool is_matlab_v73(const std::filesystem::path&, std::string_view head) { return
 
 bool is_matlab_v5(const std::filesystem::path&, std::string_view head) { return head.starts_with(matlab_v5_text); }
 
+bool is_npz(const std::filesystem::path&, std::string_view head) { return looks_like_npz(head); }
+
+bool is_npy(const std::filesystem::path&, std::string_view head) { return looks_like_npy(head); }
+
 /// Of text, which needs no look beyond its first bytes.
 template <bool looks_like(std::span<const char>)>
 bool is_text(const std::filesystem::path&, std::string_view head) {
   return looks_like(head);
+}
+
+bool is_analyser_text(const std::filesystem::path&, std::string_view head) {
+  return looks_like_analyser_text(head) && !names_frfs(head);
 }
 
 std::unique_ptr<FrfSource> open_jointid_hdf5(const std::filesystem::path& path, const OpenOptions&) { return open_hdf5(path); }
@@ -108,24 +118,29 @@ const std::vector<Format>& formats() {
        .open = open_jointid_hdf5,
        .extensions = {"h5", "hdf5"},
        .write = write_as_hdf5},
-      {.format = FileFormat::matlab_v73, .name = "MATLAB v7.3", .binary = true, .is_of = is_matlab_v73, .open = open_mat_v73},
+      {.format = FileFormat::matlab_v73,
+       .name = "MATLAB v7.3",
+       .binary = true,
+       .variables = true,
+       .is_of = is_matlab_v73,
+       .open = open_mat_v73},
       {.format = FileFormat::matlab_v5,
        .name = "MATLAB v5 to v7",
        .binary = true,
+       .variables = true,
        .is_of = is_matlab_v5,
        .open = open_mat_v5,
        .extensions = {"mat"},
        .write = write_mat},
+      {.format = FileFormat::npz, .name = "numpy npz", .variables = true, .is_of = is_npz, .open = open_npz},
+      {.format = FileFormat::npy, .name = "numpy npy", .variables = true, .is_of = is_npy, .open = open_npy},
       {.format = FileFormat::uff,
        .name = "UFF",
        .is_of = is_text<looks_like_uff>,
        .open = open_uff,
        .extensions = {"uff", "unv"},
        .write = write_own_quantity},
-      {.format = FileFormat::analyser_text,
-       .name = "analyser text",
-       .is_of = is_text<looks_like_analyser_text>,
-       .open = open_analyser_text},
+      {.format = FileFormat::analyser_text, .name = "analyser text", .is_of = is_analyser_text, .open = open_analyser_text},
       {.format = FileFormat::csv,
        .name = "CSV",
        .is_of = is_text<looks_like_csv>,

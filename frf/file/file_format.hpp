@@ -12,13 +12,14 @@
 
 namespace jointid::frf {
 
-enum class FileFormat : std::uint8_t { jointid_hdf5, uff, matlab_v5, matlab_v73, csv, analyser_text };
+enum class FileFormat : std::uint8_t { jointid_hdf5, uff, matlab_v5, matlab_v73, csv, analyser_text, npz, npy };
 
 /// A format of files that hold FRFs.
 struct Format {
   FileFormat format;
   std::string name;
   bool binary = false;
+  bool variables = false;  ///< OpenOptions::variable and frequency_variable apply
   bool (*is_of)(const std::filesystem::path& path, std::string_view head);  ///< by the first bytes of a file
   std::unique_ptr<FrfSource> (*open)(const std::filesystem::path& path, const OpenOptions& options);
   std::vector<std::string> extensions{};  ///< of files that write() writes in it
@@ -31,7 +32,7 @@ const std::vector<Format>& formats();
 /// The format of a file by its first bytes. Throws InputError naming what was found when it is none of them.
 const Format& format_of(const std::filesystem::path& path);
 
-/// "HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "CSV", "analyser text".
+/// "HDF5 jointid-frf", "UFF", "MATLAB v5 to v7", "MATLAB v7.3", "numpy npz", "numpy npy", "CSV", "analyser text".
 std::string name(FileFormat format);
 
 /// As format_of().

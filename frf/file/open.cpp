@@ -1,29 +1,58 @@
+#include <algorithm>
+
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "frf/file/file_format.hpp"
 #include "frf/set/corrections.hpp"
 
 namespace jointid::frf {
 namespace {
 
-/// Of formats that have a place of their own for it, it is told there.
-void require_unit_applies(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string problem, std::string remedy) {
+  throw InputError(
+      {.kind = ErrorKind::usage, .file = path.string(), .place = {}, .problem = std::move(problem), .remedy = std::move(remedy)});
+}
+
+/// What the user says and the format has no place for is not left out silently.
+void require_variables(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
+  if (format.variables || (options.variable.empty() && options.frequency_variable.empty())) return;
+  const bool frf = !options.variable.empty();
+  const std::string option = frf ? "--variable, in a scene variable" : "--frequency-variable, in a scene frequency_variable";
+  refuse(path,
+         "the variable '" + (frf ? options.variable : options.frequency_variable) + "' is named, and a file of format " + format.name + " has none",
+         "leave out " + option);
+}
+
+/// A unit is given where a format has no place for it, or one whose labels are often wrong.
+void require_own_unit(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
   if (options.unit.empty() || format.format == FileFormat::uff || format.format == FileFormat::analyser_text) return;
-  throw InputError({.kind = ErrorKind::usage,
-                    .file = path.string(),
-                    .place = {},
-                    .problem = "the unit '" + options.unit + "' is given, and a file of format " + format.name +
-                               " has a place of its own for it",
-                    .remedy = "write it there (# unit = g/lbf in CSV, a variable unit in MATLAB files, an attribute in HDF5) and "
-                              "leave out --unit, in a "
-                              "scene unit"});
+  refuse(path, std::string("the unit '") + options.unit + "' is given, and a file of format " + format.name + " has a place of its own for it",
+         "write it there: # unit = g/lbf in CSV, a variable unit in MATLAB and numpy files, the attribute unit in HDF5; leave out --unit, in a scene unit");
+}
+
+/// DOFs that a reader had no use for, since the file names its own.
+void require_given_dofs(const FrfHeader& header, const std::filesystem::path& path, const OpenOptions& options) {
+  const auto require = [&](const std::vector<Dof>& given, const std::vector<Dof>& own, const char* which, const char* option) {
+    if (given.empty() || given == own) return;
+    constexpr std::size_t most = 6;
+    const std::vector<Dof> some(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(std::min(most, own.size())));
+    refuse(path,
+           std::string("names its ") + which + " itself, " + comma_list(names(some)) + (own.size() > most ? " …" : "") +
+               ", and others are given",
+           std::string("leave out ") + option + "; a scene can rename DOFs ([data.files], rename)");
+  };
+  require(options.response, header.response, "responses", "--response, in a scene dofs");
+  require(options.reference, header.reference, "references", "--reference, in a scene reference_dofs");
 }
 
 }  // namespace
 
 std::unique_ptr<FrfSource> open(const std::filesystem::path& path, const OpenOptions& options) {
   const Format& format = format_of(path);
-  require_unit_applies(format, path, options);
+  require_variables(format, path, options);
+  require_own_unit(format, path, options);
   auto source = format.open(path, options);
+  if (!format.variables) require_given_dofs(source->header(), path, options);
   return options.quantity ? reinterpreted(std::move(source), *options.quantity) : std::move(source);
 }
 

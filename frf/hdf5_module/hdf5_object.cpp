@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cctype>
 #include <complex>
 #include <functional>
 #include <limits>
@@ -258,6 +259,48 @@ bool is_complex(const Dataset& dataset, const char* real, const char* imaginary)
     const int member = H5Tget_member_index(type.get(), name);
     return member >= 0 && H5Tget_member_class(type.get(), static_cast<unsigned>(member)) == H5T_FLOAT;
   });
+}
+
+std::optional<std::array<std::string, 2>> complex_members(const Dataset& dataset) {
+  constexpr std::array<std::array<std::string_view, 2>, 4> known = {{{"real", "imag"}, {"r", "i"}, {"re", "im"}, {"real", "imaginary"}}};
+  const Handle type(H5Dget_type(dataset.id.get()));
+  if (H5Tget_class(type.get()) != H5T_COMPOUND || H5Tget_nmembers(type.get()) != 2) return std::nullopt;
+  std::array<std::string, 2> names;
+  for (const unsigned member : {0U, 1U}) {
+    char* name = H5Tget_member_name(type.get(), member);
+    if (name == nullptr) return std::nullopt;
+    names[member] = name;
+    H5free_memory(name);
+  }
+  std::array<std::string, 2> plain = names;
+  for (std::string& name : plain) {
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  }
+  for (const auto& [real, imaginary] : known) {
+    const bool turned = plain[0] == imaginary && plain[1] == real;
+    if (!turned && (plain[0] != real || plain[1] != imaginary)) continue;
+    if (turned) std::swap(names[0], names[1]);
+    if (is_complex(dataset, names[0].c_str(), names[1].c_str())) return names;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> any_text_attribute(const Object& object, std::string_view name) {
+  struct Search {
+    std::string_view wanted;
+    std::string found;
+  } search{name, {}};
+  const auto compare = [](hid_t, const char* own, const H5A_info_t*, void* kept) -> herr_t {
+    auto& of = *static_cast<Search*>(kept);
+    const std::string_view text(own);
+    const auto lower = [](unsigned char c) { return std::tolower(c); };
+    if (!std::ranges::equal(text, of.wanted, {}, lower, lower)) return 0;
+    of.found = own;
+    return 1;
+  };
+  hsize_t place = 0;
+  H5Aiterate2(object.id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, &place, compare, &search);
+  return search.found.empty() ? std::nullopt : text_attribute(object, search.found.c_str());
 }
 
 bool is_real(const Dataset& dataset) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "frf/hdf5_module/hdf5_handle.hpp"
@@ -59,6 +61,13 @@ Handle complex_type(const char* real = "r", const char* imaginary = "i");
 
 /// Whether the dataset's elements are compounds of exactly two floating-point members of these names.
 bool is_complex(const Dataset& dataset, const char* real = "r", const char* imaginary = "i");
+
+/// Names of the two members of a dataset of complex numbers, as MATLAB (real, imag), h5py (r, i) and others (re, im) write them, in any
+/// case; empty where it holds none.
+std::optional<std::array<std::string, 2>> complex_members(const Dataset& dataset);
+
+/// The text of an attribute whatever the case of its name; nullopt where there is none of that name that is one text.
+std::optional<std::string> any_text_attribute(const Object& object, std::string_view name);
 
 /// Whether the dataset's elements are real numbers, floating-point or integer.
 bool is_real(const Dataset& dataset);

@@ -9,6 +9,7 @@
 #include "frf/hdf5_module/hdf5_line_reader.hpp"
 #include "frf/hdf5_module/hdf5_object.hpp"
 #include "frf/set/line_scale.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/set/units.hpp"
 #include "frf/text/located.hpp"
 
@@ -39,11 +40,18 @@ void require_rank(const Dataset& dataset, std::size_t rank) {
        "has " + std::to_string(dataset.dims.size()) + " dimensions instead of " + std::to_string(rank));
 }
 
+/// Also where the attribute is called units, or is written in capitals.
+std::optional<std::string> unit_text(const Dataset& dataset) {
+  auto text = hdf5::any_text_attribute(dataset, "unit");
+  return text ? text : hdf5::any_text_attribute(dataset, "units");
+}
+
 std::vector<double> read_frequency(const Object& file) {
   const Dataset dataset = open_dataset(file, "frequency");
   require_rank(dataset, 1);
-  const std::string unit = hdf5::text_attribute(dataset, "unit").value_or("Hz");
-  if (unit != "Hz") fail(dataset, "is in '" + unit + "'", "store frequencies in Hz");
+  const std::string unit = unit_text(dataset).value_or("Hz");
+  const double hz = located(dataset.file, dataset.place, [&] { return hertz_per(unit).value_or(1.0); });
+  if (hz != 1.0) fail(dataset, "is in '" + shown_label(unit) + "'", "store frequencies in Hz");
   return hdf5::read_doubles(dataset);
 }
 
@@ -122,7 +130,8 @@ class Hdf5Source final : public FrfSource {
     const std::string quantity =
         required_text(dataset, "quantity", "write receptance, mobility or accelerance");
     header_.quantity = located(file_.file, dataset.place, [&] { return parse_quantity(quantity); });
-    const std::string label = required_text(dataset, "unit", "write it, e.g. m/N, as part of the layout");
+    const std::optional<std::string> stated = unit_text(dataset);
+    const std::string label = stated ? *stated : required_text(dataset, "unit", "write it, e.g. m/N, as part of the layout");
     si_ = located(file_.file, dataset.place, [&] { return si_factor(label, header_); });
   }
 

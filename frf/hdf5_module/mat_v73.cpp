@@ -1,9 +1,12 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "frf/hdf5_module/files.hpp"
 #include "frf/hdf5_module/hdf5_object.hpp"
@@ -17,43 +20,91 @@ using hdf5::Handle;
 constexpr int deepest_group = 8;
 constexpr std::size_t most_groups = 10'000;  ///< links may lead round in circles
 
-/// Paths of the datasets of a group and of the groups in it (structs of MATLAB), "S/field"; not of what MATLAB keeps to itself, "#refs#".
+/// A dataset, by its path in the file, or from the group or dataset that an element of an array of structs refers to (none: that
+/// itself).
+struct Place {
+  std::string path;
+  std::optional<hobj_ref_t> from{};
+};
+
+/// Datasets of a group and of the groups in it (structs of MATLAB), "S.field" and "S(2).field"; not of what MATLAB keeps to
+/// itself, "#refs#".
 struct Paths {
-  std::vector<std::string> found;
-  std::string group;
+  std::vector<std::pair<std::string, Place>> found;  ///< by their dotted names
+  std::string name;                                  ///< of the group, "S."
+  Place group;                                       ///< with a / at the end of its path, but at the root
   int depth = 0;
   std::size_t groups = 0;
+  bool octave = false;  ///< a group is one that GNU Octave wrote
 };
+
+void add_paths(hid_t group, Paths& paths);
+
+/// The object that a place of an array of structs holds.
+void add_referred(hid_t group, const hobj_ref_t& reference, const std::string& name, Paths& paths) {
+  const Handle object(H5Rdereference2(group, H5P_DEFAULT, H5R_OBJECT, &reference));
+  if (!object.is_open() || paths.depth >= deepest_group || paths.groups >= most_groups) return;
+  ++paths.groups;
+  if (H5Iget_type(object.get()) == H5I_DATASET) paths.found.emplace_back(name, Place{{}, reference});
+  if (H5Iget_type(object.get()) != H5I_GROUP) return;
+  Paths inner{.found = {}, .name = name + ".", .group = {{}, reference}, .depth = paths.depth + 1, .groups = paths.groups};
+  add_paths(object.get(), inner);
+  paths.groups = inner.groups;
+  paths.found.insert(paths.found.end(), inner.found.begin(), inner.found.end());
+}
+
+/// A field of an array of structs is a dataset of references; false for any other dataset.
+bool add_elements(hid_t group, const char* name, Paths& paths) {
+  if (paths.name.empty()) return false;
+  const Handle id(H5Dopen2(group, name, H5P_DEFAULT));
+  if (!id.is_open() || H5Aexists(id.get(), "MATLAB_class") > 0) return false;  // a cell array says that it is one
+  const Handle type(H5Dget_type(id.get())), space(H5Dget_space(id.get()));
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (H5Tequal(type.get(), H5T_STD_REF_OBJ) <= 0 || count < 1 || static_cast<std::size_t>(count) > most_groups) return false;
+  if (H5Dget_storage_size(id.get()) < static_cast<std::size_t>(count) * sizeof(hobj_ref_t)) return false;
+  std::vector<hobj_ref_t> references(static_cast<std::size_t>(count));
+  if (H5Dread(id.get(), H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data()) < 0) return false;
+  const std::string structure = paths.name.substr(0, paths.name.size() - 1);
+  for (std::size_t i = 0; i < references.size(); ++i)
+    add_referred(group, references[i], structure + "(" + std::to_string(i + 1) + ")." + name, paths);
+  return true;
+}
 
 void add_paths(hid_t group, Paths& paths) {
   const auto keep = [](hid_t group, const char* name, const H5L_info_t* link, void* kept) -> herr_t {
     auto& out = *static_cast<Paths*>(kept);
     H5O_info_t object;
     if (link->type != H5L_TYPE_HARD || H5Oget_info_by_name(group, name, &object, H5P_DEFAULT) < 0) return 0;
-    if (object.type == H5O_TYPE_DATASET) out.found.push_back(out.group + name);
+    if (object.type == H5O_TYPE_DATASET && !add_elements(group, name, out))
+      out.found.emplace_back(out.name + name, Place{out.group.path + name, out.group.from});
     if (object.type == H5O_TYPE_GROUP && name[0] != '#' && out.depth < deepest_group && out.groups < most_groups) {
       const Handle inner(H5Gopen2(group, name, H5P_DEFAULT));
-      const std::string outer = out.group;
-      out.group += std::string(name) + "/";
+      const std::string outer_name = out.name, outer_path = out.group.path;
+      out.name += std::string(name) + ".";
+      out.group.path += std::string(name) + "/";
       ++out.depth;
       ++out.groups;
-      if (inner.is_open()) add_paths(inner.get(), out);
+      if (inner.is_open()) {
+        out.octave = out.octave || H5Aexists(inner.get(), "OCTAVE_NEW_FORMAT") > 0;
+        add_paths(inner.get(), out);
+      }
       --out.depth;
-      out.group = outer;
+      out.name = outer_name;
+      out.group.path = outer_path;
     }
     return 0;
   };
   H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, keep, &paths);
 }
 
-std::string dotted(std::string path) {
-  std::ranges::replace(path, '/', '.');
-  return path;
+/// MATLAB writes its name into the first bytes of its files.
+bool begins_as_matlab(const std::filesystem::path& path) {
+  std::string head(6, '\0');
+  std::ifstream(path, std::ios::binary).read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == "MATLAB";
 }
 
-std::string matlab_class(const Dataset& dataset) {
-  return hdf5::text_attribute(dataset, "MATLAB_class").value_or("");
-}
+std::string matlab_class(const Dataset& dataset) { return hdf5::text_attribute(dataset, "MATLAB_class").value_or(""); }
 
 H5T_class_t type_class(const Dataset& dataset) {
   const Handle type(H5Dget_type(dataset.id.get()));
@@ -64,7 +115,7 @@ MatKind kind_of(const Dataset& dataset) {
   const std::string name = matlab_class(dataset);
   if (hdf5::number_attribute(dataset, "MATLAB_empty").value_or(0.0) != 0.0) return MatKind::other;
   if (name == "char" || name == "cell" || type_class(dataset) == H5T_STRING) return MatKind::text;
-  if (hdf5::is_complex(dataset, "real", "imag")) return MatKind::complex;
+  if (hdf5::complex_members(dataset)) return MatKind::complex;
   return hdf5::is_real(dataset) ? MatKind::real : MatKind::other;
 }
 
@@ -78,7 +129,9 @@ std::vector<Complex> read_values(const Dataset& dataset, MatKind kind) {
     return {reals.begin(), reals.end()};
   }
   std::vector<Complex> values(size(dataset));
-  const Handle type = hdf5::complex_type("real", "imag");
+  const auto members = hdf5::complex_members(dataset);
+  if (!members) fail(dataset, "does not hold complex numbers");
+  const Handle type = hdf5::complex_type(members->at(0).c_str(), members->at(1).c_str());
   if (H5Dread(dataset.id.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
     fail(dataset, "cannot be read: " + hdf5::last_failure());
   }
@@ -106,8 +159,7 @@ std::vector<std::string> read_cells(const hdf5::Object& file, const Dataset& dat
   std::vector<std::string> texts;
   for (const hobj_ref_t& reference : references) {
     Handle id(H5Rdereference2(dataset.id.get(), H5P_DEFAULT, H5R_OBJECT, &reference));
-    const Dataset cell =
-        to_dataset(file, std::move(id), dataset.place + ", cell " + std::to_string(texts.size() + 1));
+    const Dataset cell = to_dataset(file, std::move(id), dataset.place + ", cell " + std::to_string(texts.size() + 1));
     if (matlab_class(cell) != "char") fail(cell, "is not text");
     std::vector<std::string> rows = read_characters(cell);
     texts.push_back(rows.size() == 1 ? std::move(rows.front()) : std::string());
@@ -128,16 +180,18 @@ class MatV73 final : public MatFile {
     hdf5::limit_metadata(hdf5_.id, std::size_t{2} << 20);  // enough for reading fast, however long the record
     Paths paths;
     add_paths(hdf5_.id.get(), paths);
-    for (const std::string& path_inside : paths.found) {
-      const Dataset dataset = open_dataset(hdf5_, path_inside);
-      path_of_.emplace(dotted(path_inside), path_inside);
-      variables_.push_back({dotted(path_inside), kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}});
+    by_rows_ = !paths.octave && !begins_as_matlab(path);
+    for (auto& [name, place] : paths.found) {
+      const Dataset dataset = open(name, place);
+      by_rows_ = by_rows_ && matlab_class(dataset).empty();
+      variables_.push_back({name, kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}});
+      place_of_.emplace(name, std::move(place));
     }
   }
 
   MatVariable read(const MatInfo& info) override {
     const hdf5::Silence silence;
-    const Dataset dataset = open_dataset(hdf5_, path_of_.at(info.name));
+    const Dataset dataset = open(info.name, place_of_.at(info.name));
     MatVariable variable{.info = info, .values = {}, .texts = {}};
     if (info.kind == MatKind::text) {
       variable.texts = read_texts(hdf5_, dataset);
@@ -147,23 +201,40 @@ class MatV73 final : public MatFile {
     return variable;
   }
 
+  bool last_index_fastest() const override { return by_rows_; }
+
+  std::string note(const MatInfo* info, std::string_view name) override {
+    const hdf5::Silence silence;
+    if (info == nullptr) return hdf5::any_text_attribute(hdf5_, name).value_or("");
+    return hdf5::any_text_attribute(open(info->name, place_of_.at(info->name)), name).value_or("");
+  }
+
   bool reads_samples() const override { return true; }
 
   std::vector<double> read_samples(const MatInfo& info, std::size_t first, std::size_t count) override {
     const hdf5::Silence silence;
-    const Dataset dataset = open_dataset(hdf5_, path_of_.at(info.name));
+    const Dataset dataset = open(info.name, place_of_.at(info.name));
     return hdf5::read_samples(dataset, first, count);
   }
 
  private:
+  Dataset open(const std::string& name, const Place& place) const {
+    if (!place.from) return open_dataset(hdf5_, place.path);
+    Handle id(H5Rdereference2(hdf5_.id.get(), H5P_DEFAULT, H5R_OBJECT, &*place.from));
+    if (place.path.empty()) return to_dataset(hdf5_, std::move(id), "dataset " + name);
+    hdf5::Object group;
+    group.file = hdf5_.file;
+    group.id = std::move(id);
+    return open_dataset(group, place.path);
+  }
+
   hdf5::Object hdf5_;
-  std::map<std::string, std::string> path_of_;  ///< S/field of S.field
+  bool by_rows_ = false;
+  std::map<std::string, Place> place_of_;
 };
 
 }  // namespace
 
-std::unique_ptr<MatFile> hdf5::open_mat_v73(const std::filesystem::path& path) {
-  return std::make_unique<MatV73>(path);
-}
+std::unique_ptr<MatFile> hdf5::open_mat_v73(const std::filesystem::path& path) { return std::make_unique<MatV73>(path); }
 
 }  // namespace jointid::frf

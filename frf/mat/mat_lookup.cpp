@@ -1,53 +1,64 @@
 #include "frf/mat/mat_lookup.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/text/located.hpp"
 
 namespace jointid::frf {
 namespace {
 
-struct AxisName {
-  std::string_view name;
-  double to_hz;
-};
-constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
-constexpr std::array<AxisName, 9> axis_names = {{{"frequency_hz", 1.0},
-                                                 {"frequency", 1.0},
-                                                 {"freq", 1.0},
-                                                 {"f", 1.0},
-                                                 {"freq_hz", 1.0},
-                                                 {"frequencies", 1.0},
-                                                 {"freq_domain", 1.0},
-                                                 {"w", from_rad_per_s},
-                                                 {"omega", from_rad_per_s}}};
+using Names = std::span<const std::string_view>;
 
-/// One letter must match in case too: f is a frequency and F may be a force.
-bool same_name(std::string_view a, std::string_view b) {
-  if (a.size() == 1) return a == b;
-  return std::ranges::equal(
-      a, b, {}, [](unsigned char c) { return std::tolower(c); },
-      [](unsigned char c) { return std::tolower(c); });
-}
+/// In this order; x (pyuff) only of a struct.
+constexpr std::array<std::string_view, 16> axis_names = {
+    "frequency_hz", "frequency", "freq",           "f",         "freq_hz",     "frequencies",      "freq_domain",     "w",
+    "omega",        "freqs",     "frequency_axis", "freq_axis", "freq_vector", "frequency_vector", "x_values.values", "x"};
+constexpr std::array<std::string_view, 4> axis_unit_names = {"frequency_unit", "freq_unit", "frequency_units",
+                                                             "x_values.quantity.label"};
+constexpr double from_rad_per_s = 0.5 / std::numbers::pi;
+constexpr double longest_axis = 1e8;
+
+/// Names that jointid writes, then those of others.
+constexpr std::array<std::string_view, 10> response_names = {"response_dof", "resp_dof", "response_dofs", "rsp_dof", "output_dof",
+                                                             "resp",         "response", "responses",     "dofs",    "dof"};
+constexpr std::array<std::string_view, 10> reference_names = {
+    "reference_dof", "ref_dof", "reference_dofs", "input_dof", "ref", "reference", "references", "excitation", "dofs", "dof"};
+
+constexpr std::array<std::string_view, 5> response_nodes = {"rsp_node", "respNode", "resp_node", "rspNode", "response_node"};
+constexpr std::array<std::string_view, 5> response_directions = {"rsp_dir", "respDir", "resp_dir", "rspDir", "response_dir"};
+constexpr std::array<std::string_view, 4> reference_nodes = {"ref_node", "refNode", "reference_node", "input_node"};
+constexpr std::array<std::string_view, 4> reference_directions = {"ref_dir", "refDir", "reference_dir", "input_dir"};
 
 bool is_vector(const MatInfo& info) {
-  return info.kind == MatKind::real &&
-         std::ranges::count_if(info.dims, [](std::size_t n) { return n != 1; }) <= 1;
+  return info.kind == MatKind::real && std::ranges::count_if(info.dims, [](std::size_t n) { return n != 1; }) <= 1;
 }
 
-std::string listed(const MatFile& file, const std::function<bool(const MatInfo&)>& keep) {
-  std::string text;
-  for (const MatInfo& info : file.variables()) {
-    if (keep(info)) text += (text.empty() ? "" : ", ") + info.name + " [" + shape(info) + "]";
-  }
-  return text.empty() ? "none" : text;
+char lower_letter(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+std::string trimmed_end(std::string text) {
+  text.resize(text.find_last_not_of(" \t\r\n") + 1);  // rows of characters are padded with blanks
+  return text;
+}
+
+/// "+X" of 1, "-RZ" of −6, the codes of UFF 58.
+std::string direction_text(double code) {
+  constexpr std::array<std::string_view, 7> names = {"", "X", "Y", "Z", "RX", "RY", "RZ"};
+  const double size = std::abs(code);
+  if (size != std::floor(size) || size < 1.0 || size > 6.0) return fmt::format("{:g}", code);
+  return (code < 0.0 ? "-" : "+") + std::string(names[static_cast<std::size_t>(size)]);
 }
 
 }  // namespace
@@ -64,77 +75,208 @@ std::size_t size(const MatInfo& info) {
   return std::accumulate(info.dims.begin(), info.dims.end(), std::size_t{1}, std::multiplies<>());
 }
 
-const MatInfo* MatLookup::find(std::string_view name) const {
+bool same_name(std::string_view a, std::string_view b) {
+  if (a.size() == 1) return a == b;
+  return std::ranges::equal(a, b, {}, lower_letter, lower_letter);
+}
+
+std::string scope_of(const MatInfo& info) {
+  const std::size_t dot = info.name.rfind('.');
+  return dot == std::string::npos ? std::string() : info.name.substr(0, dot + 1);
+}
+
+std::string listed(const MatFile& file, const std::vector<const MatInfo*>& infos) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, infos.size()); ++i) {
+    MatInfo shown = *infos[i];
+    if (file.last_index_fastest()) std::ranges::reverse(shown.dims);
+    text += (text.empty() ? "" : ", ") + shown.name + " [" + shape(shown) + "]";
+  }
+  if (infos.size() > most) text += fmt::format(" and {} more", infos.size() - most);
+  return text.empty() ? "none" : text;
+}
+
+MatLookup::MatLookup(MatFile& file, const std::string& scope) : file_(file) {
+  for (std::string rest = scope; !rest.empty();) {
+    scopes_.push_back(rest);
+    const std::size_t dot = rest.size() < 2 ? std::string::npos : rest.rfind('.', rest.size() - 2);
+    rest.resize(dot == std::string::npos ? 0 : dot + 1);
+  }
+  scopes_.emplace_back();
+}
+
+const MatInfo* MatLookup::of_scope(const std::string& scope, std::string_view name) const {
   const auto& all = file_.variables();
-  const auto found =
-      std::ranges::find_if(all, [&](const MatInfo& info) { return same_name(info.name, name); });
+  const auto found = std::ranges::find_if(all, [&](const MatInfo& info) {
+    return info.name.starts_with(scope) && same_name(std::string_view(info.name).substr(scope.size()), name);
+  });
   return found == all.end() ? nullptr : &*found;
 }
 
-std::vector<double> MatLookup::axis() const {
-  for (const AxisName& axis : axis_names) {
-    const MatInfo* info = find(axis.name);
-    if (info == nullptr || !is_vector(*info)) continue;
-    std::vector<double> values;
-    for (const Complex& value : file_.read(*info).values) values.push_back(axis.to_hz * value.real());
-    return values;
+const MatInfo* MatLookup::find(Names names) const {
+  for (const std::string& scope : scopes_) {
+    for (const std::string_view name : names) {
+      if (const MatInfo* found = of_scope(scope, name)) return found;
+    }
   }
-  fail({}, "has no vector of frequencies; its variables are " + all(),
-       "add one named frequency (Hz) or omega (rad/s)");
+  return nullptr;
 }
 
-const MatInfo& MatLookup::frf(const std::string& variable, std::size_t lines) const {
-  if (!variable.empty()) return named_frf(variable);
-  if (find("frf") != nullptr) return named_frf("frf");
-  const auto candidate = [&](const MatInfo& info) {
-    const bool field = info.name.find('.') != std::string::npos;  // of a struct: only by name
-    return info.kind == MatKind::complex && !field && !same_name(info.name, "variance") &&
-           !same_name(info.name, "coherence") && std::ranges::find(info.dims, lines) != info.dims.end();
-  };
-  const auto& variables = file_.variables();
-  const auto count = std::ranges::count_if(variables, candidate);
-  if (count == 1) return *std::ranges::find_if(variables, candidate);
-  if (count > 1)
-    fail({}, "several variables may be the FRFs: " + listed(file_, candidate), "name one of them");
-  fail({},
-       "has no complex array with an axis of " + std::to_string(lines) + " lines; its variables are " + all(),
-       "add one named frf");
+std::vector<double> MatLookup::numbers(const MatInfo& info) const {
+  std::vector<double> values;
+  for (const Complex& value : file_.read(info).values) values.push_back(value.real());
+  return values;
 }
 
-std::string MatLookup::all() const {
-  return listed(file_, [](const MatInfo&) { return true; });
+const MatInfo* MatLookup::axis_by_name() const {
+  for (const std::string& scope : scopes_) {
+    for (const std::string_view name : axis_names) {
+      const MatInfo* found = scope.empty() && name == "x" ? nullptr : of_scope(scope, name);
+      if (found != nullptr && is_vector(*found)) return found;
+    }
+  }
+  return nullptr;
 }
 
-const MatInfo& MatLookup::named_frf(const std::string& name) const {
-  const MatInfo* info = find(name);
-  if (info == nullptr) {
-    fail({}, "has no variable " + name + "; there are " + all(), "name one of them");
-  }
-  if (info->kind != MatKind::complex && info->kind != MatKind::real) {
-    fail(place_of(name), "is no array of numbers",
-         "name one of " + listed(file_, [](const MatInfo& other) { return other.kind == MatKind::complex; }));
-  }
+const MatInfo& MatLookup::named_axis(const std::string& variable) const {
+  const MatInfo* info = find(variable);
+  if (info == nullptr) fail({}, "has no variable " + variable + " for the frequencies", "name a real vector of the file");
+  if (!is_vector(*info))
+    fail(place_of(variable), "is no real vector of frequencies", "name the variable that holds the frequencies");
   return *info;
 }
 
-std::string MatLookup::text(const char* name) const {
-  const MatInfo* info = find(name);
-  if (info == nullptr || info->kind != MatKind::text) return {};
-  const MatVariable variable = file_.read(*info);
-  return variable.texts.empty() ? std::string() : variable.texts.front();
+/// By a text beside it, else by its name.
+double MatLookup::hz_per_unit(const MatInfo& axis) const {
+  std::string label = file_.note(&axis, "unit");
+  if (label.empty()) label = file_.note(&axis, "units");
+  if (label.empty()) label = text(axis_unit_names);
+  const std::string_view own = std::string_view(axis.name).substr(scope_of(axis).size());
+  const bool omega = own == "w" || same_name(own, "omega");
+  if (label.empty()) return omega ? from_rad_per_s : 1.0;
+  const double factor = located(file_.file(), place_of(axis.name), [&] { return hertz_per(label).value_or(1.0); });
+  if (omega && factor == 1.0) {
+    fail(place_of(axis.name), "is an angular frequency by its name and in '" + label + "' by its unit",
+         "rename it, or state its unit as rad/s");
+  }
+  return factor;
 }
 
-std::vector<Dof> MatLookup::dofs(const char* name, const std::vector<Dof>& otherwise) const {
-  const MatInfo* info = find(name);
-  if (info == nullptr) return otherwise;
-  if (info->kind != MatKind::text)
-    fail(place_of(name), "is not text", "write a cell array such as {'4:+Y'; '5:+Y'}");
-  std::vector<Dof> dofs;
-  for (std::string text : file_.read(*info).texts) {
-    text.resize(text.find_last_not_of(' ') + 1);  // rows of characters are padded with blanks
-    dofs.push_back(located(file_.file(), place_of(name), [&] { return Dof::parse(text); }));
+/// Of a struct x_values, as Testlab exports it; nothing where there is none.
+std::vector<double> MatLookup::stepped_axis() const {
+  const double start = number("x_values.start_value"), step = number("x_values.increment"),
+               count = number("x_values.number_of_values");
+  if (std::isnan(step) || std::isnan(count)) return {};
+  if (!(count >= 1.0) || count > longest_axis || count != std::floor(count))
+    fail(place_of("x_values.number_of_values"), fmt::format("{:g} is no number of lines", count), "export the FRFs again");
+  const std::string label = text(axis_unit_names);
+  const double hz =
+      label.empty() ? 1.0
+                    : located(file_.file(), place_of("x_values.quantity.label"), [&] { return hertz_per(label).value_or(1.0); });
+  std::vector<double> axis(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < axis.size(); ++i)
+    axis[i] = hz * ((std::isnan(start) ? 0.0 : start) + static_cast<double>(i) * step);
+  return axis;
+}
+
+void MatLookup::fail_axis(const MatInfo& frf) const {
+  std::vector<const MatInfo*> fitting, all;
+  for (const MatInfo& info : file_.variables()) {
+    all.push_back(&info);
+    if (is_vector(info) && std::ranges::find(frf.dims, size(info)) != frf.dims.end() && size(info) > 1) fitting.push_back(&info);
   }
-  return dofs;
+  if (!fitting.empty()) {
+    fail({},
+         "has no vector of frequencies by a name that is known; as long as an axis of " + frf.name + " are " +
+             listed(file_, fitting),
+         "name it: --frequency-variable " + fitting.front()->name + ", in a scene frequency_variable");
+  }
+  fail({}, "has no vector of frequencies; its variables are " + listed(file_, all),
+       "add one named frequency (Hz) or omega (rad/s), or name it: --frequency-variable, in a scene frequency_variable");
+}
+
+std::vector<double> MatLookup::axis(const std::string& variable, const MatInfo& frf) const {
+  const MatInfo* info = variable.empty() ? axis_by_name() : &named_axis(variable);
+  if (info == nullptr) {
+    std::vector<double> stepped = stepped_axis();
+    if (stepped.empty()) fail_axis(frf);
+    return stepped;
+  }
+  std::vector<double> values = numbers(*info);
+  const double hz = hz_per_unit(*info);
+  for (double& value : values) value *= hz;
+  return values;
+}
+
+std::size_t MatLookup::axis_length(const std::string& variable) const {
+  const MatInfo* info = variable.empty() ? axis_by_name() : find(variable);
+  if (info != nullptr) return size(*info);
+  const double count = variable.empty() ? number("x_values.number_of_values") : 0.0;
+  return count >= 1.0 && count <= longest_axis ? static_cast<std::size_t>(count) : 0;
+}
+
+std::string MatLookup::text(Names names) const {
+  const MatInfo* info = find(names);
+  if (info == nullptr || info->kind == MatKind::other) return {};  // other: a struct with fields of its own
+  if (info->kind != MatKind::text) fail(place_of(info->name), "is not text", "write a text, or remove it");
+  const std::vector<std::string> found = texts(*info);
+  const std::string first = found.empty() ? std::string() : found.front();
+  return first == "-" || first == "NONE" || first == "none" ? std::string() : first;
+}
+
+double MatLookup::number(std::string_view name) const {
+  const MatInfo* info = find(name);
+  if (info == nullptr || info->kind != MatKind::real || size(*info) != 1) return std::numeric_limits<double>::quiet_NaN();
+  return numbers(*info).front();
+}
+
+std::vector<std::string> MatLookup::texts(const MatInfo& info) const {
+  std::vector<std::string> out;
+  for (const std::string& text : file_.read(info).texts) out.push_back(trimmed_end(text));
+  return out;
+}
+
+/// "12:+X" of a node and a direction, each a number or a text; nothing where there are no such variables.
+std::vector<std::string> MatLookup::nodes_and_directions(bool response) const {
+  const MatInfo* node = find(response ? Names(response_nodes) : Names(reference_nodes));
+  const MatInfo* direction = find(response ? Names(response_directions) : Names(reference_directions));
+  if (node == nullptr || direction == nullptr || node->kind != MatKind::real) return {};
+  std::vector<std::string> directions;
+  if (direction->kind == MatKind::text) directions = texts(*direction);
+  if (direction->kind == MatKind::real) {
+    for (const double code : numbers(*direction)) directions.push_back(direction_text(code));
+  }
+  const std::vector<double> nodes = numbers(*node);
+  if (directions.size() != nodes.size()) {
+    fail(place_of(direction->name), fmt::format("has {} directions and {} {} nodes", directions.size(), node->name, nodes.size()),
+         "give a direction for each");
+  }
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < nodes.size(); ++i) out.push_back(fmt::format("{:.10g}:{}", nodes[i], directions[i]));
+  return out;
+}
+
+std::vector<Dof> MatLookup::dofs(bool response, const std::vector<Dof>& given) const {
+  const Names names = response ? Names(response_names) : Names(reference_names);
+  const MatInfo* info = find(names.first(1));
+  if (info != nullptr && info->kind != MatKind::text)
+    fail(place_of(info->name), "is not text", "write a cell array such as {'4:+Y'; '5:+Y'}");
+  const bool ours = info != nullptr;
+  if (!ours) info = find(names);
+  const bool text = info != nullptr && info->kind == MatKind::text;
+  const std::vector<std::string> words = text ? texts(*info) : nodes_and_directions(response);
+  std::vector<Dof> dofs;
+  const std::string place = text ? place_of(info->name) : response ? "response nodes" : "reference nodes";
+  try {
+    for (const std::string& word : words) dofs.push_back(located(file_.file(), place, [&] { return Dof::parse(word); }));
+  } catch (const InputError&) {
+    if (ours || given.empty()) throw;
+    return given;  // a text of another program under a name that only may mean DOFs
+  }
+  if (dofs.empty() || given.empty() || given == dofs) return dofs.empty() ? given : dofs;
+  fail(place, "names the DOFs " + comma_list(frf::names(dofs)) + ", others are given",
+       "leave out the DOFs that are given (--response, --reference, in a scene dofs), or change the file");
 }
 
 void MatLookup::fail(std::string place, std::string problem, std::string remedy) const {

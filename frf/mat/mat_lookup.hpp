@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,35 +14,59 @@ std::string place_of(std::string_view variable);
 std::string shape(const MatInfo& info);
 std::size_t size(const MatInfo& info);
 
-/// Finds variables by the conventions of mat_file.hpp.
+/// Whatever the case, but for single letters: f is a frequency and F may be a force.
+bool same_name(std::string_view a, std::string_view b);
+
+/// "S.inner." of S.inner.field; empty of a variable that is no field.
+std::string scope_of(const MatInfo& info);
+
+/// "H [296x7], f [296x1]", as the program that wrote the file shows them.
+std::string listed(const MatFile& file, const std::vector<const MatInfo*>& infos);
+
+/// Finds variables by the conventions of mat_file.hpp, from a struct outwards: among its fields, those of the struct around it, …
+/// and the variables of the file.
 class MatLookup {
  public:
-  explicit MatLookup(MatFile& file) : file_(file) {}
+  /// `scope`: as scope_of() says it.
+  MatLookup(MatFile& file, const std::string& scope);
 
-  /// By name, whatever its case (but for single letters), or null.
-  const MatInfo* find(std::string_view name) const;
+  /// The first of these names that there is in the innermost scope that has one, or null.
+  const MatInfo* find(std::span<const std::string_view> names) const;
+  const MatInfo* find(std::string_view name) const { return find(std::span(&name, 1)); }
 
-  /// The frequencies, Hz. Throws InputError listing all variables when there are none.
-  std::vector<double> axis() const;
+  /// The frequencies, Hz: of `variable` when given, else by name, else of the fields start_value, increment and number_of_values
+  /// of x_values. Throws InputError listing what may be them when there are none.
+  std::vector<double> axis(const std::string& variable, const MatInfo& frf) const;
 
-  /// The FRFs: `variable` when given, else `frf`, else the only complex array with an axis of `lines`.
-  /// Throws InputError listing the candidates.
-  const MatInfo& frf(const std::string& variable, std::size_t lines) const;
+  /// How many there are, or 0 where they are not found.
+  std::size_t axis_length(const std::string& variable) const;
 
-  /// First text of a variable, or empty.
-  std::string text(const char* name) const;
+  /// The first text of a variable; empty where there is none, or "-" or NONE stands there. Throws InputError where it is no text.
+  std::string text(std::span<const std::string_view> names) const;
 
-  /// DOFs of a variable, or `otherwise` when there is none.
-  std::vector<Dof> dofs(const char* name, const std::vector<Dof>& otherwise) const;
+  /// One real number of a variable, or NaN.
+  double number(std::string_view name) const;
+
+  /// DOFs of a variable with one of these names, or of two with numbers of nodes and directions. `given` are those of the user:
+  /// they are taken where the file has none. Throws InputError where the file names others.
+  std::vector<Dof> dofs(bool response, const std::vector<Dof>& given) const;
 
   /// Throws InputError (data) about the file.
   [[noreturn]] void fail(std::string place, std::string problem, std::string remedy) const;
 
  private:
-  std::string all() const;
-  const MatInfo& named_frf(const std::string& name) const;
+  const MatInfo* of_scope(const std::string& scope, std::string_view name) const;
+  std::vector<double> numbers(const MatInfo& info) const;
+  const MatInfo* axis_by_name() const;
+  const MatInfo& named_axis(const std::string& variable) const;
+  double hz_per_unit(const MatInfo& axis) const;
+  std::vector<double> stepped_axis() const;
+  [[noreturn]] void fail_axis(const MatInfo& frf) const;
+  std::vector<std::string> texts(const MatInfo& info) const;
+  std::vector<std::string> nodes_and_directions(bool response) const;
 
   MatFile& file_;
+  std::vector<std::string> scopes_;  ///< innermost first, last the empty one of the file
 };
 
 }  // namespace jointid::frf

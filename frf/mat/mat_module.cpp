@@ -21,6 +21,15 @@ MatioModule& matio_for(const std::filesystem::path& path) {
 
 }  // namespace
 
+MatioModule& matio_module(const std::string& file) {
+  if (has_matio()) return interface_of<MatioModule>(matio);
+  throw InputError({.kind = ErrorKind::data,
+                    .file = file,
+                    .place = {},
+                    .problem = "arrays that are packed need zlib, which comes with matio, and this build lacks it",
+                    .remedy = "build with matio, or save with numpy.savez() in place of savez_compressed()"});
+}
+
 bool has_matio() { return is_there(matio); }
 
 std::unique_ptr<MatFile> open_mat_variables_v5(const std::filesystem::path& path) { return matio_for(path).open(path); }

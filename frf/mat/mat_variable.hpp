@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "frf/set/frf_set.hpp"
@@ -15,7 +16,8 @@ namespace jointid::frf {
 enum class MatKind : std::uint8_t { real, complex, text, other };
 
 struct MatInfo {
-  std::string name;  ///< of a field of a struct that stands alone (1x1): S.field, S.inner.field; so are datasets in groups of HDF5
+  std::string name;  ///< of a field of a struct: S.field, S.inner.field, of an array of structs S(2).field; so are datasets in
+                     ///< groups of HDF5
   MatKind kind = MatKind::other;  ///< a cell array counts as text until it is read
   std::vector<std::size_t> dims;  ///< as MATLAB shows them
 };
@@ -27,7 +29,7 @@ struct MatVariable {
   std::vector<std::string> texts;  ///< rows of a character array, or cells
 };
 
-/// An open MATLAB file of some version.
+/// An open file of named arrays: MATLAB of some version, other HDF5, arrays of numpy.
 class MatFile {
  public:
   virtual ~MatFile() = default;
@@ -39,6 +41,14 @@ class MatFile {
 
   /// Reads one of `variables`. Throws InputError when the file breaks its promises.
   virtual MatVariable read(const MatInfo& info) = 0;
+
+  /// Whether the program that wrote the file counts the last index fastest (C, numpy): `dims` and numbers of a variable then are
+  /// in MATLAB's order of the transposed array.
+  virtual bool last_index_fastest() const { return false; }
+
+  /// A text that stands beside a variable (null: beside all of them), an attribute of HDF5, whatever the case of its name; else
+  /// empty.
+  virtual std::string note(const MatInfo* info, std::string_view name);
 
   /// Whether read_samples() reads parts of a variable from the file.
   virtual bool reads_samples() const { return false; }

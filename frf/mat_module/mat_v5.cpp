@@ -1,11 +1,13 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <functional>
 #include <numeric>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "base/error.hpp"
 #include "frf/mat_module/files.hpp"
@@ -117,24 +119,55 @@ std::vector<std::string> characters(const matvar_t& variable) {
 
 constexpr int deepest_struct = 8;
 
-/// The variable, and of a struct that stands alone its fields under S.field.
+/// The variable, of a struct its fields under S.field, of an array of structs (or a cell array of them) under S(2).field.
 void list(matvar_t& variable, const std::string& name, int depth, std::vector<MatInfo>& out) {
   out.push_back({name, kind_of(variable), dims_of(variable)});
-  if (variable.class_type != MAT_C_STRUCT || size(variable) != 1 || depth == deepest_struct) return;
+  if (depth == deepest_struct) return;
+  if (variable.class_type == MAT_C_CELL) {
+    for (std::size_t i = 0; i < size(variable); ++i) {
+      matvar_t* cell = Mat_VarGetCell(&variable, static_cast<int>(i));
+      if (cell == nullptr || cell->class_type != MAT_C_STRUCT || size(*cell) != 1) return;  // of texts and numbers
+      list(*cell, name + "(" + std::to_string(i + 1) + ")", depth + 1, out);
+    }
+  }
+  if (variable.class_type != MAT_C_STRUCT) return;
   char* const* fields = Mat_VarGetStructFieldnames(&variable);
-  for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&variable); ++i) {
-    matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, i, 0);
-    if (field != nullptr && fields[i] != nullptr) list(*field, name + "." + fields[i], depth + 1, out);
+  const std::size_t elements = size(variable);
+  for (std::size_t element = 0; element < elements; ++element) {
+    const std::string own = elements == 1 ? name : name + "(" + std::to_string(element + 1) + ")";
+    for (unsigned i = 0; i < Mat_VarGetNumberOfFields(&variable); ++i) {
+      matvar_t* field = Mat_VarGetStructFieldByIndex(&variable, i, element);
+      if (field != nullptr && fields[i] != nullptr) list(*field, own + "." + fields[i], depth + 1, out);
+    }
   }
 }
 
-/// A field by the rest of its name, "inner.field", or null.
-matvar_t* field_of(matvar_t* variable, std::string_view rest) {
-  while (variable != nullptr && !rest.empty()) {
-    const std::size_t dot = std::min(rest.find('.'), rest.size());
-    if (variable->class_type != MAT_C_STRUCT) return nullptr;
-    variable = Mat_VarGetStructFieldByName(variable, std::string(rest.substr(0, dot)).c_str(), 0);
-    rest.remove_prefix(std::min(dot + 1, rest.size()));
+/// "S", "S(2)" or "" before the next dot of a name, which is taken off with it: the name and the number of the element, from 0.
+std::pair<std::string, std::size_t> take_part(std::string_view& rest) {
+  const std::string_view part = rest.substr(0, std::min(rest.find('.'), rest.size()));
+  rest.remove_prefix(std::min(part.size() + 1, rest.size()));
+  const std::size_t open = part.find('(');
+  std::size_t element = 0;
+  if (open != std::string_view::npos &&
+      std::from_chars(part.data() + open + 1, part.data() + part.size(), element).ec == std::errc())
+    element -= element > 0 ? 1 : 0;
+  return {std::string(part.substr(0, open)), element};
+}
+
+/// A field by its name in list(), or null. `variable` is what stands before the first dot.
+matvar_t* field_of(matvar_t* variable, std::string_view name) {
+  std::size_t element = take_part(name).second;
+  while (variable != nullptr && (!name.empty() || variable->class_type == MAT_C_CELL)) {
+    if (variable->class_type == MAT_C_CELL) {
+      if (name.empty() || element >= size(*variable)) return name.empty() ? variable : nullptr;
+      variable = Mat_VarGetCell(variable, static_cast<int>(element));
+      element = 0;
+      continue;
+    }
+    if (variable->class_type != MAT_C_STRUCT || element >= size(*variable)) return nullptr;
+    const auto [field, next] = take_part(name);
+    variable = Mat_VarGetStructFieldByName(variable, field.c_str(), element);
+    element = next;
   }
   return variable;
 }
@@ -150,9 +183,9 @@ class MatV5 final : public MatFile {
   }
 
   MatVariable read(const MatInfo& info) override {
-    const std::size_t dot = std::min(info.name.find('.'), info.name.size());
-    load(info.name.substr(0, dot));
-    matvar_t* variable = field_of(loaded_.get(), std::string_view(info.name).substr(std::min(dot + 1, info.name.size())));
+    const std::size_t end = std::min(info.name.find_first_of(".("), info.name.size());
+    load(info.name.substr(0, end));
+    matvar_t* variable = field_of(loaded_.get(), info.name);
     if (variable == nullptr || kind_of(*variable) != info.kind || dims_of(*variable) != info.dims) {
       fail(info.name, "cannot be read; the file is damaged or truncated");
     }
@@ -163,7 +196,7 @@ class MatV5 final : public MatFile {
       require_data(info, *variable);
       out.values = numbers(*variable);
     }
-    if (dot == info.name.size()) loaded_.reset();
+    if (end == info.name.size()) loaded_.reset();
     return out;
   }
 
@@ -203,8 +236,6 @@ class MatV5 final : public MatFile {
 
 }  // namespace
 
-std::unique_ptr<MatFile> mat::open_file(const std::filesystem::path& path) {
-  return std::make_unique<MatV5>(path);
-}
+std::unique_ptr<MatFile> mat::open_file(const std::filesystem::path& path) { return std::make_unique<MatV5>(path); }
 
 }  // namespace jointid::frf

@@ -133,7 +133,8 @@ struct OpenOptions {
   std::string unit;                  ///< of the FRFs, e.g. "g/lbf", in place of what the file says of it; empty: as the file says
   std::vector<Dof> response;         ///< for matrices without DOFs (MAT, CSV), and for records without directions (UFF)
   std::vector<Dof> reference;        ///< default: as the responses, when the matrix is square
-  std::string variable;              ///< MAT: name of the FRF variable
+  std::string variable;              ///< files of named arrays (MAT, HDF5, npz): the FRFs, S.field of a struct
+  std::string frequency_variable{};  ///< the same of the frequencies; of .npy the file that holds them
   Spectra spectra = Spectra::none;   ///< other formats do not tell them from FRFs
 };
 

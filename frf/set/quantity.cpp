@@ -37,7 +37,7 @@ constexpr std::string_view invert =
     "export motion over force; an FRF cannot be inverted on its own, only the whole matrix can";
 
 /// Words that leave it open what is meant, and those of force over motion.
-constexpr std::array<OtherWord, 11> other_words = {{
+constexpr std::array<OtherWord, 11> words_left_open = {{
     {"admittance", "is said of receptances, of mobilities and of accelerances", ask},
     {"compliance", "is said of static flexibilities and of receptances", ask},
     {"flexibility", "is said of static flexibilities and of receptances", ask},
@@ -80,7 +80,7 @@ Quantity parse_quantity(std::string_view text) {
   for (const auto& [synonym, quantity] : quantity_words) {
     if (word == synonym) return quantity;
   }
-  for (const auto& [other, problem, remedy] : other_words) {
+  for (const auto& [other, problem, remedy] : words_left_open) {
     if (word != other) continue;
     throw InputError({.kind = ErrorKind::data,
                       .file = {},

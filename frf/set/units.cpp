@@ -41,6 +41,14 @@ double si_factor(std::string_view unit_label, Quantity quantity) {
   return parsed->si;
 }
 
+std::optional<Quantity> quantity_of_unit(std::string_view unit_label) {
+  const std::optional<Unit> parsed = parse_unit(unit_label);
+  for (const Quantity quantity : {Quantity::receptance, Quantity::mobility, Quantity::accelerance}) {
+    if (parsed && fits(*parsed, quantity)) return quantity;
+  }
+  return std::nullopt;
+}
+
 double si_factor(std::string_view unit_label, const FrfHeader& header) {
   const double factor = si_factor(unit_label, header.quantity);
   const auto rotates = [](const Dof& dof) { return dof.is_rotation(); };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "frf/set/frf_set.hpp"
@@ -16,6 +17,9 @@ double si_factor(std::string_view unit_label, Quantity quantity);
 /// The same for the label of a whole set. One label cannot scale translations and rotations alike (mm/N says nothing
 /// of rad/N), so a set with rotations must be in SI units; otherwise throws InputError.
 double si_factor(std::string_view unit_label, const FrfHeader& header);
+
+/// The quantity that a label is a unit of: accelerance of "g/N"; empty where it is none of an FRF, or not understood.
+std::optional<Quantity> quantity_of_unit(std::string_view unit_label);
 
 /// Throws InputError (data) unless the label is a motion over a force or moment, of any quantity.
 void require_frf_unit(std::string_view unit_label);

@@ -24,8 +24,12 @@ std::string list_text(const char* option, const std::vector<frf::Dof>& dofs) {
 std::string open_text(const frf::OpenOptions& options) {
   std::string text;
   if (options.quantity) text += " --quantity " + frf::name(*options.quantity);
-  if (!options.unit.empty()) text += " --unit " + shell_word(q(options.unit)).toStdString();
-  if (!options.variable.empty()) text += " --variable " + shell_word(q(options.variable)).toStdString();
+  const auto add = [&](const char* option, const std::string& word) {
+    if (!word.empty()) text += std::string(" --") + option + " " + shell_word(q(word)).toStdString();
+  };
+  add("unit", options.unit);
+  add("variable", options.variable);
+  add("frequency-variable", options.frequency_variable);
   return text + list_text("response", options.response) + list_text("reference", options.reference);
 }
 

@@ -2598,6 +2598,10 @@ Wählen, was gefragt wird, und die Kanäle, und ausführen.</translation>
         <translation>die Variable einer MATLAB-Datei mit den FRFs</translation>
     </message>
     <message>
+        <source>the variable that holds its frequencies</source>
+        <translation>die Variable mit ihren Frequenzen</translation>
+    </message>
+    <message>
         <source>of the structure as weighed, hung free, in kg</source>
         <translation>der frei hängenden Struktur, gewogen, in kg</translation>
     </message>

@@ -41,11 +41,12 @@ std::unique_ptr<frf::FrfSource> open(const DataFile& file) {
 
 void require_no_measurement(const DataFile& model) {
   const frf::OpenOptions& options = model.options;
-  const char* key = options.quantity            ? "quantity"
-                    : !options.unit.empty()     ? "unit"
-                    : !options.response.empty() ? "dofs"
-                    : !options.variable.empty() ? "variable"
-                                                : nullptr;
+  const char* key = options.quantity                      ? "quantity"
+                    : !options.unit.empty()               ? "unit"
+                    : !options.response.empty()           ? "dofs"
+                    : !options.variable.empty()           ? "variable"
+                    : !options.frequency_variable.empty() ? "frequency_variable"
+                                                          : nullptr;
   if (key == nullptr) return;
   refuse(model.path, "[data.files]", std::string(key) + " is given for a model", "remove it; a model's file says what it is");
 }

@@ -50,7 +50,7 @@ std::vector<PlacedFile> placed_files(const DataSection& data, const Names& names
 
 scene::Table file_table(const scene::Item& item) {
   std::vector<std::string> keys = correction_keys();
-  keys.insert(keys.begin(), {"quantity", "unit", "dofs", "reference_dofs", "variable", "mass"});
+  keys.insert(keys.begin(), {"quantity", "unit", "dofs", "reference_dofs", "variable", "frequency_variable", "mass"});
   return item.table(keys);
 }
 
@@ -70,6 +70,7 @@ frf::OpenOptions read_options(const scene::Table& table) {
     if (options.response.empty()) dofs->fail("reference_dofs is given without dofs", "give dofs, too");
   }
   if (const auto variable = table.find("variable")) options.variable = variable->text_not_empty();
+  if (const auto variable = table.find("frequency_variable")) options.frequency_variable = variable->text_not_empty();
   return options;
 }
 

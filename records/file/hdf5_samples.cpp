@@ -54,6 +54,7 @@ class Hdf5Samples final : public SampleStream {
   void add(std::size_t variable, frf::Columns& titles, std::vector<Source>& sources) const {
     const frf::MatInfo& info = mat_->variables()[variable];
     if (info.kind != frf::MatKind::real || info.dims.empty() || info.dims.size() > 2) return;
+    if (info.name.find('(') != std::string::npos) return;  // of an array of structs
     const std::size_t others = info.dims.size() == 1 ? 1 : std::min(info.dims[0], info.dims[1]);
     for (std::size_t k = 0; k < others; ++k) {
       titles.columns.push_back({others == 1 ? info.name : info.name + "(" + std::to_string(k + 1) + ")", {}, {}});

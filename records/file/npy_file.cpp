@@ -5,37 +5,22 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
-#include <limits>
 
+#include "frf/npy/npy_header.hpp"
 #include "records/file/limits.hpp"
-#include "records/file/npy_header.hpp"
 
 namespace jointid::records {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
-constexpr std::size_t longest_header = 65536;
+using frf::fail_npy;
+using frf::NpyHeader;
 
 std::string read_bytes(std::ifstream& in, std::size_t count, const std::filesystem::path& path) {
   std::string bytes(count, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(count));
-  if (static_cast<std::size_t>(in.gcount()) != count) fail_npy(path, "the file ends inside of it", "copy the file again");
+  if (static_cast<std::size_t>(in.gcount()) != count)
+    fail_npy(path.string(), "the file ends inside of it", "copy the file again");
   return bytes;
-}
-
-/// The length of the header text: two bytes in format 1.0, four in 2.0 and 3.0, little-endian.
-std::size_t header_length(std::ifstream& in, const std::filesystem::path& path) {
-  const std::string start = read_bytes(in, magic.size() + 2, path);
-  const int major = start[magic.size()], minor = start[magic.size() + 1];
-  if (major < 1 || major > 3 || minor != 0) {
-    fail_npy(path, "format " + std::to_string(major) + "." + std::to_string(minor) + " is unknown", "write it with numpy.save()");
-  }
-  const std::string bytes = read_bytes(in, major == 1 ? 2 : 4, path);
-  std::size_t length = 0;
-  for (std::size_t i = bytes.size(); i-- > 0;) length = 256 * length + static_cast<unsigned char>(bytes[i]);
-  if (length > longest_header)
-    fail_npy(path, "it claims to have " + std::to_string(length) + " bytes", "write it with numpy.save()");
-  return length;
 }
 
 template <class T>
@@ -66,12 +51,14 @@ Reader reader_of(const NpyHeader& header) {
 /// Numbers that the shape declares; throws for other axes, none at all, and more than are read.
 std::uint64_t count_of(const NpyHeader& header, const std::filesystem::path& path) {
   if (header.shape.empty() || header.shape.size() > 2) {
-    fail_npy(path, "the array has " + std::to_string(header.shape.size()) + " axes", "save an array of channels and samples");
+    fail_npy(path.string(), "the array has " + std::to_string(header.shape.size()) + " axes",
+             "save an array of channels and samples");
   }
   std::uint64_t count = 1;
   for (const std::uint64_t extent : header.shape) {
-    if (extent == 0) fail_npy(path, "the array is empty", "save an array of channels and samples");
-    if (extent > most_numbers / count) fail_npy(path, "the array has more than 268 million numbers", "save it in several files");
+    if (extent == 0) fail_npy(path.string(), "the array is empty", "save an array of channels and samples");
+    if (extent > most_numbers / count)
+      fail_npy(path.string(), "the array has more than 268 million numbers", "save it in several files");
     count *= extent;
   }
   return count;
@@ -79,20 +66,21 @@ std::uint64_t count_of(const NpyHeader& header, const std::filesystem::path& pat
 
 }  // namespace
 
-bool looks_like_npy(std::string_view first_bytes) { return first_bytes.starts_with(magic); }
-
 frf::Columns read_npy(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  const std::size_t length = header_length(in, path);
-  const NpyHeader header = parse_npy_header(read_bytes(in, length, path), path);
-  const std::uint64_t count = count_of(header, path), begin = static_cast<std::uint64_t>(in.tellg());
   const std::uint64_t size = std::filesystem::file_size(path);
+  const NpyHeader header =
+      frf::parse_npy_header(read_bytes(in, std::min<std::size_t>(size, frf::longest_npy_header), path), path.string());
+  if (!header.is_real()) fail_npy(path.string(), npy_type_text(header), "save it as float64");
+  const std::uint64_t count = count_of(header, path), begin = header.begin;
   if (size != begin + count * header.width) {
-    fail_npy(path,
+    fail_npy(path.string(),
              "declares " + std::to_string(count * header.width) + " bytes of numbers and the file holds " +
                  std::to_string(size - begin),
              "copy the file again");
   }
+  in.clear();
+  in.seekg(static_cast<std::streamoff>(begin));
   const std::string bytes = read_bytes(in, count * header.width, path);
   const std::size_t rows = header.shape[0], columns = count / rows;
   const bool along_rows = columns >= rows;  // samples lie along the second axis

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 
 #include "frf/file/columns.hpp"
+#include "frf/npy/npy_header.hpp"
 
 namespace jointid::records {
 
-/// Whether a file begins as an array of numpy does.
-bool looks_like_npy(std::string_view first_bytes);
+using frf::looks_like_npy;
 
 /// Reads an array that numpy.save() wrote (formats 1.0, 2.0 and 3.0): one or two axes of real numbers (f4 f8 i1 u1 i2 u2 i4 u4 i8
 /// u8, either byte order), in C or Fortran order. The longer axis counts the samples; the columns are 1, 2, … Strict: the header

@@ -57,6 +57,23 @@ TEST(SummaryText, SaysWhatTheFileHolds) {
   EXPECT_THAT(text, HasSubstr("FRFs without a value  1 of 2\n"));
 }
 
+TEST(SummaryText, ListsValuesThatStandOutAndCountsTheRest) {
+  frf::FrfSet set = sample(200);
+  set.header.quantity = frf::Quantity::mobility;
+  for (std::size_t line = 0; line < 200; ++line) set.values[set.index(line, 1, 0)] = {0.0, 2.0};
+  set.values[set.index(40, 0, 0)] = {5e4, 0.0};
+  set.values[set.index(60, 1, 0)] = {std::numeric_limits<double>::infinity(), 0.0};
+  const std::string some = summary_text(set.header, take_census(*frf::from_memory(set), never));
+  EXPECT_THAT(some, HasSubstr("values that are no FRF of a structure\n"
+                              "  4:-RZ/4:+Y, line 61 (40 Hz): infinite\n"
+                              "  4:+Y/4:+Y, line 41 (30 Hz): 5e+04 times its neighbours: 0+9.425e+06i m/(s*N)\n"));
+  for (std::size_t line = 5; line < 200; line += 10) set.values[set.index(line, 1, 0)] = {std::numeric_limits<double>::quiet_NaN(), 0.0};
+  const std::string many = summary_text(set.header, take_census(*frf::from_memory(set), never));
+  EXPECT_THAT(many, HasSubstr("4:-RZ/4:+Y, line 6 (12.5 Hz): not a number\n"));
+  EXPECT_THAT(many, HasSubstr("\n  and 10 more\n"));
+  EXPECT_THAT(summary_text(set.header, {.values = 400}), testing::Not(HasSubstr("values that")));
+}
+
 TEST(SummaryText, ManyDofsAreCutAndUnevenStepsAreSaid) {
   frf::FrfHeader header;
   header.frequency_hz = {1.0, 2.0, 4.0};

@@ -112,8 +112,8 @@ TEST_F(CsvFile, WhatIsWrongIsNamedByLineAndColumn) {
   EXPECT_THAT(error(q), HasSubstr("no header row"));
   EXPECT_THAT(error(q + "f,1:X/1:X re\n"), HasSubstr("line 2, column 1: the first column is 'f'"));
   EXPECT_THAT(error(q + "frequency_hz\n"), HasSubstr("no column but the frequency"));
-  EXPECT_THAT(error(q + "frequency_hz,1:X/1:X real\n"),
-              HasSubstr("column 2: '1:X/1:X real' is not a column of an FRF"));
+  EXPECT_THAT(error(q + "frequency_hz,1:X/1:X reel\n"),
+              HasSubstr("column 2: '1:X/1:X reel' is not a column of an FRF"));
   EXPECT_THAT(error(q + "frequency_hz,1:X re\n"), HasSubstr("column 2: '1:X' is not response/reference"));
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:Q re\n"), HasSubstr("line 2, column 2: '1:Q' is not a DOF"));
   EXPECT_THAT(error(q + "frequency_hz,1:X/1:X re,1:X/1:X re\n"),

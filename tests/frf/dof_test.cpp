@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "base/error.hpp"
 
 namespace jointid::frf {
@@ -22,6 +26,30 @@ TEST(Dof, TheSignDoesNotMakeAnotherCoordinate) {
   EXPECT_TRUE(plus.same_coordinate(minus));
   EXPECT_EQ(coordinate_key(plus), coordinate_key(minus));
   EXPECT_FALSE(plus.same_coordinate(Dof::parse("4:+RY")));
+}
+
+TEST(Dof, WhatMayBeMeantIsProposed) {
+  const std::vector<std::pair<std::string, std::string>> labels = {
+      {"12X+", "12:+X"},      {"12+X", "12:+X"},       {"12:x", "12:+X"},     {"12X", "12:+X"},    {"12-X", "12:-X"},
+      {"12 : -rz", "12:-RZ"}, {"12:X-", "12:-X"},      {"12.3", "12:+Z"},     {"12:-6", "12:-RZ"}, {"Pt1Z-", "1:-Z"},
+      {"Node 7 Y", "7:+Y"},   {"12:\u2212Y", "12:-Y"}, {"\"4\"/+ry", "4:+RY"}};
+  for (const auto& [text, near] : labels) {
+    try {
+      Dof::parse(text);
+      FAIL() << text;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("did you mean " + near + "? Write node:direction"), std::string::npos)
+          << error.what();
+    }
+  }
+  for (const char* text : {"X", "12", "12:Q", "1X2", "12:+-X", "12XY", "force"}) {
+    try {
+      Dof::parse(text);
+      FAIL() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find("did you mean"), std::string::npos) << error.what();
+    }
+  }
 }
 
 TEST(Dof, WhatIsNotADofIsAnErrorThatNamesIt) {

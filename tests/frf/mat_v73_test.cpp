@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
+#include <array>
 #include <functional>
 
 #include "file_fixture.hpp"
@@ -27,14 +28,13 @@ class MatV73File : public FileTest {
   static void set_class(hid_t dataset, const std::string& name) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, name.size());
-    const hid_t attribute =
-        H5Acreate2(dataset, "MATLAB_class", type, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t attribute = H5Acreate2(dataset, "MATLAB_class", type, H5Screate(H5S_SCALAR), H5P_DEFAULT, H5P_DEFAULT);
     H5Awrite(attribute, type, name.data());
     H5Aclose(attribute);
   }
 
-  static void add(hid_t file, const std::string& name, const std::string& kind, hid_t type,
-                  std::vector<hsize_t> dims, const void* data) {
+  static void add(hid_t file, const std::string& name, const std::string& kind, hid_t type, std::vector<hsize_t> dims,
+                  const void* data) {
     std::reverse(dims.begin(), dims.end());
     const hid_t space = H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr);
     const hid_t dataset = H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
@@ -89,6 +89,52 @@ TEST_F(MatV73File, ReadsWhatMatlabSaves) {
   for (int i = 0; i < 6; ++i) EXPECT_EQ(set.values[static_cast<std::size_t>(i)], Complex(i, -i));
 }
 
+/// A field of an array of structs: references to its elements, of which MATLAB says no class.
+void add_field(hid_t file, const std::string& name, const std::vector<std::string>& elements) {
+  std::vector<hobj_ref_t> references(elements.size());
+  for (std::size_t i = 0; i < elements.size(); ++i) H5Rcreate(&references[i], file, elements[i].c_str(), H5R_OBJECT, -1);
+  const std::array<hsize_t, 2> dims = {elements.size(), 1};
+  const hid_t dataset = H5Dcreate2(file, name.c_str(), H5T_STD_REF_OBJ, H5Screate_simple(2, dims.data(), nullptr), H5P_DEFAULT,
+                                   H5P_DEFAULT, H5P_DEFAULT);
+  H5Dwrite(dataset, H5T_STD_REF_OBJ, H5S_ALL, H5S_ALL, H5P_DEFAULT, references.data());
+  H5Dclose(dataset);
+}
+
+TEST_F(MatV73File, AnArrayOfStructsIsOneSet) {
+  make([](hid_t file) {
+    H5Gclose(H5Gcreate2(file, "#refs#", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    H5Gclose(H5Gcreate2(file, "run", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    const std::vector<double> axis = {10.0, 20.0, 30.0};
+    add(file, "#refs#/f", "double", H5T_NATIVE_DOUBLE, {3, 1}, axis.data());
+    for (const char k : {'a', 'b'}) {
+      std::vector<Complex> values;  // [line, response], first index fastest
+      for (int i = 0; i < 6; ++i) values.emplace_back(i, k == 'a' ? 1.0 : 2.0);
+      const double node = k == 'a' ? 5.0 : 7.0;
+      const std::string name = std::string("#refs#/") + k;
+      add(file, name + "H", "double", complex_type(), {3, 2}, values.data());
+      add(file, name + "n", "double", H5T_NATIVE_DOUBLE, {1, 1}, &node);
+      add_text(file, name + "d", "-Y");
+    }
+    add_field(file, "run/f", {"#refs#/f", "#refs#/f"});
+    add_field(file, "run/H", {"#refs#/aH", "#refs#/bH"});
+    add_field(file, "run/refNode", {"#refs#/an", "#refs#/bn"});
+    add_field(file, "run/refDir", {"#refs#/ad", "#refs#/bd"});
+  });
+  OpenOptions options;
+  options.quantity = Quantity::receptance;
+  options.response = dofs({"1:+X", "2:+X"});
+  const FrfSet set = load(*open(path("a.mat"), options));
+  EXPECT_EQ(set.header.reference, dofs({"5:-Y", "7:-Y"}));
+  for (std::size_t l = 0; l < 3; ++l) {
+    for (std::size_t r = 0; r < 2; ++r) {
+      for (std::size_t c = 0; c < 2; ++c)
+        EXPECT_EQ(set.values[set.index(l, r, c)], Complex(static_cast<double>(l + 3 * r), static_cast<double>(c + 1)));
+    }
+  }
+  options.variable = "run(2).H";
+  EXPECT_EQ(load(*open(path("a.mat"), options)).header.reference, dofs({"7:-Y"}));
+}
+
 TEST_F(MatV73File, CellsMustHoldText) {
   make([](hid_t file) {
     add_set(file);
@@ -96,8 +142,7 @@ TEST_F(MatV73File, CellsMustHoldText) {
     const hobj_ref_t nowhere = 0;
     add(file, "reference_dof", "cell", H5T_STD_REF_OBJ, {1, 1}, &nowhere);
   });
-  EXPECT_THAT(message_of([&] { open(path("a.mat")); }),
-              HasSubstr("dataset reference_dof, cell 1: cannot be opened"));
+  EXPECT_THAT(message_of([&] { open(path("a.mat")); }), HasSubstr("dataset reference_dof, cell 1: cannot be opened"));
   make([](hid_t file) {
     add_set(file);
     H5Ldelete(file, "reference_dof", H5P_DEFAULT);
@@ -105,8 +150,7 @@ TEST_F(MatV73File, CellsMustHoldText) {
     H5Rcreate(&number, file, "frequency", H5R_OBJECT, -1);
     add(file, "reference_dof", "cell", H5T_STD_REF_OBJ, {1, 1}, &number);
   });
-  EXPECT_THAT(message_of([&] { open(path("a.mat")); }),
-              HasSubstr("dataset reference_dof, cell 1: is not text"));
+  EXPECT_THAT(message_of([&] { open(path("a.mat")); }), HasSubstr("dataset reference_dof, cell 1: is not text"));
 }
 
 TEST_F(MatV73File, AnyOtherHdf5FileSaysWhatItHolds) {

@@ -81,7 +81,7 @@ class RandomSet {
 };
 
 /// Compares by DOF: a DOF none of whose FRFs was measured does not come back, and the order may change.
-void expect_same(const FrfSet& written, const FrfSet& read, double tolerance) {
+void expect_same_set(const FrfSet& written, const FrfSet& read, double tolerance) {
   ASSERT_EQ(read.header.lines(), written.header.lines());
   for (std::size_t i = 0; i < read.header.lines(); ++i) {
     EXPECT_NEAR(read.header.frequency_hz[i], written.header.frequency_hz[i], 1e-5);
@@ -138,7 +138,7 @@ TEST(UffRoundTrip, RandomSets) {
         for (std::size_t i = 0; i < read.header.nodes.size(); ++i) {
           EXPECT_EQ(read.header.nodes[i].position, set.header.nodes[i].position);
         }
-        expect_same(set, read, binary ? 1e-15 : 1e-11);
+        expect_same_set(set, read, binary ? 1e-15 : 1e-11);
         ++sets;
       }
     }

@@ -1,0 +1,95 @@
+#include "frf/csv/csv_keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "frf/text/number_text.hpp"
+
+namespace jointid::frf {
+namespace {
+
+/// As they may be written, in lower case with one blank between words, and the keys that they are.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> known_keys = {{{"quantity", "quantity"},
+                                                                                       {"unit", "unit"},
+                                                                                       {"units", "unit"},
+                                                                                       {"averages", "averages"},
+                                                                                       {"average", "averages"},
+                                                                                       {"number of averages", "averages"},
+                                                                                       {"frequency unit", "frequency_unit"},
+                                                                                       {"frequency units", "frequency_unit"},
+                                                                                       {"freq unit", "frequency_unit"},
+                                                                                       {"freq units", "frequency_unit"}}};
+
+/// In lower case, one blank for blanks, tabs, underscores and hyphens.
+std::string plain_key(std::string_view text) {
+  std::string key;
+  for (const char c : text) {
+    const bool blank = c == ' ' || c == '\t' || c == '_' || c == '-';
+    if (!blank) key += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (blank && !key.empty() && key.back() != ' ') key += ' ';
+  }
+  while (!key.empty() && key.back() == ' ') key.pop_back();
+  return key;
+}
+
+/// The key that one with a slip of the pen, or with a word too many, may be meant as.
+std::string_view near_key(const std::string& key) {
+  const std::vector<std::string_view> words = split(key, ' ');
+  for (const std::string_view word : words) {
+    if (word == "unit" || word == "units") return "unit";
+  }
+  if (words.size() != 1 || key.size() < 3) return {};
+  for (const std::string_view known : {"unit", "units", "quantity", "averages"}) {
+    const std::size_t slips = known.size() > 5 ? 2 : 1;
+    std::string swapped = key;  // two letters the wrong way round are one slip
+    for (std::size_t i = 0; i + 1 < key.size(); ++i) {
+      std::swap(swapped[i], swapped[i + 1]);
+      if (swapped == known) return known == "units" ? "unit" : known;
+      std::swap(swapped[i], swapped[i + 1]);
+    }
+    if (edit_distance(key, std::string(known)) <= slips) return known == "units" ? "unit" : known;
+  }
+  return {};
+}
+
+[[noreturn]] void fail(const std::string& file, std::size_t line, std::string problem, std::string remedy) {
+  throw InputError({.kind = ErrorKind::data,
+                    .file = file,
+                    .place = "line " + std::to_string(line),
+                    .problem = std::move(problem),
+                    .remedy = std::move(remedy)});
+}
+
+}  // namespace
+
+void read_csv_key(std::string_view line, const std::string& file, std::size_t number, CsvKeys& keys) {
+  line.remove_prefix(1);
+  const std::size_t end = line.find_first_of("=:");
+  if (end == std::string_view::npos) return;
+  const std::string_view written = trimmed(line.substr(0, end)), value = trimmed(line.substr(end + 1));
+  std::string key = plain_key(written);
+  const auto known = std::ranges::find(known_keys, key, [](const auto& pair) { return pair.first; });
+  if (known != known_keys.end()) {
+    key = known->second;
+  } else if (key.starts_with("node ")) {
+    key = std::string(written);
+    std::ranges::transform(key.begin(), key.begin() + 4, key.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  } else if (const std::string_view near = near_key(key); !near.empty()) {
+    fail(file, number, "the key '" + std::string(written.substr(0, 40)) + "' is not known",
+         "did you mean " + std::string(near) + "? Or write a comment without = and :");
+  } else {
+    return;
+  }
+  const auto [entry, fresh] = keys.emplace(key, value);
+  if (!fresh && entry->second != value)
+    fail(file, number, "'" + key + "' is " + std::string(value) + " here and " + entry->second + " above",
+         "keep the one that is right");
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,167 @@
+#include "frf/mat/mat_arrays.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "frf/mat/mat_lookup.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using Arrays = std::vector<ComplexArray>;
+
+/// Endings of the real and of the imaginary part.
+constexpr std::array<std::array<std::string_view, 2>, 6> part_endings = {
+    {{"_real", "_imag"}, {"_re", "_im"}, {".real", ".imag"}, {".re", ".im"}, {"Real", "Imag"}, {"Re", "Im"}}};
+constexpr std::array<std::string_view, 3> no_frfs = {"variance", "coherence", "covariance"};
+
+/// "run.H" of run(3).H.
+std::string without_numbers(const std::string& name) {
+  std::string out;
+  bool inside = false;
+  for (const char c : name) {
+    inside = inside || c == '(';
+    if (!inside) out += c;
+    inside = inside && c != ')';
+  }
+  return out;
+}
+
+std::string_view last_part(const MatInfo& info) { return std::string_view(info.name).substr(scope_of(info).size()); }
+
+bool is_field(const ComplexArray& array) { return array.values->name.find('.') != std::string::npos; }
+
+class FrfFinder {
+ public:
+  FrfFinder(MatFile& file, const std::string& axis) : file_(file), lookup_(file, {}), axis_(axis) {
+    for (const MatInfo& info : file_.variables()) {
+      const bool other = std::ranges::any_of(no_frfs, [&](std::string_view name) { return same_name(last_part(info), name); });
+      if (info.kind == MatKind::complex && !other) arrays_.push_back({info.name, &info});
+      if (info.kind == MatKind::real) add_parts(info);
+    }
+  }
+
+  Arrays named(const std::string& name) const {
+    const MatInfo* exact = lookup_.find(name);
+    const Arrays of_name = those([&](const ComplexArray& array) { return same_name(array.name, name); });
+    if (!of_name.empty()) return of_name;
+    if (exact != nullptr && exact->kind == MatKind::real) fail_real(*exact);
+    const Arrays of_elements = those([&](const ComplexArray& array) { return same_name(without_numbers(array.name), name); });
+    if (!of_elements.empty()) return of_elements;
+    const Arrays inside =
+        those([&](const ComplexArray& array) { return begins(array.name, name) || begins(without_numbers(array.name), name); });
+    if (!inside.empty()) return only(fitting(inside), name);
+    if (exact == nullptr) lookup_.fail({}, "has no variable " + name + "; there are " + listed(file_, all()), "name one of them");
+    lookup_.fail(place_of(name), "is no array of complex numbers", "name one of " + listed(file_, infos(arrays_)));
+  }
+
+  Arrays by_itself() const {
+    if (const MatInfo* frf = lookup_.find("frf"); frf != nullptr && (frf->kind == MatKind::complex || frf->kind == MatKind::real))
+      return named("frf");
+    const Arrays variables = fitting(those([](const ComplexArray& array) { return !is_field(array); }));
+    if (!variables.empty()) return only(variables, {});
+    const Arrays fields = fitting(those(is_field));
+    if (!fields.empty()) return only(fields, {});
+    fail_none();
+  }
+
+ private:
+  /// `info` as the real part of an array whose imaginary part is there, too.
+  void add_parts(const MatInfo& info) {
+    for (const auto& [re, im] : part_endings) {
+      const std::string& name = info.name;
+      const bool whole = same_name(name, re.substr(re.find_first_not_of("_.")));
+      if (!whole && (name.size() <= re.size() || !same_name(std::string_view(name).substr(name.size() - re.size()), re)))
+        continue;
+      const std::string base = whole ? std::string() : name.substr(0, name.size() - re.size());
+      const std::string partner = base + std::string(whole ? im.substr(im.find_first_not_of("_.")) : im);
+      const auto found =
+          std::ranges::find_if(file_.variables(), [&](const MatInfo& other) { return same_name(other.name, partner); });
+      if (found == file_.variables().end() || found->kind != MatKind::real || found->dims != info.dims) continue;
+      arrays_.push_back({base.empty() ? name : base, &info, &*found});
+      return;
+    }
+  }
+
+  static bool begins(const std::string& name, const std::string& structure) {
+    return name.size() > structure.size() && name[structure.size()] == '.' &&
+           same_name(std::string_view(name).substr(0, structure.size()), structure);
+  }
+
+  template <class Keep>
+  Arrays those(const Keep& keep) const {
+    Arrays out;
+    std::ranges::copy_if(arrays_, std::back_inserter(out), keep);
+    return out;
+  }
+
+  /// Those with an axis as long as their frequencies; where none is said to be, those whose frequencies are not known.
+  Arrays fitting(const Arrays& arrays) const {
+    Arrays fit, unknown;
+    for (const ComplexArray& array : arrays) {
+      const std::size_t lines = MatLookup(file_, scope_of(*array.values)).axis_length(axis_);
+      if (lines == 0) unknown.push_back(array);
+      if (lines > 0 && std::ranges::find(array.values->dims, lines) != array.values->dims.end()) fit.push_back(array);
+    }
+    return fit.empty() ? unknown : fit;
+  }
+
+  /// One array, or one field of all elements of an array of structs.
+  Arrays only(const Arrays& arrays, const std::string& structure) const {
+    const auto field = [](const ComplexArray& array) { return without_numbers(array.name); };
+    const bool one =
+        std::ranges::all_of(arrays, [&](const ComplexArray& array) { return field(array) == field(arrays.front()); });
+    if (one) return arrays;
+    lookup_.fail(structure.empty() ? std::string() : place_of(structure),
+                 "several variables may be the FRFs: " + listed(file_, infos(arrays)),
+                 "name one of them, --variable, in a scene variable");
+  }
+
+  static std::vector<const MatInfo*> infos(const Arrays& arrays) {
+    std::vector<const MatInfo*> out;
+    for (const ComplexArray& array : arrays) out.push_back(array.values);
+    return out;
+  }
+
+  std::vector<const MatInfo*> all() const {
+    std::vector<const MatInfo*> out;
+    for (const MatInfo& info : file_.variables()) out.push_back(&info);
+    return out;
+  }
+
+  [[noreturn]] void fail_real(const MatInfo& info) const {
+    std::string others = arrays_.empty() ? std::string() : "; complex are " + listed(file_, infos(arrays_));
+    lookup_.fail(place_of(info.name), "is real, and an FRF without a phase is none" + others,
+                 "export complex FRFs, or real and imaginary parts as " + info.name + "_real and " + info.name + "_imag");
+  }
+
+  [[noreturn]] void fail_none() const {
+    const std::size_t lines = lookup_.axis_length(axis_);
+    if (lines == 0) {
+      lookup_.fail({}, "has no vector of frequencies; its variables are " + listed(file_, all()),
+                   "add one named frequency (Hz) or omega (rad/s)");
+    }
+    const auto real = std::ranges::find_if(file_.variables(), [&](const MatInfo& info) {
+      return info.kind == MatKind::real && size(info) > lines && std::ranges::find(info.dims, lines) != info.dims.end();
+    });
+    if (real != file_.variables().end() && file_.variables().size() <= 4) fail_real(*real);
+    lookup_.fail(
+        {}, "has no complex array with an axis of " + std::to_string(lines) + " lines; its variables are " + listed(file_, all()),
+        "add one named frf");
+  }
+
+  MatFile& file_;
+  MatLookup lookup_;
+  const std::string& axis_;
+  Arrays arrays_;
+};
+
+}  // namespace
+
+std::vector<ComplexArray> find_frfs(MatFile& file, const std::string& variable, const std::string& axis) {
+  const FrfFinder finder(file, axis);
+  return variable.empty() ? finder.by_itself() : finder.named(variable);
+}
+
+}  // namespace jointid::frf

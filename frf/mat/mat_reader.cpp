@@ -1,0 +1,281 @@
+#include "frf/mat/mat_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "frf/mat/mat_arrays.hpp"
+#include "frf/mat/mat_lookup.hpp"
+#include "frf/set/line_scale.hpp"
+#include "frf/set/merged_set.hpp"
+#include "frf/set/unit_label.hpp"
+#include "frf/set/units.hpp"
+#include "frf/text/located.hpp"
+#include "frf/text/unit_names.hpp"
+
+namespace jointid::frf {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 3> unit_names_of_frfs = {"unit", "units", "y_values.quantity.label"};
+constexpr std::array<std::string_view, 4> coherence_names = {"coherence", "coh", "gamma2", "coherences"};
+constexpr std::array<std::string_view, 5> averages_names = {"averages", "navg", "n_avg", "num_averages", "number_of_averages"};
+constexpr std::string_view factor_name = "y_values.quantity.unit_transformation.factor";
+
+/// One array of FRFs with what stands beside it.
+class Reader {
+ public:
+  /// `element` of `elements` in an array of structs.
+  Reader(MatFile& file, const OpenOptions& options, const ComplexArray& frf, std::size_t element, std::size_t elements)
+      : file_(file), lookup_(file, scope_of(*frf.values)), options_(options), frf_(frf), element_(element), elements_(elements) {}
+
+  FrfSet read() {
+    FrfHeader& header = set_.header;
+    header.file = file_.file();
+    header.frequency_hz = lookup_.axis(options_.frequency_variable, *frf_.values);
+    read_dofs();
+    header.quantity = read_quantity();
+    if (header.response.empty()) {
+      lookup_.fail({}, "does not say at which DOFs " + frf_.name + " was measured",
+                   "give the response and reference DOFs, or add cell arrays response_dof and reference_dof");
+    }
+    validate(header);
+    set_.values = ordered(*frf_.values);
+    if (frf_.imaginary != nullptr) add_imaginary(ordered(*frf_.imaginary));
+    read_noise();
+    to_receptance();
+    return std::move(set_);
+  }
+
+ private:
+  /// Of one element, or one each of all elements.
+  std::vector<Dof> given(const std::vector<Dof>& dofs, std::size_t needed) const {
+    if (elements_ > 1 && dofs.size() == elements_ && needed != dofs.size()) return {dofs[element_]};
+    return dofs;
+  }
+
+  void read_dofs() {
+    FrfHeader& header = set_.header;
+    const std::size_t columns = size(*frf_.values) / std::max<std::size_t>(1, header.lines());
+    header.reference = lookup_.dofs(false, given(options_.reference, columns));
+    const std::size_t references = std::max<std::size_t>(1, header.reference.size());
+    header.response = lookup_.dofs(true, given(options_.response, columns / references));
+    if (header.reference.empty()) header.reference = header.response;
+  }
+
+  std::string unit_label() const {
+    for (const MatInfo* beside : {frf_.values, static_cast<const MatInfo*>(nullptr)}) {
+      for (const std::string_view name : {"unit", "units"}) {
+        if (std::string text = file_.note(beside, name); !text.empty()) return text;
+      }
+    }
+    return lookup_.text(unit_names_of_frfs);
+  }
+
+  Quantity read_quantity() {
+    std::string text = file_.note(frf_.values, "quantity");
+    if (text.empty()) text = file_.note(nullptr, "quantity");
+    if (text.empty()) text = lookup_.text(std::array<std::string_view, 1>{"quantity"});
+    if (!text.empty())
+      return located(file_.file(), place_of("quantity"), [&] { return parse_quantity(text, options_.quantity); });
+    if (options_.quantity) return *options_.quantity;
+    if (const auto quantity = quantity_of_unit(unit_label())) return *quantity;
+    lookup_.fail({}, "does not say which quantity it holds", "give the quantity, or add a text quantity = 'accelerance'");
+  }
+
+  /// As the program that wrote the array shows them.
+  std::vector<std::size_t> dims(const MatInfo& info) const {
+    std::vector<std::size_t> dims = info.dims;
+    if (file_.last_index_fastest()) std::ranges::reverse(dims);
+    while (dims.size() > 3 && dims.back() == 1) dims.pop_back();
+    return dims;
+  }
+
+  /// Whether an array may be [F,R,C] or [F,N], and whether it may be [R,C,F] or [N,F].
+  std::array<bool, 2> orders(const MatInfo& info) const {
+    const std::size_t lines = set_.header.lines();
+    const std::size_t rows = set_.header.response.size();
+    const std::size_t columns = set_.header.reference.size();
+    const std::vector<std::size_t> own = dims(info);
+    std::array<std::size_t, 3> d = {1, 1, 1};
+    if (own.size() > 3) return {false, false};
+    std::ranges::copy(own, d.begin());
+    const auto is = [&](std::size_t a, std::size_t b, std::size_t c) { return d == std::array{a, b, c}; };
+    return {is(lines, rows, columns) || is(lines, rows * columns, 1), is(rows, columns, lines) || is(rows * columns, lines, 1)};
+  }
+
+  /// Whether the lines are the last axis rather than the first.
+  bool lines_last(const MatInfo& info) {
+    const auto [first, last] = orders(info);
+    const FrfHeader& header = set_.header;
+    const std::string shown = shape({.name = {}, .dims = dims(info)});
+    if (!first && !last) {
+      lookup_.fail(place_of(info.name),
+                   "is [" + shown + "] where " + std::to_string(header.lines()) + " lines, " +
+                       std::to_string(header.response.size()) + " responses and " + std::to_string(header.reference.size()) +
+                       " references are expected",
+                   "shape it [F,R,C], [R,C,F] or [F,R*C], or give other DOFs");
+    }
+    const bool columns_open = header.response.size() > 1 && header.reference.size() > 1 && dims(info).size() < 3;
+    if (columns_open && file_.last_index_fastest()) {
+      lookup_.fail(place_of(info.name), "[" + shown + "] leaves open which column is of which response and reference",
+                   "shape it [F,R,C]");
+    }
+    const std::string axes = lookup_.text(std::array<std::string_view, 1>{"axes"});
+    if (axes == "FRC" && first) return false;
+    if (axes == "RCF" && last) return true;
+    if (first && last && header.lines() > 1 && header.entries() > 1) {
+      lookup_.fail(place_of(info.name), "[" + shown + "] may be [F,R,C] or [R,C,F]", "add a text axes = 'FRC' or 'RCF'");
+    }
+    return last;
+  }
+
+  /// The values of an array in the order [line, response, reference].
+  std::vector<Complex> ordered(const MatInfo& info) {
+    const bool last = lines_last(info), by_rows = file_.last_index_fastest();
+    const std::vector<Complex> values = file_.read(info).values;
+    const std::size_t lines = set_.header.lines(), rows = set_.header.response.size(), columns = set_.header.reference.size();
+    std::vector<Complex> out(values.size());
+    for (std::size_t line = 0; line < lines; ++line) {
+      for (std::size_t entry = 0; entry < rows * columns; ++entry) {
+        const std::size_t r = by_rows ? entry / columns : entry % rows, c = by_rows ? entry % columns : entry / rows;
+        const bool line_fastest = last == by_rows;
+        out[set_.index(line, r, c)] = values[line_fastest ? line + lines * entry : entry + rows * columns * line];
+      }
+    }
+    return out;
+  }
+
+  void add_imaginary(const std::vector<Complex>& imaginary) {
+    for (std::size_t i = 0; i < imaginary.size(); ++i) set_.values[i] = {set_.values[i].real(), imaginary[i].real()};
+  }
+
+  void read_noise() {
+    const MatInfo& frf = *frf_.values;
+    const MatInfo* variance = lookup_.find("variance");
+    const MatInfo* coherence = lookup_.find(scope_of(frf).empty() ? Names(coherence_names).first(1) : Names(coherence_names));
+    for (const MatInfo* noise : {variance, coherence}) {
+      if (noise != nullptr && noise->dims != frf.dims) {
+        lookup_.fail(place_of(noise->name), "is [" + shape(*noise) + "] and " + frf.name + " [" + shape(frf) + "]",
+                     "shape them alike");
+      }
+    }
+    if (variance != nullptr && coherence != nullptr) {
+      lookup_.fail({}, "has both variance and coherence", "keep the one that was measured");
+    }
+    if (variance != nullptr) read_variance(*variance);
+    if (coherence != nullptr) read_coherence(*coherence);
+  }
+
+  void read_variance(const MatInfo& info) {
+    if (info.kind != MatKind::complex) {
+      lookup_.fail(place_of(info.name), "is not complex", "give the variances of real and imaginary part as a complex array");
+    }
+    set_.header.noise = NoiseRecord::variance;
+    set_.variance = ordered(info);
+  }
+
+  void read_coherence(const MatInfo& info) {
+    if (info.kind != MatKind::real) lookup_.fail(place_of(info.name), "is not real", "give coherences between 0 and 1");
+    if (const MatInfo* averages = lookup_.find(averages_names)) set_.header.averages = read_averages(*averages);
+    set_.header.noise = NoiseRecord::coherence;
+    for (const Complex& value : ordered(info)) set_.coherence.push_back(value.real());
+  }
+
+  double read_averages(const MatInfo& info) {
+    const bool scalar = info.kind == MatKind::real && size(info) == 1;
+    const double value = scalar ? file_.read(info).values.front().real() : 0.0;
+    if (!(value >= 1.0)) {
+      lookup_.fail(place_of(info.name), "is not a number of averages", "give how many the coherences come from");
+    }
+    return value;
+  }
+
+  /// A text that may be meant as the unit, under another name.
+  void require_no_other_unit() const {
+    const std::string scope = scope_of(*frf_.values);
+    for (const MatInfo& info : file_.variables()) {
+      const std::string name = lower_case(info.name);
+      if (info.kind != MatKind::text || scope_of(info) != scope || name.find("unit") == std::string::npos) continue;
+      if (name.find("freq") != std::string::npos || name.find("time") != std::string::npos || name.ends_with("ref_unit"))
+        continue;
+      lookup_.fail(place_of(info.name), "is not read",
+                   "did you mean unit? Rename it, or remove it where it is of something else");
+    }
+  }
+
+  double si_of_file() const {
+    const FrfHeader& header = set_.header;
+    const std::string label = unit_label();
+    if (states_no_unit(label)) {
+      require_no_other_unit();
+      return 1.0;
+    }
+    const double si = located(header.file, place_of("unit"), [&] { return si_factor(label, header); });
+    const double stated = lookup_.number(factor_name);
+    if (!std::isnan(stated) && std::abs(stated - si) > 1e-3 * std::abs(si)) {
+      lookup_.fail(place_of(factor_name),
+                   fmt::format("{:g} is not the factor of the unit '{}', which is {:g}", stated, label, si),
+                   "export the FRFs in SI units");
+    }
+    return si;
+  }
+
+  void to_receptance() {
+    const FrfHeader& header = set_.header;
+    const double si = si_of_file();
+    for (std::size_t i = 0; i < set_.values.size(); ++i) {
+      const LineScale scale = LineScale::to_receptance(header.quantity, si, header.frequency_hz[i / header.entries()]);
+      set_.values[i] = scale.value(set_.values[i]);
+      if (!set_.variance.empty()) set_.variance[i] = scale.variance(set_.variance[i]);
+    }
+  }
+
+  MatFile& file_;
+  MatLookup lookup_;
+  const OpenOptions& options_;
+  const ComplexArray& frf_;
+  std::size_t element_, elements_;
+  FrfSet set_;
+};
+
+/// Sets that all have coherences of as many averages, which merged() would make variances of.
+bool keep_coherences(const std::vector<FrfSet>& sets) {
+  return std::ranges::all_of(sets, [&](const FrfSet& set) {
+    return set.header.noise == NoiseRecord::coherence && set.header.averages == sets.front().header.averages;
+  });
+}
+
+void add_coherences(const std::vector<FrfSet>& sets, FrfSet& out) {
+  out.header.noise = NoiseRecord::coherence;
+  out.header.averages = sets.front().header.averages;
+  out.variance.clear();
+  out.coherence.assign(out.values.size(), std::nan(""));
+  for (const FrfSet& set : sets) {
+    for (std::size_t i = 0; i < set.coherence.size(); ++i) {
+      const std::size_t columns = set.header.reference.size(), entry = i % set.header.entries();
+      const std::size_t r = find_coordinate(out.header.response, set.header.response[entry / columns]);
+      const std::size_t c = find_coordinate(out.header.reference, set.header.reference[entry % columns]);
+      out.coherence[out.index(i / set.header.entries(), r, c)] = set.coherence[i];
+    }
+  }
+}
+
+}  // namespace
+
+FrfSet read_mat_frfs(MatFile& file, const OpenOptions& options) {
+  const std::vector<ComplexArray> frfs = find_frfs(file, options.variable, options.frequency_variable);
+  std::vector<FrfSet> sets;
+  for (std::size_t i = 0; i < frfs.size(); ++i) sets.push_back(Reader(file, options, frfs[i], i, frfs.size()).read());
+  if (sets.size() == 1) return std::move(sets.front());
+  const bool coherences = keep_coherences(sets);
+  FrfSet out = merged(coherences ? sets : std::move(sets));
+  if (coherences) add_coherences(sets, out);
+  return out;
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,199 @@
+#include "frf/noise/wild_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace jointid::frf {
+namespace {
+
+constexpr double large_factor = 500.0, small_factor = 1000.0, rounding = 1e-10, no_resonance = 1e5, rise = 1.3, opposite = 0.7,
+                 agreement = 1.0;
+constexpr std::size_t fewest_neighbours = 3, most_runs = 100'000, piece_bytes = std::size_t{4} << 20;
+
+bool is_number(Complex h) { return !std::isnan(h.real()) && !std::isnan(h.imag()); }
+bool is_infinite(Complex h) { return std::isinf(h.real()) || std::isinf(h.imag()); }
+
+/// The lower middle one.
+double typical_of(std::span<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+WildSearch::WildSearch(const FrfHeader& header)
+    : header_(header), missing_(header.entries(), 0), open_(header.entries(), {npos, npos, npos, npos}) {
+  for (auto& line : values_) line.resize(header.entries());
+  for (auto& line : magnitudes_) line.resize(header.entries());
+}
+
+void WildSearch::add(std::span<const Complex> values) {
+  const std::size_t entries = header_.entries();
+  for (std::size_t at = 0; at + entries <= values.size(); at += entries) add_line(values.subspan(at, entries));
+}
+
+void WildSearch::add_line(std::span<const Complex> values) {
+  const std::size_t line = lines_++;
+  const bool counts = header_.frequency_hz[line] > 0.0;
+  counted_lines_ += counts ? 1 : 0;
+  std::ranges::copy(values, values_[line % kept].begin());
+  std::vector<double>& magnitudes = magnitudes_[line % kept];
+  double& maximum = maxima_[line % kept] = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double larger = std::max(std::abs(values[i].real()), std::abs(values[i].imag()));
+    const bool finite = is_number(values[i]) && !std::isinf(larger);
+    magnitudes[i] = finite && counts ? larger : std::numeric_limits<double>::quiet_NaN();
+    maximum = finite && counts && larger > maximum ? larger : maximum;
+    if (finite || !counts) continue;
+    const bool infinite = is_infinite(values[i]);
+    note(infinite ? WildKind::infinite : WildKind::not_a_number, line, i, 0.0);
+    missing_[i] += infinite ? 0 : 1;
+  }
+  if (line >= reach) judge(judged_++);
+}
+
+/// Few values are looked at closely: those that a factor of some hundred stands between and the largest or least of their
+/// neighbours.
+void WildSearch::judge(std::size_t line) {
+  if (!(header_.frequency_hz[line] > 0.0)) return;
+  const std::size_t first = line - std::min(line, reach), last = std::min(line + reach, lines_ - 1);
+  const std::vector<double>& own = magnitudes_[line % kept];
+  std::vector<double> least(own.size(), std::numeric_limits<double>::infinity()), largest(own.size(), 0.0);
+  for (std::size_t n = first; n <= last; ++n) {
+    if (n == line) continue;
+    const std::vector<double>& other = magnitudes_[n % kept];
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      least[i] = other[i] < least[i] ? other[i] : least[i];
+      largest[i] = other[i] > largest[i] ? other[i] : largest[i];
+    }
+  }
+  std::vector<double> maxima;
+  for (std::size_t n = first; n <= last; ++n) {
+    if (n != line) maxima.push_back(maxima_[n % kept]);
+  }
+  const double floor = maxima.empty() ? 0.0 : rounding * typical_of(maxima);
+  constexpr double close = 0.5 * large_factor;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i] > close * least[i] || own[i] * close < largest[i]) judge(line, i, floor);
+  }
+}
+
+void WildSearch::judge(std::size_t line, std::size_t entry, double floor) {
+  const double f = header_.frequency_hz[line], size = std::abs(value(line, entry));
+  std::array<double, 2 * reach> above{}, below{};
+  std::size_t count = 0;
+  for (std::size_t n = line - std::min(line, reach); n <= std::min(line + reach, lines_ - 1); ++n) {
+    if (n == line || std::isnan(magnitude(n, entry))) continue;
+    const double fall = (header_.frequency_hz[n] / f) * (header_.frequency_hz[n] / f), of = std::abs(value(n, entry));
+    above[count] = of * std::max(1.0, fall);
+    below[count++] = of * std::min(1.0, fall);
+  }
+  if (count < fewest_neighbours) return;
+  const double under = typical_of(std::span(above).first(count)), over = typical_of(std::span(below).first(count));
+  if (under > 0.0 && size > std::max(large_factor * under, floor)) {
+    if (size > no_resonance * under || !is_resonance(line, entry)) note(WildKind::large, line, entry, size / under);
+  } else if (over > floor && size * small_factor < over && is_dropout(line, entry, over)) {
+    note(WildKind::small, line, entry, size / over);
+  }
+}
+
+bool WildSearch::is_resonance(std::size_t line, std::size_t entry) const {
+  if (line < 2 || line + 2 >= lines_) return false;
+  const Complex left = value(line - 1, entry), right = value(line + 1, entry);
+  return std::abs(left) >= rise * std::abs(value(line - 2, entry)) &&
+         std::abs(right) >= rise * std::abs(value(line + 2, entry)) && std::abs(left + right) < opposite * std::abs(left - right);
+}
+
+bool WildSearch::is_dropout(std::size_t line, std::size_t entry, double typical) const {
+  const auto nearest = [&](int step) {
+    for (std::size_t k = 1; k <= reach; ++k) {
+      if ((step < 0 && k > line) || (step > 0 && line + k >= lines_)) break;
+      const std::size_t n = step < 0 ? line - k : line + k;
+      if (magnitude(n, entry) * small_factor > typical) return std::optional(value(n, entry));
+    }
+    return std::optional<Complex>();
+  };
+  const auto left = nearest(-1), right = nearest(+1);
+  return left && right && std::abs(*left - *right) <= agreement * 0.5 * std::abs(*left + *right);
+}
+
+/// Goes on with a run, or begins one.
+void WildSearch::note(WildKind kind, std::size_t line, std::size_t entry, double factor) {
+  std::size_t& run = open_[entry][static_cast<std::size_t>(kind)];
+  if (run != npos && found_[run].last_line + 1 == line) {
+    WildValue& known = found_[run];
+    known.last_line = line;
+    known.factor = kind == WildKind::small ? std::min(known.factor, factor) : std::max(known.factor, factor);
+    return;
+  }
+  if (found_.size() >= most_runs) {
+    run = npos;
+    ++more_;
+    return;
+  }
+  run = found_.size();
+  const std::size_t columns = header_.reference.size();
+  found_.push_back({kind, entry / columns, entry % columns, line, line, value(line, entry), factor});
+}
+
+/// Runs of all FRFs on the same lines become one.
+void WildSearch::join_common(std::vector<WildValue>& runs) const {
+  const auto filled =
+      static_cast<std::size_t>(std::ranges::count_if(missing_, [&](std::size_t n) { return n < counted_lines_; }));
+  const auto place = [](const WildValue& run) { return std::tuple(run.kind, run.line, run.last_line); };
+  std::map<std::tuple<WildKind, std::size_t, std::size_t>, std::size_t> counts;
+  for (const WildValue& run : runs) ++counts[place(run)];
+  std::vector<WildValue> joined;
+  for (WildValue& run : runs) {
+    std::size_t& count = counts[place(run)];
+    if (filled < 2 || count < filled) {
+      if (count > 0 || filled < 2) joined.push_back(run);
+      continue;
+    }
+    count = 0;
+    run.response = run.reference = npos;
+    joined.push_back(run);
+  }
+  runs = std::move(joined);
+}
+
+WildValues WildSearch::finish() {
+  for (; judged_ < lines_; ++judged_) judge(judged_);
+  const std::size_t columns = header_.reference.size();
+  std::erase_if(found_, [&](const WildValue& run) {
+    return run.kind == WildKind::not_a_number && missing_[run.response * columns + run.reference] == counted_lines_;
+  });
+  join_common(found_);
+  std::ranges::stable_sort(found_, {},
+                           [](const WildValue& run) { return std::tuple(run.kind, run.line, run.response, run.reference); });
+  WildValues out{std::move(found_), more_, true};
+  if (out.found.size() > most_wild_values) {
+    out.more += out.found.size() - most_wild_values;
+    out.found.resize(most_wild_values);
+  }
+  return out;
+}
+
+WildValues find_wild_values(FrfSource& source, const std::function<bool()>& interrupted) {
+  const FrfHeader& header = source.header();
+  if (header.entries() > most_judged_frfs) return {.found = {}, .more = 0, .looked = false};
+  std::vector<std::size_t> lines(header.lines()), responses(header.response.size()), references(header.reference.size());
+  for (auto* indices : {&lines, &responses, &references}) std::iota(indices->begin(), indices->end(), std::size_t{0});
+  const std::size_t step = std::max<std::size_t>(1, piece_bytes / (header.entries() * sizeof(Complex)));
+  WildSearch search(header);
+  std::vector<Complex> values;
+  for (std::size_t first = 0; first < lines.size() && !(interrupted && interrupted()); first += step) {
+    const auto some = std::span(lines).subspan(first, std::min(step, lines.size() - first));
+    values.resize(some.size() * header.entries());
+    source.read({some, responses, references}, values);
+    search.add(values);
+  }
+  return search.finish();
+}
+
+}  // namespace jointid::frf

@@ -1,0 +1,71 @@
+"""Writes the files of this folder as other programs do: numpy, h5py, scipy.io.savemat.
+
+FRF of response r and reference c on line l: (1 + l) + 0.1 r + 0.01 c + i (r - 2 c - 0.5 l), lines 10, 20, 30, 40 Hz, responses 1:+Z 2:+Z,
+references 1:+Z 2:+Z 3:-X. Where a unit stands beside them they are accelerances, in g/N where that is the unit.
+"""
+import os
+import sys
+
+import h5py
+import numpy as np
+import scipy.io
+
+os.chdir(os.path.dirname(os.path.abspath(__file__)))
+l, r, c = np.ogrid[0:4, 0:2, 0:3]
+H = (1 + l) + 0.1 * r + 0.01 * c + 1j * (r - 2 * c - 0.5 * l)
+f = np.array([10.0, 20.0, 30.0, 40.0])
+responses, references = np.array(["1:+Z", "2:+Z"]), np.array(["1:+Z", "2:+Z", "3:-X"])
+dofs = dict(response_dof=responses, reference_dof=references)
+
+np.savez("stored.npz", frf=H, frequency=f, quantity="receptance", **dofs)
+np.savez_compressed("packed.npz", H=np.asfortranarray(H.astype(">c8")), freq=f.astype(">f4"), unit="g/N",
+                    response_dof=responses.astype("S"), reference_dof=references)
+np.savez("square.npz", frf=H[:, :, :2], f=f.astype("i4"), quantity="receptance", dofs=responses)
+np.savez("real.npz", frf=abs(H), frequency=f, quantity="receptance", **dofs)
+np.savez("flat.npz", frf=H.reshape(4, 6), frequency=f, quantity="receptance", **dofs)
+np.save("frf.npy", H)
+np.save("frequency.npy", f)
+
+
+def with_h5(name, fill):
+    with h5py.File(name, "w") as file:
+        file["frequency"] = f
+        fill(file)
+
+
+def h5py_complex(file):
+    file["frf"] = H[:, :, :2]
+    file["frf"].attrs["Units"] = "g/N"
+
+
+def parts(file):
+    group = file.create_group("measured")
+    group["H_real"], group["H_imag"] = H.real, H.imag
+    file["frequency"][...] = 2 * np.pi * f
+    file["frequency"].attrs["unit"] = "rad/s"
+
+
+with_h5("h5py.h5", h5py_complex)
+with_h5("parts.h5", parts)
+
+
+def quantity(label):
+    return {"label": label, "unit_transformation": {"factor": 9.80665, "offset": 0.0}}
+
+
+scipy.io.savemat("testlab.mat", {"FRF": {
+    "x_values": {"start_value": 0.01, "increment": 0.01, "number_of_values": 4.0, "quantity": {"label": "kHz"}},
+    "y_values": {"values": H[:, :1, :1].reshape(4, 1), "quantity": quantity("g/N")},
+    "function_record": {"name": "x", "type": "FRF"}}})
+dtype = [("f", object), ("H1", object), ("coh", object), ("refNode", object), ("refDir", object)]
+run = np.empty((1, 3), dtype=dtype)
+for k, (node, direction) in enumerate([(1, "+Z"), (2, "+Z"), (3, "-X")]):
+    run[0, k] = (f, H[:, :, k], np.full((4, 2), 0.9 - 0.1 * k), float(node), direction)
+scipy.io.savemat("runs.mat", {"run": run}, do_compression=True)
+each = np.empty((6, 1), dtype=[("x", object), ("data", object), ("rsp_node", object), ("rsp_dir", object), ("ref_node", object), ("ref_dir", object)])
+for k in range(6):
+    i, j = k // 3, k % 3
+    each[k, 0] = (f, H[:, i, j], float(i + 1), 3.0, float(j + 1), -1.0 if j == 2 else 3.0)
+scipy.io.savemat("each.mat", {"sets": each})
+scipy.io.savemat("cells.mat", {"test": {"freq": f, "FRF": H, "unit": "(m/s^2)/N", "resp": responses.astype(object),
+                                        "ref": references.astype(object), "Coh": np.full(H.shape, 0.5), "navg": 5}})
