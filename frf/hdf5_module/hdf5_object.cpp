@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <functional>
 #include <limits>
@@ -94,6 +95,11 @@ std::vector<std::size_t> extents(const Object& object) {
   H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr);
   if (H5Sget_simple_extent_type(space.get()) == H5S_NULL) return {0};
   return {dims.begin(), dims.end()};
+}
+
+/// The axis that counts the samples: the longer one, the last of equal ones.
+std::size_t along_samples(const Dataset& dataset) {
+  return dataset.dims.size() == 2 && dataset.dims[0] > dataset.dims[1] ? 0 : dataset.dims.size() - 1;
 }
 
 /// Opens an attribute of one element whose type has one of the classes in `accept`.
@@ -200,6 +206,14 @@ std::optional<double> number_attribute(const Object& object, const char* name) {
   return value;
 }
 
+bool has_text_attribute(const Object& object, const char* name) {
+  if (H5Aexists(object.id.get(), name) <= 0) return false;
+  const Handle id(H5Aopen(object.id.get(), name, H5P_DEFAULT));
+  if (!id.is_open()) return false;
+  const Handle type(H5Aget_type(id.get())), space(H5Aget_space(id.get()));
+  return H5Tget_class(type.get()) == H5T_STRING && H5Sget_simple_extent_npoints(space.get()) == 1;
+}
+
 std::vector<double> read_doubles(const Dataset& dataset) {
   if (!is_real(dataset)) fail(dataset, "does not hold real numbers");
   std::vector<double> values(product(dataset.dims));
@@ -209,10 +223,19 @@ std::vector<double> read_doubles(const Dataset& dataset) {
   return values;
 }
 
+std::size_t samples_in_chunk(const Dataset& dataset) {
+  const Handle plist(H5Dget_create_plist(dataset.id.get()));
+  const std::size_t rank = dataset.dims.size();
+  if (rank == 0 || rank > 2 || H5Pget_layout(plist.get()) != H5D_CHUNKED) return 1;
+  std::array<hsize_t, 2> extent{};
+  if (H5Pget_chunk(plist.get(), static_cast<int>(rank), extent.data()) < 0) return 1;
+  return std::min<std::size_t>(extent[along_samples(dataset)], dataset.dims[along_samples(dataset)]);
+}
+
 std::vector<double> read_samples(const Dataset& dataset, std::size_t first, std::size_t count) {
   if (!is_real(dataset)) fail(dataset, "does not hold real numbers");
   if (dataset.dims.empty() || dataset.dims.size() > 2) fail(dataset, "is no vector or matrix");
-  const std::size_t along = dataset.dims.size() == 2 && dataset.dims[0] > dataset.dims[1] ? 0 : dataset.dims.size() - 1;
+  const std::size_t along = along_samples(dataset);
   std::vector<hsize_t> from(dataset.dims.size(), 0), extent(dataset.dims.begin(), dataset.dims.end());
   if (first + count > dataset.dims[along]) fail(dataset, "has " + std::to_string(dataset.dims[along]) + " samples only");
   from[along] = first, extent[along] = count;

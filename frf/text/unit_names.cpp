@@ -103,7 +103,7 @@ constexpr std::array known_units = std::to_array<NamedUnit>({
 });
 
 /// Words that stand where a unit should, and what they are.
-constexpr std::array other_words = std::to_array<std::pair<std::string_view, std::string_view>>({
+constexpr std::array not_units = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"v mv uv kv volt volts millivolt millivolts vrms vpk vp vpp dbv", "a voltage"},
     {"c pc nc coulomb coulombs picocoulomb", "an electric charge"},
     {"a ma ua amp amps ampere amperes", "an electric current"},
@@ -193,7 +193,7 @@ UnitWord find_unit(std::string_view word) {
 std::string_view not_a_unit(std::string_view word) {
   const std::string lower = lower_case(word);
   std::string_view what;
-  for (const auto& [words, meaning] : other_words) {
+  for (const auto& [words, meaning] : not_units) {
     for_each_word(words, [&, meaning = meaning](std::string_view each) {
       if (each == lower) what = meaning;
     });
