@@ -97,9 +97,9 @@ TEST_F(ColumnsFile, ManyColumns) {
     for (std::size_t k = 1; k < count; ++k) titles += ",c" + std::to_string(k), row += ",1";
     return titles + "\n" + row + "\n";
   };
-  EXPECT_EQ(read_columns(write_file("a.csv", table(100'000))).columns.size(), 100'000u);
+  const Columns many = read_columns(write_file("a.csv", table(100'000)));
+  EXPECT_EQ(many.columns.size(), 100'000u);
   EXPECT_THAT(error(table(100'001)), HasSubstr("line 1: 100001 columns are more than the 100000 that are read"));
-  const Columns many = read_columns(path("a.csv"));
   EXPECT_THAT(message_of([&] { (void)many.column("absent"); }), HasSubstr("c19 and"));
 }
 
