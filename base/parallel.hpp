@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -13,6 +14,17 @@ namespace jointid {
 /// The threads that were asked for; for 0 all cores of the machine, or the part of them of each of so many processes.
 inline std::size_t threads_or_cores(std::size_t asked, std::size_t processes = 1) {
   return asked > 0 ? asked : std::max<std::size_t>(1, std::thread::hardware_concurrency() / processes);
+}
+
+/// Begins work on so many threads beside this one, or on as many as the system lets it have (limits of memory or processes).
+template <class Work>
+std::vector<std::jthread> threads_of(std::size_t count, const Work& work) {
+  std::vector<std::jthread> threads;
+  try {
+    for (std::size_t t = 0; t < count; ++t) threads.emplace_back(work);
+  } catch (const std::system_error&) {
+  }
+  return threads;
 }
 
 /// each(i) for i = 0 … count − 1 on as many threads, in any order. The first exception ends it and is thrown here.
@@ -31,8 +43,7 @@ void for_each_index(std::size_t count, std::size_t threads, const Each& each) {
     }
   };
   {
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < threads && t < count; ++t) others.emplace_back(work);
+    const auto others = threads_of(std::max<std::size_t>(1, std::min(threads, count)) - 1, work);
     work();
   }
   if (error) std::rethrow_exception(error);

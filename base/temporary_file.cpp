@@ -51,6 +51,13 @@ std::filesystem::path without_links(const std::filesystem::path& target) {
 
 }  // namespace
 
+void require_regular_file(const std::filesystem::path& path, ErrorKind kind) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (!exists(status) || is_regular_file(status) || is_directory(status)) return;
+  throw InputError({kind, path.string(), {}, "is not a regular file", "copy its data into one"});
+}
+
 TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(without_links(target)) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(target_, ignored);

@@ -9,7 +9,13 @@
 #include <string_view>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace jointid {
+
+/// Throws InputError for what is there and is no file: a pipe, which a reader waits for, a device, a socket. Folders, and names
+/// of nothing, pass: who opens them says so.
+void require_regular_file(const std::filesystem::path& path, ErrorKind kind = ErrorKind::data);
 
 /// A name in the folder of `target` under which a file is written until it is complete. `commit` renames it
 /// to `target`; without it the destructor removes it, so `target` is either whole or untouched.

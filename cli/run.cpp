@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <csignal>
 #include <iostream>
 #include <string>
 
@@ -57,6 +58,7 @@ int print(const Notice& notice) {
 }  // namespace
 
 int run(int argc, const char* const* argv, Parse parse) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow (ulimit -f) is one that cannot be written
   try {
     const auto parsed = parse(argc, argv);
     const auto* notice = std::get_if<Notice>(&parsed);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/eigen.hpp"
+#include "base/temporary_file.hpp"
 #include "base/text.hpp"
 #include "frf/file/columns.hpp"
 #include "models/failure.hpp"
@@ -25,7 +26,9 @@ constexpr double symmetric_to = 1e-9;  ///< of the largest element
 /// Reads a Matrix Market file line by line, comments left out.
 class MarketReader {
  public:
-  explicit MarketReader(const std::filesystem::path& path) : path_(path), in_(path) {
+  explicit MarketReader(const std::filesystem::path& path) : path_(path) {
+    require_regular_file(path);
+    in_.open(path);
     if (!in_) refuse_file(path_, "", "it cannot be read");
   }
 

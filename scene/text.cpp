@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/temporary_file.hpp"
 
 namespace jointid::scene {
 namespace {
@@ -73,6 +74,7 @@ std::string read_text(const std::filesystem::path& file) {
   const auto status = std::filesystem::status(file, error);
   if (!std::filesystem::exists(status)) fail(file, "there is no such scene file", "check the path");
   if (std::filesystem::is_directory(status)) fail(file, "this is a folder", "name the scene file in it");
+  require_regular_file(file, ErrorKind::usage);
   std::ifstream in(file, std::ios::binary);
   if (!in) fail(file, "the scene file cannot be opened", "check its permissions");
   std::string text;

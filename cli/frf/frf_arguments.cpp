@@ -19,11 +19,13 @@ void declare_reading(CLI::App& command, FrfArguments& arguments) {
           arguments.read.channels.push_back(of_option("--channel", [&] { return records::parse_channel(text); }));
         }
       },
-      "COLUMN=DOF [FACTOR] UNIT, e.g. 2=1:+Z N: a column by name or number, where its sensor stood, its unit; one per channel "
-      "(not UFF)");
+      "COLUMN=DOF [FACTOR] UNIT, e.g. 2=1:+Z N: a column by name or number, where its sensor stood, its unit; one per channel. "
+      "Of UFF "
+      "a channel of the run, where the file does not state as much");
   channel->allow_extra_args(false);  // what follows is the next word, not one more channel
-  command.add_option("--time", arguments.read.time, "Column of the times, s; default: the one named time or t");
-  command.add_option("--rate", arguments.read.rate_hz, "Samples per second, where there are no times or not to be trusted")
+  command.add_option("--time", arguments.read.time,
+                     "Column of the times; default: the one named time or t. Seconds, or as its title states");
+  command.add_option("--rate", arguments.read.rate_hz, "Samples per second, where the file does not state them")
       ->check(CLI::PositiveNumber);
   command
       .add_option_function<std::vector<std::string>>(

@@ -15,6 +15,7 @@ struct FrfRun {
   std::size_t forces = 1;                 ///< at once
   records::FrfOptions options;
   records::MeasuredFrfs made;
+  std::vector<std::string> delays;  ///< of channels that begin later than the first, one sentence per file
 };
 
 /// Reads the files and makes the FRFs. Throws InputError, Interrupted.

@@ -61,7 +61,7 @@ std::string estimate_text(const FrfRun& run) {
 }
 
 std::vector<std::string> notes(const FrfRun& run) {
-  std::vector<std::string> out;
+  std::vector<std::string> out = run.delays;
   const std::size_t responses = run.made.set.header.response.size();
   for (const records::Averages& of : run.made.averages) {
     if (of.kept == 1) out.push_back("One average at " + of.reference.name() + ": it has no coherence, variances or covariances.");

@@ -28,6 +28,12 @@ void require_folder(const std::string& target) {
   if (std::filesystem::is_directory(target, ignored)) {
     refuse(target, "cannot be written: it is a folder", "name a file in it");
   }
+  const std::filesystem::file_status status = std::filesystem::status(target, ignored);
+  if (exists(status) && !is_regular_file(status)) {
+    const Path file = std::filesystem::canonical(target, ignored);
+    refuse(file.empty() ? target : file.filename().string(), "cannot be written: there is something else than a file",
+           "name a file");
+  }
   const Path folder = Path(target).parent_path();
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return;
   const bool exists = std::filesystem::exists(folder, ignored);
@@ -113,6 +119,7 @@ FileIdentity target_identity(const std::string& target) {
 }  // namespace
 
 void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vector<OptionTarget>& targets) {
+  for (const ident::NamedFile& input : inputs) require_regular_file(input.path);
   require_output_apart(inputs);
   std::vector<OutputFile> outputs;
   for (const auto& [option, target] : targets) {

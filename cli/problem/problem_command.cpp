@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/error.hpp"
+#include "base/temporary_file.hpp"
 #include "cli/options/command_options.hpp"
 #include "cli/options/complete_program.hpp"
 #include "cli/options/whole_number.hpp"
@@ -59,6 +60,7 @@ namespace {
 /// Throws InputError where files of that name are in the folder and `problem write` has not made them: its truth.json names the problem.
 void check_folder(const ProblemWriteArguments& arguments) {
   std::error_code ignored;
+  require_regular_file(arguments.directory / "truth.json");
   std::ifstream truth(arguments.directory / "truth.json");
   const std::string text{std::istreambuf_iterator<char>(truth), {}};
   const bool is_own = text.find("\"name\": \"" + arguments.name + "\"") != std::string::npos;

@@ -4,12 +4,15 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "ident/result/control.hpp"
 
 namespace jointid::cli {
 namespace {
+
+const std::string bug = "this is a bug, please report it with the command and the files";
 
 Failure classify(const std::exception_ptr& exception) {
   try {
@@ -24,10 +27,15 @@ Failure classify(const std::exception_ptr& exception) {
             "which is read line by line"};
   } catch (const std::filesystem::filesystem_error& error) {
     return {ExitCode::data, error.path1().string() + ": " + error.code().message()};
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return {ExitCode::data,
+              "not enough memory for a further thread; give --threads 1, or raise the limits of memory and processes (ulimit)"};
+    return {ExitCode::bug, bug + ": " + error.what()};
   } catch (const std::exception& error) {
-    return {ExitCode::bug, std::string("this is a bug, please report it with the command and the files: ") + error.what()};
+    return {ExitCode::bug, bug + ": " + error.what()};
   } catch (...) {
-    return {ExitCode::bug, "this is a bug, please report it with the command and the files"};
+    return {ExitCode::bug, bug};
   }
 }
 

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <iostream>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include "base/temporary_file.hpp"
@@ -56,15 +57,21 @@ class InterruptWatch {
  public:
   static void start() {
     sem_init(&wake_watch, 0, 0);
-    std::thread([] {
-      while (sem_wait(&wake_watch) != 0) {
-      }
-      std::this_thread::sleep_for(ident::process_number() == 0 ? 1500ms : 1800ms);  // mpirun ends all when one has ended
-      end_process();
-    }).detach();
+    try {
+      std::thread(watch).detach();
+    } catch (const std::system_error&) {
+      // No memory for a thread: the work itself asks whether it is to end.
+    }
   }
 
  private:
+  static void watch() {
+    while (sem_wait(&wake_watch) != 0) {
+    }
+    std::this_thread::sleep_for(ident::process_number() == 0 ? 1500ms : 1800ms);  // mpirun ends all when one has ended
+    end_process();
+  }
+
   /// What the command has to say, unless it is about to save that itself.
   static std::string last_words() {
     const std::unique_lock lock(speaker_mutex, 250ms);

@@ -1,6 +1,8 @@
 #include "frf/csv/csv_columns.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,15 +21,19 @@ using enum CsvPart;
 constexpr std::array<std::pair<std::string_view, CsvPart>, 6> part_words = {
     {{"real", re}, {"imag", im}, {"imaginary", im}, {"magnitude", mag}, {"abs", mag}, {"amplitude", mag}}};
 
+constexpr std::size_t most_csv_columns = 100'000;
+
 bool is_degrees(std::string_view unit) {
   return unit == "°" || unit == "º" || unit == "degrees" || unit == "degree" || unit == "deg";
 }
 
-std::size_t index_of(std::vector<Dof>& dofs, const Dof& dof) {
-  const auto found = std::find(dofs.begin(), dofs.end(), dof);
-  if (found != dofs.end()) return static_cast<std::size_t>(found - dofs.begin());
-  dofs.push_back(dof);
-  return dofs.size() - 1;
+/// Places of DOFs in a list that grows, by coordinate and sign.
+using Places = std::map<std::pair<std::int64_t, int>, std::size_t>;
+
+std::size_t index_of(std::vector<Dof>& dofs, const Dof& dof, Places& places) {
+  const auto [found, is_new] = places.try_emplace({coordinate_key(dof), dof.sign}, dofs.size());
+  if (is_new) dofs.push_back(dof);
+  return found->second;
 }
 
 /// Reads the header row column by column.
@@ -39,7 +45,19 @@ class HeaderRow {
   CsvColumns::Pairs read() {
     if (table_.columns.empty()) fail(0, "no header row", "begin it with frequency_hz");
     if (table_.columns.size() == 1) fail(0, "no column but the frequency", "add columns of FRFs");
+    if (table_.columns.size() > most_csv_columns) {
+      fail(most_csv_columns,
+           std::to_string(table_.columns.size()) + " columns are more than the " + std::to_string(most_csv_columns) +
+               " that are read",
+           "write the FRFs to several files, or as HDF5; are rows and columns exchanged?");
+    }
     for (std::size_t column = 1; column < table_.columns.size(); ++column) add(column);
+    if (header_.entries() > 4 * table_.columns.size() + 10'000) {
+      fail(0,
+           std::to_string(table_.columns.size()) + " columns name " + std::to_string(header_.response.size()) +
+               " responses and " + std::to_string(header_.reference.size()) + " references, whose FRFs are mostly not there",
+           "write the FRFs of each group of references to a file of its own");
+    }
     for (const auto& [pair, columns] : pairs_) require_complete(pair, columns);
     if (named_) require_given(options_.response, header_.response), require_given(options_.reference, header_.reference);
     return std::move(pairs_);
@@ -120,14 +138,16 @@ class HeaderRow {
     };
     const Dof response = parse(label.substr(0, slash));
     const Dof reference = parse(label.substr(slash + 1));
-    return {index_of(header_.response, response), index_of(header_.reference, reference)};
+    return {index_of(header_.response, response, responses_), index_of(header_.reference, reference, references_)};
   }
 
   /// The n-th column of a part belongs to the n-th pair of the options' DOFs.
   Pair unnamed_pair(std::size_t column, CsvPart part) {
     const std::size_t pair = unnamed_[part]++;
-    header_.response = options_.response;
-    header_.reference = options_.reference.empty() ? options_.response : options_.reference;
+    if (header_.response.empty()) {
+      header_.response = options_.response;
+      header_.reference = options_.reference.empty() ? options_.response : options_.reference;
+    }
     if (pair >= header_.entries()) {
       fail(column,
            "'" + table_.columns[column] + "' has no DOFs, and " + std::to_string(header_.response.size()) + " responses and " +
@@ -153,6 +173,7 @@ class HeaderRow {
   const OpenOptions& options_;
   FrfHeader& header_;
   CsvColumns::Pairs pairs_;
+  Places responses_, references_;
   CsvColumns::OfPair unnamed_;  ///< columns without DOFs seen so far, by part
   bool named_ = false;
 };

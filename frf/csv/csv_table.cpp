@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "frf/set/unit_label.hpp"
+#include "frf/text/label_text.hpp"
 #include "frf/text/located.hpp"
 #include "frf/text/number_text.hpp"
 #include "frf/text/unit_names.hpp"
@@ -41,13 +42,6 @@ std::pair<std::string_view, std::string_view> title_and_unit(std::string_view ti
   const char close = unit.front() == '[' ? ']' : ')';
   if (unit.find(close) == unit.size() - 1) unit = unit.substr(1, unit.size() - 2);
   return {trimmed(title.substr(0, open)), trimmed(unit)};
-}
-
-std::string_view without_brackets(std::string_view unit) {
-  const bool both =
-      unit.size() > 1 && ((unit.front() == '[' && unit.back() == ']') || (unit.front() == '(' && unit.back() == ')'));
-  const bool around = both && unit.find_first_of("])") == unit.size() - 1;
-  return around ? trimmed(unit.substr(1, unit.size() - 2)) : unit;
 }
 
 /// Reads a table line by line.

@@ -22,20 +22,25 @@ struct Columns {
   std::string file;
   std::vector<NumberColumn> columns;
 
-  /// The column of that name, whatever its case, or of that number, from 1. Throws InputError (data) that lists the columns.
-  const NumberColumn& column(std::string_view name_or_number) const;
+  /// The place of the column of that name, as it is or else whatever its case, or of that number, from 1. Throws InputError
+  /// (data) for none, which lists the columns, and for a name that several have.
+  std::size_t place(std::string_view name_or_number) const;
+  const NumberColumn& column(std::string_view name_or_number) const { return columns[place(name_or_number)]; }
+
+  /// "a, b, c" for messages, the first twenty of many.
+  std::string names() const;
 
   /// The first column with a word that is one of `words` (lower case) and none that is one of `without`, or null.
   const NumberColumn* find(const std::vector<std::string_view>& words, const std::vector<std::string_view>& without = {}) const;
 };
 
 /// Reads real columns of a file:
-///   - text: lines of numbers, separated by semicolon, tab, comma or blanks (the first of these that stands in the first line);
-///     with semicolons numbers may have decimal commas. A first line that is not all numbers names the columns, else their
-///     names are 1, 2, … Lines that begin with # or % are comments. An empty cell is NaN;
+///   - text: lines of numbers below titles (ColumnTitles), separated by semicolon, tab, comma or blanks; with semicolons or tabs
+///     numbers may have decimal commas (DecimalMark). Lines that begin with # or % are comments. An empty cell is NaN;
 ///   - MATLAB v5 to v7.3 and HDF5 (datasets of the root): every real vector; of a real matrix NAME, whose longer axis counts the
-///     samples, NAME(1), NAME(2), …
-/// Throws InputError naming line and column of what is no number.
+///     samples, NAME(1), NAME(2), … Units: column_unit().
+/// Throws InputError naming line and column of what is no number; for more than most_columns or 268 million numbers; and for
+/// variables that unpack to more than 64 times the file (64 MB in any case).
 Columns read_columns(const std::filesystem::path& path);
 
 }  // namespace jointid::frf

@@ -19,15 +19,18 @@ void require_variables(const Format& format, const std::filesystem::path& path, 
   const bool frf = !options.variable.empty();
   const std::string option = frf ? "--variable, in a scene variable" : "--frequency-variable, in a scene frequency_variable";
   refuse(path,
-         "the variable '" + (frf ? options.variable : options.frequency_variable) + "' is named, and a file of format " + format.name + " has none",
+         "the variable '" + (frf ? options.variable : options.frequency_variable) + "' is named, and a file of format " +
+             format.name + " has none",
          "leave out " + option);
 }
 
 /// A unit is given where a format has no place for it, or one whose labels are often wrong.
 void require_own_unit(const Format& format, const std::filesystem::path& path, const OpenOptions& options) {
   if (options.unit.empty() || format.format == FileFormat::uff || format.format == FileFormat::analyser_text) return;
-  refuse(path, std::string("the unit '") + options.unit + "' is given, and a file of format " + format.name + " has a place of its own for it",
-         "write it there: # unit = g/lbf in CSV, a variable unit in MATLAB and numpy files, the attribute unit in HDF5; leave out --unit, in a scene unit");
+  refuse(path,
+         "the unit '" + options.unit + "' is given, and a file of format " + format.name + " has a place of its own for it",
+         "write it there (# unit = g/lbf in CSV, a variable unit in MATLAB and numpy files, an attribute in HDF5) and leave out "
+         "--unit, in a scene unit");
 }
 
 /// DOFs that a reader had no use for, since the file names its own.

@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <complex>
 #include <functional>
@@ -10,6 +11,8 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "frf/hdf5_module/hdf5_checked_disk.hpp"
+#include "frf/hdf5_module/hdf5_first_look.hpp"
 
 namespace jointid::frf::hdf5 {
 namespace {
@@ -21,19 +24,23 @@ constexpr double best_compression = 1100.0;
 using RawRead = std::function<herr_t(hid_t, void*)>;
 
 bool read_variable_strings(hid_t type, hid_t space, std::size_t count, const RawRead& read,
-                           std::vector<std::string>& out) {
+                           std::vector<std::string>& out, std::string& why) {
   std::vector<char*> pointers(count, nullptr);
   const bool ok = read(type, pointers.data()) >= 0;
+  if (!ok) why = last_failure();  // which the next call forgets
   for (std::size_t i = 0; ok && i < count; ++i) out.emplace_back(pointers[i] == nullptr ? "" : pointers[i]);
   H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
   return ok;
 }
 
-bool read_fixed_strings(hid_t type, std::size_t count, const RawRead& read, std::vector<std::string>& out) {
+bool read_fixed_strings(hid_t type, std::size_t count, const RawRead& read, std::vector<std::string>& out, std::string& why) {
   const std::size_t width = H5Tget_size(type);
   const bool blanks = H5Tget_strpad(type) == H5T_STR_SPACEPAD;
   std::string bytes(count * width, '\0');
-  if (read(type, bytes.data()) < 0) return false;
+  if (read(type, bytes.data()) < 0) {
+    why = last_failure();
+    return false;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     std::string text = bytes.substr(i * width, width);
     text.resize(std::min(text.size(), text.find('\0')));
@@ -43,24 +50,32 @@ bool read_fixed_strings(hid_t type, std::size_t count, const RawRead& read, std:
   return true;
 }
 
-std::optional<std::vector<std::string>> read_strings(hid_t type, hid_t space, std::size_t count,
-                                                     const RawRead& read) {
+/// Throws InputError about `object` where HDF5 cannot.
+std::vector<std::string> read_strings(const Object& object, hid_t type, hid_t space, std::size_t count, const RawRead& read) {
   std::vector<std::string> out;
-  const bool ok = H5Tis_variable_str(type) > 0 ? read_variable_strings(type, space, count, read, out)
-                                               : read_fixed_strings(type, count, read, out);
-  return ok ? std::optional(std::move(out)) : std::nullopt;
+  std::string why;
+  const bool ok = H5Tis_variable_str(type) > 0 ? read_variable_strings(type, space, count, read, out, why)
+                                               : read_fixed_strings(type, count, read, out, why);
+  if (!ok) fail(object, "cannot be read: " + why);
+  return out;
 }
 
 std::size_t product(const std::vector<std::size_t>& dims) {
   return std::accumulate(dims.begin(), dims.end(), std::size_t{1}, std::multiplies<>());
 }
 
-/// A header that declares more than is stored must not make us allocate for it.
+double size_of_file(const Handle& id) {
+  const Handle file(H5Iget_file_id(id.get()));
+  hsize_t bytes = 0;
+  return H5Fget_filesize(file.get(), &bytes) < 0 ? 0.0 : static_cast<double>(bytes);
+}
+
+/// A header that declares more than is stored must not make us allocate for it; what it says of the storage is held against the file.
 void require_stored(const Dataset& dataset) {
   const Handle type(H5Dget_type(dataset.id.get()));
   double bytes = static_cast<double>(H5Tget_size(type.get()));
   for (const std::size_t extent : dataset.dims) bytes *= static_cast<double>(extent);
-  const auto stored = static_cast<double>(H5Dget_storage_size(dataset.id.get()));
+  const double stored = std::min(static_cast<double>(H5Dget_storage_size(dataset.id.get())), size_of_file(dataset.id));
   if (bytes <= stored * (is_filtered(dataset) ? best_compression : 1.0)) return;
   fail(dataset,
        "declares " + std::to_string(bytes / 1e6) + " MB and stores " + std::to_string(stored / 1e6) + " MB",
@@ -97,6 +112,11 @@ std::vector<std::size_t> extents(const Object& object) {
   return {dims.begin(), dims.end()};
 }
 
+/// The axis that counts the samples: the longer one, the last of equal ones.
+std::size_t along_samples(const Dataset& dataset) {
+  return dataset.dims.size() == 2 && dataset.dims[0] > dataset.dims[1] ? 0 : dataset.dims.size() - 1;
+}
+
 /// Opens an attribute of one element whose type has one of the classes in `accept`.
 struct Attribute {
   Handle id;
@@ -116,7 +136,14 @@ std::optional<Attribute> open_attribute(const Object& object, const char* name) 
   attribute.space = Handle(H5Aget_space(attribute.id.get()));
   if (H5Sget_simple_extent_npoints(attribute.space.get()) != 1)
     fail(attribute.named, "is not a single value");
+  if (static_cast<double>(H5Aget_storage_size(attribute.id.get())) > size_of_file(attribute.id))
+    fail(attribute.named, "is larger than the file");
   return attribute;
+}
+
+std::string text_of(Finding finding) {
+  if (finding == Finding::crash) return "its contents crash the HDF5 library";
+  return finding == Finding::no_end ? "the HDF5 library comes to no end with it" : "to read it takes more memory than its size explains";
 }
 
 bool is_number(hid_t type) {
@@ -136,9 +163,12 @@ void fail(const Object& object, std::string problem, std::string remedy) {
 
 Object open_file(const std::filesystem::path& path) {
   Object file{.id = {}, .file = path.string(), .place = {}};
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_fapl_sec2(access.get());
-  file.id = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+  Finding finding = Finding::nothing;
+  file.id = open_checked(path, [&](const std::filesystem::path& name) {
+    finding = first_look(name);
+    return finding == Finding::nothing;
+  });
+  if (finding != Finding::nothing) fail(file, "is damaged: " + text_of(finding), "write it again where it came from, or copy it again");
   if (!file.id.is_open()) {
     fail(file, "cannot be opened as HDF5: " + last_failure(),
          "the file is damaged, truncated or being written");
@@ -185,9 +215,7 @@ std::optional<std::string> text_attribute(const Object& object, const char* name
   if (!attribute) return std::nullopt;
   if (H5Tget_class(attribute->type.get()) != H5T_STRING) fail(attribute->named, "is not text");
   const auto read = [&](hid_t type, void* to) { return H5Aread(attribute->id.get(), type, to); };
-  auto texts = read_strings(attribute->type.get(), attribute->space.get(), 1, read);
-  if (!texts) fail(attribute->named, "cannot be read: " + last_failure());
-  return std::move(texts->front());
+  return read_strings(attribute->named, attribute->type.get(), attribute->space.get(), 1, read).front();
 }
 
 std::optional<double> number_attribute(const Object& object, const char* name) {
@@ -201,6 +229,14 @@ std::optional<double> number_attribute(const Object& object, const char* name) {
   return value;
 }
 
+bool has_text_attribute(const Object& object, const char* name) {
+  if (H5Aexists(object.id.get(), name) <= 0) return false;
+  const Handle id(H5Aopen(object.id.get(), name, H5P_DEFAULT));
+  if (!id.is_open()) return false;
+  const Handle type(H5Aget_type(id.get())), space(H5Aget_space(id.get()));
+  return H5Tget_class(type.get()) == H5T_STRING && H5Sget_simple_extent_npoints(space.get()) == 1;
+}
+
 std::vector<double> read_doubles(const Dataset& dataset) {
   if (!is_real(dataset)) fail(dataset, "does not hold real numbers");
   std::vector<double> values(product(dataset.dims));
@@ -210,10 +246,19 @@ std::vector<double> read_doubles(const Dataset& dataset) {
   return values;
 }
 
+std::size_t samples_in_chunk(const Dataset& dataset) {
+  const Handle plist(H5Dget_create_plist(dataset.id.get()));
+  const std::size_t rank = dataset.dims.size();
+  if (rank == 0 || rank > 2 || H5Pget_layout(plist.get()) != H5D_CHUNKED) return 1;
+  std::array<hsize_t, 2> extent{};
+  if (H5Pget_chunk(plist.get(), static_cast<int>(rank), extent.data()) < 0) return 1;
+  return std::min<std::size_t>(extent[along_samples(dataset)], dataset.dims[along_samples(dataset)]);
+}
+
 std::vector<double> read_samples(const Dataset& dataset, std::size_t first, std::size_t count) {
   if (!is_real(dataset)) fail(dataset, "does not hold real numbers");
   if (dataset.dims.empty() || dataset.dims.size() > 2) fail(dataset, "is no vector or matrix");
-  const std::size_t along = dataset.dims.size() == 2 && dataset.dims[0] > dataset.dims[1] ? 0 : dataset.dims.size() - 1;
+  const std::size_t along = along_samples(dataset);
   std::vector<hsize_t> from(dataset.dims.size(), 0), extent(dataset.dims.begin(), dataset.dims.end());
   if (first + count > dataset.dims[along]) fail(dataset, "has " + std::to_string(dataset.dims[along]) + " samples only");
   from[along] = first, extent[along] = count;
@@ -240,9 +285,7 @@ std::vector<std::string> read_texts(const Dataset& dataset) {
   const auto read = [&](hid_t memory, void* to) {
     return H5Dread(dataset.id.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, to);
   };
-  auto texts = read_strings(type.get(), space.get(), product(dataset.dims), read);
-  if (!texts) fail(dataset, "cannot be read: " + last_failure());
-  return std::move(*texts);
+  return read_strings(dataset, type.get(), space.get(), product(dataset.dims), read);
 }
 
 Handle complex_type(const char* real, const char* imaginary) {

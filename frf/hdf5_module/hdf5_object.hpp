@@ -48,6 +48,9 @@ bool is_filtered(const Dataset& dataset);
 std::optional<std::string> text_attribute(const Object& object, const char* name);
 std::optional<double> number_attribute(const Object& object, const char* name);
 
+/// Whether there is an attribute of that name that is one text.
+bool has_text_attribute(const Object& object, const char* name);
+
 /// All elements of a dataset of any rank, in the order of the file.
 std::vector<double> read_doubles(const Dataset& dataset);
 std::vector<std::string> read_texts(const Dataset& dataset);
@@ -55,6 +58,9 @@ std::vector<std::string> read_texts(const Dataset& dataset);
 /// Of a dataset of one or two dimensions, the longer of which (the last of equal ones) counts the samples: samples
 /// [first, first + count), [count, others].
 std::vector<double> read_samples(const Dataset& dataset, std::size_t first, std::size_t count);
+
+/// How many samples of a dataset, as read_samples() counts them, are packed or stored together; 1 without chunks.
+std::size_t samples_in_chunk(const Dataset& dataset);
 
 /// Memory type of std::complex<double> as compound with the given member names.
 Handle complex_type(const char* real = "r", const char* imaginary = "i");

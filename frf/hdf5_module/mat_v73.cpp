@@ -18,7 +18,8 @@ using hdf5::Dataset;
 using hdf5::Handle;
 
 constexpr int deepest_group = 8;
-constexpr std::size_t most_groups = 10'000;  ///< links may lead round in circles
+constexpr std::size_t most_groups = 10'000;                 ///< links may lead round in circles
+constexpr std::size_t most_kept = std::size_t{1} << 25;  ///< numbers of a chunk that is held in memory
 
 /// A dataset, by its path in the file, or from the group or dataset that an element of an array of structs refers to (none: that
 /// itself).
@@ -119,6 +120,14 @@ MatKind kind_of(const Dataset& dataset) {
   return hdf5::is_real(dataset) ? MatKind::real : MatKind::other;
 }
 
+/// The attribute unit or units, in any case, of one text.
+std::string unit_of(const Dataset& dataset) {
+  for (const char* name : {"unit", "units", "Unit", "Units", "UNIT", "UNITS"}) {
+    if (hdf5::has_text_attribute(dataset, name)) return hdf5::text_attribute(dataset, name).value_or("");
+  }
+  return {};
+}
+
 std::size_t size(const Dataset& dataset) {
   return std::accumulate(dataset.dims.begin(), dataset.dims.end(), std::size_t{1}, std::multiplies<>());
 }
@@ -184,7 +193,7 @@ class MatV73 final : public MatFile {
     for (auto& [name, place] : paths.found) {
       const Dataset dataset = open(name, place);
       by_rows_ = by_rows_ && matlab_class(dataset).empty();
-      variables_.push_back({name, kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}});
+      variables_.push_back({name, kind_of(dataset), {dataset.dims.rbegin(), dataset.dims.rend()}, unit_of(dataset)});
       place_of_.emplace(name, std::move(place));
     }
   }
@@ -213,8 +222,12 @@ class MatV73 final : public MatFile {
 
   std::vector<double> read_samples(const MatInfo& info, std::size_t first, std::size_t count) override {
     const hdf5::Silence silence;
+    const auto kept = kept_.find(info.name);
+    if (kept != kept_.end() && kept->second.holds(first, count)) return kept->second.part(first, count);
     const Dataset dataset = open(info.name, place_of_.at(info.name));
-    return hdf5::read_samples(dataset, first, count);
+    const std::size_t chunk = hdf5::samples_in_chunk(dataset);
+    if (chunk <= count) return hdf5::read_samples(dataset, first, count);
+    return keep(info, dataset, first, count, chunk).part(first, count);
   }
 
  private:
@@ -228,9 +241,36 @@ class MatV73 final : public MatFile {
     return open_dataset(group, place.path);
   }
 
+  /// Samples of a variable that were unpacked with those that were asked for.
+  struct Kept {
+    std::size_t first = 0, count = 0, others = 1;
+    std::vector<double> values{};
+
+    bool holds(std::size_t from, std::size_t wanted) const { return from >= first && from + wanted <= first + count; }
+    std::vector<double> part(std::size_t from, std::size_t wanted) const {
+      const auto begin = values.begin() + static_cast<std::ptrdiff_t>((from - first) * others);
+      return {begin, begin + static_cast<std::ptrdiff_t>(wanted * others)};
+    }
+  };
+
+  /// Reads whole chunks: one that is read in pieces would be unpacked anew for each of them.
+  const Kept& keep(const MatInfo& info, const Dataset& dataset, std::size_t first, std::size_t count, std::size_t chunk) {
+    const std::size_t samples = *std::ranges::max_element(dataset.dims), others = size(dataset) / samples;
+    const std::size_t from = first / chunk * chunk, to = std::min(samples, (first + count + chunk - 1) / chunk * chunk);
+    if ((to - from) * others > most_kept) {
+      hdf5::fail(dataset, "is stored in chunks of " + std::to_string((to - from) * others * sizeof(double) >> 20) + " MB",
+           "store it in smaller ones, e.g. h5repack -l CHUNK=4096, or without chunks");
+    }
+    Kept& kept = kept_[info.name];
+    kept = {from, to - from, others, {}};
+    kept.values = hdf5::read_samples(dataset, from, to - from);
+    return kept;
+  }
+
   hdf5::Object hdf5_;
   bool by_rows_ = false;
   std::map<std::string, Place> place_of_;
+  std::map<std::string, Kept> kept_;            ///< by variable
 };
 
 }  // namespace

@@ -20,6 +20,7 @@ struct MatInfo {
                      ///< groups of HDF5
   MatKind kind = MatKind::other;  ///< a cell array counts as text until it is read
   std::vector<std::size_t> dims;  ///< as MATLAB shows them
+  std::string unit{};             ///< the attribute unit or units of an HDF5 dataset, or empty
 };
 
 /// A variable with its content, numbers in MATLAB's order (first index fastest).

@@ -62,10 +62,8 @@ double si_factor(std::string_view unit_label, const FrfHeader& header) {
 
 void require_frf_unit(std::string_view unit_label) {
   const std::string remedy = "write motion over force, e.g. m/(s^2*N), mm/s/N or g/lbf";
-  const std::optional<Unit> unit = parse_unit(unit_label);
-  if (!unit) fail("unknown unit '" + shown_label(unit_label) + "'", with_hint(unit_hint(unit_label), remedy));
-  const auto of = [&](Quantity quantity) { return fits(*unit, quantity); };
-  if (!of(Quantity::receptance) && !of(Quantity::mobility) && !of(Quantity::accelerance))
+  if (!parse_unit(unit_label)) fail("unknown unit '" + shown_label(unit_label) + "'", with_hint(unit_hint(unit_label), remedy));
+  if (!quantity_of_unit(unit_label))
     fail("unit '" + shown_label(unit_label) + "' is no motion over a force", remedy);
 }
 

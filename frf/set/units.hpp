@@ -9,9 +9,9 @@
 namespace jointid::frf {
 
 /// Factor that turns an FRF labelled `unit_label` into SI units, e.g. 1e-3 for "mm/N" and 9.80665 for "g/N".
-/// A label is a product of units with exponents, as parse_unit() reads them: "m/s^2/N", "(mm/s²)/N", "m/(s^2*N)", "rad/(N*m)",
-/// "1/kg". Motion may be a length or an angle, force a force or a moment. Throws InputError (data) naming the label when it does
-/// not parse, with what unit_hint() knows of it, or is no unit of `quantity`.
+/// A label is a product of units with exponents, as parse_unit() reads them: "m/s^2/N", "(mm/s²)/N", "m/(s^2*N)", "rad/(N*m)", "1/kg".
+/// Motion may be a length or an angle, force a force or a moment. Throws InputError (data) naming the label when it does not parse,
+/// with what unit_hint() knows of it, or is no unit of `quantity`.
 double si_factor(std::string_view unit_label, Quantity quantity);
 
 /// The same for the label of a whole set. One label cannot scale translations and rotations alike (mm/N says nothing

@@ -81,6 +81,12 @@ std::string_view without_padding(std::string_view label) {
   return label;
 }
 
+std::string_view without_brackets(std::string_view label) {
+  const bool both = label.size() > 1 && ((label.front() == '[' && label.back() == ']') || (label.front() == '(' && label.back() == ')'));
+  const bool around = both && label.find_first_of("])") == label.size() - 1;
+  return around ? without_padding(label.substr(1, label.size() - 2)) : label;
+}
+
 std::string utf8_label(std::string_view label) {
   if (is_utf8(label)) return std::string(label);
   std::string text;

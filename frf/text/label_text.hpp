@@ -9,6 +9,9 @@ namespace jointid::frf {
 /// Without blanks, control bytes and quotes around it; what follows a NUL is padding.
 std::string_view without_padding(std::string_view label);
 
+/// "ms" of "[ms]" and "(ms)", blanks around it left out; "(m/s)/(N)" stays as it is.
+std::string_view without_brackets(std::string_view label);
+
 /// The label in UTF-8: what is no valid UTF-8 is taken for Latin-1.
 std::string utf8_label(std::string_view label);
 

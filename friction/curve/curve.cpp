@@ -49,6 +49,13 @@ bool finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
+/// Beyond it squares and fourth powers of displacements and forces leave the range of numbers.
+constexpr double largest_number = 1e30;
+
+bool is_within(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return std::abs(value) <= largest_number; });
+}
+
 }  // namespace
 
 double Curve::largest_displacement() const {
@@ -79,10 +86,13 @@ void validate(const Curve& curve) {
   require(curve.damping.size() == (curve.kind == CurveKind::equivalent ? curve.u.size() : 0), curve,
           "stiffnesses and dampings are not equally many");
   require(finite(curve.u) && finite(curve.value) && finite(curve.damping), curve, "a number is not finite");
+  require(is_within(curve.u) && is_within(curve.value) && is_within(curve.damping), curve, "a number is above 1e30");
   require(!is_series(curve) || std::ranges::all_of(curve.u, [](double u) { return u > 0.0; }), curve, "an amplitude is not positive");
   require(curve.kind != CurveKind::loop || (curve.turn > 0 && curve.turn + 1 < curve.u.size()), curve, "a loop has no two branches");
   require(curve.largest_displacement() > 0.0, curve, "there is no displacement");
-  require(std::ranges::any_of(curve.value, [](double value) { return value != 0.0; }), curve, "all values are zero");
+  require(curve.largest_displacement() > 1.0 / largest_number, curve, "no displacement is above 1e-30");
+  require(std::ranges::any_of(curve.value, [](double value) { return std::abs(value) > 1.0 / largest_number; }), curve,
+          "all values are zero");
   require(!curve.normal_load || *curve.normal_load > 0.0, curve, "the normal load is not positive");
 }
 

@@ -71,7 +71,7 @@ LevelRecordings::LevelRecordings(const ForceLevel& level) : level_(level) {
       for (const std::size_t c : records::motion_channels(record)) own.push_back(record.channels[c].dof);
       if (records_.empty()) dofs_ = own;
       std::erase_if(dofs_, [&](const frf::Dof& dof) { return !frf::has(own, dof); });
-      records_.push_back(std::move(record));
+      records_.push_back(level.records->sweep ? records::from_common_start(record) : std::move(record));
     }
   }
   if (!level.records->lines_hz.empty() && records_.size() != level.records->lines_hz.size())
@@ -149,8 +149,9 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
         const auto c = channel_of(record, dof, is_force);
         if (!c) return;
         const records::Channel& channel = record.channels[*c];
-        const Complex factor =
-            (channel.dof == dof ? 1.0 : -1.0) * (is_force ? Complex(1.0) : to_displacement(channel.kind, angular(number * hz)));
+        const double late = channel.start_s - record.channels[records::force_channels(record).front()].start_s;
+        const Complex factor = (channel.dof == dof ? 1.0 : -1.0) * std::polar(1.0, -angular(number * hz) * late) *
+                               (is_force ? Complex(1.0) : to_displacement(channel.kind, angular(number * hz)));
         to.values(line, column) = factor * source.phasors.value(at(n), at(*c));
         to.variances(line, column) = std::norm(factor) * std::pow(source.phasors.deviation(at(n), at(*c)), 2);
       };

@@ -24,7 +24,8 @@ class LevelRecordings {
     std::shared_ptr<const Phasors> responses, forces;  ///< m and N, lines at n times those of the force
   };
   /// Of each harmonic of the level, by records::steady_phasors or sweep_phasors, at lines of the parts: a steady record whose
-  /// frequency is 2e-4 or more from the nearest line is left out, and told. Throws InputError (data) as they do.
+  /// frequency is 2e-4 or more from the nearest line is left out, and told. Channels that begin later than the force have the
+  /// phases of their own times. Throws InputError (data) as they do.
   std::vector<Harmonic> phasors(const std::vector<frf::Dof>& responses, const std::vector<double>& parts_hz);
 
   /// What was done and left out, one phrase each.

@@ -32,6 +32,8 @@ const char* word(Status status) {
       return "grazing";
     case Status::diverged:
       return "diverged";
+    case Status::too_long:
+      return "too_long";
   }
   return "";
 }
@@ -120,9 +122,18 @@ void StickSlip::take(const Found& found) {
   if (on_event && event.from != event.to) on_event(event);
 }
 
+/// Whether the steps taken since `begin` lead far beyond most_steps before `until`.
+bool StickSlip::is_hopeless(double begin, double until) const {
+  constexpr double surely = 1000.0;
+  return !((until - begin) * static_cast<double>(looked_at) <= surely * static_cast<double>(most_steps) * (time_ - begin));
+}
+
 Status StickSlip::run(double until, std::size_t break_aways) {
+  const double begin = time_;
+  std::size_t taken = 0;
   while (time_ < until) {
     stop_if(interrupted);
+    if (++steps_ > most_steps || (break_aways == 0 && ++taken == looked_at && is_hopeless(begin, until))) return Status::too_long;
     series_.expand(mode_, state_, piece_);
     if (!std::isfinite(piece_.coefficients.rightCols(1).sum())) return Status::diverged;
     piece_.start = time_;
@@ -136,13 +147,14 @@ Status StickSlip::run(double until, std::size_t break_aways) {
       series_.expand_tangents(tangents_, tangent_series_);
       tangents_ = tangents_at(tangent_series_, piece_.length);
     }
-    time_ = !found && last ? until : time_ + piece_.length;
+    const double now = !found && last ? until : time_ + piece_.length;
+    idle_ = now > time_ ? 0 : idle_ + 1;
+    time_ = now;
+    if (idle_ > 100) return Status::stalled;
     if (!found) {
       zeros_ = 0;
       continue;
     }
-    idle_ = piece_.length > 0.0 ? 0 : idle_ + 1;
-    if (idle_ > 100) return Status::stalled;
     const bool breaks = mode_ == Mode::stick;
     take(*found);
     if (breaks && break_aways > 0 && --break_aways == 0) break;

@@ -20,9 +20,11 @@ struct Event {
 /// How an integration ended.
 enum class Status {
   ok,
-  stalled,  ///< 100 events without time between them: the contact's law has no motion from there, or rounding hides it
-  grazing,  ///< an event that the orbit only touches: variations have no limit there, the motion itself has
-  diverged  ///< numbers that are not finite
+  stalled,   ///< 100 events or steps by which time does not go on: the contact's law has no motion from there, or rounding hides
+             ///< it
+  grazing,   ///< an event that the orbit only touches: variations have no limit there, the motion itself has
+  diverged,  ///< numbers that are not finite
+  too_long   ///< more than `most_steps` steps, or a thousand times as many by what the first 4,000 tell
 };
 const char* word(Status status);
 
@@ -41,6 +43,9 @@ class StickSlip {
   /// Asked before every step: true ends the integration with Interrupted.
   std::function<bool()> interrupted;
 
+  /// Of the series, all together; a step is about a period of the fastest motion, at most.
+  std::size_t most_steps = 3'000'000;
+
   /// Goes on to time `until`.
   Status advance(double until);
   /// Goes on until `count` more sticks have broken away, or time `until`.
@@ -56,6 +61,8 @@ class StickSlip {
   void break_away();
 
  private:
+  static constexpr std::size_t looked_at = 4000;
+
   struct Found {
     double tau = 0.0;
     Eigen::VectorXd gradient;  ///< ∇h
@@ -68,6 +75,7 @@ class StickSlip {
   std::optional<Found> stick_end(const Piece& piece) const;
   void take(const Found& found);
   Status run(double until, std::size_t break_aways);
+  bool is_hopeless(double begin, double until) const;
   int break_away_zeros() const;
 
   const ContactSystem& system_;
@@ -78,7 +86,7 @@ class StickSlip {
   Mode mode_ = Mode::forward, before_ = Mode::forward;
   double time_ = 0.0;
   int zeros_ = 0;  ///< of the event function at the start of this mode, by analysis: they are divided out in its first step
-  std::size_t idle_ = 0;
+  std::size_t idle_ = 0, steps_ = 0;
   bool grazed_ = false;
   Piece piece_;
   std::vector<Eigen::MatrixXd> tangent_series_;

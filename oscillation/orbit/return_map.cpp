@@ -57,6 +57,10 @@ PeriodicOrbit orbit_of(const series::PeriodicPoint& point) {
   return out;
 }
 
+constexpr std::size_t most_steps_of_orbits = 300'000, most_steps_of_exponents = 1'000'000;
+
+bool has_arrived(Status status) { return status == Status::ok || status == Status::grazing; }
+
 }  // namespace
 
 PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& start, std::size_t slips, double longest,
@@ -74,12 +78,13 @@ PeriodicOrbit break_away_orbit(const ContactSystem& system, const VectorXd& star
   const series::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
     StickSlip orbit(system, placed(x), Mode::stick);
     orbit.interrupted = interrupted;
+    orbit.most_steps = most_steps_of_orbits;
     orbit.break_away();
     orbit.tangents() = unit_tangents(system, free);
     const Status status = orbit.advance_break_aways(slips, longest);
     period = orbit.time();
     const VectorXd field = system.field(orbit.mode(), orbit.state());
-    const bool returned = status != Status::diverged && status != Status::stalled && period < longest;
+    const bool returned = has_arrived(status) && period < longest;
     x = orbit.state().head(motion);
     if (!returned) x.setConstant(nan);
     const MatrixXd derivative = orbit.tangents() + field * orbit.last_shift();
@@ -109,10 +114,11 @@ PeriodicOrbit driven_orbit(const ContactSystem& system, const VectorXd& start, M
   const series::TangentStep map = [&](VectorXd& x, MatrixXd& tangents) {
     StickSlip orbit(system, placed(x), mode);
     orbit.interrupted = interrupted;
+    orbit.most_steps = most_steps_of_orbits;
     orbit.tangents() = unit_tangents(system, free);
     const Status status = orbit.advance(cycle * static_cast<double>(cycles));
     x = orbit.state()(free);
-    if (status == Status::diverged || status == Status::stalled) x.setConstant(nan);
+    if (!has_arrived(status)) x.setConstant(nan);
     tangents = rows(orbit.tangents(), free) * tangents;
   };
   const series::PeriodicPoint point = series::periodic_point(map, start(free));
@@ -129,6 +135,7 @@ Exponents lyapunov_exponents(const ContactSystem& system, const VectorXd& start,
   }
   StickSlip motion(system, start);
   motion.interrupted = options.interrupted;
+  motion.most_steps = most_steps_of_exponents;
   Exponents out;
   const series::TangentStep step = [&](VectorXd& z, MatrixXd& tangents) {
     motion.tangents().swap(tangents);

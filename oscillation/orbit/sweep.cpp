@@ -9,6 +9,8 @@
 namespace jointid::oscillation {
 namespace {
 
+constexpr std::size_t most_steps_of_points = 300'000;
+
 void check(const SweepCase& each) {
   if (each.length > 0.0 && each.transient >= 0.0 && each.cycle >= 0.0) return;
   throw InputError({ErrorKind::usage, "", "length, transient, cycle", "are not usable times", ""});
@@ -16,6 +18,7 @@ void check(const SweepCase& each) {
 
 /// Once a cycle of the drive.
 Status observe_cycles(StickSlip& motion, const SweepCase& each, std::vector<double>& values) {
+  if (!((each.transient + each.length) / each.cycle < static_cast<double>(motion.most_steps))) return Status::too_long;
   const auto cycles = [&](double time) { return static_cast<std::size_t>(time / each.cycle + 0.5); };
   const std::size_t first = cycles(each.transient), last = first + cycles(each.length);
   Status status = Status::ok;
@@ -39,6 +42,7 @@ SweepPoint observe(double parameter, const SweepCase& each, const SweepOptions& 
   SweepPoint out{parameter, Status::ok, {}};
   StickSlip motion(each.system, each.start);
   motion.interrupted = options.interrupted;
+  motion.most_steps = most_steps_of_points;
   out.status = each.cycle > 0.0 ? observe_cycles(motion, each, out.values) : observe_break_aways(motion, each, out.values);
   return out;
 }

@@ -49,6 +49,7 @@ void store(const Estimate& estimate, const std::vector<ChannelKind>& kinds, std:
 class Run {
  public:
   Run(std::span<const Record> records, const FrfOptions& options) : records_(records), options_(options) {
+    if (options_.segments || options_.hammer.block_s) begin_together();
     require_alike(records_);
     if (several()) require_several_possible();
     made_.blows = find_stretches(records_, options_);
@@ -80,6 +81,13 @@ class Run {
   }
 
  private:
+  /// Stretches of a record are those of one time in all channels.
+  void begin_together() {
+    if (std::ranges::none_of(records_, has_delays)) return;
+    for (const Record& record : records_) aligned_.push_back(from_common_start(record));
+    records_ = aligned_;
+  }
+
   CovarianceForm form() const { return made_.set.factor.any() ? CovarianceForm::factor : CovarianceForm::pairs; }
 
   /// Columns of the largest factor of all references. Rank 0 where the covariances are better told as pairs: those of neighbouring lines,
@@ -236,6 +244,7 @@ class Run {
   }
 
   std::span<const Record> records_;
+  std::vector<Record> aligned_;  ///< where channels begin at different times
   const FrfOptions& options_;
   std::vector<ChannelKind> kinds_;
   std::size_t length_ = 0;

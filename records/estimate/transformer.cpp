@@ -1,6 +1,8 @@
 #include "records/estimate/transformer.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <functional>
 #include <numeric>
 
@@ -32,7 +34,17 @@ std::vector<Complex> Transformer::transform(const Channel& channel, const Blow& 
     multiply(x, force_window(x.size(), *blow.peak - blow.first, *options_.force_window_s, rate_hz_));
   }
   multiply(x, window_);
-  return fourier_.transform(x);
+  std::vector<Complex> lines = fourier_.transform(x);
+  if (channel.start_s != 0.0) shift(lines, channel.start_s);
+  return lines;
+}
+
+/// e^(−s t) of a channel that begins at t; under an exponential window s = iω + 1/decay time.
+void Transformer::shift(std::vector<Complex>& lines, double start_s) const {
+  const double decay = options_.decay_time_s ? std::exp(-start_s / *options_.decay_time_s) : 1.0;
+  const double spacing_hz = rate_hz_ / static_cast<double>(fourier_.samples());
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    lines[k] *= std::polar(decay, -angular(spacing_hz * static_cast<double>(k)) * start_s);
 }
 
 }  // namespace jointid::records

@@ -14,10 +14,13 @@ class Transformer {
   /// `options` must outlive it.
   Transformer(const FrfOptions& options, std::size_t samples, double rate_hz);
 
-  /// The spectrum of a channel in a stretch, N/2 + 1 lines, its mean taken off and windows applied as the options say.
+  /// The spectrum of a channel in a stretch, N/2 + 1 lines, its mean taken off and windows applied as the options say; its phases
+  /// are those of the time since the record's first channel began.
   std::vector<Complex> transform(const Channel& channel, const Blow& blow);
 
  private:
+  void shift(std::vector<Complex>& lines, double start_s) const;
+
   const FrfOptions& options_;
   double rate_hz_;
   Fourier fourier_;

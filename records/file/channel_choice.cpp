@@ -1,25 +1,30 @@
 #include "records/file/channel_choice.hpp"
 
+#include <map>
+
 #include "base/error.hpp"
+#include "records/file/time_title.hpp"
 
 namespace jointid::records {
-namespace {
-
-const frf::NumberColumn* times(const frf::Columns& columns) { return columns.find({"time", "t"}, {"rate"}); }
-
-}  // namespace
-
 std::string time_column(const frf::Columns& columns) {
-  const frf::NumberColumn* found = times(columns);
+  const frf::NumberColumn* found = find_times(columns);
   return found == nullptr ? "" : found->name;
 }
 
 std::vector<std::size_t> chosen_columns(const frf::Columns& columns, const std::vector<std::string>& wanted) {
   const frf::NumberColumn* first = columns.columns.data();
   std::vector<std::size_t> out;
-  for (const std::string& name : wanted) out.push_back(static_cast<std::size_t>(&columns.column(name) - first));
+  std::map<std::size_t, std::string> used;
+  for (const std::string& name : wanted) {
+    out.push_back(columns.place(name));
+    const auto [before, is_new] = used.emplace(out.back(), name);
+    if (!is_new) {
+      throw InputError({ErrorKind::data, columns.file, "", "'" + before->second + "' and '" + name + "' are one column",
+                        "name every column once; the columns are " + columns.names()});
+    }
+  }
   if (!wanted.empty()) return out;
-  const frf::NumberColumn* time = times(columns);
+  const frf::NumberColumn* time = find_times(columns);
   for (const frf::NumberColumn& column : columns.columns) {
     if (&column != time) out.push_back(static_cast<std::size_t>(&column - first));
   }

@@ -2,8 +2,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/text/number_text.hpp"
-#include "records/file/read_record.hpp"
+#include "records/file/record.hpp"
+#include "records/file/record_options.hpp"
 
 namespace jointid::records {
 namespace {

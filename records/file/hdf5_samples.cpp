@@ -1,7 +1,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "frf/mat/mat_variable.hpp"
+#include "frf/file/column_titles.hpp"
+#include "frf/mat/mat_column.hpp"
 #include "records/file/channel_choice.hpp"
 #include "records/file/sample_streams.hpp"
 
@@ -19,13 +20,14 @@ class Hdf5Samples final : public SampleStream {
       : SampleStream(path.string()), mat_(frf::open_mat_variables_v73(path)) {
     frf::Columns titles{file_, {}};
     std::vector<Source> sources;
-    for (std::size_t v = 0; v < mat_->variables().size(); ++v) add(v, titles, sources);
+    const frf::ColumnUnits units(*mat_);
+    for (std::size_t v = 0; v < mat_->variables().size(); ++v) add(v, units, titles, sources);
     if (titles.columns.empty())
       throw InputError({ErrorKind::data, file_, "", "has no real vector or matrix", "store the channels as vectors of doubles"});
     time_column_ = records::time_column(titles);
     std::size_t shortest = static_cast<std::size_t>(-1);
     for (const std::size_t k : chosen_columns(titles, options.channels)) {
-      channels_.push_back({titles.columns[k].name, ""});
+      channels_.push_back({titles.columns[k].name, titles.columns[k].unit});
       sources_.push_back(sources[k]);
       shortest = std::min(shortest, samples(sources[k].variable));
     }
@@ -51,13 +53,18 @@ class Hdf5Samples final : public SampleStream {
 
  private:
   /// As frf::read_columns() names them.
-  void add(std::size_t variable, frf::Columns& titles, std::vector<Source>& sources) const {
+  void add(std::size_t variable, const frf::ColumnUnits& units, frf::Columns& titles, std::vector<Source>& sources) const {
     const frf::MatInfo& info = mat_->variables()[variable];
-    if (info.kind != frf::MatKind::real || info.dims.empty() || info.dims.size() > 2) return;
-    if (info.name.find('(') != std::string::npos) return;  // of an array of structs
-    const std::size_t others = info.dims.size() == 1 ? 1 : std::min(info.dims[0], info.dims[1]);
-    for (std::size_t k = 0; k < others; ++k) {
-      titles.columns.push_back({others == 1 ? info.name : info.name + "(" + std::to_string(k + 1) + ")", {}, {}});
+    if (!frf::is_column(info)) return;
+    const std::size_t count = frf::columns_of(info);
+    if (titles.columns.size() + count > frf::most_columns) {
+      throw InputError({ErrorKind::data, file_, "",
+                        "holds more than the " + std::to_string(frf::most_columns) + " columns that are read",
+                        "keep the variables that are needed; are the axes of a matrix exchanged?"});
+    }
+    const std::vector<std::string> stated = units.of(info);
+    for (std::size_t k = 0; k < count; ++k) {
+      titles.columns.push_back({frf::column_name(info, k), stated[k], {}});
       sources.push_back({variable, k});
     }
   }

@@ -1,16 +1,19 @@
 #include "records/file/read_record.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "frf/file/columns.hpp"
 #include "frf/file/file_format.hpp"
+#include "frf/set/unit_label.hpp"
 #include "frf/uff/uff_file.hpp"
 #include "records/file/file_head.hpp"
 #include "records/file/limits.hpp"
 #include "records/file/npy_file.hpp"
+#include "records/file/stated_unit.hpp"
 #include "records/file/time_axis.hpp"
+#include "records/file/time_title.hpp"
 #include "records/file/uff_record.hpp"
 
 namespace jointid::records {
@@ -20,34 +23,65 @@ namespace {
   throw InputError({ErrorKind::data, file, {}, std::move(problem), std::move(remedy)});
 }
 
-/// Samples per second, by the user or by a column of times.
-double rate_of_table(const frf::Columns& table, const RecordOptions& options) {
-  if (options.rate_hz) return *options.rate_hz;
-  const frf::NumberColumn* times = options.time.empty() ? table.find({"time", "t", "zeit", "x"}) : &table.column(options.time);
-  if (times == nullptr)
-    fail(table.file, "does not say when its samples were taken",
-         "give --rate HZ, or --time COLUMN; in a scene rate = HZ, or time = \"COLUMN\"");
-  return rate_of(times->values, table.file, "column " + times->name);
+/// The column of times, or null.
+const frf::NumberColumn* times_of(const frf::Columns& table, const RecordOptions& options) {
+  if (!options.time.empty()) return &table.column(options.time);
+  const frf::NumberColumn* found = find_times(table);
+  return found != nullptr ? found : table.find({"x"});
 }
 
-Channel channel_of(const frf::Columns& table, const GivenChannel& given) {
+/// Samples per second, by a column of times or by the user.
+double rate_of_table(const frf::Columns& table, const RecordOptions& options) {
+  const frf::NumberColumn* times = times_of(table, options);
+  const bool used = times != nullptr && std::ranges::any_of(options.channels, [&](const GivenChannel& given) {
+                      return &table.column(given.column) == times;
+                    });
+  if (used && !options.rate_hz)
+    fail(table.file, "column " + times->name + " holds the times, and --channel says a signal",
+         "name the column of times by --time");
+  if (times != nullptr && !used) return stated_or_given_rate(*times, table.file, options.rate_hz);
+  if (options.rate_hz) return *options.rate_hz;
+  fail(table.file, "does not say when its samples were taken",
+       "give --rate HZ, or --time COLUMN; in a scene rate = HZ, or time = \"COLUMN\"");
+}
+
+Channel channel_of(const frf::Columns& table, const GivenChannel& given, const RecordOptions& options) {
   const frf::NumberColumn& column = table.column(given.column);
-  const auto unit = frf::parse_unit(given.unit);
-  const auto kind = unit ? kind_of(*unit, given.dof.is_rotation()) : std::nullopt;
-  if (!kind) fail(table.file, "'" + given.unit + "' is no unit of a force or a motion", "write it as N or m/s^2");
+  const std::string place = "column " + column.name;
+  const std::string& otherwise = column.unit.empty() ? options.unit_otherwise : column.unit;
+  const GivenUnit unit{given.unit.empty() ? otherwise : given.unit, given.factor};
+  const auto parsed = frf::parse_unit(unit.unit);
+  const auto kind = parsed ? kind_of(*parsed, given.dof.is_rotation()) : std::nullopt;
+  if (!kind)
+    throw InputError({ErrorKind::data, table.file, place,
+                      "'" + unit.unit + "' is no unit of a force or a motion at " + given.dof.name(),
+                      "give it, e.g. N or m/s^2"});
+  require_agreement(column.unit, unit, table.file, place);
   Channel channel{column.name, given.dof, *kind, column.values};
-  for (double& sample : channel.samples) sample *= given.factor * unit->si;
+  for (double& sample : channel.samples) sample *= given.factor * parsed->si;
   return channel;
+}
+
+/// One column is not two channels.
+void require_different(const frf::Columns& table, const std::vector<GivenChannel>& channels) {
+  std::map<std::size_t, std::string> used;
+  for (const GivenChannel& given : channels) {
+    const auto [before, is_new] = used.emplace(table.place(given.column), given.column);
+    if (is_new) continue;
+    fail(table.file,
+         "--channel '" + before->second + "=' and '" + given.column + "=' are one column, " + table.columns[before->first].name,
+         "give every channel its own column; the columns are " + table.names());
+  }
 }
 
 Record record_of(const frf::Columns& table, const RecordOptions& options) {
   if (options.channels.empty()) {
-    const std::string names = comma_list(table.columns, [](const auto& column) { return column.name; });
-    fail(table.file, "has columns " + names + " and does not say what they measured",
+    fail(table.file, "has columns " + table.names() + " and does not say what they measured",
          "name each, e.g. --channel '2=1:+Z N' --channel '3=4:+Z m/s^2'");
   }
+  require_different(table, options.channels);
   Record record{table.file, rate_of_table(table, options)};
-  for (const GivenChannel& given : options.channels) record.channels.push_back(channel_of(table, given));
+  for (const GivenChannel& given : options.channels) record.channels.push_back(channel_of(table, given, options));
   for (const Channel& channel : record.channels) {
     if (channel.samples.size() == record.samples()) continue;
     fail(table.file,
@@ -67,7 +101,7 @@ std::vector<Record> read_records(const std::filesystem::path& path, const Record
     fail(path.string(), std::to_string(size >> 20) + " MiB are more than the 2048 MiB that are read into memory", "split it");
   }
   const std::string head = text ? head_of(path) : std::string();
-  if (frf::looks_like_uff(head)) return read_uff_records(path);
+  if (frf::looks_like_uff(head)) return read_uff_records(path, options);
   return {record_of(looks_like_npy(head) ? read_npy(path) : frf::read_columns(path), options)};
 }
 

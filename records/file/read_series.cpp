@@ -30,15 +30,17 @@ bool take(SampleStream& stream, std::size_t most, std::vector<std::vector<double
   return false;
 }
 
-double rate_of_file(const SampleStream& stream, const std::filesystem::path& path, std::size_t most) {
-  if (stream.rate_hz()) return *stream.rate_hz();
-  if (stream.time_column().empty())
-    throw InputError({ErrorKind::data, stream.file(), "", "does not say when its samples were taken",
-                      "give --rate HZ, or a column named time"});
-  const auto times = open_samples(path, {{stream.time_column()}, 0, 1});
-  std::vector<std::vector<double>> column(1);
-  take(*times, most, column);
-  return rate_of(column.front(), stream.file(), "column " + stream.time_column());
+double rate_of_file(SampleStream& stream, const std::filesystem::path& path, const SeriesOptions& options) {
+  if (!stream.time_column().empty()) {
+    const auto times = open_samples(path, {{stream.time_column()}, 0, 1});
+    std::vector<std::vector<double>> column(1);
+    take(*times, options.most_samples, column);
+    const auto& [name, unit] = times->channels().front();
+    return stated_or_given_rate({name, unit, std::move(column.front())}, stream.file(), options.rate_hz);
+  }
+  if (const auto rate = stream.rate_hz(options.rate_hz)) return *rate;
+  throw InputError(
+      {ErrorKind::data, stream.file(), "", "does not say when its samples were taken", "give --rate HZ, or a column named time"});
 }
 
 }  // namespace
@@ -49,7 +51,7 @@ SeriesRecord read_series(const std::filesystem::path& path, const SeriesOptions&
   out.samples.resize(out.channels.size());
   out.is_cut = take(*stream, options.most_samples, out.samples);
   if (out.samples.front().empty()) throw InputError({ErrorKind::data, out.file, "", "has no samples", ""});
-  out.rate_hz = options.rate_hz ? *options.rate_hz : rate_of_file(*stream, path, options.most_samples);
+  if (!options.without_times) out.rate_hz = rate_of_file(*stream, path, options);
   return out;
 }
 

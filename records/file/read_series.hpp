@@ -9,8 +9,9 @@ namespace jointid::records {
 /// What the user knows of a record and the file does not say.
 struct SeriesOptions {
   std::vector<std::string> channels;  ///< names or numbers; empty: all but the time
-  std::optional<double> rate_hz;      ///< counts before the file
+  std::optional<double> rate_hz;      ///< of files that state none, or times that are not even
   std::size_t most_samples = 0;       ///< the first so many; 0: all
+  bool without_times = false;         ///< the rate does not matter and stays 0
 };
 
 /// Channels in memory, a column each; NaN where a sample is missing.
@@ -22,7 +23,8 @@ struct SeriesRecord {
   bool is_cut = false;  ///< the file has more than most_samples
 };
 
-/// Rate: of the options, of the file (UFF), or of the column of times, which must be even (rate_of()). Throws InputError.
+/// Rate: of the file (UFF), or of the column of times, which must be even and in a unit that is understood; else of the options,
+/// which must not contradict it (stated_or_given_rate()). Throws InputError.
 SeriesRecord read_series(const std::filesystem::path& path, const SeriesOptions& options);
 
 }  // namespace jointid::records

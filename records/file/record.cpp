@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -65,7 +66,11 @@ std::vector<std::size_t> force_channels(const Record& record) {
     if (record.channels[i].kind == ChannelKind::force) found.push_back(i);
   }
   if (!found.empty()) return found;
-  throw InputError({ErrorKind::data, record.file, {}, "has no channel that is a force", "name it, e.g. --channel '2=1:+Z N'"});
+  throw InputError({ErrorKind::data,
+                    record.file,
+                    {},
+                    "has no channel that is a force",
+                    "name its column or channel and its unit, e.g. --channel '2=1:+Z N' (in a scene: channels)"});
 }
 
 std::size_t force_channel(const Record& record) {
@@ -85,6 +90,35 @@ std::vector<std::size_t> motion_channels(const Record& record) {
   }
   if (out.empty())
     throw InputError({ErrorKind::data, record.file, {}, "has no response beside the force", "name one more channel"});
+  return out;
+}
+
+bool has_delays(const Record& record) {
+  return std::ranges::any_of(record.channels, [](const Channel& channel) { return channel.start_s != 0.0; });
+}
+
+Record from_common_start(const Record& record) {
+  if (!has_delays(record)) return record;
+  Record out = record;
+  double last = 0.0;
+  for (const Channel& channel : record.channels) last = std::max(last, channel.start_s);
+  std::size_t shortest = record.samples();
+  for (Channel& channel : out.channels) {
+    const double early = std::round((last - channel.start_s) * record.rate_hz);
+    if (!(early < static_cast<double>(channel.samples.size()))) {
+      throw InputError({ErrorKind::data, record.file, "channel " + channel.name,
+                        fmt::format("ends before the last channel begins, {:g} s after it", last - channel.start_s),
+                        "export channels that were measured together"});
+    }
+    channel.samples.erase(channel.samples.begin(), channel.samples.begin() + static_cast<std::ptrdiff_t>(early));
+    channel.start_s += early / record.rate_hz;
+    shortest = std::min(shortest, channel.samples.size());
+  }
+  const double begin = out.channels.front().start_s;
+  for (Channel& channel : out.channels) {
+    channel.samples.resize(shortest);
+    channel.start_s -= begin;
+  }
   return out;
 }
 

@@ -30,6 +30,7 @@ struct Channel {
   frf::Dof dof;      ///< where it stood, with the sign of its direction
   ChannelKind kind = ChannelKind::force;
   std::vector<double> samples{};  ///< SI units, as the sensor gave them: the sign of `dof` is not applied
+  double start_s = 0.0;           ///< when its first sample was taken, after that of the record's first channel
 };
 
 /// Channels that were sampled together: one blow of a hammer, several, or a long record. All have the same number of samples.
@@ -49,6 +50,13 @@ std::size_t force_channel(const Record& record);
 
 /// The places of all others. Throws InputError (data) where there are none.
 std::vector<std::size_t> motion_channels(const Record& record);
+
+/// Whether some channel begins before or after the others.
+bool has_delays(const Record& record);
+
+/// The same record from where all its channels have begun: whole samples are left out, what is less stays in `start_s`. Throws
+/// InputError (data) where they have no time in common.
+Record from_common_start(const Record& record);
 
 /// Throws InputError (data) unless all records have the rate and the motions (DOFs, kinds, order) of the first, and its forces
 /// where there are several.

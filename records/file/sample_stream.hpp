@@ -32,8 +32,9 @@ class SampleStream {
   std::size_t cut() const { return cut_; }
   /// The column of times among those that are left out by default; empty: none.
   const std::string& time_column() const { return time_column_; }
-  /// Samples per second where the file says them (UFF), else empty.
-  const std::optional<double>& rate_hz() const { return rate_hz_; }
+  /// Samples per second where the file states them beside its columns (UFF), else the given ones. Throws InputError where they
+  /// contradict each other, or times are in a unit that is not understood.
+  virtual std::optional<double> rate_hz(std::optional<double> given_hz = {}) { return given_hz; }
 
   /// Fills rows of as many numbers as there are channels, from the front of `rows` on, and returns how many; 0 at the end. NaN
   /// where a sample is missing.
@@ -46,7 +47,6 @@ class SampleStream {
   std::vector<StreamChannel> channels_;
   std::size_t cut_ = 0;
   std::string time_column_;
-  std::optional<double> rate_hz_;
 };
 
 }  // namespace jointid::records

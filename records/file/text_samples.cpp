@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/statistics.hpp"
-#include "frf/csv/csv_table.hpp"
+#include "frf/file/column_titles.hpp"
 #include "frf/text/number_text.hpp"
 #include "records/file/channel_choice.hpp"
 #include "records/file/sample_streams.hpp"
@@ -69,8 +69,6 @@ class Lines {
   std::size_t next_ = 0, end_ = 0;
 };
 
-bool is_comment(std::string_view text) { return text.empty() || text.front() == '#' || text.front() == '%'; }
-
 class TextSamples final : public SampleStream {
  public:
   TextSamples(const std::filesystem::path& path, const StreamOptions& options) : SampleStream(path.string()), lines_(path) {
@@ -103,7 +101,7 @@ class TextSamples final : public SampleStream {
       const std::uint64_t byte = lines_.position();
       if (!lines_.next(line)) break;
       const std::string_view text = frf::trimmed(line);
-      if (is_comment(text)) continue;
+      if (frf::is_comment(text)) continue;
       parse(line, rows.subspan(count++ * width, width), byte);
     }
     return count;
@@ -112,38 +110,37 @@ class TextSamples final : public SampleStream {
  private:
   /// The titles, if any; leaves the position at the first line of numbers.
   void begin() {
+    frf::ColumnTitles head(file_);
     std::string_view line;
-    std::uint64_t byte = 0;
     for (;;) {
-      byte = lines_.position();
-      if (!lines_.next(line))
-        throw InputError({ErrorKind::data, file_, "", "holds no numbers", "give columns of numbers, e.g. t,x"});
+      std::uint64_t byte = lines_.position();
+      if (!lines_.next(line)) break;
       if (line.find('\0') != std::string_view::npos) {
         throw InputError(
             {ErrorKind::data, file_, "", "is no text, UFF, MATLAB, HDF5 or numpy file", "export the record as one of them"});
       }
-      if (byte == 0 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-      if (!is_comment(frf::trimmed(line))) break;
+      if (byte == 0 && line.starts_with("\xEF\xBB\xBF")) {
+        line.remove_prefix(3);
+        byte = 3;
+      }
+      if (!head.begins_with(line, place_of(byte))) continue;
+      lines_.seek(byte);
+      break;
     }
-    const char found = frf::csv_separator(frf::trimmed(line));
-    separator_ = found == '\0' ? ' ' : found;
-    bool numbers = true;
-    for (const std::string_view cell : frf::split(line, separator_)) {
-      double value = 0.0;
-      numbers = numbers && frf::parse_cell(cell, separator_ == ';', value);
-      titles_.columns.push_back(frf::titled_column(cell));
-    }
-    titles_.file = file_;
-    if (!numbers) return;
-    for (std::size_t k = 0; k < titles_.columns.size(); ++k) titles_.columns[k] = {std::to_string(k + 1), {}, {}};
-    lines_.seek(byte);
+    if (head.empty()) throw InputError({ErrorKind::data, file_, "", "holds no numbers", "give columns of numbers, e.g. t,x"});
+    titles_ = head.columns();
+    separator_ = head.separator();
+    mark_ = frf::DecimalMark(separator_);
   }
 
+  static std::string place_of(std::uint64_t byte) { return "line at byte " + std::to_string(byte); }
+
   [[noreturn]] void fail(std::uint64_t byte, const std::string& problem, const std::string& remedy) const {
-    throw InputError({ErrorKind::data, file_, "line at byte " + std::to_string(byte), problem, remedy});
+    throw InputError({ErrorKind::data, file_, place_of(byte), problem, remedy});
   }
 
   void parse(std::string_view line, std::span<double> row, std::uint64_t byte) {
+    if (!mark_.fits(line)) fail(byte, frf::mixed_marks, frf::one_mark);
     if (separator_ != ' ' && parse_plain(line, row)) return;
     const std::vector<std::string_view> cells = frf::split(line, separator_);
     if (cells.size() != place_.size()) {
@@ -152,7 +149,7 @@ class TextSamples final : public SampleStream {
     }
     for (std::size_t k = 0; k < cells.size(); ++k) {
       double value = 0.0;
-      if (!frf::parse_cell(cells[k], separator_ == ';', value)) {
+      if (!frf::parse_cell(cells[k], mark_.may_be_comma(), value)) {
         fail(byte, "column " + std::to_string(k + 1) + ": '" + std::string(cells[k].substr(0, 40)) + "' is not a number",
              "begin lines that are no numbers with #");
       }
@@ -182,6 +179,7 @@ class TextSamples final : public SampleStream {
   Lines lines_;
   frf::Columns titles_;
   char separator_ = ' ';
+  frf::DecimalMark mark_;
   std::vector<std::vector<std::size_t>> place_;  ///< by column of the file, where its numbers go in a row
   std::uint64_t end_ = 0;
 };

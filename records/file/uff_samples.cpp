@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "base/temporary_file.hpp"
@@ -22,14 +23,18 @@ class UffSamples final : public SampleStream {
  public:
   UffSamples(const std::filesystem::path& path, const StreamOptions& options)
       : SampleStream(path.string()), bytes_(path), spool_(file_) {
-    const std::vector<std::vector<UffChannel>> runs = uff_runs(bytes_, UffQuantities::any);
+    const std::vector<std::vector<UffChannel>> runs = uff_runs(bytes_);
     frf::Columns titles{file_, {}};
     for (const UffChannel& channel : runs.front()) titles.columns.push_back({channel.name, channel.unit, {}});
     const std::vector<std::size_t> chosen = chosen_columns(titles, options.channels);
     for (const std::size_t k : chosen) channels_.push_back({titles.columns[k].name, titles.columns[k].unit});
     for (const std::vector<UffChannel>& run : runs) runs_.push_back(prepared(run, chosen, titles, options));
-    const UffChannel& first = runs.front()[chosen.front()];
-    if (first.dataset.function->even) rate_hz_ = first.rate_hz(file_, {});
+    first_ = runs.front()[chosen.front()];
+  }
+
+  std::optional<double> rate_hz(std::optional<double> given_hz) override {
+    if (!first_.dataset.function->even) return given_hz;
+    return first_.times(file_, {}, given_hz).rate_hz;
   }
 
   std::size_t read(std::span<double> rows) override {
@@ -39,7 +44,7 @@ class UffSamples final : public SampleStream {
       if (count == 0) continue;
       std::vector<double> values(count);
       for (std::size_t k = 0; k < width; ++k) {
-        read(run.channels[k], run.range.first, values);
+        read(run.channels[k], run.range.first + run.channels[k].skipped, values);
         for (std::size_t i = 0; i < count; ++i) rows[i * width + k] = run.channels[k].channel.to_si * values[i];
       }
       run.range.first += count;
@@ -51,7 +56,8 @@ class UffSamples final : public SampleStream {
  private:
   struct Stored {
     UffChannel channel;
-    std::optional<std::size_t> spooled;  ///< of text: where its numbers begin in the spool
+    std::optional<std::size_t> spooled = {};  ///< of text: where its numbers begin in the spool
+    std::size_t skipped = 0;                  ///< samples before all channels have begun
   };
   struct Run {
     std::vector<Stored> channels;
@@ -72,16 +78,37 @@ class UffSamples final : public SampleStream {
                           fmt::format("channel {} [{}] is not in all runs", titles.columns[k].name, titles.columns[k].unit),
                           "name the channels that are"});
       }
-      shortest = std::min<std::size_t>(shortest, found->dataset.function->points);
-      out.channels.push_back({*found, std::nullopt});
+      out.channels.push_back({*found});
     }
+    skip_to_common_start(out);
+    for (const Stored& stored : out.channels)
+      shortest = std::min<std::size_t>(shortest, stored.channel.dataset.function->points - stored.skipped);
     for (Stored& stored : out.channels) {
-      cut_ += stored.channel.dataset.function->points - shortest;
+      cut_ += stored.channel.dataset.function->points - stored.skipped - shortest;
       if (!stored.channel.dataset.binary)
         stored.spooled = spool_.put(real_parts(frf::uff::read_points(bytes_, stored.channel.dataset).values));
     }
     out.range = range_of(options, shortest);
     return out;
+  }
+
+  /// Leaves out whole samples of channels that begin before others, so that a row is an instant.
+  void skip_to_common_start(Run& run) const {
+    const auto first_of = [](const Stored& stored) { return stored.channel.dataset.function->abscissa_first; };
+    const double last = first_of(*std::ranges::max_element(run.channels, {}, first_of));
+    for (Stored& stored : run.channels) {
+      const frf::uff::Header58& header = *stored.channel.dataset.function;
+      if (first_of(stored) == last || !header.even) continue;
+      constexpr double whole = 0.01;  // of a sample
+      const double early = (last - first_of(stored)) / header.abscissa_step, samples = std::round(early);
+      if (!(std::abs(early - samples) < whole) || !(samples < static_cast<double>(header.points))) {
+        stored.channel.dataset.place.fail(
+            "record 7",
+            fmt::format("the channel begins at {:g}, another at {:g}: {:g} samples between them", first_of(stored), last, early),
+            "name channels that begin together, or a whole number of samples apart, by --channels");
+      }
+      stored.skipped = static_cast<std::size_t>(samples);
+    }
   }
 
   void read(const Stored& stored, std::size_t first, std::span<double> values) {
@@ -91,6 +118,7 @@ class UffSamples final : public SampleStream {
   }
 
   frf::uff::ByteFile bytes_;
+  UffChannel first_;   ///< of the chosen ones: its times are those of all
   NumberSpool spool_;  ///< the channels of text
   std::vector<Run> runs_;
   std::size_t run_ = 0;

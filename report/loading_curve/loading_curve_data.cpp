@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "frf/file/columns.hpp"
-#include "frf/uff/uff_units.hpp"
+#include "frf/set/unit_label.hpp"
 #include "friction/path/loops.hpp"
+#include "records/file/stated_unit.hpp"
+#include "records/file/time_title.hpp"
 
 namespace jointid::report {
 namespace {
@@ -28,10 +30,17 @@ struct Wanted {
 
 const frf::NumberColumn& chosen(const frf::Columns& columns, const Wanted& wanted) {
   if (!wanted.given.empty()) return columns.column(wanted.given);
-  if (const frf::NumberColumn* found = columns.find(wanted.words, wanted.without)) return *found;
-  const std::string all = comma_list(columns.columns, &frf::NumberColumn::name);
+  if (const frf::NumberColumn* found = columns.find(wanted.words, wanted.without)) return columns.column(found->name);
   throw InputError({ErrorKind::data, columns.file, "", fmt::format("no column is named as {}", wanted.what),
-                    fmt::format("name it with {}; the columns are {}", wanted.option, all)});
+                    fmt::format("name it with {}; the columns are {}", wanted.option, columns.names())});
+}
+
+/// One column is not two quantities.
+void require_different(const frf::Columns& columns, const frf::NumberColumn& one, const char* of_one,
+                       const frf::NumberColumn& other, const char* of_other) {
+  if (&one != &other) return;
+  throw InputError({ErrorKind::data, columns.file, "column " + one.name, fmt::format("is {} and {} at once", of_one, of_other),
+                    "name a column for each; the columns are " + columns.names()});
 }
 
 /// Exponents that a unit must have.
@@ -45,21 +54,36 @@ struct UnitOption {
   const char* examples;
 };
 
-/// The values in SI units.
+/// The values in SI units: of the unit that the column states, or of the one that is given, which must not contradict it.
 std::vector<double> si_values(const frf::Columns& columns, const frf::NumberColumn& column, const UnitOption& unit,
                               const std::vector<Dimension>& allowed) {
   std::vector<double> values = column.values;
-  const std::string label = unit.given.empty() ? column.unit : unit.given;
-  if (label.empty()) return values;
-  const auto parsed = frf::uff::parse_label(label);
+  const bool is_time = allowed.front().time == 1;
+  const std::string stated = is_time ? records::stated_time_unit(column) : column.unit,
+                    label = unit.given.empty() ? stated : unit.given;
+  if (frf::states_no_unit(label)) return values;
+  const auto parsed = frf::parse_unit(label);
   const auto same = [&](const Dimension& d) { return parsed->length == d.length && parsed->time == d.time && parsed->force == d.force; };
   if (!parsed || std::ranges::none_of(allowed, same)) {
+    const std::string hint = frf::unit_hint(label);
     throw InputError({unit.given.empty() ? ErrorKind::data : ErrorKind::usage, unit.given.empty() ? columns.file : "",
-                      unit.given.empty() ? "column " + column.name : unit.option, "'" + label + "' is no unit of it",
+                      unit.given.empty() ? "column " + column.name : unit.option,
+                      "'" + frf::shown_label(label) + "' is no unit of it" + (hint.empty() ? "" : " (" + hint + ")"),
                       fmt::format("give {}, e.g. {}", unit.option, unit.examples)});
   }
+  if (!unit.given.empty()) records::require_agreement(stated, {unit.given}, columns.file, "column " + column.name);
   for (double& value : values) value *= parsed->si;
   return values;
+}
+
+/// Throws InputError for a number that is no measured displacement or force.
+void require_measurable(const frf::Columns& columns, const frf::NumberColumn& column, const std::vector<double>& values) {
+  constexpr double most = 1e30;
+  const auto found = std::ranges::find_if(values, [](double value) { return std::isfinite(value) && std::abs(value) > most; });
+  if (found == values.end()) return;
+  throw InputError({ErrorKind::data, columns.file, "column " + column.name,
+                    fmt::format("sample {} is {:g}, above 1e30", found - values.begin() + 1, *found),
+                    "correct it, or leave its cell empty"});
 }
 
 /// Turns what the library throws about data into an error that names the file.
@@ -101,24 +125,43 @@ class Reader {
     add_record(record, path, name);
   }
 
-  std::vector<double> displacement(const frf::Columns& columns) const {
+  const frf::NumberColumn& displacement_column(const frf::Columns& columns) const {
     const Wanted wanted{"--displacement", "a displacement", task_.displacement,
                         {"displacement", "disp", "position", "pos", "deformation", "angle", "rotation", "amplitude", "u", "x"}};
-    return si_values(columns, chosen(columns, wanted), {"--unit", task_.unit, "mm"}, motion);
+    return chosen(columns, wanted);
+  }
+
+  const frf::NumberColumn& velocity_column(const frf::Columns& columns) const {
+    return chosen(columns, {"--displacement", "a velocity", task_.displacement, {"velocity", "vel", "speed", "v"}});
+  }
+
+  const frf::NumberColumn& time_column(const frf::Columns& columns) const {
+    const frf::NumberColumn* found = task_.time.empty() ? records::find_times(columns) : nullptr;
+    return found != nullptr ? columns.column(found->name) : chosen(columns, {"--time", "a time", task_.time, {"time", "t"}});
+  }
+
+  std::vector<double> displacement(const frf::Columns& columns) const {
+    return si_values(columns, displacement_column(columns), {"--unit", task_.unit, "mm"}, motion);
   }
 
   std::vector<double> integrated_velocity(const frf::Columns& columns) const {
-    const Wanted velocity{"--displacement", "a velocity", task_.displacement, {"velocity", "vel", "speed", "v"}};
-    const Wanted time{"--time", "a time", task_.time, {"time", "t"}};
-    const auto v = si_values(columns, chosen(columns, velocity), {"--unit", task_.unit, "mm/s"}, rate);
-    const auto t = si_values(columns, chosen(columns, time), {"--time-unit", task_.time_unit, "ms"}, {{0, 1, 0}});
+    const frf::NumberColumn &velocity = velocity_column(columns), &time = time_column(columns);
+    require_different(columns, velocity, "velocity", time, "time");
+    const auto v = si_values(columns, velocity, {"--unit", task_.unit, "mm/s"}, rate);
+    const auto t = si_values(columns, time, {"--time-unit", task_.time_unit, "ms"}, {{0, 1, 0}});
     return of_file(columns.file, [&] { return friction::integrated(t, v); });
   }
 
   Record record_of(const frf::Columns& columns) const {
     const Wanted force{"--force", "a force", task_.force, {"force", "friction", "tangential", "torque", "moment", "f"}, {"normal"}};
+    const frf::NumberColumn& forces = chosen(columns, force);
+    require_different(columns, task_.velocity ? velocity_column(columns) : displacement_column(columns), "displacement", forces,
+                      "force");
+    if (task_.velocity) require_different(columns, time_column(columns), "time", forces, "force");
     Record record{task_.velocity ? integrated_velocity(columns) : displacement(columns),
-                  si_values(columns, chosen(columns, force), {"--force-unit", task_.force_unit, "uN"}, load)};
+                  si_values(columns, forces, {"--force-unit", task_.force_unit, "uN"}, load)};
+    require_measurable(columns, forces, record.force);
+    require_measurable(columns, task_.velocity ? velocity_column(columns) : displacement_column(columns), record.displacement);
     if (record.displacement.size() != record.force.size()) {
       throw InputError({ErrorKind::data, columns.file, "",
                         fmt::format("{} displacements and {} forces", record.displacement.size(), record.force.size()),
@@ -166,6 +209,7 @@ class Reader {
     curve.name = name;
     curve.u = displacement(columns);
     const auto named = [&](const std::string& column, const std::vector<Dimension>& allowed, const std::string& unit) {
+      require_different(columns, displacement_column(columns), "amplitude", columns.column(column), "a quantity over it");
       return si_values(columns, columns.column(column), {"--force-unit", unit, "N/mm"}, allowed);
     };
     if (!task_.energy.empty()) {
@@ -173,6 +217,7 @@ class Reader {
       curve.value = named(task_.energy, {{1, 0, 1}}, "");
     } else {
       curve.kind = CurveKind::equivalent;
+      require_different(columns, columns.column(task_.stiffness), "stiffness", columns.column(task_.damping), "damping");
       curve.value = named(task_.stiffness, {{-1, 0, 1}, {1, 0, 1}}, task_.force_unit);
       curve.damping = named(task_.damping, {{-1, 0, 1}, {1, 0, 1}}, task_.force_unit);
     }

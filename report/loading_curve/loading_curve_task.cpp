@@ -34,6 +34,13 @@ void check_columns(const LoadingCurveTask& task) {
   if (series && (task.velocity || task.specimen_stiffness || !task.specimen.empty())) {
     fail("--displacement", "an amplitude series has no record to integrate or correct", "leave --velocity and --specimen out");
   }
+  if (series && (task.sign != "auto" || task.kind != "auto"))
+    fail(task.sign != "auto" ? "--sign" : "--kind", "an amplitude series has neither signs nor cycles", "leave it out");
+  if (!task.energy.empty() && !task.force_unit.empty())
+    fail("--force-unit", "an amplitude series of energies has no forces; energies are J", "leave it out");
+  if (!task.velocity && !(task.time.empty() && task.time_unit.empty()))
+    fail(task.time.empty() ? "--time-unit" : "--time", "no time is needed without --velocity",
+         "leave it out, or give --velocity");
 }
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }

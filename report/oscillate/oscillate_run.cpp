@@ -200,6 +200,9 @@ class Oscillating {
 }  // namespace
 
 std::string failure_of(const OscillateRun& run) {
+  if (run.motion->status == Status::too_long)
+    return "the motion ended: too_long, its steps are all taken; shorten transient and length, or is a stiffness or a frequency "
+           "too high?";
   if (run.motion->status != Status::ok) return fmt::format("the motion ended: {}", word(run.motion->status));
   if (run.orbit && !run.orbit->converged) return "the periodic orbit was not found";
   if (run.exponents && run.exponents->status != Status::ok) return fmt::format("exponents: {}", word(run.exponents->status));

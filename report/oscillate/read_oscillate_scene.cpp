@@ -7,7 +7,7 @@
 namespace jointid::report {
 namespace {
 
-constexpr double most_motion_samples = 1e7;
+constexpr double most_motion_samples = 1e7, most_cycles = 1e6, most_intervals = 1e6;
 
 const std::vector<std::string> basis_words = {"pod", "normal_modes", "craig_bampton"};
 
@@ -36,7 +36,15 @@ void read_start(const std::optional<scene::Item>& item, OscillateScene& scene) {
   scene.v = start_of(table, "velocity", n);
 }
 
-MotionSection read_motion(const scene::Item& item) {
+/// Of a driven motion.
+void require_cycles(const scene::Item& item, const SystemSpec& system, double seconds) {
+  const double cycles = system.is_driven() ? seconds * system.frequency_hz : 0.0;
+  if (!(cycles <= most_cycles))
+    item.fail("transient and length are " + scene::number_text(cycles) + " cycles of the slider",
+              "take 1e6 at most: shorten them");
+}
+
+MotionSection read_motion(const scene::Item& item, const SystemSpec& system) {
   const scene::Table table = item.table({"transient", "length", "step"});
   MotionSection out;
   out.transient = not_negative_or(table, "transient", 0.0);
@@ -46,6 +54,7 @@ MotionSection read_motion(const scene::Item& item) {
   const double samples = out.length / out.step;
   if (samples < 20.0 || samples > most_motion_samples)
     step.fail("gives " + scene::number_text(std::floor(samples)) + " samples", "take 20 to 1e7");
+  require_cycles(item, system, out.transient + out.length);
   return out;
 }
 
@@ -71,6 +80,9 @@ ExponentSection read_exponents(const scene::Item& item, const OscillateScene& sc
   const scene::Item interval = table.require("interval");
   out.interval = interval.positive();
   if (out.length < 20.0 * out.interval) interval.fail("the length has less than 20 of them", "shorten interval");
+  const double intervals = (out.transient + out.length) / out.interval;
+  if (!(intervals <= most_intervals))
+    interval.fail("transient and length have " + scene::number_text(intervals) + " of them", "take 1e6 at most");
   return out;
 }
 
@@ -91,6 +103,8 @@ SweepSection read_sweep(const scene::Item& item, const SystemSpec& system) {
   out.points = whole(table.require("points"), 2, 100000);
   out.transient = not_negative_or(table, "transient", 0.0);
   out.length = table.require("length").positive();
+  if (system.is_driven() && out.transient + out.length > most_cycles)
+    table.require("length").fail("transient and length are more than 1e6 cycles", "shorten them");
   return out;
 }
 
@@ -139,7 +153,7 @@ OscillateScene parse_oscillate_scene(const std::string& text, const ident::Path&
   scene.system.friction = read_friction(table.require("friction"));
   table.require("system").here([&] { contact_system(model_of(scene.system)); });
   read_start(table.find("start"), scene);
-  scene.motion = read_motion(table.require("motion"));
+  scene.motion = read_motion(table.require("motion"), scene.system);
   if (const auto orbit = table.find("orbit")) scene.orbit = read_orbit(*orbit, scene.system);
   if (const auto exponents = table.find("exponents")) scene.exponents = read_exponents(*exponents, scene);
   if (const auto sweep = table.find("sweep")) scene.sweep = read_sweep(*sweep, scene.system);

@@ -11,7 +11,7 @@ using oscillation::Mode;
 using oscillation::Piece;
 using oscillation::StickSlip;
 
-constexpr std::size_t most_break_aways = 1000;
+constexpr std::size_t most_break_aways = 1000, most_turns = 1'000'000;
 
 Eigen::MatrixXd rows_of(const std::vector<SeenForm>& forms, Eigen::Index degrees) {
   Eigen::MatrixXd out(at(forms.size()), degrees);
@@ -77,8 +77,8 @@ class Sampler {
     }
     if (!scene_.system.is_driven()) return;
     const double cycle = 1.0 / scene_.system.frequency_hz;
-    for (double turn = std::ceil(piece.start / cycle - 1e-9); turn * cycle < piece.start + piece.length - 1e-9 * cycle;
-         turn += 1.0)
+    for (double turn = std::ceil(piece.start / cycle - 1e-9);
+         turn * cycle < piece.start + piece.length - 1e-9 * cycle && section_.size() < most_turns; turn += 1.0)
       section_.push_back(seen_at(piece.at(std::max(turn * cycle - piece.start, 0.0))));
   }
 
@@ -86,7 +86,7 @@ class Sampler {
     ++out_.events;
     if (event.from != Mode::stick) return;
     if (out_.break_aways.size() < most_break_aways) out_.break_aways.push_back(event);
-    if (!scene_.system.is_driven()) section_.push_back(seen_at(event.state));
+    if (!scene_.system.is_driven() && section_.size() < most_turns) section_.push_back(seen_at(event.state));
   }
 
   const OscillateScene& scene_;

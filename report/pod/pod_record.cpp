@@ -14,6 +14,8 @@
 namespace jointid::report {
 namespace {
 
+constexpr std::size_t most_channels = 10'000;  ///< a triangle of them takes 400 MB
+
 /// Throws InputError unless a file has the channels of the first one.
 void check_same(const PodRecord& record, const records::SampleStream& stream) {
   if (stream.channels().size() != record.names.size()) {
@@ -39,6 +41,11 @@ PodRecord own_part(const PodTask& task, const ident::Team& team, const std::func
   for (const auto& file : task.files) {
     const auto stream = records::open_samples(file, {task.channels, team.rank(), team.size()});
     const std::size_t channels = stream->channels().size();
+    if (channels > most_channels) {
+      throw InputError({ErrorKind::data, stream->file(), "",
+                        fmt::format("{} channels are more than the {} that are decomposed together", channels, most_channels),
+                        "name fewer with --channels; are rows and columns exchanged?"});
+    }
     if (!out) {
       out.emplace(PodRecord{{}, {}, 0, series::RecordTriangle(channels)});
       for (const auto& channel : stream->channels()) out->names.push_back(channel.name), out->units.push_back(channel.unit);

@@ -31,7 +31,9 @@ response::CurveRequest request_of(const SceneCurve& curve) {
 records::Record read_force(const SceneRecord& record) {
   records::RecordOptions options{.channels = {{record.column, {1, frf::Direction::x, 1}, record.factor, record.unit}},
                                  .time = record.time,
-                                 .rate_hz = record.rate_hz};
+                                 .rate_hz = record.rate_hz,
+                                 .any_dof = true,
+                                 .unit_otherwise = "N"};
   const std::vector<records::Record> found = records::read_records(record.file.path, options);
   const auto fail = [&](std::string problem, std::string remedy) {
     throw InputError({.kind = ErrorKind::data,
@@ -40,8 +42,7 @@ records::Record read_force(const SceneRecord& record) {
                       .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
-  if (found.size() != 1 || found.front().channels.size() != 1)
-    fail("holds several records or channels", "write one force as a column");
+  if (found.size() != 1 || found.front().channels.size() != 1) fail("holds several records", "write one force as a column");
   if (found.front().channels.front().kind != records::ChannelKind::force)
     fail("column " + record.column + " is no force", "its unit is N");
   if (found.front().samples() < 2) fail("has fewer than two samples", "");

@@ -51,7 +51,7 @@ struct SceneEquivalent {
 struct SceneRecord {
   SceneDof dof;
   ident::NamedFile file;
-  std::string column, unit = "N", time;
+  std::string column, unit, time;  ///< unit: empty as the file states it, else N
   double factor = 1.0;
   std::optional<double> rate_hz;
 };

@@ -22,7 +22,7 @@ ContactReport contact_report(const ContactTask& task) {
                       "give a column, or a constant load in N"});
   records::SeriesOptions options{{task.velocity, task.force}, task.rate_hz, 0};
   if (!task.normal.empty()) options.channels.push_back(task.normal);
-  if (task.force_delay == 0.0 && !options.rate_hz) options.rate_hz = 1.0;  // no time is needed
+  options.without_times = task.force_delay == 0.0;
   records::SeriesRecord record = records::read_series(task.file, options);
   if (task.force_delay != 0.0) record.samples[1] = series::advanced(record.samples[1], 1.0 / record.rate_hz, task.force_delay);
   ContactReport out{record.file, {}, {}, {}, 0, {}};

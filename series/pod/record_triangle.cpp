@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <system_error>
 #include <thread>
 
 #include "base/error.hpp"
@@ -100,6 +101,21 @@ Eigen::MatrixXd RecordTriangle::uncentred() const {
   return dense::triangle_of(all);
 }
 
+namespace {
+
+/// False where the system gives no further thread.
+template <class Work>
+bool begin(std::vector<std::jthread>& workers, const Work& work) {
+  try {
+    workers.emplace_back(work);
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
 RecordTriangle record_triangle(std::size_t channels, const NextSamples& next, std::size_t threads) {
   RecordTriangle whole(channels);
   threads = std::max<std::size_t>(threads, 1);
@@ -112,11 +128,8 @@ RecordTriangle record_triangle(std::size_t channels, const NextSamples& next, st
       const std::size_t rows = fill(blocks[used], next);
       more = rows == block_rows;
       const auto work = [&parts, &blocks, used, rows] { parts[used].add(blocks[used].topRows(at(rows))); };
-      if (threads == 1) {
-        work();
-      } else {
-        workers.emplace_back(work);
-      }
+      const bool alone = threads == 1 || !begin(workers, work);
+      if (alone) work();
     }
     workers.clear();
     for (std::size_t k = 0; k < used; ++k) whole.join(parts[k]);

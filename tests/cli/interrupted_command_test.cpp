@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -140,19 +141,25 @@ TEST(InterruptedCommand, AConversionLeavesNoTemporaryFile) {
   EXPECT_EQ(names_in(folder), before);
 }
 
-/// A command that waits for ever for someone to write into a pipe, where nothing asks whether it shall end.
+/// A command that waits for a file that another process holds a lease of, where nothing asks whether it shall end.
 class Hanging {
  public:
   Hanging() {
-    ::mkfifo(folder_.path("pipe").c_str(), 0600);
-    command_.emplace(folder_.path(), std::vector<std::string>{"solve", "pipe"});
+    std::signal(SIGIO, SIG_IGN);  // that somebody wants the file
+    held_ = ::open(folder_.path("held.toml").c_str(), O_RDWR | O_CREAT, 0600);
+    EXPECT_EQ(::fcntl(held_, F_SETLEASE, F_WRLCK), 0);
+    command_.emplace(folder_.path(), std::vector<std::string>{"solve", "held.toml"});
     command_->wait_until_it_catches();
   }
+  ~Hanging() { ::close(held_); }
+  Hanging(const Hanging&) = delete;
+  Hanging& operator=(const Hanging&) = delete;
   Command& operator*() { return *command_; }
   Command* operator->() { return &*command_; }
 
  private:
   InputFolder folder_;
+  int held_ = -1;
   std::optional<Command> command_;
 };
 

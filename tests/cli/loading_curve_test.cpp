@@ -203,5 +203,71 @@ TEST_F(LoadingCurveCommand, WrongFilesAndOptionsAreToldByName) {
   EXPECT_THAT(with([](A&) {}, table("c.csv", "u,F", {{1, 0}, {2, 0}})), AllOf(HasSubstr("c.csv"), HasSubstr("all values are zero")));
 }
 
+TEST_F(LoadingCurveCommand, NumbersBeyondAllMeasureAreOneLineForEveryLaw) {
+  std::vector<std::vector<double>> rows;
+  for (int i = 1; i <= 30; ++i) rows.push_back({i * 1e-8, 100.0 * (1.0 - std::exp(-i / 10.0))});
+  for (const double wild : {1e308, -1e308, 3e30}) {
+    for (const std::size_t column : {0u, 1u}) {
+      auto spoilt = rows;
+      spoilt[20][column] = wild;
+      for (const auto& law : friction::laws()) {
+        LoadingCurveArguments wanted = arguments({table("wild.csv", "u,F", spoilt)});
+        wanted.laws = {std::string(law.name)};
+        EXPECT_THAT(error(wanted),
+                    AllOf(HasSubstr(column == 0 ? "column u: sample 21 is" : "column F: sample 21 is"), HasSubstr("above 1e30")))
+            << law.name;
+      }
+    }
+  }
+  // Missing ones are left out; nothing but zeros or hardly anything is no curve.
+  auto gaps = rows;
+  gaps[3][0] = gaps[5][1] = std::nan("");
+  LoadingCurveArguments fine = arguments({table("gaps.csv", "u,F", gaps)});
+  fine.laws = {"ren"};
+  EXPECT_EQ(error(fine), "");
+  for (auto& row : rows) row[1] = 0.0;
+  EXPECT_THAT(error(arguments({table("zero.csv", "u,F", rows)})), HasSubstr("all values are zero"));
+  for (auto& row : rows) row = {row[0] * 1e-300, 1.0};
+  EXPECT_THAT(error(arguments({table("tiny.csv", "u,F", rows)})), HasSubstr("no displacement is above 1e-30"));
+}
+
+TEST_F(LoadingCurveCommand, AmplitudesThatAreNoneAreOneLine) {
+  for (const double wild : {1e308, 0.0, -1.0, 1e-320}) {
+    LoadingCurveArguments series = arguments(
+        {table("joint.csv", "amplitude,k,d", {{1e-6, 5e7, 1e6}, {2e-6, 4e7, 2e6}, {wild, 3e7, 3e6}, {4e-6, 2e7, 2e6}})});
+    series.stiffness = "k", series.damping = "d";
+    EXPECT_THAT(error(series), HasSubstr("joint")) << wild;
+  }
+}
+
+TEST_F(LoadingCurveCommand, UnitsThatContradictTheTitlesAndColumnsUsedTwice) {
+  const std::vector<std::vector<double>> rows = {{1, 10}, {2, 18}, {3, 24}, {4, 28}, {5, 30}, {6, 31}, {7, 31.5}, {8, 31.7}};
+  LoadingCurveArguments wanted = arguments({table("a.csv", "u (um),F [N]", rows)});
+  wanted.laws = {"bilinear"};
+  EXPECT_EQ(error(wanted), "");
+  wanted.unit = "mm";
+  EXPECT_THAT(error(wanted), HasSubstr("column u: the file states um, and mm is given"));
+  wanted.unit = "micrometer";
+  EXPECT_EQ(error(wanted), "");
+  wanted.unit.clear(), wanted.force = "u";
+  EXPECT_THAT(error(wanted), HasSubstr("column u: is displacement and force at once"));
+  wanted.force.clear(), wanted.time_unit = "ms";
+  EXPECT_THAT(error(wanted), HasSubstr("--time-unit: no time is needed without --velocity"));
+  LoadingCurveArguments twice = arguments({table("b.csv", "u,F,F", {{1, 2, 3}, {2, 3, 4}})});
+  EXPECT_THAT(error(twice), HasSubstr("the name 'F' stands above 2 columns"));
+  LoadingCurveArguments volts = arguments({table("c.csv", "u [mm],F [V]", rows)});
+  EXPECT_THAT(error(volts), HasSubstr("'V' is no unit of it (V is a voltage)"));
+}
+
+TEST_F(LoadingCurveCommand, TimesOfVelocitiesInTheirUnit) {
+  LoadingCurveArguments velocity = arguments({table("a.csv", "time (ms),v [mm/s],F", {{0, 1, 0}, {1, 1, 1}, {2, 1, 2}})});
+  velocity.velocity = true;
+  const auto data = report::read_curves(velocity);
+  EXPECT_NEAR(data.curves[0].u.back() - data.curves[0].u.front(), 2e-6, 1e-15);
+  LoadingCurveArguments unknown = arguments({table("b.csv", "time (samples),v [mm/s],F", {{0, 1, 0}, {1, 1, 1}, {2, 1, 2}})});
+  unknown.velocity = true;
+  EXPECT_THAT(error(unknown), HasSubstr("'samples' is no unit of it"));
+}
+
 }  // namespace
 }  // namespace jointid::cli

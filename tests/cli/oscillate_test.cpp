@@ -154,6 +154,9 @@ TEST(OscillateScene, SaysWhatIsWrong) {
   EXPECT_THAT(error_of(replaced(one_mass, "masses = 1", "masses = 0")), HasSubstr("masses"));
   EXPECT_THAT(error_of(replaced(one_mass, "mass = 1.3", "length = 1.3")), HasSubstr("length"));
   EXPECT_THAT(error_of(one_mass + "[orbit]\ncycles = 1\n"), HasSubstr("no drive with cycles"));
+  const std::string driven = replaced(one_mass, "velocity = 0.2\n", "amplitude = 0.1\nfrequency = 1e300\n");
+  EXPECT_THAT(error_of(driven), HasSubstr("cycles of the slider; take 1e6 at most"));
+  EXPECT_THAT(error_of(one_mass + "[exponents]\nlength = 1e12\ninterval = 1.0\n"), HasSubstr("take 1e6 at most"));
   EXPECT_THAT(error_of(one_mass + "[exponents]\nlength = 5.0\ninterval = 1.0\n"), HasSubstr("less than 20"));
   EXPECT_THAT(error_of(one_mass + "[sweep]\nparameter = \"frequency\"\nrange = [1.0, 2.0]\npoints = 3\nlength = 9.0\n"),
               HasSubstr("there is no slider"));

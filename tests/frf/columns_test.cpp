@@ -4,6 +4,8 @@
 #include <hdf5.h>
 
 #include <cmath>
+#include <string>
+#include <tuple>
 
 #include "file_fixture.hpp"
 
@@ -70,6 +72,37 @@ TEST_F(ColumnsFile, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(message_of([&] { read_columns(path("absent.csv")); }), HasSubstr("no such file"));
 }
 
+TEST_F(ColumnsFile, ANameThatStandsTwiceIsNobody) {
+  const Columns read = read_columns(write_file("a.csv", "u,F,f,F\n1,2,3,4\n"));
+  EXPECT_THAT(message_of([&] { (void)read.column("F"); }), HasSubstr("the name 'F' stands above 2 columns; give the number"));
+  EXPECT_EQ(read.column("f").values[0], 3.0);
+  EXPECT_EQ(read.column("U").values[0], 1.0);
+  EXPECT_EQ(read.place("4"), 3u);
+}
+
+TEST_F(ColumnsFile, RowOfUnitsAndSeparatorLine) {
+  const Columns read = read_columns(write_file("a.csv", "sep=;\nTime;A\n(ms);[V]\n\n0,5;1\n1,0;2\n"));
+  EXPECT_THAT(names(read), ElementsAre("Time", "A"));
+  EXPECT_EQ(read.columns[0].unit, "ms");
+  EXPECT_EQ(read.columns[1].unit, "V");
+  EXPECT_THAT(read.columns[0].values, ElementsAre(0.5, 1.0));
+  EXPECT_THAT(error("u,F\nx4,5\n"), HasSubstr("'x4' is not a number"));
+  EXPECT_THAT(error("u\tF\n1.5\t1,000\n"), HasSubstr("line 2: there are decimal points and commas"));
+}
+
+/// A hundred thousand columns are read in a moment, more are refused in one.
+TEST_F(ColumnsFile, ManyColumns) {
+  const auto table = [](std::size_t count) {
+    std::string titles = "c0", row = "1";
+    for (std::size_t k = 1; k < count; ++k) titles += ",c" + std::to_string(k), row += ",1";
+    return titles + "\n" + row + "\n";
+  };
+  const Columns many = read_columns(write_file("a.csv", table(100'000)));
+  EXPECT_EQ(many.columns.size(), 100'000u);
+  EXPECT_THAT(error(table(100'001)), HasSubstr("line 1: 100001 columns are more than the 100000 that are read"));
+  EXPECT_THAT(message_of([&] { (void)many.column("absent"); }), HasSubstr("c19 and"));
+}
+
 /// A dataset of doubles in a new HDF5 file, dimensions as h5py shows them.
 void add_dataset(hid_t file, const char* name, std::vector<hsize_t> dims, const std::vector<double>& values) {
   const hid_t space = H5Screate_simple(static_cast<int>(dims.size()), dims.data(), nullptr);
@@ -89,6 +122,53 @@ TEST_F(ColumnsFile, VectorsAndMatricesOfHdf5) {
   EXPECT_THAT(names(read), ElementsAre("force", "long(1)", "long(2)", "wide(1)", "wide(2)"));
   for (const char* name : {"force", "long(1)", "wide(1)"}) EXPECT_THAT(read.column(name).values, ElementsAre(1, 2, 3));
   for (const char* name : {"long(2)", "wide(2)"}) EXPECT_THAT(read.column(name).values, ElementsAre(4, 5, 6));
+}
+
+void add_text(hid_t object, const char* name, const std::string& text) {
+  const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR);
+  H5Tset_size(type, text.size());
+  const hid_t attribute = H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+  H5Awrite(attribute, type, text.data());
+  H5Aclose(attribute);
+  H5Sclose(space);
+  H5Tclose(type);
+}
+
+TEST_F(ColumnsFile, UnitsOfHdf5Attributes) {
+  const hid_t file = H5Fcreate(path("a.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  add_dataset(file, "time", {3}, {1, 2, 3});
+  add_dataset(file, "force", {3}, {1, 2, 3});
+  for (const auto& [name, attribute, unit] : {std::tuple("time", "units", "ms"), std::tuple("force", "Unit", "kN")}) {
+    const hid_t dataset = H5Dopen2(file, name, H5P_DEFAULT);
+    add_text(dataset, attribute, unit);
+    H5Dclose(dataset);
+  }
+  H5Fclose(file);
+  const Columns read = read_columns(path("a.h5"));
+  EXPECT_EQ(read.column("time").unit, "ms");
+  EXPECT_EQ(read.column("force").unit, "kN");
+}
+
+/// Zeros that deflate packs a thousandfold; `chunk` of them together.
+void add_packed(const std::string& path, hsize_t count, hsize_t chunk) {
+  const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(1, &count, nullptr), plist = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_chunk(plist, 1, &chunk);
+  H5Pset_deflate(plist, 9);
+  H5Pset_alloc_time(plist, H5D_ALLOC_TIME_EARLY);
+  H5Pset_fill_time(plist, H5D_FILL_TIME_ALLOC);
+  const hid_t dataset = H5Dcreate2(file, "x", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, plist, H5P_DEFAULT);
+  H5Dclose(dataset);
+  H5Pclose(plist);
+  H5Sclose(space);
+  H5Fclose(file);
+}
+
+TEST_F(ColumnsFile, WhatUnpacksBeyondAllMeasureIsRefused) {
+  add_packed(path("a.h5"), 12'000'000, 1'000'000);
+  EXPECT_THAT(message_of([&] { read_columns(path("a.h5")); }), AllOf(HasSubstr("unpacks to 91 MB"), HasSubstr("times its size")));
+  add_packed(path("b.h5"), 1'000'000, 1'000'000);
+  EXPECT_EQ(read_columns(path("b.h5")).columns[0].values.size(), 1'000'000u);
 }
 
 }  // namespace

@@ -127,6 +127,23 @@ TEST_F(CsvFile, WhatIsWrongIsNamedByLineAndColumn) {
               HasSubstr("'re' has no DOFs, and 0 responses and 0 references"));
 }
 
+/// In time that grows with their number; a table that is mostly gaps, and one of more columns, is refused.
+TEST_F(CsvFile, ManyColumns) {
+  const auto table = [](int pairs, bool one_reference) {
+    std::string titles = "frequency_hz", row = "10";
+    for (int k = 1; k <= pairs; ++k) {
+      const std::string pair = std::to_string(k) + ":+Z/" + std::to_string(one_reference ? 1 : k) + ":+Z ";
+      titles += "," + pair + "re," + pair + "im", row += ",1,2";
+    }
+    return "# quantity = accelerance\n" + titles + "\n" + row + "\n";
+  };
+  EXPECT_EQ(open(write_file("a.csv", table(20'000, true)))->header().response.size(), 20'000u);
+  EXPECT_THAT(message_of([&] { open(write_file("b.csv", table(50'000, true))); }),
+              testing::HasSubstr("100001 columns are more than the 100000"));
+  EXPECT_THAT(message_of([&] { open(write_file("c.csv", table(1'000, false))); }),
+              testing::HasSubstr("whose FRFs are mostly not there"));
+}
+
 TEST_F(CsvFile, AMagnitudeBelowZeroIsNamed) {
   EXPECT_THAT(error("# quantity = receptance\nfrequency_hz,1:X/1:X mag,1:X/1:X phase_deg\n1,2,3\n2,-1e-6,3\n"),
               HasSubstr("line 4, column 2: the magnitude -1e-06 is below 0"));

@@ -43,6 +43,22 @@ TEST(OneMass, OnABeltMeetsItsClosedForm) {
   EXPECT_NEAR(smallest, expected["x_min"], 1e-14);
 }
 
+/// Steps are counted, over all calls; and where rounding hides them, time does not stand for ever.
+TEST(StickSlip, ComesToAnEnd) {
+  const ContactSystem system = contact_system(BeltChain{});
+  const Eigen::VectorXd start = system.state(Eigen::VectorXd::Zero(10), Eigen::VectorXd::Zero(10));
+  StickSlip counted(system, start);
+  counted.most_steps = 200;
+  EXPECT_EQ(counted.advance(1e9), Status::too_long);
+  EXPECT_GT(counted.time(), 1.0);
+  EXPECT_EQ(counted.advance(2e9), Status::too_long);
+  StickSlip enough(system, start);
+  EXPECT_EQ(enough.advance(counted.time()), Status::ok);
+  StickSlip late(system, start, std::nullopt, 1e18);
+  EXPECT_EQ(late.advance(1e18 + 1e6), Status::stalled);
+  EXPECT_STREQ(word(Status::too_long), "too_long");
+}
+
 TEST(OneMass, WithAFallingLawMeetsTheGoldenEvents) {
   OSCILLATION_CASE(golden, "sdof_stribeck");
   const ContactSystem system = contact_system(chain_of(golden["input"]));

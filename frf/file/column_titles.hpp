@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frf/file/columns.hpp"
+
+namespace jointid::frf {
+
+/// More columns than this are no table of channels.
+inline constexpr std::size_t most_columns = 100'000;
+
+/// What stands above the numbers of a table, taken line by line: comments (# or %), `sep=;` as spreadsheets write it, the names
+/// of the columns with or without units, and a row of units below them ("(ms)", "s", "[N]"). The separator is the one that `sep=`
+/// says, else the first of semicolon, tab and comma that stands in the first line, else blanks.
+class ColumnTitles {
+ public:
+  explicit ColumnTitles(std::string file) { columns_.file = std::move(file); }
+
+  /// Whether the numbers begin with this line; else it was taken. Throws InputError at `place` for more than most_columns.
+  bool begins_with(std::string_view line, const std::string& place);
+
+  char separator() const { return separator_; }
+  /// Without numbers; of a table without names 1, 2, …
+  const Columns& columns() const { return columns_; }
+  bool empty() const { return columns_.columns.empty(); }
+
+ private:
+  bool take_separator(std::string_view text);
+  bool take_names(std::string_view line, const std::string& place);  ///< false: it is the first line of numbers
+  bool take_units(std::string_view line);
+
+  Columns columns_;
+  char separator_ = '\0';
+  bool named_ = false, has_units_ = false;
+};
+
+/// Numbers between semicolons and tabs may have decimal commas; in one table either all of them do or none.
+class DecimalMark {
+ public:
+  explicit DecimalMark(char separator = '\0') : may_be_comma_(separator == ';' || separator == '\t') {}
+
+  bool may_be_comma() const { return may_be_comma_; }
+  /// False where a line of numbers has a comma and it, or one before, a point.
+  bool fits(std::string_view line);
+
+ private:
+  bool may_be_comma_, points_ = false, commas_ = false;
+};
+
+/// What is said of a line that DecimalMark does not fit, and the remedy.
+inline constexpr const char* mixed_marks = "there are decimal points and commas";
+inline constexpr const char* one_mark = "write all numbers with one of them, without separators of thousands";
+
+/// A line of no numbers above a table: empty, or a comment.
+bool is_comment(std::string_view text);
+
+}  // namespace jointid::frf

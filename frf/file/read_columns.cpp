@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "frf/file/column_titles.hpp"
+#include "frf/file/columns.hpp"
+#include "frf/file/file_format.hpp"
+#include "frf/mat/mat_column.hpp"
+#include "frf/text/number_text.hpp"
+
+namespace jointid::frf {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, std::string place, std::string problem, std::string remedy) {
+  throw InputError({ErrorKind::data, file, std::move(place), std::move(problem), std::move(remedy)});
+}
+
+class TextColumns {
+ public:
+  explicit TextColumns(const std::filesystem::path& path) : out_{path.string(), {}}, titles_(out_.file) {}
+
+  Columns read(std::string_view rest) {
+    if (rest.find('\0') != std::string_view::npos) {
+      fail(out_.file, {}, "is no text, MATLAB or HDF5 file", "export the columns as CSV, MATLAB or HDF5");
+    }
+    if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
+    for (line_ = 1; !rest.empty(); ++line_) {
+      const std::string_view line = take_until(rest, '\n');
+      if (!out_.columns.empty()) {
+        if (!is_comment(trimmed(line))) add(line);
+      } else if (titles_.begins_with(line, place())) {
+        begin();
+        add(line);
+      }
+    }
+    if (titles_.empty()) fail(out_.file, {}, "holds no numbers", "give columns of numbers, e.g. u,F");
+    if (out_.columns.empty()) begin();
+    return std::move(out_);
+  }
+
+ private:
+  std::string place() const { return "line " + std::to_string(line_); }
+
+  void begin() {
+    out_ = titles_.columns();
+    mark_ = DecimalMark(titles_.separator());
+  }
+
+  void add(std::string_view line) {
+    const std::vector<std::string_view> cells = split(line, titles_.separator());
+    if (cells.size() != out_.columns.size()) {
+      fail(out_.file, place(),
+           "has " + std::to_string(cells.size()) + " cells, the lines above have " + std::to_string(out_.columns.size()),
+           "give every line the same cells; the first line may name the columns");
+    }
+    if (!mark_.fits(line)) fail(out_.file, place(), mixed_marks, one_mark);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      double value = 0.0;
+      if (!parse_cell(cells[i], mark_.may_be_comma(), value)) {
+        fail(out_.file, place() + ", column " + std::to_string(i + 1),
+             "'" + std::string(cells[i].substr(0, 40)) + "' is not a number", "begin lines that are no numbers with #");
+      }
+      out_.columns[i].values.push_back(value);
+    }
+  }
+
+  Columns out_;
+  ColumnTitles titles_;
+  DecimalMark mark_;
+  std::size_t line_ = 0;
+};
+
+/// Records are held in memory whole.
+constexpr std::uint64_t most_numbers = std::uint64_t{1} << 28;
+/// Measured numbers pack to a tenth of their size at best; a few idle channels more.
+constexpr std::uint64_t freely_unpacked = std::uint64_t{64} << 20, most_unpacked = 64;
+
+std::uint64_t numbers_of(const MatInfo& info) {
+  std::uint64_t count = 1;
+  for (const std::size_t extent : info.dims)
+    count = extent > 0 && count > most_numbers / extent ? most_numbers + 1 : count * extent;
+  return count;
+}
+
+void require_bounded(const MatFile& file) {
+  std::uint64_t numbers = 0, columns = 0;
+  for (const MatInfo& info : file.variables()) {
+    if (!is_column(info)) continue;
+    numbers = std::min(numbers + numbers_of(info), most_numbers + 1);
+    columns += columns_of(info);
+  }
+  if (numbers > most_numbers)
+    fail(file.file(), {}, "holds more than 268 million numbers", "keep the variables that are needed, or split it");
+  if (columns > most_columns)
+    fail(file.file(), {},
+         std::to_string(columns) + " columns are more than the " + std::to_string(most_columns) + " that are read",
+         "keep the variables that are needed; are the axes of a matrix exchanged?");
+  const std::uint64_t bytes = sizeof(double) * numbers, size = std::filesystem::file_size(file.file());
+  if (bytes <= std::max(freely_unpacked, most_unpacked * size)) return;
+  fail(file.file(), {},
+       "unpacks to " + std::to_string(bytes >> 20) + " MB, " + std::to_string(bytes / size) +
+           " times its size, where measured numbers give ten",
+       "keep the variables that are needed, or store them without compression");
+}
+
+/// Rows of `count` columns each into the columns from `first` on.
+void append_rows(const std::vector<double>& rows, std::size_t count, Columns& out, std::size_t first) {
+  for (std::size_t k = 0; k < count; ++k) {
+    std::vector<double>& values = out.columns[first + k].values;
+    for (std::size_t at = k; at < rows.size(); at += count) values.push_back(rows[at]);
+  }
+}
+
+/// The samples of a real vector or matrix, the short side of a matrix one by one.
+void append_values(MatFile& file, const MatInfo& info, std::size_t count, std::size_t samples, Columns& out, std::size_t first) {
+  if (file.reads_samples() && !info.dims.empty()) {
+    constexpr std::size_t block = 65536;
+    for (std::size_t at = 0; at < samples; at += block)
+      append_rows(file.read_samples(info, at, std::min(block, samples - at)), count, out, first);
+    return;
+  }
+  const MatVariable variable = file.read(info);
+  const bool by_column = info.dims.empty() || info.dims[0] >= count * samples / info.dims[0];
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < samples; ++k)
+      out.columns[first + i].values.push_back(variable.values[by_column ? k + samples * i : i + count * k].real());
+  }
+}
+
+void add_variable(MatFile& file, const MatInfo& info, const ColumnUnits& units, Columns& out) {
+  const std::size_t size = numbers_of(info), count = size == 0 ? 0 : columns_of(info), first = out.columns.size();
+  if (count == 0) return;
+  const std::vector<std::string> stated = units.of(info);
+  for (std::size_t i = 0; i < count; ++i) {
+    out.columns.push_back({column_name(info, i), stated[i], {}});
+    out.columns.back().values.reserve(size / count);
+  }
+  append_values(file, info, count, size / count, out, first);
+}
+
+Columns read_variables(MatFile& file) {
+  Columns out{file.file(), {}};
+  require_bounded(file);
+  const ColumnUnits units(file);
+  for (const MatInfo& info : file.variables()) {
+    if (is_column(info)) add_variable(file, info, units, out);
+  }
+  if (out.columns.empty())
+    fail(out.file, {}, "has no real vector or matrix", "store displacement and force as vectors of doubles");
+  return out;
+}
+
+}  // namespace
+
+Columns read_columns(const std::filesystem::path& path) {
+  const std::optional<FileFormat> binary = detect_binary_format(path);
+  if (!binary) return TextColumns(path).read(read_text(path));
+  const auto file = *binary == FileFormat::matlab_v5 ? open_mat_variables_v5(path) : open_mat_variables_v73(path);
+  return read_variables(*file);
+}
+
+}  // namespace jointid::frf
