@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "frf/hdf5_module/hdf5_checked_disk.hpp"
 
 namespace jointid::frf::hdf5 {
 namespace {
@@ -54,12 +55,18 @@ std::size_t product(const std::vector<std::size_t>& dims) {
   return std::accumulate(dims.begin(), dims.end(), std::size_t{1}, std::multiplies<>());
 }
 
-/// A header that declares more than is stored must not make us allocate for it.
+double size_of_file(const Handle& id) {
+  const Handle file(H5Iget_file_id(id.get()));
+  hsize_t bytes = 0;
+  return H5Fget_filesize(file.get(), &bytes) < 0 ? 0.0 : static_cast<double>(bytes);
+}
+
+/// A header that declares more than is stored must not make us allocate for it; what it says of the storage is held against the file.
 void require_stored(const Dataset& dataset) {
   const Handle type(H5Dget_type(dataset.id.get()));
   double bytes = static_cast<double>(H5Tget_size(type.get()));
   for (const std::size_t extent : dataset.dims) bytes *= static_cast<double>(extent);
-  const auto stored = static_cast<double>(H5Dget_storage_size(dataset.id.get()));
+  const double stored = std::min(static_cast<double>(H5Dget_storage_size(dataset.id.get())), size_of_file(dataset.id));
   if (bytes <= stored * (is_filtered(dataset) ? best_compression : 1.0)) return;
   fail(dataset,
        "declares " + std::to_string(bytes / 1e6) + " MB and stores " + std::to_string(stored / 1e6) + " MB",
@@ -115,7 +122,14 @@ std::optional<Attribute> open_attribute(const Object& object, const char* name) 
   attribute.space = Handle(H5Aget_space(attribute.id.get()));
   if (H5Sget_simple_extent_npoints(attribute.space.get()) != 1)
     fail(attribute.named, "is not a single value");
+  if (static_cast<double>(H5Aget_storage_size(attribute.id.get())) > size_of_file(attribute.id))
+    fail(attribute.named, "is larger than the file");
   return attribute;
+}
+
+std::string text_of(Finding finding) {
+  if (finding == Finding::crash) return "its contents crash the HDF5 library";
+  return finding == Finding::no_end ? "the HDF5 library comes to no end with it" : "to read it takes more memory than its size explains";
 }
 
 bool is_number(hid_t type) {
@@ -135,9 +149,9 @@ void fail(const Object& object, std::string problem, std::string remedy) {
 
 Object open_file(const std::filesystem::path& path) {
   Object file{.id = {}, .file = path.string(), .place = {}};
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_fapl_sec2(access.get());
-  file.id = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
+  Finding finding = Finding::nothing;
+  file.id = open_checked(path, finding);
+  if (finding != Finding::nothing) fail(file, "is damaged: " + text_of(finding), "write it again where it came from, or copy it again");
   if (!file.id.is_open()) {
     fail(file, "cannot be opened as HDF5: " + last_failure(),
          "the file is damaged, truncated or being written");

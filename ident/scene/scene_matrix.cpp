@@ -1,6 +1,7 @@
 #include "ident/scene/scene_matrix.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "restrictions/linear_expression.hpp"
 #include "restrictions/restriction.hpp"
@@ -48,7 +49,32 @@ Spring read_spring(const scene::Item& item) {
   return spring;
 }
 
+/// A letter, then letters, digits and underscores, as in expressions.
+void require_word(const std::string& name, const scene::Item& item) {
+  const auto letter = [](char c) { return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const bool fits = !name.empty() && letter(name[0]) &&
+                    std::ranges::all_of(name, [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+  if (!fits) item.fail("'" + name + "' is no name of a spring", "begin with a letter, go on with letters, digits and _: k1");
+}
+
+/// `{ k1 = ["21:+X", "121:+X"], k2 = [["22:+X", "122:+X"], ["23:+X", "123:+X"]] }`.
+std::vector<Spring> read_named_springs(const scene::Item& item) {
+  std::vector<Spring> springs;
+  const scene::Table table = item.open_table();
+  for (const auto& [name, value] : table.members()) {
+    require_word(name, value);
+    const std::vector<scene::Item> parts = value.list_not_empty();
+    for (const scene::Item& spring : parts.front().is_list() ? parts : std::vector{value}) {
+      springs.push_back(read_spring(spring));
+      springs.back().name = name;
+    }
+  }
+  if (springs.empty()) item.fail("the list of springs is empty", "leave the matrix out if it is zero");
+  return springs;
+}
+
 std::vector<Spring> read_springs(const scene::Item& item) {
+  if (item.is_table()) return read_named_springs(item);
   std::vector<Spring> springs;
   for (const scene::Item& spring : item.list_not_empty()) springs.push_back(read_spring(spring));
   return springs;
