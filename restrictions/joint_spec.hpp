@@ -36,7 +36,6 @@ using EntryMatrix = std::vector<std::vector<Entry>>;
 struct Spring {
   frf::Dof first;
   std::optional<frf::Dof> second;
-  std::string name{};  ///< springs of one name are one unknown; empty: its own
 };
 
 using MatrixSpec = std::variant<Pattern, EntryMatrix, std::vector<Spring>>;

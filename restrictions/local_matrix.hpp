@@ -29,7 +29,7 @@ LocalMatrix from_pattern(const JointSpec& joint, Kind kind, Pattern pattern);
 LocalMatrix from_entries(const JointSpec& joint, Kind kind, const EntryMatrix& entries);
 
 /// Springs X = Σ y_s b_s b_sᵀ in the order listed, b_s = e_first − e_second (second missing for ground) with the signs
-/// of the DOFs. Unknowns "K[4:+Y,5:+Y]", "K[4:+RZ,ground]", or "K.name" of springs with a name, one for all of that name.
+/// of the DOFs. Unknowns "K[4:+Y,5:+Y]", "K[4:+RZ,ground]".
 LocalMatrix from_springs(const JointSpec& joint, Kind kind, const std::vector<Spring>& springs);
 
 /// Pattern free: X = V N S Nᵀ V with S symmetric, unknowns "K.s(i,j)", i ≤ j. See rigid_body.hpp for V and N.

@@ -50,19 +50,6 @@ Ends ends_of(const JointSpec& joint, Kind kind, const Spring& spring) {
   return ends;
 }
 
-/// The place of the spring's unknown among those of the matrix, where it is put unless a spring of its name was there.
-std::size_t unknown_of(const JointSpec& joint, Kind kind, const Spring& spring, const std::string& unit, LocalMatrix& matrix) {
-  const std::string named = symbol(kind) + (spring.name.empty() ? name(spring) : "." + spring.name);
-  const auto same = std::ranges::find(matrix.unknowns, named, &LocalUnknown::name);
-  if (same != matrix.unknowns.end() && same->unit != unit) {
-    fail(joint, kind, "springs of the name '" + spring.name + "' are in " + same->unit + " and in " + unit,
-         "give translations and rotations names of their own");
-  }
-  const auto place = static_cast<std::size_t>(same - matrix.unknowns.begin());
-  if (same == matrix.unknowns.end()) matrix.unknowns.push_back({named, unit});
-  return place;
-}
-
 /// b and −b make the same matrix: both sorted by index, the first sign made positive.
 std::vector<std::array<double, 2>> canonical(Ends ends) {
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.index < b.index; });
@@ -85,7 +72,8 @@ LocalMatrix from_springs(const JointSpec& joint, Kind kind, const std::vector<Sp
            "keep one of them");
     }
     const frf::Dof& dof = joint.dofs[ends[0].index];
-    const std::size_t unknown = unknown_of(joint, kind, spring, unit(kind, dof, dof), matrix);
+    const std::size_t unknown = matrix.unknowns.size();
+    matrix.unknowns.push_back({symbol(kind) + name(spring), unit(kind, dof, dof)});
     for (const End& row : ends) {
       for (const End& column : ends) {
         matrix.terms.push_back({row.index, column.index, unknown, row.sign * column.sign});

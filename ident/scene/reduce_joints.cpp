@@ -131,7 +131,7 @@ EntryMatrix reduced(const EntryMatrix& matrix, const Connection& connection) {
 std::vector<Spring> reduced(const std::vector<Spring>& springs, const Ties& ties) {
   std::vector<Spring> out;
   for (const Spring& spring : springs) {
-    Spring moved{ties.kept(spring.first), std::nullopt, spring.name};
+    Spring moved{ties.kept(spring.first), std::nullopt};
     if (spring.second) moved.second = ties.kept(*spring.second);
     if (!moved.second || !moved.second->same_coordinate(moved.first)) out.push_back(moved);
   }

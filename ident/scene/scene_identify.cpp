@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "base/error.hpp"
 #include "ident/scene/scene_sections.hpp"
@@ -41,13 +43,18 @@ double read_delta(const scene::Item& item) {
   return delta;
 }
 
-/// Whether one number could be meant for all of its unknowns: they are springs, or stand on the diagonal.
-bool takes_one_number(const JointSpec& joint, Kind kind) {
-  const auto matrix = joint.matrices.find(kind);
-  if (matrix == joint.matrices.end()) return true;
-  const auto* pattern = std::get_if<restrictions::Pattern>(&matrix->second);
-  return std::holds_alternative<std::vector<restrictions::Spring>>(matrix->second) ||
-         (pattern != nullptr && *pattern == restrictions::Pattern::diagonal);
+/// Whether one number could be meant for all unknowns of a matrix: they are springs or stand on the diagonal, so that what each of them
+/// makes is semidefinite (no row whose diagonal is smaller than the rest).
+bool takes_one_number(const restrictions::Restriction& all, Kind kind) {
+  for (const restrictions::MatrixTerms& matrix : all.matrices) {
+    if (matrix.kind != kind) continue;
+    std::map<std::pair<std::size_t, std::size_t>, double> margins;
+    for (const restrictions::Term& term : matrix.terms) {
+      margins[{term.unknown, term.row}] += term.row == term.column ? term.coefficient : -std::abs(term.coefficient);
+    }
+    if (std::ranges::any_of(margins, [](const auto& margin) { return margin.second < 0.0; })) return false;
+  }
+  return true;
 }
 
 bool is_numbers(const scene::Item& item) {
@@ -76,11 +83,10 @@ double value_of(const scene::Item& item, const std::string& name, std::size_t pl
 
 /// The matrix of all joints of numbers for its unknowns.
 Matrix matrix_of_numbers(const scene::Item& item, const std::vector<JointSpec>& joints, Kind kind) {
-  const bool one = !item.is_list() && !item.is_table();
-  if (one && !std::ranges::all_of(joints, [&](const JointSpec& joint) { return takes_one_number(joint, kind); })) {
+  const restrictions::Restriction all = item.here([&] { return restrictions::build(joints); });
+  if (!item.is_list() && !item.is_table() && !takes_one_number(all, kind)) {
     item.fail("one number is for springs or a diagonal", "give the matrix, [[…], …]");
   }
-  const restrictions::Restriction all = item.here([&] { return restrictions::build(joints); });
   const auto unknowns = unknowns_of(all, kind);
   const std::size_t found = item.is_list() ? item.list().size() : item.is_table() ? item.open_table().members().size() : unknowns.size();
   if (found != unknowns.size()) {
