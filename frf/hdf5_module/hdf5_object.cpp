@@ -21,19 +21,23 @@ constexpr double best_compression = 1100.0;
 using RawRead = std::function<herr_t(hid_t, void*)>;
 
 bool read_variable_strings(hid_t type, hid_t space, std::size_t count, const RawRead& read,
-                           std::vector<std::string>& out) {
+                           std::vector<std::string>& out, std::string& why) {
   std::vector<char*> pointers(count, nullptr);
   const bool ok = read(type, pointers.data()) >= 0;
+  if (!ok) why = last_failure();  // which the next call forgets
   for (std::size_t i = 0; ok && i < count; ++i) out.emplace_back(pointers[i] == nullptr ? "" : pointers[i]);
   H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
   return ok;
 }
 
-bool read_fixed_strings(hid_t type, std::size_t count, const RawRead& read, std::vector<std::string>& out) {
+bool read_fixed_strings(hid_t type, std::size_t count, const RawRead& read, std::vector<std::string>& out, std::string& why) {
   const std::size_t width = H5Tget_size(type);
   const bool blanks = H5Tget_strpad(type) == H5T_STR_SPACEPAD;
   std::string bytes(count * width, '\0');
-  if (read(type, bytes.data()) < 0) return false;
+  if (read(type, bytes.data()) < 0) {
+    why = last_failure();
+    return false;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     std::string text = bytes.substr(i * width, width);
     text.resize(std::min(text.size(), text.find('\0')));
@@ -43,12 +47,14 @@ bool read_fixed_strings(hid_t type, std::size_t count, const RawRead& read, std:
   return true;
 }
 
-std::optional<std::vector<std::string>> read_strings(hid_t type, hid_t space, std::size_t count,
-                                                     const RawRead& read) {
+/// Throws InputError about `object` where HDF5 cannot.
+std::vector<std::string> read_strings(const Object& object, hid_t type, hid_t space, std::size_t count, const RawRead& read) {
   std::vector<std::string> out;
-  const bool ok = H5Tis_variable_str(type) > 0 ? read_variable_strings(type, space, count, read, out)
-                                               : read_fixed_strings(type, count, read, out);
-  return ok ? std::optional(std::move(out)) : std::nullopt;
+  std::string why;
+  const bool ok = H5Tis_variable_str(type) > 0 ? read_variable_strings(type, space, count, read, out, why)
+                                               : read_fixed_strings(type, count, read, out, why);
+  if (!ok) fail(object, "cannot be read: " + why);
+  return out;
 }
 
 std::size_t product(const std::vector<std::size_t>& dims) {
@@ -198,9 +204,7 @@ std::optional<std::string> text_attribute(const Object& object, const char* name
   if (!attribute) return std::nullopt;
   if (H5Tget_class(attribute->type.get()) != H5T_STRING) fail(attribute->named, "is not text");
   const auto read = [&](hid_t type, void* to) { return H5Aread(attribute->id.get(), type, to); };
-  auto texts = read_strings(attribute->type.get(), attribute->space.get(), 1, read);
-  if (!texts) fail(attribute->named, "cannot be read: " + last_failure());
-  return std::move(texts->front());
+  return read_strings(attribute->named, attribute->type.get(), attribute->space.get(), 1, read).front();
 }
 
 std::optional<double> number_attribute(const Object& object, const char* name) {
@@ -253,9 +257,7 @@ std::vector<std::string> read_texts(const Dataset& dataset) {
   const auto read = [&](hid_t memory, void* to) {
     return H5Dread(dataset.id.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, to);
   };
-  auto texts = read_strings(type.get(), space.get(), product(dataset.dims), read);
-  if (!texts) fail(dataset, "cannot be read: " + last_failure());
-  return std::move(*texts);
+  return read_strings(dataset, type.get(), space.get(), product(dataset.dims), read);
 }
 
 Handle complex_type(const char* real, const char* imaginary) {

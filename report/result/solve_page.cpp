@@ -186,6 +186,17 @@ std::vector<tasks::FrfEntry> entries_of(const ident::Plan& plan, const tasks::En
   return entries;
 }
 
+/// What the data's own errors explain is about 1; far above it the model, or the FRF, is wrong.
+void add_noise_map(const tasks::EntryErrors& errors, ReportPage& page) {
+  if (errors.rms_noise.empty()) return;
+  HeatMap map = error_map("rms error in units of noise, responses down, references across", errors.responses, errors.references, errors.rms_noise);
+  if (worst_first(map.values).empty()) return;
+  map.unit = HeatUnit::noise;
+  page.add(map);
+  page.add(Text{"In standard deviations σ of the measured assembly FRF: about 1 where its noise explains the error. The synthesised FRF has the "
+                "noise of the substructures' FRFs beside it.", true});
+}
+
 void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
   const HeatMap map = error_map("rms error in dB, responses down, references across", errors.responses, errors.references, errors.rms_db);
   if (worst_first(map.values).empty()) return;
@@ -198,6 +209,7 @@ void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
   page.add(worst_frfs(map), "Worst first", {most_worst, "the map has all of them"});
   page.add(Text{fmt::format("rms over all {} lines that both systems have. A row or column that stands out points to its sensor or its "
                             "excitation.", errors.lines), true});
+  add_noise_map(errors, page);
 }
 
 /// The FRFs of the assembly, measured and synthesised.

@@ -243,5 +243,30 @@ TEST(SceneErrors, NoiseAndTruth) {
   }
 }
 
+TEST(SceneErrors, TablesAndListsOfTables) {
+  expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[[joint]]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n", "line 3, joint",
+               "[[joint]] is a list of tables; one joint is [joint]; of several each should say [[joints]]");
+  expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[joints]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
+               "line 3, [joints]", "it should say [[joints]], once for each joint");
+  expect_error("[[data]]\nsubstructures = ['a.h5']\n", "line 1, data", "expected a table, found an array of 1; [[data]] should say [data]");
+  expect_error(right_data + right_joint + "[virtual_points]\nname = 'VP1'\n", "line 5, [virtual_points]",
+               "[virtual_points] should say [[virtual_points]]");
+}
+
+TEST(SceneErrors, StartsByNumbers) {
+  const std::string springs = right_data + "joint.dofs = ['4:+Y', '5:+Y']\njoint.stiffness.springs = [['4:+Y', '5:+Y']]\n[identify]\n";
+  expect_error(right_data + right_joint + "identify.start = 1e6", "line 5, [identify] start", "one number is for springs or a diagonal");
+  expect_error(springs + "start = [1e6, 2e6]", "line 6, [identify] start", "2 numbers for 1 unknowns");
+  expect_error(springs + "start = { stiffness = { k = 1e6 } }", "line 6, [identify.start.stiffness]", "has no value of K[4:+Y,5:+Y]");
+  expect_error(springs + "start = { mass = 1.0 }", "line 6", "no joint has that matrix");
+}
+
+TEST(SceneErrors, NamesOfSprings) {
+  const std::string begin = right_data + "joint.dofs = ['4:+Y', '5:+Y']\njoint.stiffness.springs = ";
+  expect_error(begin + "{ '1k' = ['4:+Y', '5:+Y'] }", "line 4", "'1k' is no name of a spring");
+  expect_error(begin + "{ k = ['4:+Y', '6:+Y'] }", "line 4", "6:+Y is not a DOF of the joint");
+  expect_error(begin + "{ k = ['4:+Y', '4:-Y'] }", "line 4", "the spring has both ends on one DOF");
+}
+
 }  // namespace
 }  // namespace jointid::ident
