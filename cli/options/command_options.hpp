@@ -26,9 +26,10 @@ std::pair<CLI::App*, T*> add_command(CLI::App& parent, Chosen& chosen, const cha
   return {command, arguments.get()};
 }
 
-/// --force.
+/// --force, also called --overwrite where a command means another force.
 inline void add_force(CLI::App* command) {
-  command->add_flag_callback("--force", allow_overwriting, "Replace files that jointid did not write");
+  const bool taken = command->get_option_no_throw("--force") != nullptr;
+  command->add_flag_callback(taken ? "--overwrite" : "--force,--overwrite", allow_overwriting, "Replace files that jointid did not write");
 }
 
 /// --json and --csv, where the result goes: `what` as JSON, `csv` as CSV.

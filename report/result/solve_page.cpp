@@ -42,8 +42,17 @@ std::vector<SuspectLines> suspect_lines(const ident::Solution& solution) {
   return out;
 }
 
+/// Why a solution is what its status says; of `ok` without a message what its residuals say.
+std::string reason_of(const ident::Solution& solution) {
+  if (!solution.message.empty() || solution.status != ident::Status::ok) return solution.message;
+  const ident::Fit& fit = solution.fit;
+  if (fit.chi_square) return "The noise of the FRFs explains the residuals: χ² / degrees of freedom " + chi_square_text(*fit.chi_square) + ".";
+  if (fit.misfit) return fmt::format("The residuals are {:.3g} times what the noise of the FRFs explains.", std::sqrt(*fit.misfit));
+  return "Nothing in the data contradicts the answer.";
+}
+
 void add_status(const ident::Solution& solution, ReportPage& page) {
-  page.status(status_banner(ident::name(solution.status), solution.message, solution.warnings, suspect_lines(solution)));
+  page.status(status_banner(ident::name(solution.status), reason_of(solution), solution.warnings, suspect_lines(solution)));
 }
 
 void add_summary(const ident::Solution& solution, ReportPage& page) {

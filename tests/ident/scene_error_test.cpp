@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "ident/scene/equivalent_scene.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "ident/scene/scene.hpp"
 
@@ -266,6 +267,26 @@ TEST(SceneErrors, NamesOfSprings) {
   expect_error(begin + "{ '1k' = ['4:+Y', '5:+Y'] }", "line 4", "'1k' is no name of a spring");
   expect_error(begin + "{ k = ['4:+Y', '6:+Y'] }", "line 4", "6:+Y is not a DOF of the joint");
   expect_error(begin + "{ k = ['4:+Y', '4:-Y'] }", "line 4", "the spring has both ends on one DOF");
+}
+
+/// GCC 12 destroyed the file's name of such a level twice.
+TEST(SceneErrors, AWrongLevelOfAnEquivalentJoint) {
+  for (const auto& [wrong, says] : std::vector<std::pair<std::string, std::string>>{{"-1", "expected a number above 0, found -1"},
+                                                                                  {"nan", "expected a finite number, found nan"},
+                                                                                  {"true", "expected a number, found the boolean true"},
+                                                                                  {"{}", "expected a number, found a table"}}) {
+    std::string text = "data.parts = ['a.h5']\n[equivalent]\ndofs = ['1:+Y', '2:+Y']\nlevels = [\n";
+    for (const std::string& displacement : {std::string("1e-6"), std::string("2e-6"), wrong, std::string("4e-6")}) {
+      text += "{ assembly = 'a long name of a file of one level.h5', displacement = " + displacement + " },\n";
+    }
+    try {
+      parse_equivalent_scene(text + "]\n", "some/folder/equivalent.toml");
+      ADD_FAILURE() << wrong;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("line 7, [equivalent.levels[3]")) << wrong;
+      EXPECT_THAT(error.what(), HasSubstr(says)) << wrong;
+    }
+  }
 }
 
 }  // namespace
