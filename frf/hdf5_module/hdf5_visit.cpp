@@ -158,7 +158,9 @@ bool visit_all(const Handle& file) {
   Visit visit;
   visit.object(file.get(), ".");
   for (const char* name : known) {  // where the list of names is damaged, one of them may be found all the same
-    if (H5Lexists(file.get(), name, H5P_DEFAULT) > 0) visit.object(file.get(), name);
+    H5L_info_t link{};
+    const bool there = H5Lexists(file.get(), name, H5P_DEFAULT) > 0 && H5Lget_info(file.get(), name, &link, H5P_DEFAULT) >= 0;
+    if (there && link.type == H5L_TYPE_HARD) visit.object(file.get(), name);
   }
   return visit.enough();
 }

@@ -115,6 +115,8 @@ std::map<Kind, Matrix> read_start(const scene::Item& item, const std::vector<Joi
     for (const Kind kind : restrictions::all_kinds) {
       if (const auto matrix = table.find(restrictions::key(kind))) start[kind] = read_start_matrix(*matrix, joints, kind);
     }
+  } else if (item.is_list() && !is_numbers(item)) {
+    item.table({});  // a matrix needs its name
   } else {
     start[Kind::stiffness] = read_start_matrix(item, joints, Kind::stiffness);
   }

@@ -169,7 +169,7 @@ TEST(SceneErrors, SeveralJoints) {
            {joint("name = 'a'", "1:X") + joint("name = 'b'", "1:-X"), "line 7, [joints[2]]", "a DOF of joint 'a'"},
            {joint("name = 'a.b'", "1:X"), "line 4, [joints[1]] name", "has a dot"},
            {joint("name = ''", "1:X"), "line 4, [joints[1]] name", "the string is empty"},
-           {"[joints]", "line 3, [joints]", "expected an array, found a table"},
+           {"[joints]", "line 3, [joints]", "[joints] is one table; it should say [[joints]]"},
            {joint("name = 'a'", "1:X") + "mass.matrix = [['a*b']]", "line 7, [joints[1].mass] matrix[1][1]",
             "'a*b' multiplies"},
        }) {
