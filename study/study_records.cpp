@@ -28,7 +28,8 @@ frf::JournalKey key_of(const frf::TableHeader& header) {
   for (const auto& [name, called] : named_texts) key.push_back({called, text_of(header, name)});
   std::string others;
   for (const auto& [name, text] : header.texts) {
-    if (std::ranges::find(named_texts, name, &std::pair<const char*, const char*>::first) == named_texts.end()) others += name + "=" + text + "\n";
+    const bool named = std::ranges::any_of(named_texts, [&](const auto& of) { return name == of.first; });
+    if (!named) others += name + "=" + text + "\n";
   }
   for (const frf::TableColumn& column : header.columns) others += column.name + "\n";
   key.push_back({"set of unknowns", others});

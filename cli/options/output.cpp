@@ -111,7 +111,8 @@ bool overwriting = false;  ///< --force was given
 void require_own(const OutputFile& output) {
   std::error_code ignored;
   if (overwriting || !std::filesystem::is_regular_file(output.target, ignored) || is_own_file(output.target)) return;
-  refuse_use(output.words(), "is there already and does not look like a file of jointid", "give another name, or --force (--overwrite) to replace it");
+  refuse_use(output.words(), "is there already and does not look like a file of jointid",
+             "give another name, or --force (--overwrite) to replace it");
 }
 
 /// "-" is standard output, a file where the shell says so.

@@ -21,8 +21,9 @@ constexpr std::array csv_heads = {
     "time [s]", "t [s]", "motion,", "frequency_hz", "frequency [Hz],", "line,", "law,", "level,", "file,", "point,"};
 
 /// Keys of the JSON that commands write, at its top level.
-constexpr std::array json_keys = {"status", "verdict", "trials", "method", "methods", "laws", "joints", "modes", "levels", "channels", "delay",
-                                  "files", "title", "message", "plan", "table", "reproduce", "scenes", "sweeps", "cases", "friction", "system"};
+constexpr std::array json_keys = {"status", "verdict", "trials", "method", "methods", "laws", "joints", "modes", "levels", "channels",
+                                  "delay", "files", "title", "message", "plan", "table", "reproduce", "scenes", "sweeps", "cases",
+                                  "friction", "system"};
 
 std::string bytes_of(const std::filesystem::path& file, bool end) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);

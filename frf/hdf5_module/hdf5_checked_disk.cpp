@@ -28,11 +28,9 @@ struct CheckedDisk {
 CheckedDisk& checked(H5FD_t* file) { return *reinterpret_cast<CheckedDisk*>(file); }
 const CheckedDisk& checked(const H5FD_t* file) { return *reinterpret_cast<const CheckedDisk*>(file); }
 
-/// HDF5 calls this with its lock held, so that no other thread is inside of it when first_look() forks.
 H5FD_t* open_for_reading(const char* name, unsigned, hid_t access, haddr_t) {
-  Finding* const finding = *static_cast<Finding* const*>(H5Pget_driver_info(access));
-  if (finding != nullptr) *finding = first_look(name);
-  if (finding != nullptr && *finding != Finding::nothing) return nullptr;
+  const MayOpen& may_open = **static_cast<const MayOpen* const*>(H5Pget_driver_info(access));
+  if (may_open && !may_open(name)) return nullptr;
   CheckedDisk opened;
   opened.descriptor = ::open(name, O_RDONLY | O_CLOEXEC);
   if (opened.descriptor < 0) return nullptr;
@@ -113,7 +111,7 @@ H5FD_class_t checked_class() {
   driver.name = "jointid_checked";
   driver.maxaddr = static_cast<haddr_t>(std::numeric_limits<off_t>::max());
   driver.fc_degree = H5F_CLOSE_WEAK;
-  driver.fapl_size = sizeof(Finding*);
+  driver.fapl_size = sizeof(const MayOpen*);
   driver.open = open_for_reading;
   driver.close = close_checked;
   driver.cmp = compare;
@@ -131,18 +129,15 @@ H5FD_class_t checked_class() {
   return driver;
 }
 
-Handle open_by_driver(const std::filesystem::path& path, Finding* finding) {
+}  // namespace
+
+Handle open_checked(const std::filesystem::path& path, const MayOpen& may_open) {
   static const H5FD_class_t driver = checked_class();
   static const hid_t driver_id = H5FDregister(&driver);
   const Handle access(H5Pcreate(H5P_FILE_ACCESS));
-  H5Pset_driver(access.get(), driver_id, &finding);
+  const MayOpen* const asked = &may_open;
+  H5Pset_driver(access.get(), driver_id, &asked);
   return Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()));
 }
-
-}  // namespace
-
-Handle open_checked(const std::filesystem::path& path, Finding& finding) { return open_by_driver(path, &finding); }
-
-Handle open_without_look(const std::filesystem::path& path) { return open_by_driver(path, nullptr); }
 
 }  // namespace jointid::frf::hdf5

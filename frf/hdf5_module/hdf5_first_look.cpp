@@ -67,7 +67,7 @@ void isolate() {
   limit_time(least_seconds + size / bytes_per_second);
   const bool limited = limit_memory(least_memory + memory_per_byte * static_cast<rlim_t>(size));
   poison_memory();
-  const bool enough = visit_all(open_without_look(path));
+  const bool enough = visit_all(open_checked(path));
   ::_exit(limited && !enough ? asked_for_too_much : 0);
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "frf/hdf5_module/hdf5_checked_disk.hpp"
+#include "frf/hdf5_module/hdf5_first_look.hpp"
 
 namespace jointid::frf::hdf5 {
 namespace {
@@ -156,7 +157,10 @@ void fail(const Object& object, std::string problem, std::string remedy) {
 Object open_file(const std::filesystem::path& path) {
   Object file{.id = {}, .file = path.string(), .place = {}};
   Finding finding = Finding::nothing;
-  file.id = open_checked(path, finding);
+  file.id = open_checked(path, [&](const std::filesystem::path& name) {
+    finding = first_look(name);
+    return finding == Finding::nothing;
+  });
   if (finding != Finding::nothing) fail(file, "is damaged: " + text_of(finding), "write it again where it came from, or copy it again");
   if (!file.id.is_open()) {
     fail(file, "cannot be opened as HDF5: " + last_failure(),

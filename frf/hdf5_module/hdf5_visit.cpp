@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "frf/hdf5_module/hdf5_object.hpp"
 
 namespace jointid::frf::hdf5 {
 namespace {
@@ -21,9 +20,9 @@ constexpr double most_data = 4e6;  ///< bytes
 constexpr std::size_t deepest = 32;  ///< groups in groups
 
 /// Datasets that readers open by name.
-constexpr std::array known = {"frequency", "response_dof", "reference_dof", "frf", "variance", "coherence", "covariance", "covariance_factor",
-                              "covariance_diagonal", "reference_correlation", "node_id", "node_position", "node_axes", "column", "unit",
-                              "truth", "rows", "column_checksum"};
+constexpr std::array known = {"frequency", "response_dof", "reference_dof", "frf", "variance", "coherence", "covariance",
+                              "covariance_factor", "covariance_diagonal", "reference_correlation", "node_id", "node_position",
+                              "node_axes", "column", "unit", "truth", "rows", "column_checksum"};
 
 using Read = std::function<herr_t(hid_t type, void* to)>;
 
@@ -36,6 +35,14 @@ bool lacks_memory() {
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look, &lacks);
   return lacks;
+}
+
+/// Two numbers of these names.
+Handle pair_of(const char* first, const char* second) {
+  Handle type(H5Tcreate(H5T_COMPOUND, 2 * sizeof(double)));
+  H5Tinsert(type.get(), first, 0, H5T_NATIVE_DOUBLE);
+  H5Tinsert(type.get(), second, sizeof(double), H5T_NATIVE_DOUBLE);
+  return type;
 }
 
 class Visit {
@@ -115,8 +122,8 @@ class Visit {
   void elements(const Handle& type, const Handle& space, const Read& read) {
     const H5T_class_t kind = H5Tget_class(type.get());
     if (kind == H5T_FLOAT || kind == H5T_INTEGER) return read_as(Handle(H5Tcopy(H5T_NATIVE_DOUBLE)), space, read);
-    if (kind == H5T_COMPOUND && H5Tget_member_index(type.get(), "r") >= 0) read_as(complex_type(), space, read);
-    if (kind == H5T_COMPOUND && H5Tget_member_index(type.get(), "real") >= 0) read_as(complex_type("real", "imag"), space, read);
+    if (kind == H5T_COMPOUND && H5Tget_member_index(type.get(), "r") >= 0) read_as(pair_of("r", "i"), space, read);
+    if (kind == H5T_COMPOUND && H5Tget_member_index(type.get(), "real") >= 0) read_as(pair_of("real", "imag"), space, read);
     if (kind == H5T_STRING || kind == H5T_REFERENCE) read_as(Handle(H5Tcopy(type.get())), space, read);
   }
 

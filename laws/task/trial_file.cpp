@@ -39,7 +39,8 @@ std::string head_of(const TrialFileKey& key) {
 std::string differences(const std::string& text, const std::string& head) {
   const auto word_behind = [](const std::string& of, const std::string& name) {
     const std::size_t at = of.find(" " + name + " ", of.find('\n'));
-    return at == std::string::npos ? std::string() : of.substr(at, of.find_first_of(name == "laws" ? "\n" : " \n", at + name.size() + 2) - at);
+    const char* const ends = name == "laws" ? "\n" : " \n";
+    return at == std::string::npos ? std::string() : of.substr(at, of.find_first_of(ends, at + name.size() + 2) - at);
   };
   std::string others;
   for (const auto& [name, called] : {std::pair{"scene", "scene"}, {"data", "set of data"}, {"seed", "seed"}, {"laws", "list of laws"}}) {

@@ -46,7 +46,9 @@ std::vector<SuspectLines> suspect_lines(const ident::Solution& solution) {
 std::string reason_of(const ident::Solution& solution) {
   if (!solution.message.empty() || solution.status != ident::Status::ok) return solution.message;
   const ident::Fit& fit = solution.fit;
-  if (fit.chi_square) return "The noise of the FRFs explains the residuals: χ² / degrees of freedom " + chi_square_text(*fit.chi_square) + ".";
+  if (fit.chi_square) {
+    return "The noise of the FRFs explains the residuals: χ² / degrees of freedom " + chi_square_text(*fit.chi_square) + ".";
+  }
   if (fit.misfit) return fmt::format("The residuals are {:.3g} times what the noise of the FRFs explains.", std::sqrt(*fit.misfit));
   return "Nothing in the data contradicts the answer.";
 }
@@ -198,12 +200,13 @@ std::vector<tasks::FrfEntry> entries_of(const ident::Plan& plan, const tasks::En
 /// What the data's own errors explain is about 1; far above it the model, or the FRF, is wrong.
 void add_noise_map(const tasks::EntryErrors& errors, ReportPage& page) {
   if (errors.rms_noise.empty()) return;
-  HeatMap map = error_map("rms error in units of noise, responses down, references across", errors.responses, errors.references, errors.rms_noise);
+  HeatMap map = error_map("rms error in units of noise, responses down, references across", errors.responses, errors.references,
+                          errors.rms_noise);
   if (worst_first(map.values).empty()) return;
   map.unit = HeatUnit::noise;
   page.add(map);
-  page.add(Text{"In standard deviations σ of the measured assembly FRF: about 1 where its noise explains the error. The synthesised FRF has the "
-                "noise of the substructures' FRFs beside it.", true});
+  page.add(Text{"In standard deviations σ of the measured assembly FRF: about 1 where its noise explains the error. The synthesised FRF "
+                "has the noise of the substructures' FRFs beside it.", true});
 }
 
 void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
@@ -251,7 +254,7 @@ void add_worst(const ComparedFrfs& frfs, ReportPage& page) {
   if (worst == frfs.overlay.choices.end()) return;
   page.section("Worst FRF, measured and synthesised");
   page.add(PlotGroup{"FRF", {{worst->name, {worst->plots.front()}}}});
-  page.add(Text{worst->name + " is met worst of " + std::to_string(order.size()) + "; in brackets the rms difference of the magnitudes.", true});
+  page.add(Text{fmt::format("{} is met worst of {}; in brackets the rms difference of the magnitudes.", worst->name, order.size()), true});
 }
 
 void add_frfs(const ComparedFrfs& frfs, ReportPage& page) {

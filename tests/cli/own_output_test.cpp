@@ -43,7 +43,8 @@ TEST(OwnOutput, FilesOfOthersAreKept) {
     folder.write(target, foreign);
     const Outcome refused = run_command(folder.path(), command);
     EXPECT_EQ(refused.code, 2) << command[0] << " " << target << refused.err;
-    EXPECT_THAT(refused.err, HasSubstr(target + ": is there already and does not look like a file of jointid; give another name, or --force"));
+    EXPECT_THAT(refused.err,
+                HasSubstr(target + ": is there already and does not look like a file of jointid; give another name, or --force"));
     EXPECT_EQ(folder.text(target), foreign);
   }
 }
@@ -55,7 +56,7 @@ TEST(OwnOutput, IsReplaced) {
     std::vector<std::string> forced = command;
     forced.emplace_back("--force");
     EXPECT_EQ(run_command(folder.path(), forced).code, 0) << command[0] << " " << command.back();
-    EXPECT_THAT(folder.text(command.back()), Not(StartsWith(foreign)));
+    EXPECT_FALSE(folder.text(command.back()) == foreign) << command.back();
     const Outcome again = run_command(folder.path(), command);
     EXPECT_EQ(again.code, 0) << command[0] << " " << command.back() << again.err;
   }
@@ -86,7 +87,8 @@ TEST(Units, OfTextTableAndPageJsonStaysSi) {
     std::string name, unit;
     double factor;
   };
-  for (const auto& [name, unit, factor] : {Pair{"\"K(1,1)\",", "N/mm", 1e-3}, Pair{"\"K(1,2)\",", "N/rad", 1.0}, Pair{"\"K(2,2)\",", "N*mm/rad", 1e3}}) {
+  for (const auto& [name, unit, factor] :
+       {Pair{"\"K(1,1)\",", "N/mm", 1e-3}, Pair{"\"K(1,2)\",", "N/rad", 1.0}, Pair{"\"K(2,2)\",", "N*mm/rad", 1e3}}) {
     const auto is = fields(mm, name), was = fields(si, name);
     ASSERT_GE(is.size(), 2U) << mm;
     ASSERT_GE(was.size(), 2U) << si;
@@ -94,7 +96,9 @@ TEST(Units, OfTextTableAndPageJsonStaysSi) {
     EXPECT_EQ(is[1], unit);
   }
   EXPECT_THAT(solved(folder, {"--units", "mm"}), HasSubstr("stiffness K (N, mm, s)"));
-  const auto values = [&](std::vector<std::string> options) { return nlohmann::json::parse(solved(folder, std::move(options)))["unknowns"]; };
+  const auto values = [&](std::vector<std::string> options) {
+    return nlohmann::json::parse(solved(folder, std::move(options)))["unknowns"];
+  };
   EXPECT_EQ(values({"--json", "-", "--units", "mm"}), values({"--json", "-"}));
   const std::string page = solved(folder, {"--report", "-", "--units", "mm", "--quantity", "accelerance"});
   EXPECT_THAT(page, HasSubstr("accelerance (mm/s²/N)"));
@@ -109,7 +113,8 @@ TEST(Page, BeginsWithVerdictValuesAndWorstFrf) {
   const InputFolder folder;
   const std::string page = solved(folder, {"--report", "-"});
   std::size_t at = 0;
-  for (const char* part : {"class=\"verdict", "<h2>Identified values</h2>", "<h2>Worst FRF, measured and synthesised</h2>", "<h2>Summary</h2>"}) {
+  for (const char* part :
+       {"class=\"verdict", "<h2>Identified values</h2>", "<h2>Worst FRF, measured and synthesised</h2>", "<h2>Summary</h2>"}) {
     const std::size_t next = page.find(part, at);
     ASSERT_NE(next, std::string::npos) << part;
     at = next;

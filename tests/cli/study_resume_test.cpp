@@ -34,7 +34,8 @@ TEST(StudyResume, SaysWhatDiffers) {
     EXPECT_EQ(outcome.code, 2) << outcome.err;
     return outcome.err;
   };
-  EXPECT_THAT(refused({"--trials", "3"}), HasSubstr("a.h5: --resume: it has 5 trials already; repeat that run with as many trials or more"));
+  EXPECT_THAT(refused({"--trials", "3"}),
+              HasSubstr("a.h5: --resume: it has 5 trials already; repeat that run with as many trials or more"));
   EXPECT_THAT(refused({"--trials", "6", "--seed", "2"}), HasSubstr("it is complete and belongs to another seed;"));
   folder.replace("A1.toml", "[identify]", "# changed\n[identify]");
   EXPECT_THAT(refused({"--trials", "6"}), HasSubstr("it is complete and belongs to another scene;"));

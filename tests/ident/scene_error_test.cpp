@@ -245,7 +245,8 @@ TEST(SceneErrors, NoiseAndTruth) {
 }
 
 TEST(SceneErrors, TablesAndListsOfTables) {
-  expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[[joint]]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n", "line 3, joint",
+  expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[[joint]]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
+               "line 3, joint",
                "[[joint]] is a list of tables; one joint is [joint]; of several each should say [[joints]]");
   expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[joints]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
                "line 3, [joints]", "it should say [[joints]], once for each joint");

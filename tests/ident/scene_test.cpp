@@ -211,7 +211,8 @@ TEST(Springs, MayHaveNames) {
 }
 
 TEST(Start, IsANumberForEachSpringOrOneForAll) {
-  const std::string list = R"([["21:+X", "121:+X"], ["22:+X", "122:+X"]])", named = R"({ a = ["21:+X", "121:+X"], b = ["22:+X", "122:+X"] })";
+  const std::string list = R"([["21:+X", "121:+X"], ["22:+X", "122:+X"]])";
+  const std::string named = R"({ a = ["21:+X", "121:+X"], b = ["22:+X", "122:+X"] })";
   const Matrix both = {{2e6, 0, -2e6, 0}, {0, 3e6, 0, 3e6}, {-2e6, 0, 2e6, 0}, {0, 3e6, 0, 3e6}};
   const Matrix same = {{2e6, 0, -2e6, 0}, {0, 2e6, 0, 2e6}, {-2e6, 0, 2e6, 0}, {0, 2e6, 0, 2e6}};
   for (const auto& [springs, start, expected] : std::vector<std::tuple<std::string, std::string, Matrix>>{
