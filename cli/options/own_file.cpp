@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -23,7 +24,7 @@ constexpr std::array csv_heads = {
 /// Keys of the JSON that commands write, at its top level.
 constexpr std::array json_keys = {"status", "verdict", "trials", "method", "methods", "laws", "joints", "modes", "levels", "channels",
                                   "delay", "files", "title", "message", "plan", "table", "reproduce", "scenes", "sweeps", "cases",
-                                  "friction", "system"};
+                                  "friction", "system", "estimator", "reason", "suspects", "unknowns", "rows"};
 
 std::string bytes_of(const std::filesystem::path& file, bool end) {
   std::ifstream in(file, std::ios::binary | std::ios::ate);
@@ -41,8 +42,20 @@ bool is_own_json(const std::string& head) {
   return std::ranges::any_of(json_keys, [&](const char* key) { return has(head, "\n  \"" + std::string(key) + "\": "); });
 }
 
+/// "x1 [m],v1 [m/s]", as motions and their events are titled.
+bool all_with_units(const std::string& line) {
+  std::istringstream cells(line);
+  bool any = false;
+  for (std::string cell; std::getline(cells, cell, ',');) {
+    if (!has(cell, " [") || !cell.ends_with(']')) return false;
+    any = true;
+  }
+  return any;
+}
+
 bool is_own_csv(const std::string& head) {
   const std::string line = head.substr(0, head.find('\n'));
+  if (all_with_units(line)) return true;
   return std::ranges::any_of(csv_heads, [&](const char* begin) { return line.starts_with(begin); }) || has(line, ",status,");
 }
 
