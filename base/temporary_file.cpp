@@ -22,6 +22,15 @@ std::filesystem::path temporary_name(const std::filesystem::path& target) {
                                  std::to_string(count++));
 }
 
+/// Waits until the disk holds the file, so that a name never stands for less, and a disk that takes no more says so. 0 or an errno.
+int flush(const std::filesystem::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  const int error = ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS ? 0 : errno;  // some file systems cannot
+  ::close(descriptor);
+  return error;
+}
+
 /// Names of the files that are being written, for remove_unfinished(); with more than these at once, some are not noted.
 using Name = std::atomic<const char*>;
 static_assert(Name::is_always_lock_free);  // what a signal handler may touch
@@ -78,6 +87,7 @@ TemporaryFile::~TemporaryFile() {
 }
 
 void TemporaryFile::commit() {
+  if (const int failed = flush(path_)) fail(std::strerror(failed));
   std::error_code error;
   std::filesystem::rename(path_, target_, error);
   if (error) fail(error.message());

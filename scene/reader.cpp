@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <type_traits>
 
 #include "base/text.hpp"
 #include "frf/set/frf_set.hpp"
@@ -66,10 +67,24 @@ void Item::fail(const std::string& problem, const std::string& remedy) const {
       {.kind = ErrorKind::usage, .file = *file_, .place = place(), .problem = problem, .remedy = remedy});
 }
 
+namespace {
+
+bool is_list_of_tables(const Value& value) {
+  const auto* list = std::get_if<Array>(&value.content);
+  return list != nullptr && !list->empty() &&
+         std::ranges::all_of(*list, [](const Value& entry) { return std::holds_alternative<Members>(entry.content); });
+}
+
+}  // namespace
+
 template <class T>
 const T& Item::as(const char* expected) const {
   if (const T* content = std::get_if<T>(&value_->content)) return *content;
-  fail("expected " + std::string(expected) + ", found " + std::visit(Describe(), value_->content));
+  const std::string header = table_.empty() ? key_ : table_ + "." + key_;
+  std::string remedy;
+  if (std::is_same_v<T, Members> && is_list_of_tables(*value_)) remedy = "[[" + header + "]] should say [" + header + "]";
+  if (std::is_same_v<T, Array> && is_table() && table_.empty()) remedy = "[" + header + "] should say [[" + header + "]]";
+  fail("expected " + std::string(expected) + ", found " + std::visit(Describe(), value_->content), remedy);
 }
 
 double Item::number() const {

@@ -12,7 +12,7 @@ struct StudyOptions {
   std::size_t trials = 1000;  ///< ≥ 1; trial numbers 0 … trials−1
   std::uint64_t seed = 1;
   std::size_t threads = 0;  ///< per process; 0: all cores. The result does not depend on it.
-  bool resume = false;      ///< take up what an interrupted run of the same study left
+  bool resume = false;      ///< take up what a run of the same study left, interrupted or of fewer trials
   ident::Path out;                 ///< the result; until it is complete the trials are in OUT.partial
   std::map<std::string, std::string> texts;  ///< what else the results depend on (scene, version): kept in the file
 };

@@ -1,6 +1,9 @@
 #include "study/study_records.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "base/error.hpp"
@@ -9,19 +12,64 @@
 namespace jointid::study {
 namespace {
 
-std::string key_of(const frf::TableHeader& header) {
-  std::string key;
-  for (const auto& [name, text] : header.texts) key += name + "=" + text + "\n";
-  for (const frf::TableColumn& column : header.columns) key += column.name + "\n";
+constexpr std::size_t block = 4096;  ///< rows in memory at a time
+
+/// The texts that say what a study is of, and what messages call them.
+constexpr std::array<std::pair<const char*, const char*>, 4> named_texts = {
+    {{"scene_hash", "scene"}, {"data_hash", "set of data"}, {"seed", "seed"}, {"jointid_version", "version of jointid"}}};
+
+std::string text_of(const frf::TableHeader& header, const std::string& name) {
+  const auto found = header.texts.find(name);
+  return found == header.texts.end() ? std::string() : found->second;
+}
+
+frf::JournalKey key_of(const frf::TableHeader& header) {
+  frf::JournalKey key;
+  for (const auto& [name, called] : named_texts) key.push_back({called, text_of(header, name)});
+  std::string others;
+  for (const auto& [name, text] : header.texts) {
+    const bool named = std::ranges::any_of(named_texts, [&](const auto& of) { return name == of.first; });
+    if (!named) others += name + "=" + text + "\n";
+  }
+  for (const frf::TableColumn& column : header.columns) others += column.name + "\n";
+  key.push_back({"set of unknowns", others});
   return key;
+}
+
+/// What of a study differs from another, by name.
+std::vector<std::string> differences(const frf::TableHeader& one, const frf::TableHeader& other) {
+  const frf::JournalKey a = key_of(one), b = key_of(other);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].text != b[i].text) names.push_back(a[i].name);
+  }
+  return names;
 }
 
 }  // namespace
 
 StudyRecords::StudyRecords(const StudyOptions& options, frf::TableHeader header) : options_(options), header_(std::move(header)) {
-  if (options.resume && !std::filesystem::exists(journal_path(options.out)) && is_complete()) return;
+  const bool left = std::filesystem::exists(journal_path(options.out));
+  const std::size_t finished = options.resume && !left ? finished_trials() : 0;
+  if (finished == options.trials) return;
   using Start = frf::RecordJournal::Start;
   journal_.emplace(journal_path(options.out), key_of(header_), header_.columns.size(), options.resume ? Start::resume : Start::fresh);
+  if (finished > 0) take_over(finished);
+}
+
+/// The trials of OUT, which has fewer than are asked for, go into the journal.
+void StudyRecords::take_over(std::size_t finished) {
+  const frf::TableReader table(options_.out);
+  const std::size_t columns = header_.columns.size();
+  for (std::size_t first = 0; first < finished; first += block) {
+    const std::size_t count = std::min(block, finished - first);
+    std::vector<double> rows(count * columns), column(count);
+    for (std::size_t c = 0; c < columns; ++c) {
+      table.read(c, first, column);
+      for (std::size_t i = 0; i < count; ++i) rows[i * columns + c] = column[i];
+    }
+    for (std::size_t i = 0; i < count; ++i) journal_->put(first + i, std::span(rows).subspan(i * columns, columns));
+  }
 }
 
 std::vector<frf::IndexRange> StudyRecords::missing() const {
@@ -34,7 +82,6 @@ void StudyRecords::sync() const { journal_->sync(); }
 
 void StudyRecords::finish() {
   if (!journal_) return;
-  constexpr std::size_t block = 4096;
   frf::TableWriter table(options_.out, header_, options_.trials);
   for (std::size_t first = 0; first < options_.trials; first += block) {
     table.append(journal_->read(first, std::min(block, options_.trials - first)));
@@ -43,16 +90,22 @@ void StudyRecords::finish() {
   journal_->remove();
 }
 
-/// Whether OUT is this very study. Throws InputError when it is another.
-bool StudyRecords::is_complete() const {
-  if (!std::filesystem::exists(options_.out)) return false;
+/// Trials of this very study that OUT has, 0 where it is not there. Throws InputError when it is another, or has more.
+std::size_t StudyRecords::finished_trials() const {
+  if (!std::filesystem::exists(options_.out)) return 0;
   const frf::TableReader table(options_.out);
-  if (key_of(table.header()) == key_of(header_) && table.rows() == options_.trials) return true;
+  const std::vector<std::string> others = differences(table.header(), header_);
+  if (!others.empty()) refuse("it is complete and belongs to " + frf::named_others(others));
+  if (table.rows() > options_.trials) refuse(fmt::format("it has {} trials already", table.rows()));
+  return table.rows();
+}
+
+void StudyRecords::refuse(const std::string& problem) const {
   throw InputError({.kind = ErrorKind::usage,
                     .file = options_.out.string(),
                     .place = "--resume",
-                    .problem = "it is complete and belongs to another scene, seed, version or number of trials",
-                    .remedy = "repeat that run, or give another --out"});
+                    .problem = problem,
+                    .remedy = "repeat that run with as many trials or more, or give another --out"});
 }
 
 }  // namespace jointid::study

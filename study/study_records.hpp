@@ -11,7 +11,8 @@ namespace jointid::study {
 /// The files of a study, which the leader alone has: the journal OUT.partial, and OUT once all trials are there.
 class StudyRecords {
  public:
-  /// Throws InputError when there is a journal or a result of another study.
+  /// To resume, a journal is continued, and a result of fewer trials, too. Throws InputError when either is of another study, and says
+  /// what differs: scene, data, seed, version or unknowns.
   StudyRecords(const StudyOptions& options, frf::TableHeader header);
 
   /// Trials that are still to be run.
@@ -25,7 +26,9 @@ class StudyRecords {
   void finish();
 
  private:
-  bool is_complete() const;
+  std::size_t finished_trials() const;
+  void take_over(std::size_t finished);
+  [[noreturn]] void refuse(const std::string& problem) const;
 
   const StudyOptions& options_;
   frf::TableHeader header_;

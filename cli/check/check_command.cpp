@@ -19,6 +19,7 @@ void add_check(CLI::App& app, Chosen& chosen) {
       app, chosen, "check", "Look for mistakes in the FRFs of a scene: signs, labels, units, axes, loose joints");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write verdict and suspects as JSON to a file, or - for stdout");
+  add_force(command);
   command->footer("Examples:\n  jointid check joint.toml\n  jointid check joint.toml --json - | jq .suspects");
 }
 

@@ -78,6 +78,7 @@ void add_convert(CLI::App& app, Chosen& chosen) {
           "Files to read: UFF, HDF5, MAT, numpy, CSV or text exports of an analyser; last the file to write")
       ->required();
   add_open_options(command, arguments->open);
+  add_force(command);
   command->footer(
       "Examples:\n  jointid convert beam_long.uff beam_long.h5\n"
       "  jointid convert rig.mat rig.h5 --quantity accelerance --response 4:+Y,5:+Y\n"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/options/chosen_command.hpp"
+#include "cli/options/output.hpp"
 #include "cli/options/whole_number.hpp"
 
 namespace jointid::cli {
@@ -25,18 +26,25 @@ std::pair<CLI::App*, T*> add_command(CLI::App& parent, Chosen& chosen, const cha
   return {command, arguments.get()};
 }
 
+/// --force, also called --overwrite where a command means another force.
+inline void add_force(CLI::App* command) {
+  const bool taken = command->get_option_no_throw("--force") != nullptr;
+  command->add_flag_callback(taken ? "--overwrite" : "--force,--overwrite", allow_overwriting, "Replace files that jointid did not write");
+}
+
 /// --json and --csv, where the result goes: `what` as JSON, `csv` as CSV.
 template <class T>
 void add_outputs(CLI::App* command, T& arguments, const std::string& what, const std::string& csv) {
   command->add_option("--json", arguments.json, "Write " + what + " as JSON to a file, or - for stdout");
   command->add_option("--csv", arguments.csv, "Write " + csv + " as CSV to a file, or - for stdout");
+  add_force(command);
 }
 
 /// The same and --report, a page with `page`.
 template <class T>
 void add_outputs(CLI::App* command, T& arguments, const std::string& what, const std::string& csv, const std::string& page) {
   add_outputs(command, arguments, what, csv);
-  command->add_option("--report", arguments.report, "Write one HTML page with " + page + " to a file, or - for stdout");
+  command->add_option("--report", arguments.report, "Write one page with " + page + " to a file .html or .pdf, or - for stdout (HTML)");
 }
 
 /// --trials, --seed and --threads of commands that draw noise.

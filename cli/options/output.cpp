@@ -8,6 +8,8 @@
 
 #include "base/error.hpp"
 #include "base/temporary_file.hpp"
+#include "cli/options/own_file.hpp"
+#include "cli/options/pdf.hpp"
 
 namespace jointid::cli {
 
@@ -110,6 +112,15 @@ void require_output_apart(const std::vector<ident::NamedFile>& inputs) {
   }
 }
 
+bool overwriting = false;  ///< --force was given
+
+void require_own(const OutputFile& output) {
+  std::error_code ignored;
+  if (overwriting || !std::filesystem::is_regular_file(output.target, ignored) || is_own_file(output.target)) return;
+  refuse_use(output.words(), "is there already and does not look like a file of jointid",
+             "give another name, or --force (--overwrite) to replace it");
+}
+
 /// "-" is standard output, a file where the shell says so.
 FileIdentity target_identity(const std::string& target) {
   if (target == "-") return {"-", inode_of_output()};
@@ -131,8 +142,12 @@ void check_targets(const std::vector<ident::NamedFile>& inputs, const std::vecto
     if (*target == "-") continue;
     require_no_input(output, inputs);
     require_folder(*target);
+    require_own(output);
+    if (option == "--report" && is_pdf(*target)) require_browser(output.words());
   }
 }
+
+void allow_overwriting() { overwriting = true; }
 
 bool takes_output(const std::vector<std::optional<std::string>>& targets) {
   return std::ranges::find(targets, "-") != targets.end();
@@ -142,7 +157,7 @@ void write_target(const std::string& target, const std::string& text, std::ostre
   if (target == "-") {
     out << text;
   } else {
-    write_text(target, text);
+    write_text(target, is_pdf(target) && text.starts_with("<!DOCTYPE html>") ? printed(text, target) : text);
   }
 }
 

@@ -50,6 +50,7 @@ void add_strain(CLI::App& series, Chosen& chosen) {
   command->add_flag("--static-shapes", a->static_shapes, "Two of them are those of a tip force and a tip moment");
   command->add_option("--output,--csv", a->output, "Write the displacements as CSV to a file, or - for stdout");
   command->add_option("--json", a->json, "Write the map and its noise as JSON to a file, or - for stdout");
+  add_force(command);
   command->add_option("--report", a->report, "Write one HTML page with the map and the first samples to a file, or - for stdout");
   command->footer(
       "Example:\n  jointid series strain run.csv --length 0.4 --thickness 0.00086 --gauges 0.05,0.1,0.15,0.2 --output y.csv");
@@ -83,6 +84,7 @@ void add_align(CLI::App& series, Chosen& chosen) {
   add_rate(command, a->rate_hz);
   command->add_option("--output,--csv", a->output, "Write the aligned record as CSV to a file, or - for stdout");
   command->add_option("--json", a->json, "Write the delays as JSON to a file, or - for stdout");
+  add_force(command);
   command->add_option("--report", a->report, "Write one HTML page with the delays and three periods to a file, or - for stdout");
   command->footer("Example:\n  jointid series align run.csv --reference slider --frequency 12 --output aligned.csv");
 }

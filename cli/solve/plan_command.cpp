@@ -32,6 +32,7 @@ PlanArguments& add_linear_plan(CLI::App& app, Chosen& chosen) {
       app, chosen, "plan", "Say what solving a scene reads, computes and leaves out, without doing it");
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   command->add_option("--json", arguments->json, "Write the plan as JSON to a file, or - for stdout");
+  add_force(command);
   CLI::Option* bound = command->add_flag("--bound", arguments->bound,
                                          "Predict standard errors from the FRFs of a model or an earlier test, the noise and "
                                          "[truth] or [identify] start, and what other data would change");

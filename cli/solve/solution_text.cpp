@@ -60,12 +60,12 @@ std::string matrix_text(const std::vector<frf::Dof>& dofs, const ident::Matrix& 
   return table.text();
 }
 
-std::string matrices_text(const ident::Solution& solution) {
+std::string matrices_text(const ident::Solution& solution, const std::string& units) {
   std::string text;
   for (const auto& band : solution.bands) {
     const std::string where = band.band_hz ? fmt::format(", {:g} to {:g} Hz", (*band.band_hz)[0], (*band.band_hz)[1]) : "";
     for (const auto& [kind, rows] : band.matrices) {
-      text += fmt::format("\n{} {} (SI units){}\n", report::words(restrictions::key(kind)), restrictions::symbol(kind), where);
+      text += fmt::format("\n{} {} ({}){}\n", report::words(restrictions::key(kind)), restrictions::symbol(kind), units, where);
       const auto errors = band.errors.find(kind);
       text += matrix_text(solution.dofs, rows, errors == band.errors.end() ? nullptr : &errors->second);
     }
@@ -184,8 +184,8 @@ std::string time_text(const ident::RunTime& time) {
 
 }  // namespace
 
-std::string solution_text(const ident::Solution& solution, const std::string& title) {
-  return head(solution, title) + matrices_text(solution) + unknowns_text(solution) + constraints_text(solution) +
+std::string solution_text(const ident::Solution& solution, const std::string& title, const std::string& units) {
+  return head(solution, title) + matrices_text(solution, units) + unknowns_text(solution) + constraints_text(solution) +
          systematic_text(solution) + identifiability_text(solution) +
          fit_text(solution) + search_text(solution) + variances_text(solution.variances) +
          quality_text(solution.quality) + time_text(solution.runtime_s);

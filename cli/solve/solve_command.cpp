@@ -18,6 +18,7 @@
 #include "ident/scene/read_scene.hpp"
 #include "report/result/solve_page.hpp"
 #include "report/solution_json.hpp"
+#include "report/text/display.hpp"
 #include "scene/kind.hpp"
 #include "scene/text.hpp"
 
@@ -28,10 +29,23 @@ void check_outputs(const SolveArguments& arguments, const ident::Scene& scene) {
   check_targets(ident::files_of(scene), {{"--json", arguments.json}, {"--csv", arguments.csv}, {"--report", arguments.report}});
 }
 
+const std::vector<std::string> unit_words = {"SI", "mm"}, quantity_words = {"receptance", "mobility", "accelerance", "measured"};
+
+/// Of text, CSV and page. Throws InputError (usage) for other words.
+report::Display display_of(const SolveArguments& arguments) {
+  report::Display display;
+  display.millimetres = of_option("--units", [&] { return find_word(arguments.units, unit_words, "system of units"); }) == 1;
+  of_option("--quantity", [&] { return find_word(arguments.quantity, quantity_words, "quantity of FRFs"); });
+  if (arguments.quantity != "measured") display.quantity = frf::parse_quantity(arguments.quantity);
+  return display;
+}
+
 void write_numbers(const SolveArguments& arguments, const ident::Solution& solution, const std::string& title, std::ostream& out) {
+  const report::Display display = display_of(arguments);
+  const ident::Solution shown = report::in_units_of(display, solution);
   if (arguments.json) write_target(*arguments.json, report::solution_json(solution), out);
-  if (arguments.csv) write_target(*arguments.csv, unknowns_csv(solution), out);
-  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << solution_text(solution, title);
+  if (arguments.csv) write_target(*arguments.csv, unknowns_csv(shown), out);
+  if (!takes_output({arguments.json, arguments.csv, arguments.report})) out << solution_text(shown, title, report::units_text(display));
 }
 
 /// Writes the best estimate that there was when the command was interrupted, and marks it; the page would need the data again.
@@ -65,9 +79,9 @@ ident::Solution solve_watched(const SolveArguments& arguments, ident::Plan& plan
 }
 
 void write_report(const std::string& target, ident::Plan& plan, const ident::Solution& solution,
-                  const std::optional<tasks::FrfEntry>& entry, std::ostream& out) {
+                  const std::optional<tasks::FrfEntry>& entry, const report::Display& display, std::ostream& out) {
   Progress progress;
-  write_target(target, report::solve_report(plan, solution, entry, progress.control()), out);
+  write_target(target, report::solve_report(plan, solution, entry, progress.control(), display), out);
 }
 
 /// The entry of --plot, RESPONSE/REFERENCE. Throws InputError (usage) when the assembly has no such FRF.
@@ -86,10 +100,31 @@ tasks::FrfEntry plotted_entry(const std::string& text, const ident::Plan& plan) 
   return entry;
 }
 
-void plot(const tasks::FrfEntry& entry, ident::Plan& plan, const ident::Solution& solution, std::ostream& out) {
+void plot(const tasks::FrfEntry& entry, ident::Plan& plan, const ident::Solution& solution, const report::Display& display,
+          std::ostream& out) {
   Progress progress;
-  const tasks::Regenerated regenerated = tasks::regenerate(plan, solution.bands, {entry}, progress.control());
-  out << frf_plot(regenerated, regenerated.frfs.front());
+  const tasks::Regenerated shown =
+      report::in_units_of(display, tasks::regenerate(plan, solution.bands, {entry}, progress.control()));
+  const std::string label = report::frf_label(display, entry.response, entry.reference);
+  const std::size_t begin = label.find('(') + 1;
+  out << frf_plot(shown, shown.frfs.front(), label.substr(begin, label.size() - 1 - begin));
+}
+
+/// With the quantity of the first file of the assembly where that is asked for.
+report::Display display_of(const SolveArguments& arguments, const ident::Scene& scene) {
+  report::Display display = display_of(arguments);
+  if (arguments.quantity == "measured" && !scene.data.assembly.empty()) {
+    const ident::DataFile& file = scene.data.assembly.front();
+    display.quantity = frf::open(file.path, file.options)->header().quantity;
+  }
+  return display;
+}
+
+void refuse_display(const SolveArguments& arguments) {
+  const SolveArguments by_default;
+  const char* option = arguments.units != by_default.units ? "--units" : arguments.quantity != by_default.quantity ? "--quantity" : nullptr;
+  if (option == nullptr) return;
+  throw InputError({ErrorKind::usage, "", option, "does not apply to friction laws", "leave it out: their results are in SI units"});
 }
 
 }  // namespace
@@ -99,6 +134,9 @@ SolveArguments& add_linear_solve(CLI::App& app, Chosen& chosen) {
   command->add_option("SCENE", arguments->scene, "Scene file (TOML)")->required();
   add_outputs(command, *arguments, "the solution", "the unknowns", "tables and plots");
   command->add_option("--plot", arguments->plot, "Plot an assembly FRF, measured and regenerated, e.g. 1:+Y/5:+Y");
+  command->add_option("--units", arguments->units, "Of text, CSV and page: SI (default) or mm (N/mm); JSON stays SI");
+  command->add_option("--quantity", arguments->quantity,
+                      "Of plotted FRFs: receptance (default), mobility, accelerance, or measured as the assembly's file");
   add_whole_number(command, "--threads", arguments->threads, "0 for all cores; the results do not depend on it", counts_of_threads());
   command->footer(
       "Examples:\n  jointid solve joint.toml\n  jointid solve joint.toml --plot 1:+Y/5:+Y\n  jointid solve joint.toml --json - | "
@@ -119,19 +157,24 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
     read = ident::parse_scene(text, arguments.scene);
     check_outputs(arguments, *read);
   });
-  if (!read) return team->rank() > 0 ? ExitCode::done : run_law_scene(arguments, text, out);
+  if (!read) {
+    refuse_display(arguments);
+    return team->rank() > 0 ? ExitCode::done : run_law_scene(arguments, text, out);
+  }
   const ident::Scene& scene = *read;
   const auto plan = with_progress("planning", [&] { return ident::make_plan(scene, *team); });
   std::optional<tasks::FrfEntry> entry;
   ident::start_together(*team, [&] {
     if (arguments.plot) entry = plotted_entry(*arguments.plot, *plan);
+    display_of(arguments);
   });
   const ident::Solution solution = solve_watched(arguments, *plan, *team, out);
   if (team->rank() > 0) return ExitCode::done;
   write_numbers(arguments, solution, scene.title, out);
+  const report::Display display = arguments.plot || arguments.report ? display_of(arguments, scene) : report::Display();
   const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
-  if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, out);
-  if (arguments.report) write_report(*arguments.report, *plan, solution, entry, out);
+  if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
+  if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);
   if (solution.status == ident::Status::ok) return ExitCode::done;
   if (ident::is_usable(solution.status)) {
     print_warning(arguments.scene.string() + ": doubtful: " + solution.message);

@@ -21,6 +21,8 @@ struct SolveArguments {
   Target json, csv;
   Target report;  ///< HTML
   std::optional<std::string> plot;  ///< RESPONSE/REFERENCE of an assembly FRF
+  std::string units = "SI";  ///< of text, CSV and page: SI or mm
+  std::string quantity = "receptance";  ///< of plotted FRFs; "measured": that of the assembly's file
   std::size_t threads = 0;
   LawSceneRun<SolveArguments> run_laws = nullptr;
 };

@@ -68,13 +68,24 @@ void add_quality(const StudyReport& report, report::ReportPage& page) {
   page.add(quality_histograms(report.file, report.statistics));
 }
 
+/// Green only where all trials gave an estimate and the middle one is near the truth.
+report::StatusBanner banner_of(const study::StudyStatistics& statistics) {
+  const std::string far = report::far_from_truth(statistics);
+  report::StatusBanner banner = report::trials_banner(statistics.usable, statistics.trials, "no trial gave an estimate",
+                                                      trials_text(statistics) + "." + (far.empty() ? "" : " " + far));
+  if (banner.trust == report::Trust::good && !far.empty()) {
+    banner.trust = report::Trust::doubtful;
+    banner.word = "far from the truth";
+  }
+  return banner;
+}
+
 }  // namespace
 
 std::string study_report(const StudyReport& report, const ident::Scene& scene) {
   const std::string file = scene.file.filename().string();
   report::ReportPage page(scene.title.empty() ? file : scene.title, "jointid study " + file);
-  page.status(report::trials_banner(report.statistics.usable, report.statistics.trials, "no trial gave an estimate",
-                                    trials_text(report.statistics) + "."));
+  page.status(banner_of(report.statistics));
   add_summary(report, scene, page);
   add_unknowns(report, page);
   add_quality(report, page);

@@ -20,6 +20,7 @@ std::string head(const StudyReport& report) {
   table.add({"trials", trials_text(report.statistics)});
   table.add({"seed", fmt::format("{}", report.seed)});
   table.add({"all results", report.file});
+  if (const std::string far = report::far_from_truth(report.statistics); !far.empty()) table.add({"warning", far});
   for (const std::string& note : report.notes) table.add({"note", note});
   return (report.title.empty() ? "" : report.title + "\n") + table.text();
 }

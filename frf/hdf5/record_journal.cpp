@@ -16,14 +16,22 @@
 namespace jointid::frf {
 namespace {
 
-constexpr char magic[17] = "jointid-journal\n";
-constexpr std::size_t header_bytes = 32, records_at_a_time = 4096;
+constexpr char magic[17] = "jointid-journa2\n", older_magic[17] = "jointid-journal\n";
+constexpr std::size_t most_parts = 6, header_bytes = 72, records_at_a_time = 4096;
 
 struct Header {
   std::array<char, 16> name{};
-  std::uint64_t columns = 0, key = 0;
+  std::uint64_t columns = 0;
+  std::array<std::uint64_t, most_parts> parts{};
 };
 static_assert(sizeof(Header) == header_bytes);
+
+std::array<std::uint64_t, most_parts> checksums(const JournalKey& key) {
+  assert(key.size() <= most_parts);
+  std::array<std::uint64_t, most_parts> sums{};
+  std::ranges::transform(key, sums.begin(), [](const JournalPart& part) { return checksum(std::as_bytes(std::span(part.text))); });
+  return sums;
+}
 
 /// Never 0 for a slot of zeros, which is what a hole in the file reads as.
 double record_checksum(std::size_t index, std::span<const double> record) {
@@ -39,7 +47,13 @@ std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t start) {
   return start;
 }
 
-RecordJournal::RecordJournal(std::filesystem::path path, const std::string& key, std::size_t columns, Start start)
+std::string named_others(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " and ") + ("another " + name);
+  return text;
+}
+
+RecordJournal::RecordJournal(std::filesystem::path path, const JournalKey& key, std::size_t columns, Start start)
     : path_(std::move(path)), columns_(columns) {
   const int exclusive = start == Start::fresh ? O_EXCL : 0;
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | exclusive, 0666);
@@ -53,8 +67,7 @@ RecordJournal::RecordJournal(std::filesystem::path path, const std::string& key,
   if (file_ < 0) fail(std::string("cannot be opened: ") + std::strerror(errno));
   try {
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) fail("another run is writing it");
-    const std::uint64_t sum = checksum(std::as_bytes(std::span(key)));
-    ::lseek(file_, 0, SEEK_END) < static_cast<off_t>(header_bytes) ? start_file(sum) : check_file(sum);
+    ::lseek(file_, 0, SEEK_END) == 0 ? start_file(key) : check_file(key);
   } catch (...) {
     ::close(file_);
     throw;
@@ -63,21 +76,31 @@ RecordJournal::RecordJournal(std::filesystem::path path, const std::string& key,
 
 RecordJournal::~RecordJournal() { ::close(file_); }
 
-void RecordJournal::start_file(std::uint64_t key) {
-  Header header{.name = {}, .columns = columns_, .key = key};
+void RecordJournal::start_file(const JournalKey& key) {
+  Header header{.name = {}, .columns = columns_, .parts = checksums(key)};
   std::copy_n(magic, header.name.size(), header.name.begin());
   if (::pwrite(file_, &header, sizeof header, 0) != static_cast<ssize_t>(sizeof header)) fail(std::strerror(errno));
 }
 
-void RecordJournal::check_file(std::uint64_t key) {
+void RecordJournal::check_file(const JournalKey& key) {
   Header header;
-  const bool read = ::pread(file_, &header, sizeof header, 0) == static_cast<ssize_t>(sizeof header);
-  if (!read || !std::equal(header.name.begin(), header.name.end(), magic)) fail("is no journal");
-  if (header.columns == columns_ && header.key == key) return;
+  const ssize_t got = ::pread(file_, &header, sizeof header, 0);
+  if (std::equal(header.name.begin(), header.name.end(), older_magic)) refuse("it is of an older version of jointid");
+  if (got != static_cast<ssize_t>(sizeof header) || !std::equal(header.name.begin(), header.name.end(), magic)) fail("is no journal");
+  std::vector<std::string> others;
+  const auto sums = checksums(key);
+  for (std::size_t i = 0; i < key.size(); ++i) {
+    if (sums[i] != header.parts[i]) others.push_back(key[i].name);
+  }
+  if (others.empty() && header.columns != columns_) others.emplace_back("set of unknowns");
+  if (!others.empty()) refuse("it belongs to " + named_others(others));
+}
+
+void RecordJournal::refuse(const std::string& problem) const {
   throw InputError({.kind = ErrorKind::usage,
                     .file = path_.string(),
                     .place = {},
-                    .problem = "it belongs to another scene, other data, another seed or another version",
+                    .problem = problem,
                     .remedy = "repeat the run as it was, or remove the file to start anew"});
 }
 

@@ -15,19 +15,25 @@ struct IndexRange {
   bool operator==(const IndexRange&) const = default;
 };
 
+/// What records belong to: named things that their numbers depend on, such as the scene and the seed, in any text.
+struct JournalPart {
+  std::string name, text;
+};
+using JournalKey = std::vector<JournalPart>;  ///< at most 6
+
 /// Records of C numbers, each at the place of its index in a plain file and with a checksum: whoever dies at any moment
 /// leaves every record that was put whole, and a record that was cut short counts as not there. put() may be called from
 /// several threads at once; two processes on one journal keep each other out.
 ///
-/// Layout: 32 bytes: "jointid-journal\n", C, and the checksum of the key. Record i stands at
-/// 32 + i·8·(C+1): C numbers and a checksum of index and numbers.
+/// Layout: 72 bytes: "jointid-journa2\n", C, and the checksums of six parts of the key. Record i stands at
+/// 72 + i·8·(C+1): C numbers and a checksum of index and numbers.
 class RecordJournal {
  public:
   enum class Start { fresh, resume };
 
-  /// `key` says what the records belong to. Fresh: throws InputError (usage) when the file is there already. Resume: takes up
-  /// what a journal of the same key holds, starts one when there is none; throws InputError (usage) for another key.
-  RecordJournal(std::filesystem::path path, const std::string& key, std::size_t columns, Start start);
+  /// Fresh: throws InputError (usage) when the file is there already. Resume: takes up what a journal of the same key holds,
+  /// starts one when there is none; throws InputError (usage) that names the parts of the key that differ.
+  RecordJournal(std::filesystem::path path, const JournalKey& key, std::size_t columns, Start start);
   ~RecordJournal();
   RecordJournal(const RecordJournal&) = delete;
   RecordJournal& operator=(const RecordJournal&) = delete;
@@ -51,8 +57,9 @@ class RecordJournal {
 
  private:
   [[noreturn]] void fail(const std::string& problem) const;
-  void start_file(std::uint64_t key);
-  void check_file(std::uint64_t key);
+  [[noreturn]] void refuse(const std::string& problem) const;
+  void start_file(const JournalKey& key);
+  void check_file(const JournalKey& key);
   std::size_t load(std::size_t first, std::vector<double>& slots) const;
   bool is_whole(std::size_t index, const double* slot) const;
 
@@ -60,6 +67,9 @@ class RecordJournal {
   std::size_t columns_;
   int file_ = -1;
 };
+
+/// "another scene and another seed" of these names; throws nothing.
+std::string named_others(const std::vector<std::string>& names);
 
 /// 64-bit FNV-1a.
 std::uint64_t checksum(std::span<const std::byte> bytes, std::uint64_t start = 0xcbf29ce484222325ULL);

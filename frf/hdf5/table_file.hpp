@@ -18,8 +18,9 @@ struct TableColumn {
   double truth = 0.0;  ///< NaN when there is none
 };
 
-/// What a table of numbers is, HDF5 layout `jointid-table` version 1: root attributes `format`, `version` and the texts;
-/// datasets `column` [C] and `unit` [C] UTF-8, `truth` [C] float64, `rows` [N,C] float64, chunked by columns.
+/// What a table of numbers is, HDF5 layout `jointid-table` version 2: root attributes `format`, `version`, `checksum` and the texts;
+/// datasets `column` [C] and `unit` [C] UTF-8, `truth` [C] float64, `rows` [N,C] float64, chunked by columns, `column_checksum` [C] uint64.
+/// Version 1, which is read, too, has no checksums.
 struct TableHeader {
   std::map<std::string, std::string> texts;  ///< root attributes
   std::vector<TableColumn> columns;          ///< at least one
@@ -44,12 +45,12 @@ class TableWriter {
 /// Reads a table column by column.
 class TableReader {
  public:
-  /// Throws InputError when the file is no such table.
+  /// Throws InputError when the file is no such table, or its header does not agree with its checksum.
   explicit TableReader(const std::filesystem::path& path);
 
   const TableHeader& header() const;
   std::size_t rows() const;
-  /// Rows [first, first + out.size()) of a column.
+  /// Rows [first, first + out.size()) of a column. Throws InputError when the column does not agree with its checksum.
   void read(std::size_t column, std::size_t first, std::span<double> out) const;
 
  private:

@@ -1,3 +1,5 @@
+#include <hdf5.h>
+
 #include "frf/hdf5_module/files.hpp"
 
 namespace jointid::frf {
@@ -26,7 +28,10 @@ class OwnHdf5 final : public Hdf5Module {
 }  // namespace
 }  // namespace jointid::frf
 
+/// HDF5 prints a line at the end of the process where a damaged file left it something that it cannot close; files that were written are
+/// closed long before.
 extern "C" void* jointid_module() {
+  [[maybe_unused]] static const herr_t set = H5dont_atexit();
   static jointid::frf::OwnHdf5 module;
   return static_cast<jointid::frf::Hdf5Module*>(&module);
 }

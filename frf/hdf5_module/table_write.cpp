@@ -8,6 +8,7 @@
 #include "frf/hdf5_module/files.hpp"
 #include "frf/hdf5_module/hdf5_create.hpp"
 #include "frf/hdf5_module/hdf5_output.hpp"
+#include "frf/hdf5_module/table_sum.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -47,6 +48,14 @@ bool write_numbers(const Handle& file, const char* name, const std::vector<doubl
   return set.is_open() && H5Dwrite(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) >= 0;
 }
 
+bool write_sums(const Handle& file, const std::vector<std::uint64_t>& sums) {
+  const hsize_t count = sums.size();
+  const Handle space(H5Screate_simple(1, &count, nullptr));
+  const Handle set(H5Dcreate2(file.get(), hdf5::column_sums_name, H5T_STD_U64LE, space.get(), H5P_DEFAULT, creation_list().get(),
+                              H5P_DEFAULT));
+  return set.is_open() && H5Dwrite(set.get(), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, sums.data()) >= 0;
+}
+
 Handle create_rows(const Handle& file, std::size_t rows, std::size_t columns) {
   const std::array<hsize_t, 2> dims = {rows, columns}, chunk = {std::min(rows, rows_per_chunk), 1};
   const Handle create = creation_list();
@@ -59,7 +68,7 @@ Handle create_rows(const Handle& file, std::size_t rows, std::size_t columns) {
 class Rows {
  public:
   Rows(const TemporaryFile& file, const TableHeader& header, std::size_t rows)
-      : output_(file), columns_(header.columns.size()), total_(rows) {
+      : output_(file), columns_(header.columns.size()), total_(rows), sums_(columns_) {
     hdf5::limit_metadata(output_.file());
     output_.require(write_header(header));
     rows_ = create_rows(output_.file(), rows, columns_);
@@ -78,6 +87,9 @@ class Rows {
   void finish() {
     put(waiting_);
     assert(written_ == total_);
+    std::vector<std::uint64_t> sums;
+    for (const hdf5::ColumnSum& sum : sums_) sums.push_back(sum.value());
+    output_.require(write_sums(output_.file(), sums));
     output_.finish(rows_.close());
   }
 
@@ -92,7 +104,8 @@ class Rows {
       truths.push_back(column.truth);
     }
     bool ok = hdf5::write_text_attribute(file, "format", "jointid-table") &&
-              hdf5::write_integer_attribute(file, "version", 1);
+              hdf5::write_integer_attribute(file, "version", 2) &&
+              hdf5::write_text_attribute(file, hdf5::header_sum_name, hdf5::header_sum(header, total_));
     for (const auto& [name, text] : header.texts) ok = ok && hdf5::write_text_attribute(file, name.c_str(), text);
     return ok && write_texts(file, "column", names) && write_texts(file, "unit", units) &&
            write_numbers(file, "truth", truths);
@@ -107,11 +120,13 @@ class Rows {
         H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr) >= 0 &&
         H5Dwrite(rows_.get(), H5T_NATIVE_DOUBLE, in_memory.get(), in_file.get(), H5P_DEFAULT, rows.data()) >= 0);
     written_ += extent[0];
+    for (std::size_t i = 0; i < rows.size(); ++i) sums_[i % columns_].add(rows[i]);
   }
 
   hdf5::Output output_;
   std::size_t columns_, total_, written_ = 0;
   std::vector<double> waiting_;
+  std::vector<hdf5::ColumnSum> sums_;
   Handle rows_;
 };
 

@@ -119,10 +119,13 @@ void write_all(MatWriter& writer, const FrfSet& set) {
   }
 }
 
-/// Whether the variables are there, each of the size that it declares: matio does not notice a disk that is full.
+/// Whether the variables are there, each with as many numbers as its dimensions declare: matio does not notice a disk that is full, and
+/// gives a variable that was cut off the size of what is there.
 bool holds(const std::filesystem::path& path, const std::vector<std::string>& names) {
   try {
-    return mat::V5Check(path).names() == names;
+    mat::V5Check check(path);
+    for (const std::string& name : names) check.require_whole(name);
+    return check.names() == names;
   } catch (const InputError&) {
     return false;
   }

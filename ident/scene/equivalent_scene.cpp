@@ -12,7 +12,10 @@ const std::vector<std::string> weighting_words = {"none", "relative"};
 DisplacementLevel read_level(const scene::Item& item, const Path& folder, std::vector<std::string>& names) {
   const scene::Table table = item.table({"assembly", "displacement"});
   names.push_back(table.require("assembly").text_not_empty());
-  return {{folder / names.back(), {}}, table.require("displacement").positive()};
+  DisplacementLevel level;  // not in one list: GCC 12 destroys a nested list twice when what follows it throws
+  level.assembly.path = folder / names.back();
+  level.displacement = table.require("displacement").positive();
+  return level;
 }
 
 /// The files of the levels and of the rigid joint, with their names.

@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "base/error.hpp"
 #include "ident/scene/scene_sections.hpp"
+#include "restrictions/restriction.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -40,8 +43,83 @@ double read_delta(const scene::Item& item) {
   return delta;
 }
 
+/// Whether one number could be meant for all unknowns of a matrix: they are springs or stand on the diagonal, so that what each of them
+/// makes is semidefinite (no row whose diagonal is smaller than the rest).
+bool takes_one_number(const restrictions::Restriction& all, Kind kind) {
+  for (const restrictions::MatrixTerms& matrix : all.matrices) {
+    if (matrix.kind != kind) continue;
+    std::map<std::pair<std::size_t, std::size_t>, double> margins;
+    for (const restrictions::Term& term : matrix.terms) {
+      margins[{term.unknown, term.row}] += term.row == term.column ? term.coefficient : -std::abs(term.coefficient);
+    }
+    if (std::ranges::any_of(margins, [](const auto& margin) { return margin.second < 0.0; })) return false;
+  }
+  return true;
+}
+
+bool is_numbers(const scene::Item& item) {
+  return item.is_list() && std::ranges::none_of(item.list(), [](const scene::Item& entry) { return entry.is_list(); });
+}
+
+/// Names of the unknowns of a matrix, in order, and their places among all.
+std::vector<std::pair<std::string, std::size_t>> unknowns_of(const restrictions::Restriction& all, Kind kind) {
+  std::vector<std::pair<std::string, std::size_t>> found;
+  for (std::size_t i = 0; i < all.unknowns.size(); ++i) {
+    if (all.unknowns[i].kind == kind) found.emplace_back(all.unknowns[i].name, i);
+  }
+  return found;
+}
+
+/// The value of one unknown: a number for all, one of a list in their order, or one of a table by the name.
+double value_of(const scene::Item& item, const std::string& name, std::size_t place) {
+  if (item.is_list()) return item.list()[place].number();
+  if (!item.is_table()) return item.number();
+  const scene::Table table = item.open_table();
+  const std::size_t dot = name.find_last_of('.');
+  if (const auto whole = table.find(name)) return whole->number();
+  if (const auto last = table.find(dot == std::string::npos ? name : name.substr(dot + 1))) return last->number();
+  item.fail("has no value of " + name, "give one for each unknown");
+}
+
+/// The matrix of all joints of numbers for its unknowns.
+Matrix matrix_of_numbers(const scene::Item& item, const std::vector<JointSpec>& joints, Kind kind) {
+  const restrictions::Restriction all = item.here([&] { return restrictions::build(joints); });
+  if (!item.is_list() && !item.is_table() && !takes_one_number(all, kind)) {
+    item.fail("one number is for springs or a diagonal", "give the matrix, [[…], …]");
+  }
+  const auto unknowns = unknowns_of(all, kind);
+  const std::size_t found = item.is_list() ? item.list().size() : item.is_table() ? item.open_table().members().size() : unknowns.size();
+  if (found != unknowns.size()) {
+    item.fail(std::to_string(found) + " numbers for " + std::to_string(unknowns.size()) + " unknowns",
+              "give one for each, in the order of `jointid plan`, or the matrix, [[…], …]");
+  }
+  std::vector<double> values(all.unknowns.size(), 0.0);
+  for (std::size_t i = 0; i < unknowns.size(); ++i) values[unknowns[i].second] = value_of(item, unknowns[i].first, i);
+  const std::vector<double> flat = all.matrix(kind, values);
+  Matrix matrix(joint_size(joints));
+  for (std::size_t i = 0; i < matrix.size(); ++i) {
+    const auto row = flat.begin() + static_cast<std::ptrdiff_t>(i * matrix.size());
+    matrix[i].assign(row, row + static_cast<std::ptrdiff_t>(matrix.size()));
+  }
+  return matrix;
+}
+
+Matrix read_start_matrix(const scene::Item& item, const std::vector<JointSpec>& joints, Kind kind) {
+  return item.is_list() && !is_numbers(item) ? item.square_matrix(joint_size(joints)) : matrix_of_numbers(item, joints, kind);
+}
+
 std::map<Kind, Matrix> read_start(const scene::Item& item, const std::vector<JointSpec>& joints) {
-  std::map<Kind, Matrix> start = read_matrices(item, joint_size(joints));
+  std::map<Kind, Matrix> start;
+  if (item.is_table()) {
+    const scene::Table table = item.table(kind_keys());
+    for (const Kind kind : restrictions::all_kinds) {
+      if (const auto matrix = table.find(restrictions::key(kind))) start[kind] = read_start_matrix(*matrix, joints, kind);
+    }
+  } else if (item.is_list() && !is_numbers(item)) {
+    item.table({});  // a matrix needs its name
+  } else {
+    start[Kind::stiffness] = read_start_matrix(item, joints, Kind::stiffness);
+  }
   for (const auto& [kind, matrix] : start) {
     const bool identified = std::any_of(joints.begin(), joints.end(),
                                         [k = kind](const JointSpec& joint) { return joint.matrices.contains(k); });

@@ -35,6 +35,20 @@ std::string head_of(const TrialFileKey& key) {
                      fingerprint(key.scene), fingerprint(numbers), key.seed, laws_text(key.plan.laws), columns);
 }
 
+/// Which of what the second line says differs, by name.
+std::string differences(const std::string& text, const std::string& head) {
+  const auto word_behind = [](const std::string& of, const std::string& name) {
+    const std::size_t at = of.find(" " + name + " ", of.find('\n'));
+    const char* const ends = name == "laws" ? "\n" : " \n";
+    return at == std::string::npos ? std::string() : of.substr(at, of.find_first_of(ends, at + name.size() + 2) - at);
+  };
+  std::string others;
+  for (const auto& [name, called] : {std::pair{"scene", "scene"}, {"data", "set of data"}, {"seed", "seed"}, {"laws", "list of laws"}}) {
+    if (word_behind(text, name) != word_behind(head, name)) others += (others.empty() ? "another " : " and another ") + std::string(called);
+  }
+  return others.empty() ? "another version of jointid" : others;
+}
+
 }  // namespace
 
 TrialFile::TrialFile(std::filesystem::path path, const TrialFileKey& key, bool resume)
@@ -57,7 +71,7 @@ void TrialFile::read(const std::string& head) {
   std::ifstream in(path_);
   std::string text((std::istreambuf_iterator<char>(in)), {});
   if (!text.starts_with(head))
-    fail(path_, "its trials are of another scene, seed or data",
+    fail(path_, "its trials are of " + differences(text, head),
          "leave out --resume to begin anew, or give the scene and seed that it was made with");
   std::istringstream rows(text.substr(head.size(), text.rfind('\n') + 1 - head.size()));
   for (std::string line; std::getline(rows, line);) {

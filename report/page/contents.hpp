@@ -53,12 +53,15 @@ struct RowLimit {
   std::string rest = "--json and --csv write all of them";  ///< a clause; empty: nothing has them
 };
 
-/// Errors of FRFs in dB, responses × references, in classes of colour that are the same on every page.
+enum class HeatUnit { decibel, noise };
+
+/// Errors of FRFs, responses × references, in classes of colour that are the same on every page.
 struct HeatMap {
   std::string title;
   std::vector<std::string> rows, columns;
   std::vector<double> values;                        ///< [rows × columns]; NaN: nothing to compare
   std::vector<double> row_totals, column_totals;     ///< over all of a row or column, also of what is not shown
+  HeatUnit unit = HeatUnit::decibel;
 };
 
 enum class Verdict { inside, outside, doubtful };

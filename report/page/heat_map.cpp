@@ -25,7 +25,7 @@ double rms_of(const std::vector<double>& values, std::size_t first, std::size_t 
 
 HeatMap error_map(const std::string& title, const std::vector<frf::Dof>& responses, const std::vector<frf::Dof>& references,
                   const std::vector<double>& rms_db) {
-  HeatMap map{title, frf::names(responses), frf::names(references), rms_db, {}, {}};
+  HeatMap map{title, frf::names(responses), frf::names(references), rms_db, {}, {}, HeatUnit::decibel};
   const std::size_t rows = responses.size(), columns = references.size();
   for (std::size_t r = 0; r < rows; ++r) map.row_totals.push_back(rms_of(rms_db, r * columns, columns, 1));
   for (std::size_t c = 0; c < columns; ++c) map.column_totals.push_back(rms_of(rms_db, c, rows, columns));

@@ -11,13 +11,17 @@
 namespace jointid::report {
 namespace {
 
-/// dB where a class of colour ends and the next begins.
-constexpr std::array heat_limits = {0.1, 0.3, 1.0, 3.0, 10.0};
+/// Where a class of colour ends and the next begins: dB, and standard deviations of the measured FRF.
+constexpr std::array decibel_limits = {0.1, 0.3, 1.0, 3.0, 10.0}, noise_limits = {1.5, 2.0, 3.0, 5.0, 10.0};
+
+const auto& limits_of(HeatUnit unit) { return unit == HeatUnit::decibel ? decibel_limits : noise_limits; }
+const char* name_of(HeatUnit unit) { return unit == HeatUnit::decibel ? "dB" : "σ"; }
 /// Of more rows or columns those with the largest errors are shown; with more columns than `most_numbers` without numbers.
 constexpr std::size_t most_lines = 48, most_numbers = 16;
 
-std::size_t heat_class(double value) {
-  return static_cast<std::size_t>(std::ranges::upper_bound(heat_limits, value) - heat_limits.begin());
+std::size_t heat_class(double value, HeatUnit unit) {
+  const auto& limits = limits_of(unit);
+  return static_cast<std::size_t>(std::ranges::upper_bound(limits, value) - limits.begin());
 }
 
 std::string decibels(double value) { return fmt::format("{:.{}f}", value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0); }
@@ -34,18 +38,19 @@ std::vector<std::size_t> worst_lines(const std::vector<double>& totals) {
   return places;
 }
 
-std::string heat_cell(double value, const std::string& name, bool numbers) {
+std::string heat_cell(double value, const std::string& name, bool numbers, HeatUnit unit) {
   if (!std::isfinite(value)) return "<td class=\"none\"></td>";
-  return fmt::format("<td class=\"h{}\" title=\"{}: {} dB\">{}</td>", heat_class(value), html(name), decibels(value),
+  return fmt::format("<td class=\"h{}\" title=\"{}: {} {}\">{}</td>", heat_class(value, unit), html(name), decibels(value), name_of(unit),
                      numbers ? decibels(value) : "");
 }
 
-std::string heat_legend() {
-  std::string out = fmt::format("<p class=\"heat-legend\">dB: <span class=\"h0\">below {}</span>", heat_limits.front());
-  for (std::size_t i = 0; i + 1 < heat_limits.size(); ++i) {
-    out += fmt::format("<span class=\"h{}\">{} to {}</span>", i + 1, heat_limits[i], heat_limits[i + 1]);
+std::string heat_legend(HeatUnit unit) {
+  const auto& limits = limits_of(unit);
+  std::string out = fmt::format("<p class=\"heat-legend\">{}: <span class=\"h0\">below {}</span>", name_of(unit), limits.front());
+  for (std::size_t i = 0; i + 1 < limits.size(); ++i) {
+    out += fmt::format("<span class=\"h{}\">{} to {}</span>", i + 1, limits[i], limits[i + 1]);
   }
-  return out + fmt::format("<span class=\"h{}\">above {}</span></p>\n", heat_limits.size(), heat_limits.back());
+  return out + fmt::format("<span class=\"h{}\">above {}</span></p>\n", limits.size(), limits.back());
 }
 
 std::string heat_titles(const HeatMap& map, const std::vector<std::size_t>& columns) {
@@ -58,14 +63,14 @@ std::string heat_titles(const HeatMap& map, const std::vector<std::size_t>& colu
 std::string heat_row(const HeatMap& map, std::size_t r, const std::vector<std::size_t>& columns, bool numbers) {
   std::string out = "<tr><th scope=\"row\">" + html(map.rows[r]) + "</th>";
   for (const std::size_t c : columns) {
-    out += heat_cell(map.values[r * map.columns.size() + c], map.rows[r] + " / " + map.columns[c], numbers);
+    out += heat_cell(map.values[r * map.columns.size() + c], map.rows[r] + " / " + map.columns[c], numbers, map.unit);
   }
-  return out + heat_cell(map.row_totals[r], map.rows[r], true) + "</tr>\n";
+  return out + heat_cell(map.row_totals[r], map.rows[r], true, map.unit) + "</tr>\n";
 }
 
 std::string heat_totals(const HeatMap& map, const std::vector<std::size_t>& columns, bool numbers) {
   std::string out = "<tr class=\"total\"><th scope=\"row\">all</th>";
-  for (const std::size_t c : columns) out += heat_cell(map.column_totals[c], map.columns[c], numbers);
+  for (const std::size_t c : columns) out += heat_cell(map.column_totals[c], map.columns[c], numbers, map.unit);
   return out + "<td></td></tr>\n";
 }
 
@@ -84,7 +89,7 @@ std::string to_html(const HeatMap& map) {
                                 html(map.title), html(map.title), numbers ? "" : " dense");
   out += heat_titles(map, columns);
   for (const std::size_t r : rows) out += heat_row(map, r, columns, numbers);
-  out += heat_totals(map, columns, numbers) + "</tbody></table></div></div>\n" + heat_legend();
+  out += heat_totals(map, columns, numbers) + "</tbody></table></div></div>\n" + heat_legend(map.unit);
   return out + heat_cut(rows.size(), map.rows.size(), "responses") + heat_cut(columns.size(), map.columns.size(), "references");
 }
 

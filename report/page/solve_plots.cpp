@@ -51,13 +51,13 @@ Values level_differences(const Values& measured, const Values& regenerated, cons
 }
 
 Choice choice(const tasks::RegeneratedFrf& frf, const Values& frequency_hz, std::optional<std::array<double, 2>> used_hz,
-              std::size_t most) {
+              std::size_t most, const Display& display) {
   const std::vector<Values> curves = {magnitudes(frf.measured), magnitudes(frf.predicted)};
   const std::vector<std::size_t> kept = keep_peaks(curves, most);
   CurvePlot magnitude, phase, difference;
   magnitude.title = "Magnitude of " + frf.entry.response.name() + " / " + frf.entry.reference.name();
   magnitude.x = {"frequency (Hz)", false};
-  magnitude.y = {receptance_label(frf.entry.response, frf.entry.reference), true};
+  magnitude.y = {frf_label(display, frf.entry.response, frf.entry.reference), true};
   magnitude.x_values = picked(frequency_hz, kept);
   magnitude.series = overlay(picked(curves[0], kept), picked(curves[1], kept));
   magnitude.band = used_hz;
@@ -80,13 +80,15 @@ Choice choice(const tasks::RegeneratedFrf& frf, const Values& frequency_hz, std:
 
 }  // namespace
 
-PlotGroup frf_overlay(const tasks::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most) {
+PlotGroup frf_overlay(const tasks::Regenerated& receptances, std::optional<std::array<double, 2>> used_hz, std::size_t most,
+                      const Display& display) {
+  const tasks::Regenerated regenerated = in_units_of(display, receptances);
   PlotGroup group{"FRF", {}};
   double least = 0.0;  // FRFs that vanish by symmetry are rounding errors
   for (const tasks::RegeneratedFrf& frf : regenerated.frfs) least = std::max(least, ident::zero_level * largest(frf));
   for (const tasks::RegeneratedFrf& frf : regenerated.frfs) {
     if (largest(frf) <= least) continue;
-    group.choices.push_back(choice(frf, regenerated.frequency_hz, used_hz, most));
+    group.choices.push_back(choice(frf, regenerated.frequency_hz, used_hz, most, display));
   }
   return group;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/page/contents.hpp"
+#include "report/text/display.hpp"
 #include "tasks/convergence.hpp"
 #include "tasks/regenerate.hpp"
 
@@ -8,8 +9,10 @@
 namespace jointid::report {
 
 /// Magnitude, difference in dB and phase of measured and regenerated FRFs, one choice per FRF that was measured; `used_hz`: a
-/// range to shade, that of the lines that the joint was identified from. At most `most` points per FRF, peaks kept.
-PlotGroup frf_overlay(const tasks::Regenerated& regenerated, std::optional<std::array<double, 2>> used_hz, std::size_t most);
+/// range to shade, that of the lines that the joint was identified from. At most `most` points per FRF, peaks kept. Of receptances
+/// in SI units; shown in the quantity and units of `display`.
+PlotGroup frf_overlay(const tasks::Regenerated& receptances, std::optional<std::array<double, 2>> used_hz, std::size_t most,
+                      const Display& display = {});
 
 /// RJCF and ARVF of each matrix against the number of lines (docs/formulas.md §6).
 PlotGroup quality_plots(const std::vector<tasks::LineQuality>& lines);

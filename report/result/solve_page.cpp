@@ -24,6 +24,8 @@ namespace {
 
 /// More is no reading matter; the JSON has it.
 constexpr std::size_t most_bars = 1000, most_elements = 10000;
+/// Values on the first screen.
+constexpr std::size_t most_first = 8;
 /// FRFs in the list of those that are met worst.
 constexpr std::size_t most_worst = 20;
 
@@ -40,10 +42,24 @@ std::vector<SuspectLines> suspect_lines(const ident::Solution& solution) {
   return out;
 }
 
+/// Why a solution is what its status says; of `ok` without a message what its residuals say.
+std::string reason_of(const ident::Solution& solution) {
+  if (!solution.message.empty() || solution.status != ident::Status::ok) return solution.message;
+  const ident::Fit& fit = solution.fit;
+  if (fit.chi_square) {
+    return "The noise of the FRFs explains the residuals: χ² / degrees of freedom " + chi_square_text(*fit.chi_square) + ".";
+  }
+  if (fit.misfit) return fmt::format("The residuals are {:.3g} times what the noise of the FRFs explains.", std::sqrt(*fit.misfit));
+  return "Nothing in the data contradicts the answer.";
+}
+
+void add_status(const ident::Solution& solution, ReportPage& page) {
+  page.status(status_banner(ident::name(solution.status), reason_of(solution), solution.warnings, suspect_lines(solution)));
+}
+
 void add_summary(const ident::Solution& solution, ReportPage& page) {
   const ident::Fit& fit = solution.fit;
   const ident::RunTime& time = solution.runtime_s;
-  page.status(status_banner(ident::name(solution.status), solution.message, solution.warnings, suspect_lines(solution)));
   page.section("Summary");
   Facts facts{{{"status", words(ident::name(solution.status))},
                   {"method", ident::name(solution.used.method)},
@@ -69,23 +85,35 @@ void add_summary(const ident::Solution& solution, ReportPage& page) {
   page.add(std::move(facts));
 }
 
-void add_unknowns(const ident::Solution& solution, ReportPage& page) {
-  if (solution.unknowns.empty()) return;
+/// Values first … last − 1, of those that may be shown.
+void add_values(const ident::Solution& solution, std::size_t first, std::size_t last, ReportPage& page) {
   Bars bars;
-  for (const ident::Estimate& estimate : solution.unknowns) {
-    if (bars.bars.size() == most_bars) break;
+  for (std::size_t i = first; i < std::min(last, solution.unknowns.size()); ++i) {
+    const ident::Estimate& estimate = solution.unknowns[i];
     bars.bars.push_back({estimate.name, estimate.value, estimate.unit, estimate.ci95, std::nullopt,
                          estimate.determined ? estimate.limit : "not determined by the data", estimate.error_estimate});
   }
-  page.section("Identified values");
   page.add(bars);
-  if (solution.unknowns.size() > most_bars) {
-    page.add(Text{fmt::format("First {} of {} unknowns; --json and --csv write all of them.", most_bars, solution.unknowns.size())});
-  }
   const bool intervals = std::ranges::any_of(bars.bars, [](const Bar& bar) { return bar.interval.has_value(); });
   page.add(Text{intervals ? "Bars of one matrix and unit share a scale; the brackets are 95 % intervals."
                           : "Bars of one matrix and unit share a scale. This method states no intervals.",
                 true});
+}
+
+/// As many as leave room for the worst FRF on the first screen.
+void add_first_values(const ident::Solution& solution, ReportPage& page) {
+  if (solution.unknowns.empty()) return;
+  page.section("Identified values");
+  add_values(solution, 0, most_first, page);
+}
+
+void add_other_values(const ident::Solution& solution, ReportPage& page) {
+  if (solution.unknowns.size() <= most_first) return;
+  page.section("Further identified values");
+  add_values(solution, most_first, most_bars, page);
+  if (solution.unknowns.size() > most_bars) {
+    page.add(Text{fmt::format("First {} of {} unknowns; --json and --csv write all of them.", most_bars, solution.unknowns.size())});
+  }
 }
 
 void add_constraints(const ident::Solution& solution, ReportPage& page) {
@@ -112,7 +140,7 @@ void add_systematic(const ident::Solution& solution, ReportPage& page) {
            "What of the variance would go if these were known exactly, all of them and one alone");
 }
 
-void add_matrices(const ident::Plan& plan, const ident::Solution& solution, ReportPage& page) {
+void add_matrices(const ident::Plan& plan, const ident::Solution& solution, const Display& display, ReportPage& page) {
   if (solution.bands.empty()) return;
   page.section("Joint matrices");
   const std::size_t n = solution.dofs.size();
@@ -121,18 +149,19 @@ void add_matrices(const ident::Plan& plan, const ident::Solution& solution, Repo
     return;
   }
   const std::vector<std::string> names = frf::names(solution.dofs);
+  const ident::Matrices truths = in_units_of(display, plan.scene.truth, solution.dofs);
   for (const ident::BandMatrices& band : solution.bands) {
     const std::string where =
         band.band_hz ? fmt::format(", {:g} to {:g} Hz", (*band.band_hz)[0], (*band.band_hz)[1]) : "";
     for (const auto& [kind, rows] : band.matrices) {
-      const auto truth = plan.scene.truth.find(kind);
+      const auto truth = truths.find(kind);
       const auto errors = band.errors.find(kind);
       page.add(MatrixTable{fmt::format("{} {}{}", words(restrictions::key(kind)), restrictions::symbol(kind), where),
-                           names, rows, truth == plan.scene.truth.end() ? ident::Matrix() : truth->second,
+                           names, rows, truth == truths.end() ? ident::Matrix() : truth->second,
                            errors == band.errors.end() ? ident::Matrix() : errors->second});
     }
   }
-  page.add(Text{plan.scene.truth.empty() ? "SI units." : "SI units; below each element its deviation from the truth.", true});
+  page.add(Text{units_text(display) + (truths.empty() ? "." : "; below each element its deviation from the truth."), true});
 }
 
 /// Numbers of lines to solve with: fewer where a solution takes long.
@@ -168,6 +197,18 @@ std::vector<tasks::FrfEntry> entries_of(const ident::Plan& plan, const tasks::En
   return entries;
 }
 
+/// What the data's own errors explain is about 1; far above it the model, or the FRF, is wrong.
+void add_noise_map(const tasks::EntryErrors& errors, ReportPage& page) {
+  if (errors.rms_noise.empty()) return;
+  HeatMap map = error_map("rms error in units of noise, responses down, references across", errors.responses, errors.references,
+                          errors.rms_noise);
+  if (worst_first(map.values).empty()) return;
+  map.unit = HeatUnit::noise;
+  page.add(map);
+  page.add(Text{"In standard deviations σ of the measured assembly FRF: about 1 where its noise explains the error. The synthesised FRF "
+                "has the noise of the substructures' FRFs beside it.", true});
+}
+
 void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
   const HeatMap map = error_map("rms error in dB, responses down, references across", errors.responses, errors.references, errors.rms_db);
   if (worst_first(map.values).empty()) return;
@@ -180,16 +221,44 @@ void add_frf_errors(const tasks::EntryErrors& errors, ReportPage& page) {
   page.add(worst_frfs(map), "Worst first", {most_worst, "the map has all of them"});
   page.add(Text{fmt::format("rms over all {} lines that both systems have. A row or column that stands out points to its sensor or its "
                             "excitation.", errors.lines), true});
+  add_noise_map(errors, page);
 }
 
-void add_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
-              const ident::Control& control, ReportPage& page) {
-  if (solution.bands.empty()) return;
-  const tasks::EntryErrors errors = tasks::entry_errors(plan, solution.bands, control);
-  const tasks::Regenerated regenerated = tasks::regenerate(plan, solution.bands, entries_of(plan, errors, first), control);
-  const bool all_used = regenerated.frequency_hz.size() == plan.lines.size();
+/// The FRFs of the assembly, measured and synthesised.
+struct ComparedFrfs {
+  tasks::EntryErrors errors;
+  tasks::Regenerated regenerated;
+  bool all_used = true;  ///< all lines served the identification
+  PlotGroup overlay;
+};
+
+ComparedFrfs compared_frfs(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
+                           const ident::Control& control, const Display& display) {
+  ComparedFrfs out;
+  if (solution.bands.empty()) return out;
+  out.errors = tasks::entry_errors(plan, solution.bands, control);
+  out.regenerated = tasks::regenerate(plan, solution.bands, entries_of(plan, out.errors, first), control);
+  out.all_used = out.regenerated.frequency_hz.size() == plan.lines.size();
   const std::array used_hz = {plan.lines.front().frequency_hz, plan.lines.back().frequency_hz};
-  const PlotGroup overlay = frf_overlay(regenerated, all_used ? std::nullopt : std::optional(used_hz), most_points);
+  out.overlay = frf_overlay(out.regenerated, out.all_used ? std::nullopt : std::optional(used_hz), most_points, display);
+  return out;
+}
+
+/// Magnitude of the FRF that is met worst, of those that are drawn.
+void add_worst(const ComparedFrfs& frfs, ReportPage& page) {
+  const std::vector<std::size_t> order = worst_first(frfs.errors.rms_db);
+  if (order.empty()) return;
+  const std::size_t columns = frfs.errors.references.size();
+  const std::string name = frfs.errors.responses[order[0] / columns].name() + " / " + frfs.errors.references[order[0] % columns].name();
+  const auto worst = std::ranges::find_if(frfs.overlay.choices, [&](const Choice& choice) { return choice.name.starts_with(name + " ("); });
+  if (worst == frfs.overlay.choices.end()) return;
+  page.section("Worst FRF, measured and synthesised");
+  page.add(PlotGroup{"FRF", {{worst->name, {worst->plots.front()}}}});
+  page.add(Text{fmt::format("{} is met worst of {}; in brackets the rms difference of the magnitudes.", worst->name, order.size()), true});
+}
+
+void add_frfs(const ComparedFrfs& frfs, ReportPage& page) {
+  const auto& [errors, regenerated, all_used, overlay] = frfs;
   if (overlay.choices.empty()) return;
   page.section("Assembly: measured and regenerated from the identified joint");
   page.add(overlay);
@@ -217,17 +286,22 @@ void add_plan(const ident::Plan& plan, ReportPage& page) {
 }  // namespace
 
 std::string solve_report(ident::Plan& plan, const ident::Solution& solution, const std::optional<tasks::FrfEntry>& first,
-                         const ident::Control& control) {
+                         const ident::Control& control, const Display& display) {
   const std::string file = plan.scene.file.filename().string();
+  const ident::Solution shown = in_units_of(display, solution);
+  const ComparedFrfs frfs = compared_frfs(plan, solution, first, control, display);
   ReportPage page(plan.scene.title.empty() ? file : plan.scene.title, "jointid solve " + file);
+  add_status(solution, page);
+  add_first_values(shown, page);
+  add_worst(frfs, page);
   add_summary(solution, page);
-  add_unknowns(solution, page);
+  add_other_values(shown, page);
   add_constraints(solution, page);
   add_systematic(solution, page);
   add_identifiability(solution, page);
-  add_matrices(plan, solution, page);
+  add_matrices(plan, shown, display, page);
   add_quality(plan, solution, control, page);
-  add_frfs(plan, solution, first, control, page);
+  add_frfs(frfs, page);
   add_plan(plan, page);
   return page.html();
 }

@@ -39,6 +39,16 @@ std::string trials_text(const study::StudyStatistics& statistics) {
   return text;
 }
 
+std::string far_from_truth(const study::StudyStatistics& statistics) {
+  constexpr double far = 0.5;
+  std::string text;
+  for (const study::QualityStatistics& matrix : statistics.quality) {
+    const double middle = matrix.rms_relative_error[2];
+    if (middle > far) text += fmt::format("{}{} by {:.0f} %", text.empty() ? "" : ", ", words(matrix.matrix), 100.0 * middle);
+  }
+  return text.empty() ? text : "The middle trial is far from the truth (rms of the relative errors): " + text + ".";
+}
+
 Table unknowns_table(const study::StudyStatistics& statistics) {
   const bool intervals = std::ranges::any_of(statistics.unknowns, [](const auto& unknown) { return unknown.coverage.has_value(); });
   std::vector<Column> columns = {{"name", Align::left}, {"true value"}, {"mean"}, {"unit", Align::left}, {"bias %"}, {"std %"},

@@ -16,6 +16,9 @@ std::map<std::string, std::string> study_texts(const std::string& scene_text);
 /// "1000, 998 with an estimate, 2 rank deficient".
 std::string trials_text(const study::StudyStatistics& statistics);
 
+/// A sentence that names the matrices whose relative error (rms over the elements) is above one half in the middle trial; else empty.
+std::string far_from_truth(const study::StudyStatistics& statistics);
+
 /// One row per unknown. Errors are in percent of the true value, or of the mean where none is known; quantiles are those of the
 /// relative error.
 Table unknowns_table(const study::StudyStatistics& statistics);

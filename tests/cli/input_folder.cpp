@@ -18,7 +18,7 @@ InputFolder::InputFolder() {
   frf::write_uff(small_set(), path("a.uff"), {.binary = false});
   frf::write_uff(small_set(), path("b.uff"), {.binary = true});
   frf::write_csv(small_set(), path("a.csv"));
-  write("old.json", "old");
+  write("old.json", old_output);
 }
 
 std::string InputFolder::text(const std::string& name) const {

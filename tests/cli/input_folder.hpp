@@ -11,6 +11,10 @@
 
 namespace jointid::cli {
 
+/// What an output of before holds: jointid replaces files that it wrote.
+inline const std::string old_output = "# jointid: an output of before\n";
+
+
 /// A temporary folder with right input for tests to spoil; it goes with the object. It holds
 ///   - case A1 as written by `problem write`: A1.toml, A1_assembly.h5, A1_substructure_1.h5, A1_substructure_2.h5;
 ///   - small_set() as a.h5, a.uff (text), b.uff (binary) and a.csv;

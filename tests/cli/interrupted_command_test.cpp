@@ -111,7 +111,7 @@ TEST(InterruptedCommand, ASolveEndsBetweenChunksAndWritesNothing) {
   const Outcome outcome = command.wait();
   EXPECT_EQ(outcome.code, 130);
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(folder.text("old.json"), "old");
+  EXPECT_EQ(folder.text("old.json"), old_output);
   EXPECT_EQ(names_in(folder), before);
 }
 

@@ -58,7 +58,7 @@ class StoppedFolder : public InputFolder {
   explicit StoppedFolder(const Writing& writing) {
     if (writing.prepare) writing.prepare(*this);
     for (const std::string& output : writing.outputs) {
-      if (!output.starts_with("new/")) write(output, "old");
+      if (!output.starts_with("new/")) write(output, old_output);
     }
     before_ = content();
   }
@@ -233,7 +233,7 @@ TEST_P(StoppedCommand, OnASmallDiskThatIsFullNothingChanges) {
   std::filesystem::create_directory(folder.path("small"));
   const FullDisk disk(folder.path("small"));
   for (const std::string& output : writing.outputs) {
-    if (!output.starts_with("small/new")) folder.write(output, "old");
+    if (!output.starts_with("small/new")) folder.write(output, old_output);
   }
   disk.fill();
   auto before = folder.content();

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
+#include "ident/scene/equivalent_scene.hpp"
 #include "ident/scene/read_scene.hpp"
 #include "ident/scene/scene.hpp"
 
@@ -170,7 +171,7 @@ TEST(SceneErrors, SeveralJoints) {
            {joint("name = 'a'", "1:X") + joint("name = 'b'", "1:-X"), "line 7, [joints[2]]", "a DOF of joint 'a'"},
            {joint("name = 'a.b'", "1:X"), "line 4, [joints[1]] name", "has a dot"},
            {joint("name = ''", "1:X"), "line 4, [joints[1]] name", "the string is empty"},
-           {"[joints]", "line 3, [joints]", "expected an array, found a table"},
+           {"[joints]", "line 3, [joints]", "[joints] is one table; it should say [[joints]]"},
            {joint("name = 'a'", "1:X") + "mass.matrix = [['a*b']]", "line 7, [joints[1].mass] matrix[1][1]",
             "'a*b' multiplies"},
        }) {
@@ -242,6 +243,52 @@ TEST(SceneErrors, NoiseAndTruth) {
            {"[truth]\ndamping = [[1]]", "line 6, [truth] damping", "is not known here"},
        }) {
     expect_error(right_data + right_joint + wrong.text, wrong.place, wrong.problem);
+  }
+}
+
+TEST(SceneErrors, TablesAndListsOfTables) {
+  expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[[joint]]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
+               "line 3, joint",
+               "[[joint]] is a list of tables; one joint is [joint]; of several each should say [[joints]]");
+  expect_error("data.substructures = ['a.h5']\ndata.assembly = ['b.h5']\n[joints]\ndofs = ['4:+Y']\nstiffness.pattern = 'full'\n",
+               "line 3, [joints]", "it should say [[joints]], once for each joint");
+  expect_error("[[data]]\nsubstructures = ['a.h5']\n", "line 1, data", "expected a table, found an array of 1; [[data]] should say [data]");
+  expect_error(right_data + right_joint + "[virtual_points]\nname = 'VP1'\n", "line 5, [virtual_points]",
+               "[virtual_points] should say [[virtual_points]]");
+}
+
+TEST(SceneErrors, StartsByNumbers) {
+  const std::string springs = right_data + "joint.dofs = ['4:+Y', '5:+Y']\njoint.stiffness.springs = [['4:+Y', '5:+Y']]\n[identify]\n";
+  expect_error(right_data + right_joint + "identify.start = 1e6", "line 5, [identify] start", "one number is for springs or a diagonal");
+  expect_error(springs + "start = [1e6, 2e6]", "line 6, [identify] start", "2 numbers for 1 unknowns");
+  expect_error(springs + "start = { stiffness = { k = 1e6 } }", "line 6, [identify.start.stiffness]", "has no value of K[4:+Y,5:+Y]");
+  expect_error(springs + "start = { mass = 1.0 }", "line 6", "no joint has that matrix");
+}
+
+TEST(SceneErrors, NamesOfSprings) {
+  const std::string begin = right_data + "joint.dofs = ['4:+Y', '5:+Y']\njoint.stiffness.springs = ";
+  expect_error(begin + "{ '1k' = ['4:+Y', '5:+Y'] }", "line 4", "'1k' is no name of a spring");
+  expect_error(begin + "{ k = ['4:+Y', '6:+Y'] }", "line 4", "6:+Y is not a DOF of the joint");
+  expect_error(begin + "{ k = ['4:+Y', '4:-Y'] }", "line 4", "the spring has both ends on one DOF");
+}
+
+/// GCC 12 destroyed the file's name of such a level twice.
+TEST(SceneErrors, AWrongLevelOfAnEquivalentJoint) {
+  for (const auto& [wrong, says] : std::vector<std::pair<std::string, std::string>>{{"-1", "expected a number above 0, found -1"},
+                                                                                  {"nan", "expected a finite number, found nan"},
+                                                                                  {"true", "expected a number, found the boolean true"},
+                                                                                  {"{}", "expected a number, found a table"}}) {
+    std::string text = "data.parts = ['a.h5']\n[equivalent]\ndofs = ['1:+Y', '2:+Y']\nlevels = [\n";
+    for (const std::string& displacement : {std::string("1e-6"), std::string("2e-6"), wrong, std::string("4e-6")}) {
+      text += "{ assembly = 'a long name of a file of one level.h5', displacement = " + displacement + " },\n";
+    }
+    try {
+      parse_equivalent_scene(text + "]\n", "some/folder/equivalent.toml");
+      ADD_FAILURE() << wrong;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("line 7, [equivalent.levels[3]")) << wrong;
+      EXPECT_THAT(error.what(), HasSubstr(says)) << wrong;
+    }
   }
 }
 

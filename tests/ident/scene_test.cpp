@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <tuple>
+
 #include "ident/scene/read_scene.hpp"
+#include "restrictions/restriction.hpp"
 #include "tests/ident/full_scene.hpp"
 
 namespace jointid::ident {
@@ -184,6 +187,44 @@ TEST(Scene, NamesOfMethodsAndEquations) {
   EXPECT_EQ(name(Method::likelihood), "likelihood");
   EXPECT_EQ(name(Equation::nn), "nn");
   EXPECT_EQ(name(Equation::jn), "jn");
+}
+
+/// A joint of three DOFs against three, with this declaration of K and these lines of [identify].
+Scene with_springs(const std::string& springs, const std::string& identify) {
+  return parse_scene(R"(
+data.substructures = ["a.h5"]
+data.assembly = ["b.h5"]
+joint.dofs = ["21:+X", "22:+X", "121:+X", "122:-X"]
+joint.stiffness.springs = )" + springs + "\n[identify]\n" + identify + "\n", "scene.toml");
+}
+
+TEST(Springs, MayHaveNames) {
+  const Scene scene = with_springs(R"({ k1 = ["21:+X", "121:+X"], k2 = [["22:+X", "122:+X"], ["22:+X", "ground"]] })", "");
+  const restrictions::Restriction all = restrictions::build(scene.joints);
+  ASSERT_THAT(all.unknowns, SizeIs(2));
+  EXPECT_EQ(all.unknowns[0].name, "K.k1");
+  EXPECT_EQ(all.unknowns[1].name, "K.k2");
+  EXPECT_EQ(all.unknowns[1].unit, "N/m");
+  // k1 = 10, k2 = 1 by hand; 122 points the other way, so that its coupling has the other sign
+  EXPECT_THAT(all.matrix(Kind::stiffness, {10.0, 1.0}),
+              ElementsAre(10.0, 0.0, -10.0, 0.0, 0.0, 2.0, 0.0, 1.0, -10.0, 0.0, 10.0, 0.0, 0.0, 1.0, 0.0, 1.0));
+}
+
+TEST(Start, IsANumberForEachSpringOrOneForAll) {
+  const std::string list = R"([["21:+X", "121:+X"], ["22:+X", "122:+X"]])";
+  const std::string named = R"({ a = ["21:+X", "121:+X"], b = ["22:+X", "122:+X"] })";
+  const Matrix both = {{2e6, 0, -2e6, 0}, {0, 3e6, 0, 3e6}, {-2e6, 0, 2e6, 0}, {0, 3e6, 0, 3e6}};
+  const Matrix same = {{2e6, 0, -2e6, 0}, {0, 2e6, 0, 2e6}, {-2e6, 0, 2e6, 0}, {0, 2e6, 0, 2e6}};
+  for (const auto& [springs, start, expected] : std::vector<std::tuple<std::string, std::string, Matrix>>{
+           {list, "start = 2e6", same},
+           {list, "start = [2e6, 3e6]", both},
+           {list, "start = { stiffness = 2e6 }", same},
+           {list, "start = { stiffness = [2e6, 3e6] }", both},
+           {list, "start = { stiffness = { \"K[21:+X,121:+X]\" = 2e6, \"K[22:+X,122:+X]\" = 3e6 } }", both},
+           {named, "start = 2e6", same},
+           {named, "start = { stiffness = { b = 3e6, a = 2e6 } }", both}}) {
+    EXPECT_EQ(with_springs(springs, start).identify.start.at(Kind::stiffness), expected) << start;
+  }
 }
 
 }  // namespace

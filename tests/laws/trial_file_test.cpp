@@ -95,13 +95,13 @@ TEST_F(Trials, OfAnotherStudyAreRefused) {
   EXPECT_EQ(error_of(key_), "none");
   TrialFileKey other = key_;
   other.seed = 5;
-  EXPECT_THAT(error_of(other), HasSubstr("another scene, seed or data"));
+  EXPECT_THAT(error_of(other), HasSubstr("its trials are of another seed;"));
   other = key_;
   other.scene += "# changed\n";
-  EXPECT_THAT(error_of(other), HasSubstr("another scene, seed or data"));
+  EXPECT_THAT(error_of(other), HasSubstr("its trials are of another scene;"));
   other = key_;
   other.plan.values[0].bound *= 1.001;
-  EXPECT_THAT(error_of(other), HasSubstr("another scene, seed or data"));
+  EXPECT_THAT(error_of(other), HasSubstr("its trials are of another set of data;"));
   EXPECT_THROW(TrialFile(folder_ / "absent" / "trials.csv", key_, false), InputError);
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
+#include <regex>
 #include <sstream>
 
 #include "knots.hpp"
@@ -182,6 +184,30 @@ TEST(Knots, ThereAreNone) {
   const UnitGraph graph = units(root, folders);
   EXPECT_GT(graph.size(), 0U);
   EXPECT_THAT(knots(graph), IsEmpty());
+}
+
+/// GCC 12 destroys the members of a list inside a list twice where the inner one ends in {} and what follows it throws:
+/// `return {{folder / name, {}}, item.positive()};`
+std::vector<std::string> twice_destroyed(const std::string& source) {
+  static const std::regex pattern(R"(\{\{[^{};]*,\s*\{\}\s*\},[^{};]*\w\()");
+  std::vector<std::string> found;
+  for (std::sregex_iterator at(source.begin(), source.end(), pattern); at != std::sregex_iterator(); ++at) found.push_back(at->str());
+  return found;
+}
+
+TEST(NestedLists, ThatAreDestroyedTwiceAreFound) {
+  EXPECT_THAT(twice_destroyed("return {{folder / names.back(), {}}, table.require(\"displacement\").positive()};"), testing::SizeIs(1));
+  EXPECT_THAT(twice_destroyed("return {{folder / names.back(), {}}, displacement};"), IsEmpty());
+}
+
+TEST(NestedLists, ThereAreNone) {
+  for (const auto& row : folders_of(table_of_the_docs())) {
+    for (const auto& path : sources(root / row.first)) {
+      std::ifstream source(path);
+      const std::string text((std::istreambuf_iterator<char>(source)), {});
+      EXPECT_THAT(twice_destroyed(text), IsEmpty()) << path;
+    }
+  }
 }
 
 TEST(Lines, AreNotAbove140Characters) {

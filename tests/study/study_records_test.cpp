@@ -13,16 +13,17 @@ TEST(RecordJournal, KnowsWhatIsWhole) {
   const TestFolder folder;
   const auto path = folder / "journal";
   using Start = frf::RecordJournal::Start;
+  const frf::JournalKey key = {{"scene", "key"}, {"seed", "1"}}, other = {{"scene", "other"}, {"seed", "1"}};
   {
-    frf::RecordJournal journal(path, "key", 2, Start::fresh);
+    frf::RecordJournal journal(path, key, 2, Start::fresh);
     journal.put(3, std::vector<double>{1.0, 2.0});
     journal.put(0, std::vector<double>{0.0, 0.0});
-    EXPECT_THROW(frf::RecordJournal(path, "key", 2, Start::resume), InputError) << "two on one journal";
+    EXPECT_THROW(frf::RecordJournal(path, key, 2, Start::resume), InputError) << "two on one journal";
   }
-  EXPECT_THROW(frf::RecordJournal(path, "key", 2, Start::fresh), InputError);
-  EXPECT_THROW(frf::RecordJournal(path, "other", 2, Start::resume), InputError);
+  EXPECT_THROW(frf::RecordJournal(path, key, 2, Start::fresh), InputError);
+  EXPECT_THROW(frf::RecordJournal(path, other, 2, Start::resume), InputError);
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
-  frf::RecordJournal journal(path, "key", 2, Start::resume);
+  frf::RecordJournal journal(path, key, 2, Start::resume);
   EXPECT_EQ(journal.missing(5), (std::vector<frf::IndexRange>{{1, 5}}));
   journal.put(4, std::vector<double>{7.0, 8.0});
   journal.put(1, std::vector<double>{5.0, 6.0});
@@ -33,7 +34,7 @@ TEST(RecordJournal, KnowsWhatIsWhole) {
 
 TEST(RecordJournal, FindsWhatIsMissingOverManyRecords) {
   const TestFolder folder;
-  frf::RecordJournal journal(folder / "journal", "key", 1, frf::RecordJournal::Start::fresh);
+  frf::RecordJournal journal(folder / "journal", {{"scene", "key"}}, 1, frf::RecordJournal::Start::fresh);
   for (std::size_t i = 0; i < 10'000; ++i) {
     if (i < 4090 || i > 4100) journal.put(i, std::vector<double>{static_cast<double>(i)});
   }

@@ -1,0 +1,84 @@
+#include "cli/options/own_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "frf/hdf5/hdf5_file.hpp"
+
+namespace jointid::cli {
+namespace {
+
+constexpr std::size_t head_bytes = 4096;
+
+/// Beginnings of the tables that commands write as CSV.
+constexpr std::array csv_heads = {
+    "name,value,unit,", "name,unit,truth,", "method,", "joint,quantity,", "joint,law,", "joint,level,", "curve,", "number,file,",
+    "mode,frequency_hz,", "force [N],", "sweep,value,", "displacement [m],", "table,row,", "channel,unit,", "relative velocity [m/s],",
+    "time [s]", "t [s]", "motion,", "frequency_hz", "frequency [Hz],", "line,", "law,", "level,", "file,", "point,"};
+
+/// Keys of the JSON that commands write, at its top level.
+constexpr std::array json_keys = {"status", "verdict", "trials", "method", "methods", "laws", "joints", "modes", "levels", "channels",
+                                  "delay", "files", "title", "message", "plan", "table", "reproduce", "scenes", "sweeps", "cases",
+                                  "friction", "system", "estimator", "reason", "suspects", "unknowns", "rows"};
+
+std::string bytes_of(const std::filesystem::path& file, bool end) {
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const auto size = static_cast<std::streamoff>(in.tellg());
+  std::string text(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, head_bytes)), '\0');
+  in.seekg(end ? size - static_cast<std::streamoff>(text.size()) : 0);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  return text;
+}
+
+bool has(const std::string& text, std::string_view words) { return text.find(words) != std::string::npos; }
+
+/// Indented by two blanks, with one of our keys at the top.
+bool is_own_json(const std::string& head) {
+  return std::ranges::any_of(json_keys, [&](const char* key) { return has(head, "\n  \"" + std::string(key) + "\": "); });
+}
+
+/// "x1 [m],v1 [m/s]", as motions and their events are titled.
+bool all_with_units(const std::string& line) {
+  std::istringstream cells(line);
+  bool any = false;
+  for (std::string cell; std::getline(cells, cell, ',');) {
+    if (!has(cell, " [") || !cell.ends_with(']')) return false;
+    any = true;
+  }
+  return any;
+}
+
+bool is_own_csv(const std::string& head) {
+  const std::string line = head.substr(0, head.find('\n'));
+  if (all_with_units(line)) return true;
+  return std::ranges::any_of(csv_heads, [&](const char* begin) { return line.starts_with(begin); }) || has(line, ",status,");
+}
+
+bool is_own_hdf5(const std::filesystem::path& file) {
+  try {
+    return frf::has_format_attribute(file);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+bool is_own_file(const std::filesystem::path& file) {
+  const std::string head = bytes_of(file, false);
+  if (head.empty()) return true;
+  if (head.starts_with("\x89HDF\r\n")) return is_own_hdf5(file);
+  if (head.starts_with("%PDF")) return bytes_of(file, true).ends_with(pdf_mark);
+  if (head.starts_with("<!DOCTYPE html>")) return has(bytes_of(file, false), "Content-Security-Policy");
+  if (head.starts_with("{\n")) return is_own_json(head);
+  if (head.starts_with("MATLAB 5.0")) return has(head.substr(0, 128), "written by jointid");
+  if (head.starts_with("    -1\n")) return has(head, "\njointid\n");
+  return head.starts_with("# quantity = ") || head.starts_with("# jointid") || head.starts_with("jointid-journa") || is_own_csv(head);
+}
+
+}  // namespace jointid::cli
