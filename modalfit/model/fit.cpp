@@ -13,6 +13,7 @@
 #include "modalfit/model/uncertainty.hpp"
 #include "modalfit/poles/clusters.hpp"
 #include "modalfit/poles/doubled.hpp"
+#include "modalfit/poles/exactness.hpp"
 #include "modalfit/poles/prominence.hpp"
 #include "modalfit/poles/refine.hpp"
 #include "modalfit/poles/residual_peaks.hpp"
@@ -31,6 +32,8 @@ constexpr double most_damping_deviation = 0.5;  ///< of the damping of a mode
 constexpr double vague_lines = 4.0;             ///< lines per half width from which a mode must show its damping
 /// A pole beyond the range that wanders longer has no place of its own.
 constexpr std::size_t most_trial_iterations = 12;
+constexpr double quiet = 1e-4;  ///< noise over modulus below which FRFs may be computed ones
+constexpr double apart = 6.0;   ///< standard deviations between poles of such FRFs
 
 /// Hysteretic η = 2ζ at resonance.
 double damping_per_zeta(const ModelKind& kind) { return kind.damping == Damping::hysteretic ? 2.0 : 1.0; }
@@ -72,30 +75,97 @@ class Fitter {
       finish(std::move(given), out);
       return out;
     }
-    std::vector<Pole> poles = candidates(out);
+    RefinedPoles refined = found(out);
+    if (!stopped() && may_be_exact(refined)) seek_exact(refined, out);
+    finish(std::move(refined), out);
+    return out;
+  }
+
+ private:
+  RefinedPoles found(ModalFit& out) {
+    std::vector<Pole> poles = candidates({.most_damping = options_.most_damping}, out);
     tell("refining poles");
     RefinedPoles refined = settled(std::move(poles), false, out);
     add_peaks(refined, out);
     merge_doubled(refined, out);
     extend(refined, out);
     drop_vague(refined, out);
-    finish(std::move(refined), out);
-    return out;
+    return refined;
   }
 
- private:
+  /// Whether neighbouring lines agree to digits that no measurement has although the model does not.
+  bool may_be_exact(const RefinedPoles& refined) const {
+    if (is_exact(band_, entries_, refined)) return false;
+    const double rows = refined.freedom + 2.0 * static_cast<double>(refined.poles.size());
+    return !band_.known_noise && rows > 0.0 && weighted_square(band_, entries_) > rows / (quiet * quiet);
+  }
+
+  /// FRFs without noise tell poles apart that noise would not, and poles beyond the range better: what follows them to their
+  /// digits is taken.
+  void seek_exact(RefinedPoles& refined, ModalFit& out) {
+    ModalFit other;
+    const std::vector<double> weight = band_.weight;
+    RefinedPoles exact = settled(candidates({.most_damping = options_.most_damping, .apart = apart}, other), false, other);
+    extend(exact, other);
+    while (!is_exact(band_, entries_, exact) && split(exact, other)) extend(exact, other);
+    add_peaks(exact, other);
+    if (exact.converged && is_exact(band_, entries_, exact)) {
+      refined = std::move(exact);
+      out = std::move(other);
+    } else {
+      band_.weight = weight;
+    }
+  }
+
   void tell(const char* stage) const {
     if (options_.progress) options_.progress(stage);
   }
   bool stopped() const { return options_.interrupted && options_.interrupted(); }
 
-  std::vector<Pole> candidates(ModalFit& out) {
+  /// Rms residual over modulus.
+  double deviation(const RefinedPoles& refined) const { return std::sqrt(refined.cost / weighted_square(band_, entries_)); }
+
+  /// Two poles in place of the one on which the FRFs agree least; false, and all as before, when that does not halve the residuals.
+  bool split(RefinedPoles& refined, ModalFit& out) {
+    if (!refined.converged || refined.poles.empty() || stopped()) return false;
+    const double before = deviation(refined);
+    const std::vector<double> weight = band_.weight;
+    for (const std::size_t r : least_agreed(refined)) {
+      std::vector<Pole> poles = refined.poles;
+      const double apart_hz = 0.5 * half_width_hz(options_.kind, poles[r]);
+      poles.push_back({poles[r].frequency_hz + apart_hz, poles[r].damping});
+      poles[r].frequency_hz -= apart_hz;
+      RefinedPoles two = settled(std::move(poles), true, out);
+      if (two.converged && two.poles.size() > refined.poles.size() && deviation(two) < 0.5 * before) {
+        refined = std::move(two);
+        return true;
+      }
+      band_.weight = weight;
+    }
+    return false;
+  }
+
+  /// The three poles inside of which single FRFs have the most different frequencies, in half widths.
+  std::vector<std::size_t> least_agreed(const RefinedPoles& refined) const {
+    const PoleScatter scatter = pole_scatter(band_, entries_, options_.kind, refined);
+    std::vector<std::pair<double, std::size_t>> spread;
+    for (std::size_t r = 0; r < refined.poles.size(); ++r) {
+      if (!is_inside(refined.poles[r], band_)) continue;
+      spread.emplace_back((scatter.own_hz[r][1] - scatter.own_hz[r][0]) / half_width_hz(options_.kind, refined.poles[r]), r);
+    }
+    std::ranges::sort(spread, std::greater{});
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, spread.size()); ++i) out.push_back(spread[i].second);
+    return out;
+  }
+
+  std::vector<Pole> candidates(const ClusterOptions& clusters, ModalFit& out) {
     std::vector<Pole> poles;
     for (int pass = 0; pass < (band_.known_noise ? 1 : 2); ++pass) {
       tell("polyreference fit");
       out.stabilisation = polyreference_poles(band_, options_.polyreference);
       poles.clear();
-      for (const Cluster& each : cluster(out.stabilisation, {.most_damping = options_.most_damping})) {
+      for (const Cluster& each : cluster(out.stabilisation, clusters)) {
         poles.push_back({each.pole.frequency_hz, each.pole.damping * damping_per_zeta(options_.kind)});
       }
       if (!band_.known_noise) estimate_noise(band_, entries_, options_.kind, poles);
@@ -198,6 +268,7 @@ class Fitter {
 
   /// Poles in the range that are no modes go, and their share to the residual terms.
   void drop_vague(RefinedPoles& refined, ModalFit& out) {
+    if (is_exact(band_, entries_, refined)) return;  // none is left over
     for (int round = 0; round < most_vague_rounds && refined.converged && !refined.poles.empty() && !stopped(); ++round) {
       const std::vector<std::string> why = objections(refined);
       if (options_.modes && std::ranges::none_of(why, &std::string::empty)) return;  // what was asked for, rather than nothing
