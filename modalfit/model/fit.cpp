@@ -477,7 +477,11 @@ void judge(ModalFit& fit, double rms_db_away) {
 }
 
 ModalFit fit(Band& band, const frf::FrfHeader& header, const FitOptions& options) {
+  const double unit = unit_of(band);
+  multiply(band, 1.0 / unit);
   ModalFit out = Fitter(band, options).run();
+  multiply(band, unit);
+  out.residues.unit = unit;
   out.response = header.response;
   out.reference = header.reference;
   return out;

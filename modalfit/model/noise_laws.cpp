@@ -41,7 +41,7 @@ struct Leftover {
       residual.push_back(band.value(entry)[i] - model);
       relative.push_back(std::norm(model));
       constant.push_back(std::norm(frf::to_receptance(band.quantity, band.frequency_hz[i])));
-      rounding.push_back(std::max(arithmetic * std::hypot(terms(row), terms(row + 1)), digits * 0x1p-53 * std::abs(model)));
+      rounding.push_back(std::max(arithmetic * std::hypot(terms(row), terms(row + 1)), digits * band.precision * std::abs(model)));
       measured.push_back(band.weights(entry)[2 * i] > 0.0);
     }
   }
