@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/complex.hpp"
 #include "frf/set/frf_set.hpp"
@@ -61,6 +62,24 @@ void weigh_evenly(Band& band, std::size_t entry, double unit) {
   }
 }
 
+double largest_part(const Band& band) {
+  double largest = 0.0;
+  for (const Complex& value : band.values) largest = std::max({largest, std::abs(value.real()), std::abs(value.imag())});
+  return largest;
+}
+
+/// FRFs below this share of the largest are 0: their variances are no numbers beside those of the others.
+constexpr double least_beside = 1e-100;
+
+void drop_tiny(Band& band) {
+  const double least = least_beside * largest_part(band);
+  for (std::size_t e = 0; e < band.entries(); ++e) {
+    const std::span<Complex> values(band.values.data() + e * band.lines(), band.lines());
+    const bool tiny = std::ranges::all_of(values, [&](Complex v) { return std::abs(v.real()) < least && std::abs(v.imag()) < least; });
+    if (tiny) std::ranges::fill(values, Complex(0.0));
+  }
+}
+
 /// Receptances on the band's lines; 0 where not measured.
 void take_values(const frf::FrfSet& set, const std::vector<std::size_t>& lines, Band& band) {
   band.values.resize(band.entries() * lines.size());
@@ -70,12 +89,6 @@ void take_values(const frf::FrfSet& set, const std::vector<std::size_t>& lines, 
       band.values[entry * lines.size() + i] = std::isfinite(value.real()) && std::isfinite(value.imag()) ? value : 0.0;
     }
   }
-}
-
-double largest_part(const Band& band) {
-  double largest = 0.0;
-  for (const Complex& value : band.values) largest = std::max({largest, std::abs(value.real()), std::abs(value.imag())});
-  return largest;
 }
 
 void require_numbers(const frf::FrfHeader& header, const Band& band) {
@@ -99,6 +112,7 @@ Band make_band(const frf::FrfSet& set, const std::optional<std::array<double, 2>
   band.precision = set.header.precision;
   take_values(set, lines, band);
   require_numbers(set.header, band);
+  drop_tiny(band);
   band.weight.resize(band.values.size() * 2);
   const double unit = unit_of(band);
   for (std::size_t entry = 0; entry < band.entries(); ++entry) {

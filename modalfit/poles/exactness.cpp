@@ -13,8 +13,12 @@ double weighted_square(const Band& band, const std::vector<std::size_t>& entries
   return sum;
 }
 
+double deviation(const Band& band, const std::vector<std::size_t>& entries, const RefinedPoles& refined) {
+  return std::sqrt(refined.cost / weighted_square(band, entries));
+}
+
 bool is_exact(const Band& band, const std::vector<std::size_t>& entries, const RefinedPoles& refined) {
-  return refined.cost <= nearly_exact * nearly_exact * weighted_square(band, entries);
+  return deviation(band, entries, refined) <= nearly_exact;
 }
 
 }  // namespace jointid::modalfit

@@ -14,6 +14,9 @@ inline constexpr double nearly_exact = 1e-5;
 /// Σ|H|²/σ² of some FRFs.
 double weighted_square(const Band& band, const std::vector<std::size_t>& entries);
 
+/// Rms residual over modulus, weighted, of the FRFs that poles were refined with.
+double deviation(const Band& band, const std::vector<std::size_t>& entries, const RefinedPoles& refined);
+
 /// Whether poles follow the FRFs that they were refined with to nearly_exact.
 bool is_exact(const Band& band, const std::vector<std::size_t>& entries, const RefinedPoles& refined);
 
