@@ -19,6 +19,7 @@ namespace jointid::modalfit {
 namespace {
 
 constexpr double much_better = 0.25, follows = 0.1;
+constexpr double sure = 1e6;                ///< weight of values near 1: what poles leave is the noise
 constexpr double no_part = 1e-12;           ///< of the modulus: a real or imaginary part that is not there
 constexpr double follows_undamped = 1e-3;   ///< deviation over modulus
 constexpr std::size_t entries_to_look_at = 100, orders_to_look_at = 20, iterations_to_look = 12, largest_matrix = 40;
@@ -30,7 +31,7 @@ void weigh_evenly(Band& band) {
     const Complex value = band.values[i];
     const bool is_value = value != 0.0 && std::isfinite(value.real()) && std::isfinite(value.imag());
     if (!is_value) band.values[i] = 0.0;
-    band.weight[2 * i] = band.weight[2 * i + 1] = is_value ? 1.0 : 0.0;
+    band.weight[2 * i] = band.weight[2 * i + 1] = is_value ? sure : 0.0;
   }
 }
 
@@ -51,7 +52,7 @@ double residual_share(Band band, const FitOptions& options) {
   }
   const RefinedPoles refined = refine(band, entries, options.kind, significant_poles(band, entries, options.kind, poles, std::nullopt),
                                       {.most_iterations = iterations_to_look}, options.interrupted);
-  return deviation(band, entries, refined);
+  return deviation(band, entries, options.kind, refined.poles);
 }
 
 Band conjugated(Band band) {

@@ -9,17 +9,21 @@
 namespace jointid::modalfit {
 namespace {
 
-constexpr double quiet = 1e-4;  ///< noise over modulus below which FRFs may be computed ones
-constexpr double apart = 6.0;   ///< standard deviations between poles of such FRFs
+/// Noise over modulus below which FRFs may be computed ones; the larger where the mean square of the residuals is far above it, for what a
+/// model lacks is part of what is taken for noise.
+constexpr double quiet = 1e-4, rather_quiet = 1e-3;
+constexpr double far_off = 100.0;
+constexpr double apart = 6.0;  ///< standard deviations between poles of such FRFs
 constexpr std::size_t most_splits_tried = 3;
 
 }  // namespace
 
 /// Whether neighbouring lines agree to digits that no measurement has although the model does not.
 bool PoleSearch::may_be_exact(const RefinedPoles& refined) const {
-  if (is_exact(band_, entries_, refined)) return false;
-  const double rows = refined.freedom + 2.0 * static_cast<double>(refined.poles.size());
-  return !band_.known_noise && rows > 0.0 && weighted_square(band_, entries_) > rows / (quiet * quiet);
+  if (band_.known_noise) return false;
+  const double noise = relative_noise(band_, entries_);
+  const bool is_far_off = refined.cost > far_off * refined.freedom;
+  return noise < (is_far_off ? rather_quiet : quiet) && !is_exact(band_, entries_, options_.kind, refined.poles);
 }
 
 /// FRFs without noise tell poles apart that noise would not, and poles beyond the range better: what follows them to their
@@ -29,9 +33,9 @@ void PoleSearch::seek_exact(RefinedPoles& refined, ModalFit& out) {
   const std::vector<double> weight = band_.weight;
   RefinedPoles exact = settled(candidates({.most_damping = options_.most_damping, .apart = apart}, other), false, other);
   extend(exact, other);
-  while (!is_exact(band_, entries_, exact) && split(exact, other)) extend(exact, other);
+  while (!is_exact(band_, entries_, options_.kind, exact.poles) && split(exact, other)) extend(exact, other);
   add_peaks(exact, other);
-  if (exact.converged && is_exact(band_, entries_, exact)) {
+  if (exact.converged && is_exact(band_, entries_, options_.kind, exact.poles)) {
     refined = std::move(exact);
     out = std::move(other);
   } else {
@@ -42,7 +46,7 @@ void PoleSearch::seek_exact(RefinedPoles& refined, ModalFit& out) {
 /// Two poles in place of the one on which the FRFs agree least; false, and all as before, when that does not halve the residuals.
 bool PoleSearch::split(RefinedPoles& refined, ModalFit& out) {
   if (!refined.converged || refined.poles.empty() || stopped()) return false;
-  const double before = deviation(band_, entries_, refined);
+  const double before = deviation(band_, entries_, options_.kind, refined.poles);
   const std::vector<double> weight = band_.weight;
   for (const std::size_t r : least_agreed(refined)) {
     std::vector<Pole> poles = refined.poles;
@@ -50,7 +54,7 @@ bool PoleSearch::split(RefinedPoles& refined, ModalFit& out) {
     poles.push_back({poles[r].frequency_hz + apart_hz, poles[r].damping});
     poles[r].frequency_hz -= apart_hz;
     RefinedPoles two = settled(std::move(poles), true, out);
-    if (two.converged && two.poles.size() > refined.poles.size() && deviation(band_, entries_, two) < 0.5 * before) {
+    if (two.converged && two.poles.size() > refined.poles.size() && deviation(band_, entries_, options_.kind, two.poles) < 0.5 * before) {
       refined = std::move(two);
       return true;
     }

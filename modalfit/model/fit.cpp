@@ -61,7 +61,7 @@ class Fitter {
     out.scale_hz = band_.scale_hz();
     out.cost = refined.cost;
     out.freedom = refined.freedom;
-    out.deviation = deviation(band_, entries_, refined);
+    out.deviation = deviation(band_, entries_, options_.kind, refined.poles);
     out.refined_entries = entries_.size();
     const std::vector<std::size_t> all = all_entries(band_);
     const bool whole = entries_.size() == all.size();

@@ -165,7 +165,7 @@ void PoleSearch::merge_doubled(RefinedPoles& refined, ModalFit& out) {
 
 /// Poles in the range that are no modes go, and their share to the residual terms.
 void PoleSearch::drop_vague(RefinedPoles& refined, ModalFit& out) {
-  if (is_exact(band_, entries_, refined)) return;  // none is left over
+  if (is_exact(band_, entries_, options_.kind, refined.poles)) return;  // none is left over
   for (int round = 0; round < most_vague_rounds && refined.converged && !refined.poles.empty() && !stopped(); ++round) {
     const std::vector<std::string> why = objections(band_, entries_, options_, refined);
     if (options_.modes && std::ranges::none_of(why, &std::string::empty)) return;  // what was asked for, rather than nothing

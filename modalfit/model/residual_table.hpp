@@ -31,6 +31,8 @@ class ResidualTable {
   /// Prepares what completes; after the last put().
   void complete();
   ResidualTerms between(std::size_t a, std::size_t b) const;
+  /// Terms kept: n·k.
+  std::size_t size() const { return terms_.size(); }
   /// Of FRFs times a factor.
   void multiply(double factor);
 

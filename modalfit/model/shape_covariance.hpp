@@ -30,6 +30,8 @@ class ShapeCovariance {
 
   std::complex<double> between(std::size_t a, std::size_t b) const;
   double variance(std::size_t a) const { return between(a, a).real(); }
+  /// Numbers kept: n·k, k(n−k) and n−k.
+  std::size_t size() const { return static_cast<std::size_t>(with_core_.size() + slope_.size() + own_.size()); }
   /// Of a shape times √factor.
   void multiply(double factor);
 

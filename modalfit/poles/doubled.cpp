@@ -75,7 +75,7 @@ bool acts_as_one(const Band& band, const std::vector<std::size_t>& entries, cons
 /// Whether the two poles follow the FRFs to digits that no measurement has, and one pole does not, not even one of each FRF's own.
 bool two_are_exact(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const RefinedPoles& one,
                    const RefinedPoles& two, const std::array<std::size_t, 2>& pair) {
-  if (!is_exact(band, entries, two)) return false;
+  if (!is_exact(band, entries, kind, two.poles)) return false;
   const double unexplained = one.cost - (entries.size() > 1 ? own_saving(band, entries, kind, one.poles, pair[0]) : 0.0);
   return unexplained > std::max(much_worse * two.cost, 2.0 * two.freedom);
 }

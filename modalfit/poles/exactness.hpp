@@ -4,20 +4,21 @@
 #include <vector>
 
 #include "modalfit/band/band.hpp"
-#include "modalfit/poles/refine.hpp"
+#include "modalfit/band/model_kind.hpp"
+#include "modalfit/band/pole.hpp"
 
 namespace jointid::modalfit {
 
-/// A model that follows FRFs to this share of their moduli (rms, weighted) follows them to digits that no measurement has.
+/// A model that follows FRFs to this share of their moduli follows them to digits that no measurement has.
 inline constexpr double nearly_exact = 1e-5;
 
-/// Σ|H|²/σ² of some FRFs.
-double weighted_square(const Band& band, const std::vector<std::size_t>& entries);
+/// Rms residual over modulus: of the lines of each FRF by their weights, then of the FRFs alike.
+double deviation(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const std::vector<Pole>& poles);
 
-/// Rms residual over modulus, weighted, of the FRFs that poles were refined with.
-double deviation(const Band& band, const std::vector<std::size_t>& entries, const RefinedPoles& refined);
+/// The same of σ over modulus.
+double relative_noise(const Band& band, const std::vector<std::size_t>& entries);
 
-/// Whether poles follow the FRFs that they were refined with to nearly_exact.
-bool is_exact(const Band& band, const std::vector<std::size_t>& entries, const RefinedPoles& refined);
+/// Whether poles follow the FRFs to nearly_exact.
+bool is_exact(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const std::vector<Pole>& poles);
 
 }  // namespace jointid::modalfit
