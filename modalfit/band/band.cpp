@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/complex.hpp"
 #include "frf/set/frf_set.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t least_lines = 8;
 constexpr double exact = 1e-6;
+constexpr double least_receptance = 1e-280, most_receptance = 1e280;
 
 std::vector<std::size_t> lines_in(const frf::FrfHeader& header, const std::optional<std::array<double, 2>>& range) {
   std::vector<std::size_t> lines;
@@ -42,20 +44,59 @@ void weigh_as_recorded(const frf::FrfSet& set, const std::vector<std::size_t>& l
   }
 }
 
-void weigh_evenly(Band& band, std::size_t entry) {
+/// σ a hundredth of the rms in the stored quantity; `unit` keeps squares in range.
+void weigh_evenly(Band& band, std::size_t entry, double unit) {
   double sum = 0.0, count = 0.0;
   const auto stored = [&](std::size_t i) {
-    return std::abs(frf::from_receptance(band.quantity, band.frequency_hz[i]));
+    return unit * std::abs(frf::from_receptance(band.quantity, band.frequency_hz[i]));
   };
   for (std::size_t i = 0; i < band.lines(); ++i) {
     if (band.value(entry)[i] == 0.0) continue;
     sum += std::norm(band.value(entry)[i] * stored(i));
     count += 1.0;
   }
+  if (!(sum > 0.0)) return;
   for (std::size_t i = 0; i < band.lines(); ++i) {
     const double weight = band.value(entry)[i] == 0.0 ? 0.0 : stored(i) / (0.01 * std::sqrt(sum / count));
     band.weights(entry)[2 * i] = band.weights(entry)[2 * i + 1] = weight;
   }
+}
+
+double largest_part(const Band& band) {
+  double largest = 0.0;
+  for (const Complex& value : band.values) largest = std::max({largest, std::abs(value.real()), std::abs(value.imag())});
+  return largest;
+}
+
+/// FRFs below this share of the largest are 0: their variances are no numbers beside those of the others.
+constexpr double least_beside = 1e-100;
+
+void drop_tiny(Band& band) {
+  const double least = least_beside * largest_part(band);
+  for (std::size_t e = 0; e < band.entries(); ++e) {
+    const std::span<Complex> values(band.values.data() + e * band.lines(), band.lines());
+    const bool tiny = std::ranges::all_of(values, [&](Complex v) { return std::abs(v.real()) < least && std::abs(v.imag()) < least; });
+    if (tiny) std::ranges::fill(values, Complex(0.0));
+  }
+}
+
+/// Receptances on the band's lines; 0 where not measured.
+void take_values(const frf::FrfSet& set, const std::vector<std::size_t>& lines, Band& band) {
+  band.values.resize(band.entries() * lines.size());
+  for (std::size_t entry = 0; entry < band.entries(); ++entry) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Complex value = set.values[lines[i] * set.header.entries() + entry];
+      band.values[entry * lines.size() + i] = std::isfinite(value.real()) && std::isfinite(value.imag()) ? value : 0.0;
+    }
+  }
+}
+
+void require_numbers(const frf::FrfHeader& header, const Band& band) {
+  const double largest = largest_part(band);
+  if (largest == 0.0) fail(header, "range", "on its lines all FRFs are 0 or were not measured", "choose other lines, or look at the file");
+  if (largest >= least_receptance && largest <= most_receptance) return;
+  fail(header, "FRFs", fmt::format("the largest receptance is {:.3g} m/N, outside {:.0g} to {:.0g}", largest, least_receptance, most_receptance),
+       "look at the unit and the numbers of the file");
 }
 
 }  // namespace
@@ -68,19 +109,26 @@ Band make_band(const frf::FrfSet& set, const std::optional<std::array<double, 2>
   band.references = set.header.reference.size();
   band.known_noise = frf::knows_noise(set);
   band.quantity = set.header.quantity;
-  band.values.resize(band.entries() * lines.size());
+  band.precision = set.header.precision;
+  take_values(set, lines, band);
+  require_numbers(set.header, band);
+  drop_tiny(band);
   band.weight.resize(band.values.size() * 2);
+  const double unit = unit_of(band);
   for (std::size_t entry = 0; entry < band.entries(); ++entry) {
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      const Complex value = set.values[lines[i] * set.header.entries() + entry];
-      band.values[entry * lines.size() + i] = std::isfinite(value.real()) && std::isfinite(value.imag()) ? value : 0.0;
-    }
-    band.known_noise ? weigh_as_recorded(set, lines, entry, band) : weigh_evenly(band, entry);
+    band.known_noise ? weigh_as_recorded(set, lines, entry, band) : weigh_evenly(band, entry, 1.0 / unit);
   }
   if (std::ranges::all_of(band.weight, [](double weight) { return weight == 0.0; })) {
     fail(set.header, "range", "nothing was measured on its lines", "choose other lines");
   }
   return band;
+}
+
+double unit_of(const Band& band) { return std::ldexp(1.0, 2 * (std::ilogb(largest_part(band)) / 2)); }
+
+void multiply(Band& band, double factor) {
+  for (Complex& value : band.values) value *= factor;
+  for (double& weight : band.weight) weight /= factor;
 }
 
 }  // namespace jointid::modalfit

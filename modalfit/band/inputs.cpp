@@ -47,10 +47,10 @@ InputChoice choose_inputs(const Band& band, std::size_t most) {
   while (chosen.size() < most) {
     Eigen::Index pivot = 0;
     const double largest = gram.diagonal().maxCoeff(&pivot);
-    if (!(largest > 0.0)) break;
+    if (!(largest > 0.0) && !chosen.empty()) break;
     chosen.push_back(static_cast<std::size_t>(pivot));
     const Eigen::VectorXd column = gram.col(pivot);
-    gram -= column * column.transpose() / largest;
+    if (largest > 0.0) gram -= column * column.transpose() / largest;
     gram.diagonal()(pivot) = 0.0;
   }
   choice.inputs = std::move(chosen);

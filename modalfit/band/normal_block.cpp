@@ -11,6 +11,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double ridge = 1e-12;
+/// Below this share of the FRF the residual shows the ridge and the rounding of the normal equations.
+constexpr double shows_rounding = 1e-6;
+constexpr int corrections = 3;
 
 MatrixXd real_rows(const std::vector<std::complex<double>>& columns, std::size_t lines) {
   const auto* parts = reinterpret_cast<const double*>(columns.data());
@@ -43,6 +46,19 @@ NormalBlock::NormalBlock(const RealBasis& basis, const Band& band, std::size_t e
   coefficients_ = solve(weighted_.transpose() * y);
   residual_ = y - weighted_ * coefficients_;
   cost_ = residual_.squaredNorm();
+  if (cost_ < shows_rounding * shows_rounding * y.squaredNorm()) correct(y);
+}
+
+/// Corrected semi-normal equations (Björck 1987): as exact as an orthogonal factorisation.
+void NormalBlock::correct(const VectorXd& y) {
+  for (int i = 0; i < corrections; ++i) {
+    const VectorXd coefficients = coefficients_ + solve(weighted_.transpose() * residual_);
+    const VectorXd residual = y - weighted_ * coefficients;
+    if (!(residual.squaredNorm() < cost_)) return;
+    coefficients_ = coefficients;
+    residual_ = residual;
+    cost_ = residual.squaredNorm();
+  }
 }
 
 MatrixXd NormalBlock::solve(const MatrixXd& right) const {

@@ -17,7 +17,8 @@ struct RealBasis {
 };
 
 /// The weighted least-squares problem of one FRF, min ‖W(y − Xc)‖², by its column-scaled normal equations, whose factor a
-/// ridge of 1e-12 keeps apart from zero.
+/// ridge of 1e-12 keeps apart from zero. Where the residual is below 1e-6 of the FRF (data without noise) the solution is corrected for
+/// both.
 class NormalBlock {
  public:
   NormalBlock(const RealBasis& basis, const Band& band, std::size_t entry);
@@ -40,6 +41,7 @@ class NormalBlock {
   Eigen::MatrixXd pole_rows(const RealBasis& basis) const;
 
  private:
+  void correct(const Eigen::VectorXd& y);
   Eigen::MatrixXd weighted_slopes(const RealBasis& basis) const;  ///< WD
 
   Eigen::VectorXd weight_;    ///< [2F]

@@ -69,6 +69,7 @@ struct ModalFit {
   std::vector<OrderPoles> stabilisation;
   bool known_noise = false;             ///< false: estimated from neighbouring lines
   double cost = 0.0, freedom = 0.0;     ///< of the FRFs that the poles were refined with
+  double deviation = 0.0;               ///< rms residual of these FRFs over their moduli, weighted
   std::size_t refined_entries = 0, iterations = 0;
 
   std::vector<Pole> poles() const;

@@ -16,6 +16,9 @@ constexpr double lines_per_place = 400.0;
 constexpr double most_square = 10.0;
 constexpr double least_share = 0.25, most_share = 6.0;  ///< of the variance of differences that residuals may have
 constexpr int law_iterations = 60;
+/// Of the moduli of a model's terms: what the arithmetic of a model, and of whatever computed the FRFs, leaves at most.
+constexpr double arithmetic = 1e-9;
+constexpr double digits = 0.25;  ///< rms rounding of a number over its largest
 
 struct Law {
   double relative = 0.0, constant = 0.0;
@@ -25,16 +28,20 @@ struct Law {
 struct Leftover {
   std::vector<Complex> residual;
   std::vector<double> relative, constant;  ///< |H|², |c|²
+  std::vector<double> rounding;            ///< standard deviation below which digits end
   std::vector<bool> measured;
   double freedom_share = 1.0;
 
-  Leftover(const Band& band, std::size_t entry, const Eigen::VectorXd& fitted, double share) : freedom_share(share) {
+  Leftover(const Band& band, std::size_t entry, const NormalBlock& block, const RealBasis& basis, double share) : freedom_share(share) {
+    const Eigen::VectorXd fitted = basis.columns * block.coefficients();
+    const Eigen::VectorXd terms = basis.columns.cwiseAbs() * block.coefficients().cwiseAbs();
     for (std::size_t i = 0; i < band.lines(); ++i) {
       const auto row = static_cast<Eigen::Index>(2 * i);
       const Complex model(fitted(row), fitted(row + 1));
       residual.push_back(band.value(entry)[i] - model);
       relative.push_back(std::norm(model));
       constant.push_back(std::norm(frf::to_receptance(band.quantity, band.frequency_hz[i])));
+      rounding.push_back(std::max(arithmetic * std::hypot(terms(row), terms(row + 1)), digits * band.precision * std::abs(model)));
       measured.push_back(band.weights(entry)[2 * i] > 0.0);
     }
   }
@@ -143,8 +150,7 @@ void set_weights(Band& band, std::size_t entry, const Leftover& left, const std:
     for (std::size_t place = below; place < std::min(places.count, below + 2); ++place) {
       variance += places.hat(place, static_cast<double>(i)) * left.variance(laws[place], i);
     }
-    const double least = 1e-12 * std::abs(band.value(entry)[i]);
-    weight[2 * i] = weight[2 * i + 1] = 1.0 / std::max(std::sqrt(variance), least);
+    weight[2 * i] = weight[2 * i + 1] = 1.0 / std::max(std::sqrt(variance), left.rounding[i]);
   }
 }
 
@@ -157,7 +163,7 @@ void estimate_noise(Band& band, const std::vector<std::size_t>& entries, const M
     const NormalBlock block(basis, band, entries[k]);
     const double free = block.equations() - static_cast<double>(basis.columns.cols());
     if (free <= 0.0) return;
-    const Leftover left(band, entries[k], basis.columns * block.coefficients(), free / block.equations());
+    const Leftover left(band, entries[k], block, basis, free / block.equations());
     set_weights(band, entries[k], left, laws_of(left, places), places);
   });
 }

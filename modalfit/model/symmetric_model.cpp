@@ -8,15 +8,12 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "dense/lu.hpp"
-#include "dense/minimum_norm.hpp"
 #include "modalfit/band/basis.hpp"
 #include "modalfit/model/rank_one.hpp"
 
 namespace jointid::modalfit {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXcd;
 using Matrix4 = Eigen::Matrix<double, 4, 4>;
 using Vector4 = Eigen::Matrix<double, 4, 1>;
 
@@ -25,10 +22,12 @@ std::vector<frf::Dof> coordinates(const ModalFit& fit) {
   for (const auto* list : {&fit.response, &fit.reference}) {
     for (frf::Dof dof : *list) {
       dof.sign = 1;
-      if (!frf::has(dofs, dof)) dofs.push_back(dof);
+      dofs.push_back(dof);
     }
   }
   std::ranges::sort(dofs, {}, frf::coordinate_key);
+  const auto repeated = std::ranges::unique(dofs);
+  dofs.erase(repeated.begin(), repeated.end());
   return dofs;
 }
 
@@ -38,15 +37,24 @@ struct Place {
   double sign = 1.0;
 };
 
-std::vector<Place> places(const ModalFit& fit, const std::vector<frf::Dof>& dofs) {
+std::vector<Place> places(const ModalFit& fit, const SymmetricModel& model) {
+  std::vector<std::size_t> columns;
+  for (const frf::Dof& reference : fit.reference) columns.push_back(model.find(reference));
   std::vector<Place> out;
   for (const frf::Dof& response : fit.response) {
-    for (const frf::Dof& reference : fit.reference) {
-      out.push_back({frf::find_coordinate(dofs, response), frf::find_coordinate(dofs, reference),
-                     static_cast<double>(response.sign * reference.sign)});
+    const std::size_t row = model.find(response);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      out.push_back({row, columns[c], static_cast<double>(response.sign * fit.reference[c].sign)});
     }
   }
   return out;
+}
+
+/// The core is the same for all modes: coordinates of the references, or of the responses where those are fewer.
+Core core_of(const std::vector<Place>& places, std::size_t size) {
+  std::vector<RankOneDatum> data;
+  for (const Place& place : places) data.push_back({.row = place.row, .column = place.column, .value = {}, .weight = 0.0});
+  return core_of(data, size);
 }
 
 std::vector<RankOneDatum> residues_of(const ModalFit& fit, std::size_t mode, const std::vector<Place>& places) {
@@ -65,11 +73,11 @@ std::vector<RankOneDatum> residues_of(const ModalFit& fit, std::size_t mode, con
   return data;
 }
 
-/// Residual terms of an entry with the modes held fixed: weighted least squares for Re L, Im L, Re U, Im U.
+/// Residual terms of an entry with the modes held fixed: weighted least squares for Re L, Im L, Re U, Im U, in `unit`.
 class ResidualFitter {
  public:
-  ResidualFitter(const Basis& basis, const Band& band, const ModelKind& kind, double scale_hz)
-      : basis_(basis), band_(band), mode_scale_(residue_scale(kind, scale_hz)),
+  ResidualFitter(const Basis& basis, const Band& band, const ModelKind& kind, double scale_hz, double unit)
+      : basis_(basis), band_(band), unit_(unit), mode_scale_(residue_scale(kind, scale_hz)),
         lower_scale_(std::pow(angular(scale_hz), 2.0)) {}
 
   ResidualTerms fit(std::size_t entry, const std::vector<Complex>& residues, double sign) const {
@@ -77,15 +85,16 @@ class ResidualFitter {
     Vector4 right = Vector4::Zero();
     for (std::size_t line = 0; line < basis_.lines; ++line) {
       const double* weight = band_.weights(entry) + 2 * line;
-      const Complex rest = sign * band_.value(entry)[line] - modal_part(residues, line);
+      const Complex rest = sign / unit_ * band_.value(entry)[line] - modal_part(residues, line);
       for (std::size_t part = 0; part < 2; ++part) {
+        const double own_weight = weight[part] * unit_;
         Vector4 row;
         for (std::size_t j = 0; j < 4; ++j) {
           const Complex value = basis_.column(basis_.size() - 4 + j)[line];
-          row(at(j)) = weight[part] * (part == 0 ? value.real() : value.imag());
+          row(at(j)) = own_weight * (part == 0 ? value.real() : value.imag());
         }
         normal += row * row.transpose();
-        right += row * (weight[part] * (part == 0 ? rest.real() : rest.imag()));
+        right += row * (own_weight * (part == 0 ? rest.real() : rest.imag()));
       }
     }
     return solved(normal, right);
@@ -117,7 +126,7 @@ class ResidualFitter {
 
   const Basis& basis_;
   const Band& band_;
-  double mode_scale_, lower_scale_;
+  double unit_, mode_scale_, lower_scale_;
 };
 
 std::vector<Complex> residues_between(const SymmetricModel& model, const Place& place) {
@@ -126,74 +135,28 @@ std::vector<Complex> residues_between(const SymmetricModel& model, const Place& 
   return residues;
 }
 
-/// Keeps the mean of both where (a,b) and (b,a) were measured.
-void put(SymmetricModel& model, const Place& place, const ResidualTerms& terms) {
-  const std::size_t n = model.dofs.size();
-  ResidualTerms& there = model.residuals[place.row * n + place.column];
-  if (there.measured) {
-    there.lower = 0.5 * (there.lower + terms.lower);
-    there.upper = 0.5 * (there.upper + terms.upper);
-    for (std::size_t i = 0; i < 16; ++i) there.covariance[i] = 0.25 * (there.covariance[i] + terms.covariance[i]);
-  } else {
-    there = terms;
-  }
-  model.residuals[place.column * n + place.row] = there;
-}
-
 void fit_residuals(const ModalFit& fit, const Band& band, const std::vector<Place>& at, SymmetricModel& model) {
   const Basis basis = make_basis(fit.kind, fit.poles(), band.frequency_hz, fit.scale_hz, false);
-  const ResidualFitter fitter(basis, band, fit.kind, fit.scale_hz);
+  const ResidualFitter fitter(basis, band, fit.kind, fit.scale_hz, fit.residues.unit);
   std::vector<ResidualTerms> terms(at.size());
   tbb::parallel_for(std::size_t{0}, at.size(), [&](std::size_t e) {
     if (fit.residues.freedom[e] > 0.0) terms[e] = fitter.fit(e, residues_between(model, at[e]), at[e].sign);
   });
-  model.residuals.resize(model.dofs.size() * model.dofs.size());
+  model.residuals = ResidualTable(core_of(at, model.dofs.size()));
   for (std::size_t e = 0; e < at.size(); ++e) {
-    if (terms[e].measured) put(model, at[e], terms[e]);
+    if (terms[e].measured) model.residuals.put(at[e].row, at[e].column, terms[e]);
   }
+  model.residuals.complete();
 }
 
-/// Coordinates whose FRFs to and from all coordinates were measured.
-std::vector<std::size_t> complete_columns(const SymmetricModel& model) {
-  const std::size_t n = model.dofs.size();
-  std::vector<std::size_t> complete;
-  for (std::size_t c = 0; c < n; ++c) {
-    bool all = true;
-    for (std::size_t r = 0; r < n; ++r) all = all && model.residuals[r * n + c].measured;
-    if (all) complete.push_back(c);
+/// From the unit of the fit's coefficients, a power of four, to SI.
+void multiply(SymmetricModel& model, double unit) {
+  const double root = std::sqrt(unit);
+  for (SymmetricMode& mode : model.modes) {
+    for (Complex& component : mode.shape) component *= root;
+    mode.covariance.multiply(unit);
   }
-  return complete;
-}
-
-/// X_nr (X_rr)⁺ X_rn of the lower or the upper residuals.
-MatrixXcd completed(const SymmetricModel& model, const std::vector<std::size_t>& columns, Complex ResidualTerms::*term) {
-  const std::size_t n = model.dofs.size();
-  MatrixXcd tall(at(n), at(columns.size())), core(tall.cols(), tall.cols());
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    for (std::size_t r = 0; r < n; ++r) tall(at(r), at(c)) = model.residuals[r * n + columns[c]].*term;
-    for (std::size_t r = 0; r < columns.size(); ++r) {
-      core(at(r), at(c)) = model.residuals[columns[r] * n + columns[c]].*term;
-    }
-  }
-  const dense::ComplexMinimumNorm decomposition(core, 1e-2);  // without directions that noise would blow up
-  return tall * decomposition.solve(tall.transpose());
-}
-
-void complete_residuals(SymmetricModel& model) {
-  const std::size_t n = model.dofs.size();
-  const std::vector<std::size_t> columns = complete_columns(model);
-  if (columns.empty() || columns.size() == n) return;
-  const MatrixXcd lower = completed(model, columns, &ResidualTerms::lower), upper = completed(model, columns, &ResidualTerms::upper);
-  for (std::size_t r = 0; r < n; ++r) {
-    for (std::size_t c = 0; c < n; ++c) {
-      ResidualTerms& terms = model.residuals[r * n + c];
-      if (terms.measured) continue;
-      terms.lower = lower(at(r), at(c));
-      terms.upper = upper(at(r), at(c));
-      const auto &of_row = model.residuals[r * n + columns.front()], &of_column = model.residuals[columns.front() * n + c];
-      for (std::size_t i = 0; i < 16; ++i) terms.covariance[i] = std::max(of_row.covariance[i], of_column.covariance[i]);
-    }
-  }
+  model.residuals.multiply(unit);
 }
 
 std::array<double, 4> pole_block(const ModalFit& fit, std::size_t r) {
@@ -203,6 +166,11 @@ std::array<double, 4> pole_block(const ModalFit& fit, std::size_t r) {
 }
 
 }  // namespace
+
+std::size_t SymmetricModel::find(const frf::Dof& dof) const {
+  const auto found = std::ranges::lower_bound(dofs, frf::coordinate_key(dof), {}, frf::coordinate_key);
+  return found != dofs.end() && found->same_coordinate(dof) ? static_cast<std::size_t>(found - dofs.begin()) : frf::npos;
+}
 
 std::string obstacle(const ModalFit& fit) {
   for (const frf::Dof& dof : fit.reference) {
@@ -217,13 +185,13 @@ SymmetricModel make_symmetric(const ModalFit& fit, const Band& band) {
   model.dofs = coordinates(fit);
   model.scale_hz = fit.scale_hz;
   model.range_hz = {band.frequency_hz.front(), band.frequency_hz.back()};
-  const std::vector<Place> at = places(fit, model.dofs);
+  const std::vector<Place> at = places(fit, model);
   for (std::size_t r = 0; r < fit.modes.size(); ++r) {
     RankOne one = fit_rank_one(residues_of(fit, r, at), model.dofs.size(), fit.kind.real_modes);
     model.modes.push_back({fit.modes[r].pole, std::move(one.vector), std::move(one.covariance), pole_block(fit, r), one.misfit});
   }
   fit_residuals(fit, band, at, model);
-  complete_residuals(model);
+  multiply(model, fit.residues.unit);
   return model;
 }
 

@@ -43,19 +43,33 @@ Complex squares(Complex value, double variance) {
   return {value.real() * value.real() * variance, value.imag() * value.imag() * variance};
 }
 
+/// What all FRFs of a symmetric model share.
+struct ModelValues {
+  const SymmetricModel& model;
+  Basis basis;
+  std::vector<std::vector<double>> variance;  ///< [mode][n] of the shape
+
+  ModelValues(const SymmetricModel& of, Basis at_lines) : model(of), basis(std::move(at_lines)) {
+    for (const SymmetricMode& mode : model.modes) {
+      variance.emplace_back();
+      for (std::size_t i = 0; i < model.dofs.size(); ++i) variance.back().push_back(mode.covariance.variance(i));
+    }
+  }
+};
+
 /// One FRF of a symmetric model.
 class EntryModel {
  public:
-  EntryModel(const SymmetricModel& model, const Basis& basis, std::size_t a, std::size_t b)
-      : basis_(basis), terms_(model.residuals[a * model.dofs.size() + b]) {
-    const double scale = residue_scale(model.kind, model.scale_hz);
-    for (const SymmetricMode& mode : model.modes) {
-      const std::size_t n = model.dofs.size();
+  EntryModel(const ModelValues& values, std::size_t a, std::size_t b)
+      : basis_(values.basis), terms_(values.model.residuals.between(a, b)) {
+    const double scale = residue_scale(values.model.kind, values.model.scale_hz);
+    for (std::size_t r = 0; r < values.model.modes.size(); ++r) {
+      const SymmetricMode& mode = values.model.modes[r];
       const Complex pa = mode.shape[a], pb = mode.shape[b];
-      const double variance = std::norm(pb) * mode.covariance[a * n + a].real() + std::norm(pa) * mode.covariance[b * n + b].real() +
-                              2.0 * (pb * std::conj(pa) * mode.covariance[a * n + b]).real();
+      const double variance = std::norm(pb) * values.variance[r][a] + std::norm(pa) * values.variance[r][b] +
+                              2.0 * (pb * std::conj(pa) * mode.covariance.between(a, b)).real();
       residues_.push_back(pa * pb / scale);
-      variances_.push_back(variance / (scale * scale * static_cast<double>(basis.per_mode)));
+      variances_.push_back(variance / (scale * scale * static_cast<double>(basis_.per_mode)));
       poles_.push_back(mode.pole_covariance);
     }
   }
@@ -89,7 +103,7 @@ class EntryModel {
   }
 
   const Basis& basis_;
-  const ResidualTerms& terms_;
+  ResidualTerms terms_;
   std::vector<Complex> residues_;
   std::vector<double> variances_;
   std::vector<std::array<double, 4>> poles_;
@@ -108,21 +122,27 @@ std::vector<Pole> poles_of(const SymmetricModel& model) {
   return poles;
 }
 
+std::vector<std::size_t> found(const SymmetricModel& model, const std::vector<frf::Dof>& dofs) {
+  std::vector<std::size_t> out;
+  for (const frf::Dof& dof : dofs) out.push_back(model.find(dof));
+  return out;
+}
+
 }  // namespace
 
 frf::FrfSet regenerate(const SymmetricModel& model, frf::FrfHeader header) {
   frf::FrfSet out = empty_set(std::move(header));
   const Lines lines(out.header, model.range_hz);
-  const Basis basis = make_basis(model.kind, poles_of(model), lines.frequency_hz, model.scale_hz, true);
-  const std::size_t columns = out.header.reference.size();
+  const ModelValues values(model, make_basis(model.kind, poles_of(model), lines.frequency_hz, model.scale_hz, true));
+  const std::vector<std::size_t> rows = found(model, out.header.response), columns = found(model, out.header.reference);
   tbb::parallel_for(std::size_t{0}, out.header.entries(), [&](std::size_t e) {
-    const frf::Dof &response = out.header.response[e / columns], &reference = out.header.reference[e % columns];
-    const std::size_t a = frf::find_coordinate(model.dofs, response), b = frf::find_coordinate(model.dofs, reference);
-    if (a == frf::npos || b == frf::npos) return;
-    const EntryModel entry(model, basis, a, b);
+    const std::size_t r = e / columns.size(), c = e % columns.size();
+    if (rows[r] == frf::npos || columns[c] == frf::npos) return;
+    const EntryModel entry(values, rows[r], columns[c]);
+    const double sign = out.header.response[r].sign * out.header.reference[c].sign;
     for (std::size_t i = 0; i < lines.index.size(); ++i) {
       const std::size_t at = lines.index[i] * out.header.entries() + e;
-      entry.evaluate(i, lines.frequency_hz[i], response.sign * reference.sign, out.values[at], out.variance[at]);
+      entry.evaluate(i, lines.frequency_hz[i], sign, out.values[at], out.variance[at]);
     }
   });
   return out;
@@ -132,6 +152,7 @@ frf::FrfSet regenerate(const ModalFit& fit, frf::FrfHeader header, const std::ar
   frf::FrfSet out = empty_set(std::move(header));
   const Lines lines(out.header, range_hz);
   const Basis basis = make_basis(fit.kind, fit.poles(), lines.frequency_hz, fit.scale_hz, false);
+  const double unit = fit.residues.unit;
   tbb::parallel_for(std::size_t{0}, out.header.entries(), [&](std::size_t e) {
     if (fit.residues.freedom[e] <= 0.0) return;
     for (std::size_t i = 0; i < lines.index.size(); ++i) {
@@ -140,8 +161,8 @@ frf::FrfSet regenerate(const ModalFit& fit, frf::FrfHeader header, const std::ar
         value += fit.residues.coefficients[e * basis.size() + j] * basis.column(j)[i];
         variance += squares(basis.column(j)[i], fit.residues.variance[e * basis.size() + j]);
       }
-      out.values[lines.index[i] * out.header.entries() + e] = value;
-      out.variance[lines.index[i] * out.header.entries() + e] = variance;
+      out.values[lines.index[i] * out.header.entries() + e] = value * unit;
+      out.variance[lines.index[i] * out.header.entries() + e] = variance * unit * unit;
     }
   });
   return out;
@@ -162,7 +183,7 @@ std::vector<SynthesisError> synthesis_errors(const ModalFit& fit, const Band& ba
       const double db = 20.0 * std::log10(std::abs(model) / std::abs(measured));
       all += db * db;
       ++error.lines;
-      if (std::abs(model) < cancelled * moduli || is_noise(band, e, i, std::abs(model))) continue;
+      if (std::abs(model) < cancelled * moduli * fit.residues.unit || is_noise(band, e, i, std::abs(model))) continue;
       away += db * db;
       ++error.lines_away;
     }

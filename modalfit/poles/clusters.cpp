@@ -73,7 +73,9 @@ std::vector<Cluster> cluster(const std::vector<OrderPoles>& orders, const Cluste
   std::vector<Cluster> kept;
   for (const Cluster& each : found) {
     const auto alike = [&](const Cluster& other) {
-      return distance(each.pole, other.pole) < 0.5 * std::min(decay(each.pole), decay(other.pole));
+      const double between = distance(each.pole, other.pole);
+      const bool known = options.apart > 0.0 && between > options.apart * std::hypot(each.pole.deviation_hz, other.pole.deviation_hz);
+      return !known && between < 0.5 * std::min(decay(each.pole), decay(other.pole));
     };
     if (std::ranges::none_of(kept, alike)) kept.push_back(each);
   }

@@ -15,6 +15,8 @@ struct Cluster {
 struct ClusterOptions {
   double most_damping = 0.3;    ///< poles with 0 < ζ ≤ this
   std::size_t least_hits = 4;   ///< orders, or half of them where there are fewer than twice as many
+  /// Clusters nearer than half the smaller decay rate both stay where they are this many of their standard deviations apart; 0: never.
+  double apart = 0.0;
 };
 
 /// Follows stable poles from order to order: a pole joins the nearest track whose last pole is no farther than half its decay rate

@@ -8,6 +8,7 @@
 
 #include "base/complex.hpp"
 #include "modalfit/band/normal_block.hpp"
+#include "modalfit/poles/exactness.hpp"
 #include "modalfit/poles/residues.hpp"
 #include "modalfit/poles/selection.hpp"
 
@@ -22,6 +23,8 @@ constexpr double telling_deviations = 4.0;  ///< standard deviations of residues
 double s_plane_distance(const ModelKind& kind, const Pole& a, const Pole& b) {
   return std::hypot(a.frequency_hz - b.frequency_hz, half_width_hz(kind, a) - half_width_hz(kind, b));
 }
+
+constexpr double much_worse = 100.0;       ///< in mean square
 
 bool is_same(const Pole& a, const Pole& b) { return std::abs(a.frequency_hz - b.frequency_hz) < 1e-9 * a.frequency_hz; }
 
@@ -69,6 +72,14 @@ bool acts_as_one(const Band& band, const std::vector<std::size_t>& entries, cons
   return true;
 }
 
+/// Whether the two poles follow the FRFs to digits that no measurement has, and one pole does not, not even one of each FRF's own.
+bool two_are_exact(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const RefinedPoles& one,
+                   const RefinedPoles& two, const std::array<std::size_t, 2>& pair) {
+  if (!is_exact(band, entries, kind, two.poles)) return false;
+  const double unexplained = one.cost - (entries.size() > 1 ? own_saving(band, entries, kind, one.poles, pair[0]) : 0.0);
+  return unexplained > std::max(much_worse * two.cost, 2.0 * two.freedom);
+}
+
 }  // namespace
 
 double half_width_hz(const ModelKind& kind, const Pole& pole) {
@@ -103,6 +114,7 @@ std::vector<Pole> with_one(std::vector<Pole> poles, const std::array<std::size_t
 
 bool one_pole_does(const Band& band, const std::vector<std::size_t>& entries, const ModelKind& kind, const RefinedPoles& one,
                    const RefinedPoles& two, const std::array<std::size_t, 2>& pair) {
+  if (two_are_exact(band, entries, kind, one, two, pair)) return false;
   if (entries.size() == 1 || acts_as_one(band, entries, kind, two.poles, pair)) return true;
   const double saving = one.cost - two.cost;
   const double unexplained = saving - own_saving(band, entries, kind, one.poles, pair[0]);

@@ -28,6 +28,14 @@ constexpr double pole_ridge = 1e-13;
 /// Responses per partial sum; sums do not depend on the number of threads.
 constexpr std::size_t responses_at_once = 4;
 
+/// At most so many of the outputs, evenly thinned.
+std::vector<std::size_t> thinned(std::size_t outputs, std::size_t most) {
+  const std::size_t step = (outputs + most - 1) / most;
+  std::vector<std::size_t> out;
+  for (std::size_t o = 0; o < outputs; o += step) out.push_back(o);
+  return out;
+}
+
 /// φ(f) = rate·(f − start).
 struct CircleMap {
   double start_hz = 0.0, rate = 0.0;
@@ -111,13 +119,13 @@ MatrixXd reduced_block(const WeightedRows& rows, const Lags& lags, Index order) 
   return t;
 }
 
-MatrixXd normal_matrix(const Band& band, const InputChoice& choice, Index order) {
+MatrixXd normal_matrix(const Band& band, const InputChoice& choice, const std::vector<std::size_t>& outputs, Index order) {
   const Lags lags(band, order);
-  const std::size_t chunks = (choice.outputs + responses_at_once - 1) / responses_at_once;
+  const std::size_t chunks = (outputs.size() + responses_at_once - 1) / responses_at_once;
   std::vector<MatrixXd> parts(chunks);
   tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t i) {
-    for (std::size_t o = i * responses_at_once; o < std::min(choice.outputs, (i + 1) * responses_at_once); ++o) {
-      const WeightedRows rows = weighted_rows(band, choice, o);
+    for (std::size_t o = i * responses_at_once; o < std::min(outputs.size(), (i + 1) * responses_at_once); ++o) {
+      const WeightedRows rows = weighted_rows(band, choice, outputs[o]);
       if (rows.weight.isZero(0.0)) continue;
       MatrixXd block = reduced_block(rows, lags, order);
       parts[i].size() == 0 ? parts[i].swap(block) : void(parts[i] += block);
@@ -211,9 +219,10 @@ std::vector<OrderPoles> polyreference_poles(const Band& band, const Polyreferenc
   const auto inputs = at(choice.inputs.size());
   const Index wanted = (2 * at(options.most_poles) + inputs - 1) / inputs;
   const Index highest = std::clamp<Index>(at(band.lines()) / 2 - 1, 2, wanted);
-  const double equations = 2.0 * static_cast<double>(band.lines() * choice.outputs) -
-                           static_cast<double>(highest + 1) * static_cast<double>(choice.outputs);
-  const OrderSolver solver(band, normal_matrix(band, choice, highest), inputs, equations);
+  const std::vector<std::size_t> outputs = thinned(choice.outputs, options.most_outputs);
+  const auto count = static_cast<double>(outputs.size());
+  const double equations = (2.0 * static_cast<double>(band.lines()) - static_cast<double>(highest + 1)) * count;
+  const OrderSolver solver(band, normal_matrix(band, choice, outputs, highest), inputs, equations);
   const std::vector<Index> list = orders(highest, options.orders);
   std::vector<OrderPoles> out(list.size());
   tbb::parallel_for(std::size_t{0}, list.size(), [&](std::size_t i) { out[i] = solver.solve(list[i]); });

@@ -18,6 +18,7 @@ struct PolyreferenceOptions {
   std::size_t inputs = 3;      ///< references (or responses, where there are fewer) taken together, ≥ 1
   std::size_t most_poles = 80; ///< pole pairs of the highest order, ≥ 2
   std::size_t orders = 40;     ///< at most so many orders, ≥ 1
+  std::size_t most_outputs = 400; ///< of more, so many are taken, evenly thinned
 };
 
 /// Poles of increasing order.

@@ -69,6 +69,10 @@ class Problem {
 /// A peak this much narrower than the space between two lines cannot be told from a narrower one.
 constexpr double narrowest_peak = 1e-3;
 constexpr double most_damping = 0.95;
+/// Of residuals over σ; data without noise have less, as σ is not below rounding.
+constexpr double least_mean_square = 1e-2;
+/// Of ln f and damping: below it a pole cannot be told from its neighbours in double precision.
+constexpr double least_step = 1e-14;
 
 double least_damping(const Pole& pole, double spacing_hz) { return narrowest_peak * spacing_hz / pole.frequency_hz; }
 
@@ -117,8 +121,9 @@ RefinedPoles refine(const Band& band, const std::vector<std::size_t>& entries, c
   while (parameters > 0 && out.iterations < options.most_iterations && !(stop && stop())) {
     ++out.iterations;
     const VectorXd newton = damped_step(at, out.poles, spacing_hz, 0.0);
-    const double small = options.step * options.step * static_cast<double>(parameters) * at.cost / std::max(1.0, at.freedom);
-    out.converged = std::abs(newton.dot(at.gradient)) <= small;
+    const double mean_square = std::max(least_mean_square, at.cost / std::max(1.0, at.freedom));
+    const double small = options.step * options.step * static_cast<double>(parameters) * mean_square;
+    out.converged = std::abs(newton.dot(at.gradient)) <= small || newton.cwiseAbs().maxCoeff() <= least_step;
     if (out.converged) break;
     const std::vector<Pole> trial = moved(out.poles, damped_step(at, out.poles, spacing_hz, mu), spacing_hz);
     Sums next = all_finite(trial) ? problem.linearise(trial) : at;

@@ -40,7 +40,7 @@ Residues fit_residues(const Band& band, const std::vector<std::size_t>& entries,
   const MatrixXd covariance =
       with_poles ? MatrixXd(Eigen::Map<const MatrixXd>(pole_covariance.data(), parameters, parameters)) : MatrixXd();
   const std::size_t size = static_cast<std::size_t>(columns), count = entries.size();
-  Residues out{size, std::vector<double>(count * size), std::vector<double>(count * size), std::vector<double>(count),
+  Residues out{size, 1.0, std::vector<double>(count * size), std::vector<double>(count * size), std::vector<double>(count),
                std::vector<double>(count), std::vector<double>(count), std::vector<double>(poles.size())};
   std::vector<double> growth(count * poles.size());
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {

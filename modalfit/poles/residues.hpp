@@ -12,8 +12,9 @@ namespace jointid::modalfit {
 /// Coefficients of Basis for some FRFs, each by weighted linear least squares with the poles as they are.
 struct Residues {
   std::size_t columns = 0;
+  double unit = 1.0;  ///< receptance, m/N, of a coefficient of 1
   std::vector<double> coefficients;  ///< [entry, column]
-  std::vector<double> variance;      ///< [entry, column], with that of the poles where their covariance was given
+  std::vector<double> variance;      ///< [entry, column] in unit², with that of the poles where their covariance was given
   std::vector<double> cost;          ///< [entry] Σ|residual|²/σ²
   std::vector<double> bounded_cost;  ///< [entry] the same with no part of a line counted above 9: what a few lines cannot spoil
   std::vector<double> freedom;       ///< [entry] equations minus columns, 0 where nothing was measured

@@ -1,5 +1,7 @@
 #include "report/modalfit/modal_run.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/complex.hpp"
@@ -7,9 +9,12 @@
 #include "base/stopwatch.hpp"
 #include "frf/file/write.hpp"
 #include "modalfit/band/basis.hpp"
+#include "modalfit/model/appearance.hpp"
 
 namespace jointid::report {
 namespace {
+
+constexpr double most_regenerated_bytes = 16e9;
 
 void synthesise(ModalRun& run) {
   frf::FrfHeader lines = run.header;
@@ -67,6 +72,15 @@ frf::Uff55Mode uff_mode(const ModalRun& run, const Shapes& all, std::size_t r) {
   return mode;
 }
 
+/// FRFs between all coordinates grow with their square: of a scanning vibrometer they are hundreds of gigabytes.
+void require_room(const frf::FrfHeader& header) {
+  const double size = static_cast<double>(header.lines()) * static_cast<double>(header.entries()) * 2.0 * sizeof(std::complex<double>);
+  if (size <= most_regenerated_bytes) return;
+  frf::fail(header, "--regenerate",
+            fmt::format("{0} × {0} FRFs on {1} lines take {2:.0f} GB", header.response.size(), header.lines(), size / 1e9),
+            "give the files of fewer responses, or a narrower --range");
+}
+
 /// A fit that was stopped with modes of its own is worth writing.
 void mark_interrupted(modalfit::ModalFit& fit) {
   if (fit.modes.empty()) throw Interrupted();
@@ -85,6 +99,10 @@ ModalRun run_modal(const std::string& name, const frf::FrfSet& set, const modalf
   run.fit = modalfit::fit(run.band, run.header, options);
   if (options.interrupted && options.interrupted()) mark_interrupted(run.fit);
   synthesise(run);
+  if (run.fit.status == modalfit::FitStatus::poor_fit) {
+    modalfit::explain(run.fit, run.band, options);
+    modalfit::doubt_phase(run.fit, run.band);
+  }
   run.fit_s = seconds_since(start);
   return run;
 }
@@ -109,6 +127,7 @@ void write_regenerated(const ModalRun& run, const std::filesystem::path& path) {
   frf::FrfHeader header = run.header;
   header.frequency_hz = run.band.frequency_hz;
   header.response = header.reference = run.symmetric->dofs;
+  require_room(header);
   frf::write(modalfit::regenerate(*run.symmetric, header), path);
 }
 

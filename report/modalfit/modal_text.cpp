@@ -14,6 +14,7 @@ namespace {
 constexpr double alike = 0.3;
 constexpr double harm_db = 1.0;
 constexpr double much_scatter = 2.0;
+constexpr double little = 1e-3;  ///< of the moduli of FRFs
 
 /// A pole beyond the range of which hardly more is known than that it is there.
 bool is_flank(const modalfit::Mode& mode) { return !mode.inside && mode.damping_deviation > 0.5 * mode.pole.damping; }
@@ -121,6 +122,17 @@ std::string scatter_note(const ModalRun& run) {
          " Hz (temperature, suspension, mass of the accelerometer). The standard deviations contain it.";
 }
 
+/// FRFs without noise deviate by little and yet by many times their scatter.
+std::string misfit_note(const ModalRun& run, double times) {
+  const char* noise = run.fit.known_noise ? "their noise" : "the scatter of neighbouring lines";
+  if (run.fit.deviation < little) {
+    return fmt::format("The FRFs deviate from the model by {:.1g} of their moduli, which is {:.1f} times {}: modes outside the range, another "
+                       "law of damping, or rounding.", run.fit.deviation, times, noise);
+  }
+  return fmt::format("The FRFs deviate from the model by {:.1f} times {}: the structure is not that linear, or the noise is larger.", times,
+                     noise);
+}
+
 std::string flank_note(const ModalRun& run) {
   std::string poles;
   for (const modalfit::Mode& mode : run.fit.modes) {
@@ -143,9 +155,7 @@ std::vector<std::string> notes(const ModalRun& run) {
   if (const std::string edge = edge_note(run); !edge.empty()) out.push_back(edge);
   const double misfit = run.fit.freedom > 0.0 ? run.fit.cost / run.fit.freedom : 1.0;
   if (misfit > 2.0) {
-    out.push_back(fmt::format(
-        "The FRFs deviate from the model by {:.1f} times {}: the structure is not that linear, or the noise is larger.",
-        std::sqrt(misfit), run.fit.known_noise ? "their noise" : "the scatter of neighbouring lines"));
+    out.push_back(misfit_note(run, std::sqrt(misfit)));
   }
   if (modalfit::overall(told(run)).rms_db_away > harm_db) {
     out.push_back("The model is more than 1 dB off away from antiresonances: regenerated FRFs would harm rather than help.");
