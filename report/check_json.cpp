@@ -1,5 +1,6 @@
 #include "report/check_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "report/json_value.hpp"
@@ -24,6 +25,9 @@ Json virtual_point_json(const virtualpoint::Consistency& point) {
           {"rigidity", point.rigidity}};
 }
 
+/// To three decimals.
+double rounded(double share) { return std::round(1e3 * share) / 1e3; }
+
 }  // namespace
 
 Json check_json(const ident::CheckResult& result) {
@@ -35,6 +39,17 @@ Json check_json(const ident::CheckResult& result) {
                                 {"evidence", suspect.evidence},
                                 {"confidence", value(suspect.confidence)},
                                 {"remedy", suspect.remedy.empty() ? Json(nullptr) : Json(suspect.remedy)}});
+  }
+  for (const std::string& note : result.notes) json["notes"].push_back(note);
+  for (const ident::ReciprocityMap& map : result.reciprocity) {
+    Json entry = {{"file", map.file}, {"rms", value(rounded(map.overall))}};
+    if (!map.rms.empty()) entry["dofs"] = frf::names(map.dofs);
+    for (const std::vector<double>& row : map.rms) {
+      Json numbers = Json::array();
+      for (const double each : row) numbers.push_back(value(rounded(each)));
+      entry["map"].push_back(std::move(numbers));
+    }
+    json["reciprocity"].push_back(std::move(entry));
   }
   for (const virtualpoint::Consistency& point : result.virtual_points) json["virtual_points"].push_back(virtual_point_json(point));
   return json;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "report/text/table.hpp"
@@ -64,11 +65,46 @@ std::string virtual_points_text(const std::vector<virtualpoint::Consistency>& po
   return "\nconsistency of virtual points (1: the interface moves as its coordinates say)\n\n" + table.text();
 }
 
+std::string notes_text(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += "\nnote: " + note + "\n";
+  return text;
+}
+
+/// A letter for the size of a difference: . below 3 %, then tens of percent, # from 95 %.
+char size_letter(double share) {
+  if (share < 0.03) return '.';
+  const int tens = static_cast<int>(std::lround(10.0 * share));
+  return tens > 9 ? '#' : static_cast<char>('0' + tens);
+}
+
+bool is_doubted(const ident::CheckResult& result, const std::string& file) {
+  return std::ranges::any_of(result.suspects, [&](const ident::Suspect& suspect) { return suspect.file == file; });
+}
+
+/// H_ij − H_ji of files under suspicion, a letter for each pair.
+std::string reciprocity_text(const ident::CheckResult& result) {
+  constexpr std::size_t most = 40;
+  std::string text;
+  for (const ident::ReciprocityMap& map : result.reciprocity) {
+    if (map.overall < 0.05 || map.rms.empty() || map.dofs.size() > most || !is_doubted(result, map.file)) continue;
+    text += fmt::format("\nH_ij − H_ji over H in {}, {:.2g} % rms (. below 3 %, digits in tens of percent, # from 95 %)\n", map.file,
+                        100.0 * map.overall);
+    for (std::size_t i = 0; i < map.dofs.size(); ++i) {
+      text += fmt::format("{:>12}  ", map.dofs[i].name());
+      for (std::size_t j = 0; j < map.dofs.size(); ++j) text += i == j ? '-' : size_letter(map.rms[i][j]);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string check_text(const ident::CheckResult& result) {
   std::string text = verdict_text(result);
-  if (result.suspects.empty()) return text + virtual_points_text(result.virtual_points);
+  const std::string rest = reciprocity_text(result) + notes_text(result.notes) + virtual_points_text(result.virtual_points);
+  if (result.suspects.empty()) return text + rest;
   report::Table table({{"", report::Align::right},
                        {"kind", report::Align::left},
                        {"file", report::Align::left},
@@ -83,7 +119,7 @@ std::string check_text(const ident::CheckResult& result) {
     details += "\n" + number + ". " + suspect.evidence + "\n";
     details += suspect.remedy.empty() ? "   measure it again\n" : "   to mend it:\n" + indented(suspect.remedy);
   }
-  return text + "\n" + table.text() + details + virtual_points_text(result.virtual_points);
+  return text + "\n" + table.text() + details + rest;
 }
 
 }  // namespace jointid::cli

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "ident/check/inquiry.hpp"
+#include "ident/check/repeated_numbers.hpp"
 #include "ident/check/virtual_point_check.hpp"
 #include "ident/plan/couple_first.hpp"
 #include "ident/plan/data_source.hpp"
@@ -13,8 +15,21 @@ namespace {
 
 constexpr CheckExtent short_form = {.lines = 24, .values = 1'000'000}, long_form = {.lines = static_cast<std::size_t>(-1)};
 
+/// Runs of the scene's files that are one; none where the files are not to be read.
+std::vector<Suspect> equal_runs(const Scene& scene) {
+  try {
+    return find_equal_runs(scene);
+  } catch (const InputError&) {
+    return {};  // data in memory
+  }
+}
+
 CheckResult check_lines(const CheckedSystems& systems, const Dofs& joint, const Control& control, const CheckExtent& most) {
-  return inquire(read_checked_files(systems, most, control.interrupted), joint, control, most.lines > short_form.lines);
+  CheckResult result = inquire(read_checked_files(systems, most, control.interrupted), joint, control, most.lines > short_form.lines);
+  const std::vector<Suspect> same = equal_runs(systems.scene);
+  result.suspects.insert(result.suspects.begin(), same.begin(), same.end());
+  if (!same.empty()) result.verdict = Verdict::wrong;
+  return result;
 }
 
 CheckedSystems systems_of(const Plan& plan) { return {plan.scene, *plan.substructures, *plan.assembly, plan.lines}; }

@@ -43,7 +43,8 @@ CheckedFile without_lines(const CheckedFile& file) {
           .references = file.references,
           .frequency_hz = {},
           .frfs = {},
-          .errors = file.errors};
+          .errors = file.errors,
+          .noise = file.noise};
 }
 
 std::shared_ptr<const CovarianceLaw> kept_law(const CheckedFile& file, const std::vector<Eigen::Index>& rows) {
@@ -62,6 +63,10 @@ CheckedFile kept(const CheckedFile& file, const std::vector<Eigen::Index>& rows,
   result.frequency_hz = file.frequency_hz;
   for (const Eigen::MatrixXcd& line : file.frfs) result.frfs.emplace_back(line(rows, columns));
   result.errors = kept_law(file, rows);
+  if (file.noise) {
+    result.noise = std::make_shared<const NoiseLaws>(
+        NoiseLaws{file.noise->proportional(rows, columns), file.noise->constant(rows, columns), file.noise->recorded});
+  }
   return result;
 }
 
@@ -137,6 +142,7 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
     }
     file.frfs.push_back(std::move(line));
   }
+  file.noise = recorded_laws(source, source_lines, values, scene);
   leave_out_unmeasured(file);
   return file;
 }

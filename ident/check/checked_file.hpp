@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ident/check/noise_laws.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/suspect.hpp"
 #include "ident/variance/covariance_law.hpp"
@@ -23,6 +24,7 @@ struct CheckedFile {
   std::vector<Eigen::MatrixXcd> frfs;  ///< [F] receptances, responses × references; NaN where not measured
   /// Law of the errors' covariances over the responses, of all lines and references; none where the file has none.
   std::shared_ptr<const CovarianceLaw> errors{};
+  std::shared_ptr<const NoiseLaws> noise{};  ///< of each FRF; null where the file knows nothing
 
   /// E[e e^H] of some FRFs of a line to a reference. Only with `errors`.
   Eigen::MatrixXcd covariance(std::size_t line, const std::vector<Eigen::Index>& some_responses, Eigen::Index reference) const;

@@ -7,6 +7,10 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "ident/check/axis_trials.hpp"
+#include "ident/check/agreement.hpp"
+#include "ident/check/group_trials.hpp"
+#include "ident/check/repeated_numbers.hpp"
+#include "ident/check/rest.hpp"
 #include "ident/check/rigid_mass.hpp"
 #include "ident/check/sameness.hpp"
 #include "ident/check/trials.hpp"
@@ -16,6 +20,8 @@ namespace {
 
 constexpr std::size_t screening_lines = 64, trial_lines = 24;  ///< at most
 constexpr double screening_work = 2.5e6, trial_work = 7e5;     ///< products of complex numbers, about
+constexpr std::size_t rest_lines = 256;
+constexpr double rest_work = 2e6;
 constexpr double clear_score = 1.2;                            ///< of a trial beside which stretched axes need no search
 constexpr double noise_that_halves = 0.15;
 constexpr double tie = 0.93;     ///< of the best score: cannot be told from it
@@ -81,7 +87,7 @@ class Inquiry {
     const std::size_t rounds = all_.size() + 2;
     for (std::size_t round = 0; round < rounds && one_round(screening, found); ++round)
       screening = screen(lines_of(all_, screening_), setups_, threads_);
-    if (found.empty()) look_for_rest(lines, screening, found);
+    if (found.empty()) found = unexplained(lines_of(all_, lines_for(setups_, rest_lines, rest_work)), setups_, screening, noise_);
     return found;
   }
 
@@ -92,6 +98,7 @@ class Inquiry {
     const Misfit before = misfit_of(small, setups_, noise_, threads_);
     std::vector<Scored> scored;
     for (MistakeTrial& trial : trials_of(small, setups_, screening, before)) judge(std::move(trial), small, before, scored);
+    for (MistakeTrial& trial : group_trials(small, joint_, setups_, screening, threads_)) judge(std::move(trial), small, before, scored);
     if (with_axis_ && best_score(scored) < clear_score) {
       for (MistakeTrial& trial : axis_trials(all_, joint_)) {
         judge(std::move(trial), small, before, scored);
@@ -168,44 +175,6 @@ class Inquiry {
     }
   }
 
-  /// What no trial explains; `screening`: of these lines.
-  void look_for_rest(const Files& lines, const Screening& screening, std::vector<Suspect>& found) const {
-    double worst = 0.0, mirror = 0.02;
-    for (const SpanTest& span : screening.span) worst = std::max(worst, span.level);
-    for (const ReciprocityTest& test : screening.reciprocity) mirror = std::max(mirror, test.level);
-    for (std::size_t f = 0; f < all_.size(); ++f) {
-      if (activity(lines[f], noise_[f]) > 1.5) {
-        found.push_back({.kind = SuspectKind::not_passive,
-                         .file = all_[f].name,
-                         .dofs = {},
-                         .evidence = "the imaginary parts of driving points are positive: the structure would give energy away",
-                         .confidence = 0.6,
-                         .remedy = ""});
-      }
-      if (const double level = screening.reciprocity[f].level; level > std::max(0.3, 4.0 * noise_[f])) {
-        found.push_back({.kind = SuspectKind::not_reciprocal,
-                         .file = all_[f].name,
-                         .dofs = {},
-                         .evidence = "H_ij and H_ji differ by " + percent(level) +
-                                     " of their size, where the noise is about " + percent(noise_[f]),
-                         .confidence = 0.6,
-                         .remedy = ""});
-      }
-    }
-    if (worst > 0.35 && worst > 4.0 * mirror) {
-      found.push_back(
-          {.kind = SuspectKind::nonlinear,
-           .file = "",
-           .dofs = {},
-           .evidence =
-               "forces at the joint's coordinates leave " + percent(worst) +
-               " of the assembly's FRFs, where H_ij and H_ji agree to " + percent(mirror) +
-               ": parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
-           .confidence = 0.5,
-           .remedy = ""});
-    }
-  }
-
   Files all_;
   const Dofs& joint_;
   std::vector<SpanSetup> setups_;
@@ -215,6 +184,18 @@ class Inquiry {
   std::size_t screening_, trials_;  ///< lines
   std::size_t threads_;             ///< one where lines are quickly tested
 };
+
+/// Each kind, file and DOFs once, by the evidence that is surest.
+void leave_out_repeated(std::vector<Suspect>& suspects) {
+  std::vector<Suspect> kept;
+  for (Suspect& suspect : suspects) {
+    const auto same = [&](const Suspect& other) {
+      return other.kind == suspect.kind && other.file == suspect.file && other.dofs == suspect.dofs;
+    };
+    if (std::ranges::none_of(kept, same)) kept.push_back(std::move(suspect));
+  }
+  suspects = std::move(kept);
+}
 
 Verdict verdict_of(const std::vector<Suspect>& suspects) {
   double surest = 0.0;
@@ -229,15 +210,20 @@ CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Con
   CheckResult result;
   for (CheckedFile& file : files) {
     for (Suspect& suspect : take_out_dead_and_copied(file)) result.suspects.push_back(std::move(suspect));
+    for (Suspect& suspect : find_copied_columns(file)) result.suspects.push_back(std::move(suspect));
+    if (ReciprocityMap map = reciprocity_map(at_lines(file, spread_lines(file.frfs.size(), screening_lines))); !map.dofs.empty())
+      result.reciprocity.push_back(std::move(map));
   }
+  result.notes = missing_points(files, joint);
   std::erase_if(files, [](const CheckedFile& file) { return file.responses.empty() || file.references.empty(); });
   if (!files.empty()) {
     for (Suspect& label : find_labels(files, joint)) result.suspects.push_back(std::move(label));
-    for (Suspect& mass : find_wrong_masses(files)) result.suspects.push_back(std::move(mass));
+    for (Suspect& mass : find_wrong_masses(files, joint)) result.suspects.push_back(std::move(mass));
     for (Suspect& suspect : Inquiry(std::move(files), joint, control, with_axis).suspects())
       result.suspects.push_back(std::move(suspect));
   }
   std::ranges::stable_sort(result.suspects, std::ranges::greater{}, &Suspect::confidence);
+  leave_out_repeated(result.suspects);
   result.verdict = verdict_of(result.suspects);
   return result;
 }

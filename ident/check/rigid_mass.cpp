@@ -7,6 +7,7 @@
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "dense/eigen.hpp"
+#include "ident/check/span_test.hpp"
 #include "ident/check/trials.hpp"
 #include "ident/check/unit_factor.hpp"
 
@@ -92,7 +93,7 @@ std::optional<double> rigid_body_mass(const CheckedFile& file) {
     const double f = file.frequency_hz[l];
     if (!(f > 0.0)) continue;
     if (first == 0.0) first = f;
-    if (f > 2.0 * first) break;
+    if (f > 2.0 * first && line.square.size() >= 3) break;
     const auto mass = mass_at(file.frfs[l](places.rows, places.columns), f);
     if (!mass) return std::nullopt;
     line.square.push_back(f * f);
@@ -101,22 +102,64 @@ std::optional<double> rigid_body_mass(const CheckedFile& file) {
   return line.at_zero();
 }
 
-std::vector<Suspect> find_wrong_masses(std::vector<CheckedFile>& files) {
+namespace {
+
+/// Σ ln of what the span tests leave.
+double disagreement(const std::vector<CheckedFile>& files, const Dofs& joint) {
+  constexpr double least = 0.004;
+  constexpr std::size_t lines = 24;
+  std::vector<CheckedFile> some;
+  for (const CheckedFile& file : files) some.push_back(at_lines(file, spread_lines(file.frfs.size(), lines)));
+  double sum = 0.0;
+  for (const SpanSetup& setup : span_setups(some, joint)) sum += std::log(std::hypot(span_test(setup, some, SpanDetail::level).level, least));
+  return sum;
+}
+
+void scale(CheckedFile& file, double factor) {
+  for (Eigen::MatrixXcd& line : file.frfs) line *= factor;
+}
+
+/// Whether the other files are off by the same factor, as those agree that are so far.
+bool is_of_all(const std::vector<CheckedFile>& files, std::size_t wrong, double factor, const Dofs& joint) {
+  constexpr double clearly = 0.2;
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    if (f == wrong || !files[f].mass) continue;
+    const auto told = rigid_body_mass(files[f]);
+    if (told && std::abs(std::log(*told / *files[f].mass * factor)) > std::abs(std::log(factor)) / 2.0) return false;
+  }
+  std::vector<CheckedFile> one = files;
+  scale(one[wrong], factor);
+  return disagreement(files, joint) < disagreement(one, joint) - clearly;
+}
+
+}  // namespace
+
+std::vector<Suspect> find_wrong_masses(std::vector<CheckedFile>& files, const Dofs& joint) {
   std::vector<Suspect> found;
-  for (CheckedFile& file : files) {
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    CheckedFile& file = files[f];
     const auto told = file.mass ? rigid_body_mass(file) : std::nullopt;
     if (!told) continue;
     const double measured = *told / *file.mass;
     const auto [factor, words] = nearest_unit(measured, unit_tolerance);
     if (words.empty() && measured < heavier) continue;
+    std::string evidence = fmt::format("the rigid-body lines are those of {:.3g} kg, where {:.4g} kg were weighed{}", *told, *file.mass,
+                                       words.empty() ? "" : ": " + words);
+    const std::string line = fmt::format("gain = {:.6g}", factor);
+    std::string remedy = remedy_in(file.name, line);
+    const bool of_all = files.size() > 1 && !words.empty() && is_of_all(files, f, factor, joint);
+    if (of_all) evidence += "; the other files agree with it as they are, so that all are in that unit";
+    for (std::size_t other = 0; other < files.size(); ++other) {
+      if (other != f && !of_all) continue;
+      scale(files[other], factor);
+      if (other != f) remedy += "\n" + remedy_in(files[other].name, line);
+    }
     found.push_back({.kind = words.empty() ? SuspectKind::gain : SuspectKind::unit,
                      .file = file.name,
                      .dofs = {},
-                     .evidence = fmt::format("the rigid-body lines are those of {:.3g} kg, where {:.4g} kg were weighed{}", *told,
-                                             *file.mass, words.empty() ? "" : ": " + words),
+                     .evidence = evidence,
                      .confidence = words.empty() ? not_sure : sure,
-                     .remedy = remedy_in(file.name, fmt::format("gain = {:.6g}", factor))});
-    for (Eigen::MatrixXcd& line : file.frfs) line *= factor;
+                     .remedy = remedy});
   }
   return found;
 }

@@ -164,6 +164,8 @@ class RowSums {
   void add(const SpanLine& line, double weight) {
     const Eigen::MatrixXcd assembly = line.scale(line.assembly);
     total_ += weight * line.residual.squaredNorm();
+    if (columns_.size() == 0) columns_ = Eigen::VectorXd::Zero(line.residual.cols());
+    columns_ += weight * line.residual.colwise().squaredNorm().transpose();
     for (std::size_t k = 0; k < freed_.size(); ++k) {
       const auto r = at(k);
       double slope = 0.0, square = 0.0;
@@ -178,6 +180,7 @@ class RowSums {
   }
 
   void finish(SpanTest& out) const {
+    out.column.assign(columns_.begin(), columns_.end());
     for (std::size_t k = 0; k < freed_.size(); ++k) {
       const SlopeFit& excess = excess_[k];
       out.share.push_back(total_ > 0.0 ? freed_[k] / total_ : 0.0);
@@ -206,6 +209,7 @@ class RowSums {
 
   std::vector<double> freed_;
   std::vector<SlopeFit> excess_;
+  Eigen::VectorXd columns_;
   double total_ = 0.0;
 };
 

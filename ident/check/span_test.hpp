@@ -35,6 +35,7 @@ struct SpanTest {
   std::size_t lines = 0;
   // with details:
   std::vector<double> share;            ///< [R] of the square sum that freeing this row takes away
+  std::vector<double> column;           ///< [C] mean square of what is left, over that of its line: about 1 in all columns
   std::vector<double> gain, deviation;  ///< [R] factor by which the assembly's row must be multiplied, and its standard deviation
   std::vector<std::complex<double>> ratio;  ///< [line] assembly over part, in what the forces at the joint do not explain
   std::vector<double> coherence;            ///< [line] of that

@@ -28,7 +28,8 @@ enum class SuspectKind : std::uint8_t {
   not_passive,     ///< a driving point gives energy away
   not_reciprocal,  ///< H_ij and H_ji differ for no reason above
   nonlinear,       ///< the assembly does not follow from its parts by forces at the joint, for no reason above
-  direction        ///< a sensor or impact of a virtual point points another way than stated
+  direction,       ///< a sensor or impact of a virtual point points another way than stated
+  outlier          ///< one number, far from what its neighbours and the other FRFs make of it
 };
 
 /// "sign", "swap", …, as in JSON.
@@ -56,10 +57,20 @@ enum class Verdict : std::uint8_t {
 /// "clean", "suspicious", "wrong".
 std::string name(Verdict verdict);
 
+/// How reciprocal the FRFs of a file are.
+struct ReciprocityMap {
+  std::string file;
+  std::vector<frf::Dof> dofs;  ///< that it has as responses and references, at least two
+  double overall = 0.0;        ///< √(Σ|H_ij − H_ji|² / Σ½(|H_ij|² + |H_ji|²)) over pairs and lines, of accelerances
+  std::vector<std::vector<double>> rms{};  ///< the same of each pair over the lines, 0 on the diagonal; empty for more than 100 DOFs
+};
+
 /// What a check found, most likely first.
 struct CheckResult {
   Verdict verdict = Verdict::clean;
   std::vector<Suspect> suspects;
+  std::vector<std::string> notes{};           ///< what is no mistake but should be known, one sentence each
+  std::vector<ReciprocityMap> reciprocity{};  ///< of each file that can tell
   std::vector<virtualpoint::Consistency> virtual_points{};  ///< of every file and virtual point that it has channels of
 };
 

@@ -273,7 +273,7 @@ TEST(find_wrong_masses, tells_units_and_puts_the_file_right) {
     file.mass = weighed;
     for (auto& line : file.frfs) line *= unit == 9.80665 ? 1.0 / unit : unit;
     std::vector<ident::CheckedFile> files = {file};
-    const auto suspects = ident::find_wrong_masses(files);
+    const auto suspects = ident::find_wrong_masses(files, {});
     ASSERT_EQ(suspects.size(), std::string(words).empty() ? 0u : 1u) << unit;
     if (suspects.empty()) continue;
     EXPECT_EQ(suspects.front().kind, unit == 1.0 ? SuspectKind::gain : SuspectKind::unit);

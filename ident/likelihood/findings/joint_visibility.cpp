@@ -51,7 +51,7 @@ void add_deformations(const LineState& state, const ComplexMatrix& dz, Numbers& 
 }
 
 /// Of the numbers of all processes.
-std::optional<double> median(const std::vector<double>& own, const LineShares& shares) {
+std::optional<double> median_of_all(const std::vector<double>& own, const LineShares& shares) {
   std::vector<double> values;
   for (const std::vector<double>& each : shares.gathered(own)) values.insert(values.end(), each.begin(), each.end());
   if (values.empty()) return std::nullopt;

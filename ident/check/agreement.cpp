@@ -1,0 +1,284 @@
+#include "ident/check/agreement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/complex.hpp"
+#include "base/eigen.hpp"
+#include "base/statistics.hpp"
+#include "dense/minimum_norm.hpp"
+#include "frf/noise/variance_law.hpp"
+#include "ident/variance/noise_fit.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Eigen::Index;
+
+constexpr double beyond_recorded = 1.5, beyond_estimated = 4.0;
+constexpr double sure_deviations = 6.0;
+constexpr double least_noise = 1e-7;  ///< of an FRF: what single precision leaves
+
+/// E|e|² of one FRF of a file; NaN where it is not known.
+double error_square(const CheckedFile& file, std::size_t line, Index r, Index c) {
+  const double square = std::norm(file.frfs[line](r, c));
+  const double least = least_noise * least_noise * square;
+  if (file.errors) return file.variance(line, r, c) + least;
+  if (!file.noise) return nan;
+  return (*file.noise)(r, c, square, frf::squared_factor(file.quantity, file.frequency_hz[line])) + least;
+}
+
+/// Sums that become an Agreement.
+class Sums {
+ public:
+  Sums(Dofs rows, Dofs columns, std::vector<double> frequency_hz) {
+    out_.rows = std::move(rows);
+    out_.columns = std::move(columns);
+    out_.frequency_hz = std::move(frequency_hz);
+    squares_ = counts_ = Eigen::MatrixXd::Zero(at(out_.rows.size()), at(out_.columns.size()));
+  }
+
+  void begin_line() { line_square_ = line_freedom_ = 0.0; }
+  void cell(Index r, Index c, double ratio) {
+    squares_(r, c) += ratio;
+    counts_(r, c) += 1.0;
+  }
+  /// Part of a line that has so much χ² and degrees of freedom, and its worst FRF.
+  void add(double square, double freedom, Index worst_row, Index worst_column, double worst_ratio) {
+    line_square_ += square;
+    line_freedom_ += freedom;
+    if (square - freedom <= worst_excess_) return;
+    worst_excess_ = square - freedom;
+    out_.worst_line = out_.by_line.size();
+    out_.worst_row = worst_row;
+    out_.worst_column = worst_column;
+    out_.worst_ratio = worst_ratio;
+  }
+  void end_line() {
+    const bool any = line_freedom_ > 0.0;
+    out_.by_line.push_back(any ? line_square_ / line_freedom_ : nan);
+    if (!any) return;
+    out_.freedom += line_freedom_;
+    square_ += line_square_;
+  }
+
+  Agreement finish(bool recorded) {
+    out_.recorded = recorded;
+    out_.ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 0.0;
+    out_.worst_share = square_ > out_.freedom ? worst_excess_ / (square_ - out_.freedom) : 0.0;
+    out_.cells = (counts_.array() > 0.0).select(squares_.array() / counts_.array(), nan).matrix();
+    return std::move(out_);
+  }
+
+ private:
+  Agreement out_;
+  Eigen::MatrixXd squares_, counts_;
+  double square_ = 0.0, line_square_ = 0.0, line_freedom_ = 0.0, worst_excess_ = 0.0;
+};
+
+/// Terms of one line of a span test with their error squares.
+struct NoisySpan {
+  Eigen::MatrixXcd difference, joint;
+  Eigen::MatrixXd noise, joint_noise;
+
+  static void fill(const CheckedFile& file, std::size_t line, const std::vector<Index>& rows, const std::vector<Index>& columns,
+                   bool transposed, double sign, Index first, Eigen::MatrixXcd& values, Eigen::MatrixXd& noise) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        const Index i = transposed ? columns[c] : rows[r], j = transposed ? rows[r] : columns[c];
+        values(at(r), first + at(c)) += sign * file.frfs[line](i, j);
+        noise(at(r), first + at(c)) += error_square(file, line, i, j);
+      }
+    }
+  }
+
+  NoisySpan(const SpanSetup& setup, const std::vector<CheckedFile>& files, std::size_t line) {
+    const Index rows = at(setup.rows.size()), inner = at(setup.part_columns.size()), outer = at(setup.outer_columns.size());
+    difference = Eigen::MatrixXcd::Zero(rows, inner + outer);
+    noise = Eigen::MatrixXd::Zero(rows, inner + outer);
+    joint = Eigen::MatrixXcd::Zero(rows, at(setup.joint.size()));
+    joint_noise = Eigen::MatrixXd::Zero(rows, at(setup.joint.size()));
+    const CheckedFile &part = files[setup.part], &assembly = files[setup.assembly];
+    fill(assembly, line, setup.assembly_rows, setup.assembly_columns, setup.transposed, 1.0, 0, difference, noise);
+    fill(assembly, line, setup.assembly_rows, setup.outer_columns, setup.transposed, 1.0, inner, difference, noise);
+    fill(part, line, setup.part_rows, setup.part_columns, setup.transposed, -1.0, 0, difference, noise);
+    fill(part, line, setup.part_rows, setup.joint, setup.transposed, 1.0, 0, joint, joint_noise);
+  }
+
+  bool is_complete() const { return difference.allFinite() && joint.allFinite() && noise.allFinite() && joint_noise.allFinite(); }
+
+  void add_to(Sums& sums) const {
+    const Index rows = difference.rows();
+    const Eigen::VectorXd scale = noise.rowwise().mean().cwiseSqrt();
+    if (!(scale.array() > 0.0).all()) return;
+    const Eigen::MatrixXcd x = scale.cwiseInverse().asDiagonal() * joint, y = scale.cwiseInverse().asDiagonal() * difference;
+    const dense::ComplexMinimumNorm fit(x);
+    const auto freedom = static_cast<double>(rows - fit.rank());
+    if (!(freedom > 0.0)) return;
+    const Eigen::MatrixXcd inverse = fit.pseudo_inverse(), forces = inverse * y, left = y - x * forces;
+    const Eigen::MatrixXd expected =
+        scale.cwiseAbs2().cwiseInverse().asDiagonal() * (noise + joint_noise * forces.cwiseAbs2());
+    Eigen::VectorXd free(rows);
+    for (Index r = 0; r < rows; ++r) free[r] = std::max(1.0 - (x.row(r) * inverse.col(r))(0, 0).real(), 1e-6);
+    for (Index c = 0; c < left.cols(); ++c) {
+      double square = 0.0, of_noise = 0.0, worst = 0.0;
+      Index worst_row = 0;
+      for (Index r = 0; r < rows; ++r) {
+        square += std::norm(left(r, c));
+        of_noise += free[r] * expected(r, c);
+        const double ratio = std::norm(left(r, c)) / (free[r] * expected(r, c));
+        sums.cell(r, c, ratio);
+        if (ratio > worst) {
+          worst = ratio;
+          worst_row = r;
+        }
+      }
+      sums.add(freedom * square / of_noise, freedom, worst_row, c, worst);
+    }
+  }
+};
+
+struct MirrorPlaces {
+  Dofs dofs;
+  std::vector<Index> row, column;
+
+  explicit MirrorPlaces(const CheckedFile& file) {
+    for (std::size_t r = 0; r < file.responses.size(); ++r) {
+      const std::size_t c = place_of(file.references, file.responses[r]);
+      if (c == frf::npos) continue;
+      dofs.push_back(file.responses[r]);
+      row.push_back(at(r));
+      column.push_back(at(c));
+    }
+  }
+
+  /// each(i, j, H_ij, H_ji) of the pairs i < j of a line that were measured.
+  template <class Each>
+  void each_pair(const CheckedFile& file, std::size_t line, const Each& each) const {
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+      for (std::size_t j = i + 1; j < dofs.size(); ++j) {
+        const Complex a = file.frfs[line](row[i], column[j]), b = file.frfs[line](row[j], column[i]);
+        if (std::isfinite(std::norm(a)) && std::isfinite(std::norm(b))) each(i, j, a, b);
+      }
+    }
+  }
+};
+
+/// H_ij and H_ji at one time or on one line are this much of each other's noise: σ² = proportional·|H|² + constant·(mean square of the
+/// pair), the constant in the quantity of the file. One law for all pairs, which half of the differences may contradict.
+struct MirrorLaw {
+  double proportional = 0.0, constant = 0.0;
+  Eigen::MatrixXd mean_square;
+
+  MirrorLaw(const CheckedFile& file, const MirrorPlaces& places) {
+    constexpr std::size_t most_samples = 6000;
+    const Index n = at(places.dofs.size());
+    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(n, n), count = sum;
+    for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+      const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
+      places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
+        if (!(factor > 0.0)) return;
+        sum(at(i), at(j)) += 0.5 * (std::norm(a) + std::norm(b)) / factor;
+        count(at(i), at(j)) += 1.0;
+      });
+    }
+    mean_square = sum.cwiseQuotient(count.cwiseMax(1.0));
+    const std::size_t step = 1 + file.frfs.size() * places.dofs.size() * places.dofs.size() / 2 / most_samples;
+    std::vector<SquaredError> samples;
+    std::size_t number = 0;
+    for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+      const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
+      places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
+        const double size = mean_square(at(i), at(j)) * factor;
+        if (number++ % step != 0 || !(std::isfinite(size) && size > 0.0)) return;
+        samples.push_back({std::norm(a - b) / size, (std::norm(a) + std::norm(b)) / size, 2.0, 1.0});
+      });
+    }
+    const frf::VarianceLaw law = fit_noise(samples);
+    proportional = 2.0 * law.proportional;
+    constant = 2.0 * law.constant;
+  }
+
+  /// E|H_ij − H_ji|².
+  double operator()(std::size_t i, std::size_t j, const Complex& a, const Complex& b, double factor) const {
+    return proportional * (std::norm(a) + std::norm(b)) + 2.0 * constant * mean_square(at(i), at(j)) * factor;
+  }
+
+  bool says_anything() const { return proportional + constant > 1e-12; }
+};
+
+}  // namespace
+
+bool Agreement::contradicts() const {
+  if (!(freedom > 0.0)) return false;
+  return ratio > std::max(recorded ? beyond_recorded : beyond_estimated, 1.0 + sure_deviations / std::sqrt(freedom));
+}
+
+Agreement span_agreement(const SpanSetup& setup, const std::vector<CheckedFile>& files) {
+  const CheckedFile &part = files[setup.part], &assembly = files[setup.assembly];
+  const auto is_known = [](const CheckedFile& file) { return file.errors || (file.noise && file.noise->recorded); };
+  if (!is_known(part) || !is_known(assembly)) return {};
+  const Dofs& all_columns = setup.transposed ? assembly.responses : assembly.references;
+  Dofs columns;
+  for (const auto* some : {&setup.assembly_columns, &setup.outer_columns}) {
+    for (const Index c : *some) columns.push_back(all_columns[static_cast<std::size_t>(c)]);
+  }
+  Sums sums(setup.rows, columns, part.frequency_hz);
+  for (std::size_t l = 0; l < part.frfs.size(); ++l) {
+    const NoisySpan line(setup, files, l);
+    sums.begin_line();
+    if (line.is_complete()) line.add_to(sums);
+    sums.end_line();
+  }
+  return sums.finish(true);
+}
+
+Agreement mirror_agreement(const CheckedFile& file) {
+  const MirrorPlaces places(file);
+  if (places.dofs.size() < 2) return {};
+  const bool recorded = file.errors || (file.noise && file.noise->recorded);
+  const std::optional<MirrorLaw> law = recorded ? std::nullopt : std::optional(MirrorLaw(file, places));
+  if (law && !law->says_anything()) return {};
+  Sums sums(places.dofs, places.dofs, file.frequency_hz);
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
+    sums.begin_line();
+    places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
+      const double expected = law ? (*law)(i, j, a, b, factor)
+                                  : error_square(file, l, places.row[i], places.column[j]) + error_square(file, l, places.row[j], places.column[i]);
+      const double ratio = std::norm(a - b) / expected;
+      if (!std::isfinite(ratio)) return;
+      sums.cell(at(i), at(j), ratio);
+      sums.cell(at(j), at(i), ratio);
+      sums.add(ratio, 1.0, at(i), at(j), ratio);
+    });
+    sums.end_line();
+  }
+  return sums.finish(recorded);
+}
+
+ReciprocityMap reciprocity_map(const CheckedFile& file) {
+  constexpr std::size_t most = 100;
+  const MirrorPlaces places(file);
+  const std::size_t n = places.dofs.size();
+  ReciprocityMap out{.file = file.name, .dofs = n < 2 ? Dofs{} : places.dofs};
+  Eigen::MatrixXd difference = Eigen::MatrixXd::Zero(at(n), at(n)), size = difference;
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+    const double weight = std::pow(angular(file.frequency_hz[l]), 4);
+    places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
+      difference(at(i), at(j)) += weight * std::norm(a - b);
+      size(at(i), at(j)) += weight * 0.5 * (std::norm(a) + std::norm(b));
+    });
+  }
+  out.overall = size.sum() > 0.0 ? std::sqrt(difference.sum() / size.sum()) : 0.0;
+  if (n < 2 || n > most) return out;
+  out.rms.assign(n, std::vector<double>(n, 0.0));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      if (const double square = size(at(i), at(j)); square > 0.0) out.rms[i][j] = out.rms[j][i] = std::sqrt(difference(at(i), at(j)) / square);
+    }
+  }
+  return out;
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ident/check/checked_file.hpp"
+#include "ident/check/span_test.hpp"
+#include "ident/result/suspect.hpp"
+
+namespace jointid::ident {
+
+/// Squares of differences that should be noise, over what the noise of the files makes of them: χ² over its degrees of freedom, about 1
+/// when all is well, as the likelihood sees it with a joint that is free at every line.
+struct Agreement {
+  double ratio = 0.0;    ///< mean over the lines
+  double freedom = 0.0;  ///< complex degrees of freedom of all lines; 0: nothing was tested
+  bool recorded = false;  ///< the files say how large their noise is
+  Dofs rows, columns;
+  Eigen::MatrixXd cells;        ///< [row, column] mean over the lines; NaN where nothing was tested
+  std::vector<double> by_line;  ///< NaN for a line without a test
+  std::vector<double> frequency_hz;
+  /// The FRF at one line that makes most of χ², and the share of χ² beyond the degrees of freedom that goes with its column and line.
+  std::size_t worst_line = 0;
+  Eigen::Index worst_row = 0, worst_column = 0;
+  double worst_share = 0.0, worst_ratio = 0.0;
+
+  /// Whether that is more than chance and the uncertainty of noise laws make.
+  bool contradicts() const;
+};
+
+/// Of a span test: H_asm − H_sub − H_sub(R,J) F, with the forces F by least squares. No test unless the noise of both files is recorded.
+Agreement span_agreement(const SpanSetup& setup, const std::vector<CheckedFile>& files);
+
+/// H_ij − H_ji in a file; where its noise is not recorded, over a law that most of the lines follow.
+Agreement mirror_agreement(const CheckedFile& file);
+
+/// The size of H_ij − H_ji of each pair in a file; no DOFs where it has fewer than two in both roles.
+ReciprocityMap reciprocity_map(const CheckedFile& file);
+
+}  // namespace jointid::ident

@@ -1,0 +1,245 @@
+#include "ident/check/rest.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/eigen.hpp"
+#include "base/statistics.hpp"
+#include "base/text.hpp"
+#include "ident/check/agreement.hpp"
+#include "ident/check/reference_groups.hpp"
+
+namespace jointid::ident {
+namespace {
+
+using Files = std::vector<CheckedFile>;
+using Eigen::Index;
+
+constexpr double unexplained_confidence = 0.6, one_number_confidence = 0.75;
+
+/// The lines, an eighth of all, whose χ² is furthest beyond its expectation.
+std::string worst_band(const Agreement& test) {
+  const std::size_t n = test.by_line.size(), width = std::max<std::size_t>(1, n / 8);
+  std::vector<double> excess(n);
+  std::ranges::transform(test.by_line, excess.begin(), [](double ratio) { return std::isnan(ratio) ? 0.0 : ratio - 1.0; });
+  double most = -1.0;
+  std::size_t first = 0;
+  for (std::size_t k = 0; k + width <= n; ++k) {
+    double sum = 0.0;
+    for (std::size_t i = k; i < k + width; ++i) sum += excess[i];
+    if (sum > most) {
+      most = sum;
+      first = k;
+    }
+  }
+  return fmt::format("{:.4g} to {:.4g} Hz", test.frequency_hz[first], test.frequency_hz[first + width - 1]);
+}
+
+/// The row and column whose cells are largest on average.
+struct WorstPlaces {
+  frf::Dof row, column;
+};
+
+WorstPlaces worst_places(const Agreement& test) {
+  const auto mean = [](const auto& cells) {
+    double sum = 0.0, count = 0.0;
+    for (const double cell : cells) {
+      if (!std::isfinite(cell)) continue;
+      sum += cell;
+      count += 1.0;
+    }
+    return count > 0.0 ? sum / count : 0.0;
+  };
+  WorstPlaces out;
+  double most = -1.0;
+  for (Index r = 0; r < test.cells.rows(); ++r) {
+    if (const double own = mean(test.cells.row(r)); own > most) {
+      most = own;
+      out.row = test.rows[static_cast<std::size_t>(r)];
+    }
+  }
+  most = -1.0;
+  for (Index c = 0; c < test.cells.cols(); ++c) {
+    if (const double own = mean(test.cells.col(c)); own > most) {
+      most = own;
+      out.column = test.columns[static_cast<std::size_t>(c)];
+    }
+  }
+  return out;
+}
+
+/// Whether one FRF at one line is what the others do not agree with.
+bool is_one_number(const Agreement& test) { return test.worst_share > 0.6 && test.worst_ratio > 50.0; }
+
+/// log |H| of a place against the mean of its neighbour lines.
+double jump(const CheckedFile& file, const frf::Dof& response, const frf::Dof& reference, std::size_t line) {
+  const std::size_t r = place_of(file.responses, response), c = place_of(file.references, reference);
+  if (r == frf::npos || c == frf::npos || line == 0 || line + 1 >= file.frfs.size()) return 0.0;
+  const auto size = [&](std::size_t l) { return std::log(std::abs(file.frfs[l](at(r), at(c))) + 1e-300); };
+  return std::abs(size(line) - 0.5 * (size(line - 1) + size(line + 1)));
+}
+
+std::string value_text(const CheckedFile& file, const frf::Dof& response, const frf::Dof& reference, std::size_t line) {
+  const Complex value = file.frfs[line](at(place_of(file.responses, response)), at(place_of(file.references, reference)));
+  const Complex stored = value / std::sqrt(std::max(frf::squared_factor(file.quantity, file.frequency_hz[line]), 1e-300));
+  return fmt::format("{:.4g}", std::abs(stored));
+}
+
+Suspect one_number(const CheckedFile& file, const frf::Dof& response, const frf::Dof& reference, std::size_t line, double ratio) {
+  return {.kind = SuspectKind::outlier,
+          .file = file.name,
+          .dofs = {response, reference},
+          .evidence = fmt::format("one number: the {} of {} over {} at {:g} Hz has the size {}, {:.2g} times its standard error off what "
+                                  "the other FRFs and lines make of it",
+                                  frf::name(file.quantity), response.name(), reference.name(), file.frequency_hz[line],
+                                  value_text(file, response, reference, line), std::sqrt(ratio)),
+          .confidence = one_number_confidence,
+          .remedy = fmt::format("[frequency]\nexclude = [[{0:g}, {0:g}]]", file.frequency_hz[line])};
+}
+
+/// Of a pair, the FRF that jumps.
+Suspect one_number_of_pair(const CheckedFile& file, const Agreement& test) {
+  frf::Dof i = test.rows[static_cast<std::size_t>(test.worst_row)], j = test.columns[static_cast<std::size_t>(test.worst_column)];
+  if (jump(file, j, i, test.worst_line) > jump(file, i, j, test.worst_line)) std::swap(i, j);
+  return one_number(file, i, j, test.worst_line, test.worst_ratio);
+}
+
+/// "mostly in the references …": a group, one coordinate, or the worst pair.
+std::string where_not_reciprocal(const CheckedFile& file, const Agreement& test, Dofs& group) {
+  for (const std::size_t k : group_that_differs(test.cells)) group.push_back(test.rows[k]);
+  if (group.size() == 1) return "mostly in those of " + group.front().name() + ": look for hits beside the point, or a sensor on its side";
+  if (!group.empty()) {
+    return "mostly in references " + group_text(group) +
+           " against the others. Each of the two groups agrees within itself: between them the structure changed (bolts, temperature, "
+           "force level, another day), or points were renumbered";
+  }
+  Index i = 0, j = 0;
+  test.cells.unaryExpr([](double cell) { return std::isfinite(cell) ? cell : 0.0; }).maxCoeff(&i, &j);
+  group = {test.rows[static_cast<std::size_t>(i)], test.columns[static_cast<std::size_t>(j)]};
+  return "most between " + group[0].name() + " and " + group[1].name() + ", in " + file.name + " at " + worst_band(test);
+}
+
+std::optional<Suspect> not_reciprocal(const CheckedFile& file, const ReciprocityTest& screened, double noise) {
+  const Agreement test = mirror_agreement(file);
+  const bool by_much = screened.level > std::max(0.3, 4.0 * noise);
+  if (!test.contradicts() && !by_much) return std::nullopt;
+  if (is_one_number(test)) return one_number_of_pair(file, test);
+  const double rms = reciprocity_map(file).overall;
+  Dofs group;
+  std::string evidence = "H_ij and H_ji differ by " + percent(rms) + " rms (" + percent(screened.level) + " at most lines), ";
+  evidence += test.contradicts() ? digits(std::sqrt(test.ratio)) + " times what noise makes of it, " : "where the noise is about " + percent(noise) + ", ";
+  if (test.freedom > 0.0) evidence += where_not_reciprocal(file, test, group);
+  return Suspect{.kind = SuspectKind::not_reciprocal,
+                 .file = file.name,
+                 .dofs = group,
+                 .evidence = evidence,
+                 .confidence = unexplained_confidence,
+                 .remedy = ""};
+}
+
+/// Of the span tests the one that is furthest beyond its noise.
+struct WorstSpan {
+  Agreement test;
+  const SpanSetup* setup = nullptr;
+};
+
+WorstSpan worst_span(const Files& files, const std::vector<SpanSetup>& setups) {
+  WorstSpan worst;
+  for (const SpanSetup& setup : setups) {
+    Agreement test = span_agreement(setup, files);
+    if (!test.contradicts() || (worst.setup != nullptr && test.ratio <= worst.test.ratio)) continue;
+    worst = {std::move(test), &setup};
+  }
+  return worst;
+}
+
+Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
+  const CheckedFile &assembly = files[worst.setup->assembly], &part = files[worst.setup->part];
+  const Agreement& test = worst.test;
+  const bool turned = worst.setup->transposed;
+  const auto named = [&](frf::Dof row, frf::Dof column) { return turned ? Dofs{column, row} : Dofs{row, column}; };
+  if (is_one_number(test)) {
+    const Dofs dofs = named(test.rows[static_cast<std::size_t>(test.worst_row)], test.columns[static_cast<std::size_t>(test.worst_column)]);
+    const bool in_part = jump(part, dofs[0], dofs[1], test.worst_line) > jump(assembly, dofs[0], dofs[1], test.worst_line);
+    return one_number(in_part ? part : assembly, dofs[0], dofs[1], test.worst_line, test.worst_ratio);
+  }
+  const WorstPlaces places = worst_places(test);
+  const Dofs dofs = named(places.row, places.column);
+  return {.kind = SuspectKind::nonlinear,
+          .file = assembly.name,
+          .dofs = dofs,
+          .evidence = "the FRFs of " + assembly.name + " do not follow from those of " + part.name +
+                      " by forces at the joint, whatever it is: they are off by " + digits(std::sqrt(test.ratio)) +
+                      " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") + "), most in the response " +
+                      dofs[0].name() + ", the reference " + dofs[1].name() + " and from " + worst_band(test),
+          .confidence = unexplained_confidence,
+          .remedy = ""};
+}
+
+Suspect not_passive(const CheckedFile& file) {
+  return {.kind = SuspectKind::not_passive,
+          .file = file.name,
+          .dofs = {},
+          .evidence = "the imaginary parts of driving points are positive: the structure would give energy away",
+          .confidence = unexplained_confidence,
+          .remedy = ""};
+}
+
+void add_nonlinear(const Screening& screening, std::vector<Suspect>& found) {
+  double worst = 0.0, mirror = 0.02;
+  for (const SpanTest& span : screening.span) worst = std::max(worst, span.level);
+  for (const ReciprocityTest& test : screening.reciprocity) mirror = std::max(mirror, test.level);
+  if (!(worst > 0.35 && worst > 4.0 * mirror)) return;
+  found.push_back({.kind = SuspectKind::nonlinear,
+                   .file = "",
+                   .dofs = {},
+                   .evidence = "forces at the joint's coordinates leave " + percent(worst) +
+                               " of the assembly's FRFs, where H_ij and H_ji agree to " + percent(mirror) +
+                               ": parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
+                   .confidence = 0.5,
+                   .remedy = ""});
+}
+
+}  // namespace
+
+std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup>& setups, const Screening& screening,
+                                 const std::vector<double>& noise) {
+  std::vector<Suspect> found;
+  for (std::size_t f = 0; f < files.size(); ++f) {
+    if (activity(files[f], noise[f]) > 1.5) found.push_back(not_passive(files[f]));
+    if (auto suspect = not_reciprocal(files[f], screening.reciprocity[f], noise[f])) found.push_back(std::move(*suspect));
+  }
+  const bool one = std::ranges::any_of(found, [](const Suspect& suspect) { return suspect.kind == SuspectKind::outlier; });
+  const WorstSpan span = one ? WorstSpan{} : worst_span(files, setups);
+  if (span.setup != nullptr) {
+    found.push_back(not_of_the_parts(files, span));
+  } else if (!one) {
+    add_nonlinear(screening, found);
+  }
+  return found;
+}
+
+std::vector<std::string> missing_points(const Files& files, const Dofs& joint) {
+  std::vector<std::string> notes;
+  for (const CheckedFile& file : files) {
+    if (file.assembly) continue;
+    Dofs missing;
+    for (const frf::Dof& dof : joint) {
+      const std::size_t r = place_of(file.responses, dof), c = place_of(file.references, dof);
+      if (r == frf::npos && c == frf::npos) continue;
+      const bool there = r != frf::npos && c != frf::npos && std::ranges::any_of(file.frfs, [&](const Eigen::MatrixXcd& line) {
+                           return std::isfinite(std::norm(line(at(r), at(c))));
+                         });
+      if (!there) missing.push_back(dof);
+    }
+    if (missing.empty()) continue;
+    notes.push_back(file.name + " has no driving point FRF of the joint's " + comma_list(missing, [](const frf::Dof& dof) {
+                      return dof.name();
+                    }) + ": what forces there do to the part is not measured, and cannot be checked");
+  }
+  return notes;
+}
+
+}  // namespace jointid::ident
