@@ -56,6 +56,9 @@ void check_briefly(Plan& plan, const Control& control, Solution& out) {
   const Stopwatch watch(out.runtime_s.check);
   out.check = quick_check(plan, control);
   tell_check(*out.check, out);
+  if (out.status != Status::poor_fit || out.check->verdict != Verdict::clean) return;
+  const std::string band = out.fit.chi_square ? worst_band(plan.lines, out.fit.chi_square->by_line) : "";
+  out.message += (band.empty() ? " " : " The misfit is" + band.substr(1) + ". ") + other_causes(plan.scene) + ".";
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "cli/options/command_options.hpp"
 #include "cli/options/output.hpp"
 #include "cli/text/progress.hpp"
-#include "ident/check/check.hpp"
 #include "ident/scene/read_scene.hpp"
+#include "ident/whole_check.hpp"
 #include "report/check_json.hpp"
 #include "report/json_value.hpp"
 
@@ -27,7 +27,7 @@ ExitCode execute(const CheckArguments& arguments, std::ostream& out) {
   const ident::Scene scene = ident::read_scene(arguments.scene);
   check_targets(ident::files_of(scene), {{"--json", arguments.json}});
   Progress progress;
-  const ident::CheckResult result = ident::check_scene(scene, progress.control());
+  const ident::CheckResult result = ident::check_whole(scene, progress.control());
   if (arguments.json) write_target(*arguments.json, report::json_text(report::check_json(result)), out);
   if (!takes_output({arguments.json})) out << check_text(result);
   return ExitCode::done;

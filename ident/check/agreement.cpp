@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
@@ -17,12 +18,22 @@ using Eigen::Index;
 
 constexpr double beyond_recorded = 1.5, beyond_estimated = 4.0;
 constexpr double sure_deviations = 6.0;
-constexpr double least_noise = 1e-7;  ///< of an FRF: what single precision leaves
+constexpr double least_noise = 1e-7;  ///< of the largest FRF of a reference: what single precision leaves
+constexpr double negligible = 1e-12;  ///< of |H_ii H_jj|: FRFs that are zero by symmetry say nothing
 
-/// E|e|² of one FRF of a file; NaN where it is not known.
-double error_square(const CheckedFile& file, std::size_t line, Index r, Index c) {
+/// Largest |H|² of a reference on a line.
+double largest_square(const CheckedFile& file, std::size_t line, Index c) {
+  double largest = 0.0;
+  for (const Complex& value : file.frfs[line].col(c)) {
+    if (std::norm(value) > largest) largest = std::norm(value);
+  }
+  return largest;
+}
+
+/// E|e|² of one FRF of a file; NaN where it is not known. `largest`: largest_square() of its reference.
+double error_square(const CheckedFile& file, std::size_t line, Index r, Index c, double largest) {
   const double square = std::norm(file.frfs[line](r, c));
-  const double least = least_noise * least_noise * square;
+  const double least = least_noise * least_noise * largest;
   if (file.errors) return file.variance(line, r, c) + least;
   if (!file.noise) return nan;
   return (*file.noise)(r, c, square, frf::squared_factor(file.quantity, file.frequency_hz[line])) + least;
@@ -83,11 +94,14 @@ struct NoisySpan {
 
   static void fill(const CheckedFile& file, std::size_t line, const std::vector<Index>& rows, const std::vector<Index>& columns,
                    bool transposed, double sign, Index first, Eigen::MatrixXcd& values, Eigen::MatrixXd& noise) {
+    const std::vector<Index>& references = transposed ? rows : columns;
+    std::vector<double> largest;
+    for (const Index reference : references) largest.push_back(largest_square(file, line, reference));
     for (std::size_t c = 0; c < columns.size(); ++c) {
       for (std::size_t r = 0; r < rows.size(); ++r) {
         const Index i = transposed ? columns[c] : rows[r], j = transposed ? rows[r] : columns[c];
         values(at(r), first + at(c)) += sign * file.frfs[line](i, j);
-        noise(at(r), first + at(c)) += error_square(file, line, i, j);
+        noise(at(r), first + at(c)) += error_square(file, line, i, j, largest[transposed ? r : c]);
       }
     }
   }
@@ -157,8 +171,10 @@ struct MirrorPlaces {
   void each_pair(const CheckedFile& file, std::size_t line, const Each& each) const {
     for (std::size_t i = 0; i < dofs.size(); ++i) {
       for (std::size_t j = i + 1; j < dofs.size(); ++j) {
-        const Complex a = file.frfs[line](row[i], column[j]), b = file.frfs[line](row[j], column[i]);
-        if (std::isfinite(std::norm(a)) && std::isfinite(std::norm(b))) each(i, j, a, b);
+        const Eigen::MatrixXcd& h = file.frfs[line];
+        const Complex a = h(row[i], column[j]), b = h(row[j], column[i]);
+        const double size = std::norm(a) + std::norm(b), points = std::abs(h(row[i], column[i]) * h(row[j], column[j]));
+        if (std::isfinite(size) && !(size <= negligible * points)) each(i, j, a, b);
       }
     }
   }
@@ -237,15 +253,18 @@ Agreement mirror_agreement(const CheckedFile& file) {
   const MirrorPlaces places(file);
   if (places.dofs.size() < 2) return {};
   const bool recorded = file.errors || (file.noise && file.noise->recorded);
-  const std::optional<MirrorLaw> law = recorded ? std::nullopt : std::optional(MirrorLaw(file, places));
+  const auto law = recorded ? nullptr : std::make_unique<const MirrorLaw>(file, places);
   if (law && !law->says_anything()) return {};
   Sums sums(places.dofs, places.dofs, file.frequency_hz);
   for (std::size_t l = 0; l < file.frfs.size(); ++l) {
     const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
+    std::vector<double> largest;
+    for (const Index c : places.column) largest.push_back(largest_square(file, l, c));
     sums.begin_line();
     places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
       const double expected = law ? (*law)(i, j, a, b, factor)
-                                  : error_square(file, l, places.row[i], places.column[j]) + error_square(file, l, places.row[j], places.column[i]);
+                                  : error_square(file, l, places.row[i], places.column[j], largest[j]) +
+                                        error_square(file, l, places.row[j], places.column[i], largest[i]);
       const double ratio = std::norm(a - b) / expected;
       if (!std::isfinite(ratio)) return;
       sums.cell(at(i), at(j), ratio);

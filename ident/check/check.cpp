@@ -1,14 +1,17 @@
 #include "ident/check/check.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "ident/check/inquiry.hpp"
 #include "ident/check/repeated_numbers.hpp"
 #include "ident/check/virtual_point_check.hpp"
 #include "ident/plan/couple_first.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/plan/line_choice.hpp"
+#include "models/model_file.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -62,6 +65,40 @@ CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> su
   const auto parts = couple_first(reduced, std::move(substructures), notes);
   const std::vector<Line> lines = choose_lines(reduced, *parts, *assembly, notes);
   return check_lines({reduced, *parts, *assembly, lines}, joint_of(reduced), control, long_form);
+}
+
+std::string other_causes(const Scene& scene) {
+  const auto has = [&](restrictions::Kind kind) {
+    return std::ranges::any_of(scene.joints, [&](const restrictions::JointSpec& joint) { return joint.matrices.contains(kind); });
+  };
+  const auto is_model = [](const DataFile& file) { return models::is_model_file(file.path); };
+  std::vector<std::string> causes;
+  if (!has(restrictions::Kind::mass)) causes.push_back("mass at the joint ([joint.mass])");
+  const bool hysteretic = has(restrictions::Kind::hysteretic_damping), viscous = has(restrictions::Kind::viscous_damping);
+  if (!(hysteretic && viscous))
+    causes.push_back(hysteretic ? "another damping law (viscous)" : viscous ? "another damping law (hysteretic)" : "damping of the joint");
+  causes.push_back("a joint DOF left out");
+  if (scene.data.regenerate.any() || std::ranges::any_of(scene.data.substructures, is_model)) causes.push_back("missing modes of a model");
+  causes.push_back("bolts at another force level or torque than the scene's other files");
+  std::string text = "Where no file is wrong, look for: ";
+  for (std::size_t i = 0; i < causes.size(); ++i) text += (i == 0 ? "" : i + 1 < causes.size() ? ", " : " or ") + causes[i];
+  return text;
+}
+
+std::string worst_band(const std::vector<Line>& lines, const std::vector<double>& by_line) {
+  const std::size_t n = std::min(lines.size(), by_line.size()), width = std::max<std::size_t>(1, n / 8);
+  double most = 0.0;
+  std::size_t first = n;
+  for (std::size_t k = 0; k + width <= n; ++k) {
+    double sum = 0.0;
+    for (std::size_t i = k; i < k + width; ++i) sum += std::isnan(by_line[i]) ? 0.0 : by_line[i];
+    if (sum > most) {
+      most = sum;
+      first = k;
+    }
+  }
+  if (first == n) return "";
+  return ", most from " + digits(lines[first].frequency_hz, "%.4g") + " to " + digits(lines[first + width - 1].frequency_hz, "%.4g") + " Hz";
 }
 
 CheckResult check_scene(const Scene& scene, const Control& control) {

@@ -6,7 +6,9 @@
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
+#include "base/text.hpp"
 #include "frf/noise/variance_law.hpp"
+#include "frf/noise/wild_values.hpp"
 #include "ident/result/control.hpp"
 #include "ident/variance/file_covariance.hpp"
 
@@ -116,6 +118,47 @@ std::shared_ptr<const CovarianceLaw> read_errors(frf::FrfSource& source, const s
   return std::make_shared<const CovarianceLaw>(std::move(law));
 }
 
+Suspect wild_number(const CheckedFile& file, const frf::FrfHeader& header, const frf::WildValue& value) {
+  Dofs dofs;
+  std::string which = "all FRFs";
+  if (value.response != frf::npos && value.reference != frf::npos) {
+    dofs = {header.response[value.response], header.reference[value.reference]};
+    which = "the " + frf::name(header.quantity) + " of " + dofs[0].name() + " over " + dofs[1].name();
+  }
+  const double first = header.frequency_hz[value.line], last = header.frequency_hz[value.last_line];
+  const std::string lines = first == last ? digits(first, "%g") + " Hz" : digits(first, "%g") + " to " + digits(last, "%g") + " Hz";
+  const std::string size = value.kind == frf::WildKind::infinite ? "infinite"
+                           : value.kind == frf::WildKind::large  ? digits(value.factor, "%.2g") + " times the size of its neighbour lines"
+                                                                 : "1/" + digits(1.0 / value.factor, "%.2g") + " of the size of its neighbour lines";
+  return {.kind = SuspectKind::outlier,
+          .file = file.name,
+          .dofs = dofs,
+          .evidence = "one number: " + which + " at " + lines + " is " + size,
+          .confidence = 0.9,
+          .remedy = "[frequency]\nexclude = [[" + digits(first, "%.9g") + ", " + digits(last, "%.9g") + "]]"};
+}
+
+/// Of each run of consecutive lines; numbers that are missing are no mistake.
+std::vector<Suspect> wild_numbers(const CheckedFile& file, const frf::FrfHeader& header, const std::vector<std::size_t>& source_lines,
+                                  std::span<const Complex> values) {
+  constexpr std::size_t most = 5;
+  std::vector<Suspect> found;
+  if (header.entries() > frf::most_judged_frfs) return found;
+  for (std::size_t first = 0, end = 0; first < source_lines.size(); first = end) {
+    frf::FrfHeader some = header;
+    some.frequency_hz.clear();
+    for (end = first; end < source_lines.size() && source_lines[end] == source_lines[first] + (end - first); ++end)
+      some.frequency_hz.push_back(header.frequency_hz[source_lines[end]]);
+    if (end - first < 4) continue;
+    frf::WildSearch search(some);
+    search.add(values.subspan(first * header.entries(), (end - first) * header.entries()));
+    for (const frf::WildValue& value : search.finish().found) {
+      if (value.kind != frf::WildKind::not_a_number && found.size() < most) found.push_back(wild_number(file, some, value));
+    }
+  }
+  return found;
+}
+
 CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& source_lines, const Scene& scene, bool assembly) {
   const frf::FrfHeader& header = source.header();
   CheckedFile file{.name = name_in_scene(scene, header.file),
@@ -143,6 +186,7 @@ CheckedFile read_file(frf::FrfSource& source, const std::vector<std::size_t>& so
     file.frfs.push_back(std::move(line));
   }
   file.noise = recorded_laws(source, source_lines, values, scene);
+  file.wild = wild_numbers(file, header, source_lines, values);
   leave_out_unmeasured(file);
   return file;
 }

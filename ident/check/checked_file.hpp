@@ -24,6 +24,7 @@ struct CheckedFile {
   std::vector<Eigen::MatrixXcd> frfs;  ///< [F] receptances, responses × references; NaN where not measured
   /// Law of the errors' covariances over the responses, of all lines and references; none where the file has none.
   std::shared_ptr<const CovarianceLaw> errors{};
+  std::vector<Suspect> wild{};  ///< numbers far out of their neighbours (frf::WildSearch); of consecutive lines
   std::shared_ptr<const NoiseLaws> noise{};  ///< of each FRF; null where the file knows nothing
 
   /// E[e e^H] of some FRFs of a line to a reference. Only with `errors`.

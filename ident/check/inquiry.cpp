@@ -209,6 +209,7 @@ Verdict verdict_of(const std::vector<Suspect>& suspects) {
 CheckResult inquire(std::vector<CheckedFile> files, const Dofs& joint, const Control& control, bool with_axis) {
   CheckResult result;
   for (CheckedFile& file : files) {
+    result.suspects.insert(result.suspects.end(), file.wild.begin(), file.wild.end());
     for (Suspect& suspect : take_out_dead_and_copied(file)) result.suspects.push_back(std::move(suspect));
     for (Suspect& suspect : find_copied_columns(file)) result.suspects.push_back(std::move(suspect));
     if (ReciprocityMap map = reciprocity_map(at_lines(file, spread_lines(file.frfs.size(), screening_lines))); !map.dofs.empty())

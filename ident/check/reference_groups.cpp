@@ -10,7 +10,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr double least_logarithm = 1.386;  ///< log 4
+constexpr double least_gap = 0.693, least_contrast = 1.386;  ///< log 2, log 4
 constexpr std::size_t most_coordinates = 96;
 
 /// Mean logarithms across and within a split.
@@ -93,7 +93,7 @@ std::vector<std::size_t> upper_group(const std::vector<double>& levels) {
       apart = gap;
     }
   }
-  if (!(apart > least_logarithm)) return {};
+  if (!(apart > least_gap)) return {};
   std::vector<std::size_t> out(order.begin() + static_cast<std::ptrdiff_t>(cut), order.end());
   std::ranges::sort(out);
   return out;
@@ -104,7 +104,7 @@ std::vector<std::size_t> group_that_differs(const Eigen::MatrixXd& cells) {
   if (n < 3 || n > most_coordinates) return {};
   const Eigen::MatrixXd logs = cells.unaryExpr([](double cell) { return std::isfinite(cell) ? std::log(std::max(cell, 1e-12)) : cell; });
   std::vector<bool> in = best_cut(logs);
-  if (!(sharpen(logs, in) > least_logarithm)) return {};
+  if (!(sharpen(logs, in) > least_contrast)) return {};
   const auto count = static_cast<std::size_t>(std::ranges::count(in, true));
   const bool wanted = 2 * count < n || (2 * count == n && in.back());
   std::vector<std::size_t> out;

@@ -9,7 +9,7 @@
 namespace jointid::ident {
 
 /// The indices whose level is that of an upper group: the split of the logarithms in two that leaves the least variance. Empty unless the
-/// geometric means of the groups are a factor of 4 apart and both have an element.
+/// geometric means of the groups are a factor of 2 apart and both have an element.
 std::vector<std::size_t> upper_group(const std::vector<double>& levels);
 
 /// A group of coordinates that differ from the others and agree among themselves, and so do the others: the split with the largest mean

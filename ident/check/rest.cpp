@@ -9,6 +9,7 @@
 #include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "ident/check/agreement.hpp"
+#include "ident/check/check.hpp"
 #include "ident/check/reference_groups.hpp"
 
 namespace jointid::ident {
@@ -20,21 +21,10 @@ using Eigen::Index;
 constexpr double unexplained_confidence = 0.6, one_number_confidence = 0.75;
 
 /// The lines, an eighth of all, whose χ² is furthest beyond its expectation.
-std::string worst_band(const Agreement& test) {
-  const std::size_t n = test.by_line.size(), width = std::max<std::size_t>(1, n / 8);
-  std::vector<double> excess(n);
-  std::ranges::transform(test.by_line, excess.begin(), [](double ratio) { return std::isnan(ratio) ? 0.0 : ratio - 1.0; });
-  double most = -1.0;
-  std::size_t first = 0;
-  for (std::size_t k = 0; k + width <= n; ++k) {
-    double sum = 0.0;
-    for (std::size_t i = k; i < k + width; ++i) sum += excess[i];
-    if (sum > most) {
-      most = sum;
-      first = k;
-    }
-  }
-  return fmt::format("{:.4g} to {:.4g} Hz", test.frequency_hz[first], test.frequency_hz[first + width - 1]);
+std::string band_of(const Agreement& test) {
+  std::vector<Line> lines;
+  for (const double hz : test.frequency_hz) lines.push_back({.frequency_hz = hz});
+  return worst_band(lines, test.by_line);
 }
 
 /// The row and column whose cells are largest on average.
@@ -118,7 +108,7 @@ std::string where_not_reciprocal(const CheckedFile& file, const Agreement& test,
   Index i = 0, j = 0;
   test.cells.unaryExpr([](double cell) { return std::isfinite(cell) ? cell : 0.0; }).maxCoeff(&i, &j);
   group = {test.rows[static_cast<std::size_t>(i)], test.columns[static_cast<std::size_t>(j)]};
-  return "most between " + group[0].name() + " and " + group[1].name() + ", in " + file.name + " at " + worst_band(test);
+  return "most between " + group[0].name() + " and " + group[1].name() + ", in " + file.name + band_of(test);
 }
 
 std::optional<Suspect> not_reciprocal(const CheckedFile& file, const ReciprocityTest& screened, double noise) {
@@ -173,7 +163,7 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
           .evidence = "the FRFs of " + assembly.name + " do not follow from those of " + part.name +
                       " by forces at the joint, whatever it is: they are off by " + digits(std::sqrt(test.ratio)) +
                       " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") + "), most in the response " +
-                      dofs[0].name() + ", the reference " + dofs[1].name() + " and from " + worst_band(test),
+                      dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test),
           .confidence = unexplained_confidence,
           .remedy = ""};
 }

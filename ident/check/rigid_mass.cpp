@@ -117,6 +117,10 @@ double disagreement(const std::vector<CheckedFile>& files, const Dofs& joint) {
 
 void scale(CheckedFile& file, double factor) {
   for (Eigen::MatrixXcd& line : file.frfs) line *= factor;
+  if (!file.noise) return;
+  NoiseLaws laws = *file.noise;
+  laws.constant *= factor * factor;
+  file.noise = std::make_shared<const NoiseLaws>(std::move(laws));
 }
 
 /// Whether the other files are off by the same factor, as those agree that are so far.

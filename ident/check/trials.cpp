@@ -387,20 +387,28 @@ bool is_a_quantity(const CheckedFile& file, int power) {
 
 struct RatioFinding {
   double size = 1.0, delay = 0.0, deviation = 0.0;  ///< of the assembly over the part
+  /// Standard deviations by which ln size is off 0, beyond what noise in one of the two files could make of it; 0 within that.
+  double deviations = 0.0;
   bool known = false;
 };
 
 RatioFinding ratio_of(const SpanTest& test) {
   RatioFinding out;
-  std::vector<double> sizes;
+  std::vector<double> sizes, noise;
   std::vector<PhaseSample> samples;
   for (std::size_t l = 0; l < test.ratio.size(); ++l) {
     if (test.coherence[l] < 0.5) continue;
     sizes.push_back(std::log(std::abs(test.ratio[l])));
+    noise.push_back(-0.5 * std::log(std::min(test.coherence[l], 1.0)));
     samples.push_back({angular(test.ratio_hz[l]), test.ratio[l] / std::abs(test.ratio[l]) * test.coherence[l]});
   }
   if (sizes.size() < 4) return out;
-  out.size = std::exp(median(sizes));
+  const double middle = median(sizes);
+  out.size = std::exp(middle);
+  std::vector<double> off;
+  for (const double size : sizes) off.push_back(std::abs(size - middle));
+  const double error = 1.86 * median(off) / std::sqrt(static_cast<double>(sizes.size()));
+  out.deviations = std::max(0.0, (std::abs(middle) - median(noise)) / std::hypot(error, 3e-4));
   const DelayFit fit = fit_delay(samples);
   out.delay = fit.delay;
   out.deviation = fit.deviation;
@@ -419,8 +427,10 @@ void add_file_trials(const Files& files, const std::vector<SpanSetup>& setups, c
     if (!ratio.known) continue;
     for (const std::size_t f : {setups[s].part, setups[s].assembly}) {
       const double to_mend = f == setups[s].part ? ratio.size : 1.0 / ratio.size;
-      if (std::abs(std::log(to_mend)) > 0.02 && !scaled[f]) {
+      const bool small = std::abs(std::log(to_mend)) <= 0.02;
+      if ((!small || ratio.deviations > significant) && !scaled[f]) {
         out.push_back(file_gain_trial(files, f, to_mend));
+        if (small) out.back().bonus = 0.02 * std::min(ratio.deviations, 40.0);
         scaled[f] = true;
       }
       if (is_delay(ratio.delay, ratio.deviation) && !seen_delay[f]) {

@@ -1,0 +1,92 @@
+#include "ident/whole_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/statistics.hpp"
+#include "base/text.hpp"
+#include "ident/check/check.hpp"
+#include "ident/identify.hpp"
+#include "ident/scene/variance_origin.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr std::size_t most_frfs = 2500, most_lines = 24;
+constexpr double beyond = 1.5;  ///< χ² over degrees of freedom
+
+std::size_t frfs_of(const frf::FrfSystem& system) {
+  std::size_t sum = 0;
+  for (std::size_t s = 0; s < system.source_count(); ++s) sum += system.source(s).header().entries();
+  return sum;
+}
+
+Scene likelihood_of(const Scene& scene) {
+  Scene out = scene;
+  out.identify.automatic = false;
+  out.identify.bootstrap = 0;
+  if (scene.identify.method != Method::likelihood) {
+    out.identify.method = Method::likelihood;
+    out.identify.solver = "auto";
+  }
+  return out;
+}
+
+/// Few lines, evenly spread; null where the scene is too large.
+std::unique_ptr<Plan> small_plan(Scene scene) {
+  auto plan = make_plan(scene);
+  if (frfs_of(*plan->substructures) + frfs_of(*plan->assembly) > most_frfs || !plan->regenerated.empty()) return nullptr;
+  if (plan->lines.size() <= most_lines) return plan;
+  const double first = plan->lines.front().frequency_hz, last = plan->lines.back().frequency_hz;
+  scene.frequency.range_hz = {first, last};
+  scene.frequency.step_hz = (last - first) / static_cast<double>(most_lines - 1);
+  return make_plan(scene);
+}
+
+bool knows_variances(const Solution& solution) {
+  return std::ranges::none_of(solution.variances, [](const VarianceSource& file) {
+    return file.origin == phrase(VarianceOrigin::scatter) || file.origin == phrase(VarianceOrigin::noise_model);
+  });
+}
+
+std::optional<Suspect> fit_suspect(const Scene& scene, const Control& control) {
+  try {
+    const auto plan = small_plan(likelihood_of(scene));
+    if (!plan) return std::nullopt;
+    const Solution fit = solve(*plan, {.threads = control.threads,
+                                       .progress = {},
+                                       .interrupted = control.interrupted,
+                                       .detail = Detail::estimates,
+                                       .judgement = Judgement::none});
+    if (!fit.fit.chi_square || !knows_variances(fit) || fit.status != Status::ok) return std::nullopt;
+    const double freedom = std::max(1.0, fit.fit.chi_square->degrees_of_freedom), ratio = fit.fit.chi_square->value / freedom;
+    if (!(ratio > std::max(beyond, chi_square_quantile(freedom, 5.0) / freedom))) return std::nullopt;
+    return Suspect{.kind = SuspectKind::nonlinear,
+                   .file = "",
+                   .dofs = {},
+                   .evidence = "each file agrees with itself, but no joint of this scene explains the FRFs: they are off by " +
+                               digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " +
+                               digits(ratio, "%.3g") + ")" + worst_band(plan->lines, fit.fit.chi_square->by_line) + ". " + other_causes(scene),
+                   .confidence = 0.6,
+                   .remedy = ""};
+  } catch (const InputError&) {
+    return std::nullopt;  // solve says so
+  }
+}
+
+}  // namespace
+
+CheckResult check_whole(const Scene& scene, const Control& control) {
+  CheckResult result = check_scene(scene, control);
+  if (!result.suspects.empty()) return result;
+  if (auto suspect = fit_suspect(scene, control)) {
+    result.suspects.push_back(std::move(*suspect));
+    result.verdict = Verdict::suspicious;
+  }
+  return result;
+}
+
+}  // namespace jointid::ident

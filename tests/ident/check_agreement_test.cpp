@@ -1,0 +1,236 @@
+// Files against their own noise, groups of references, and numbers that stand twice: what a check says of them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "frf/file/write.hpp"
+#include "frf/noise/noise.hpp"
+#include "ident/check/agreement.hpp"
+#include "ident/check/check.hpp"
+#include "ident/check/inquiry.hpp"
+#include "ident/check/noise_laws.hpp"
+#include "ident/check/reference_groups.hpp"
+#include "ident/check/repeated_numbers.hpp"
+#include "ident/check/rest.hpp"
+#include "ident/check/rigid_mass.hpp"
+#include "ident/scene/read_scene.hpp"
+#include "ident/whole_check.hpp"
+#include "problems/case/in_memory.hpp"
+#include "problems/problem.hpp"
+#include "tests/test_folder.hpp"
+
+namespace {
+
+using namespace jointid;
+using ident::CheckedFile;
+using ident::SuspectKind;
+using testing::HasSubstr;
+
+/// FRFs of six points of a structure of three modes with 0.3 % noise, 60 lines; `shift` of the modes, relative.
+CheckedFile structure(double shift, std::uint64_t seed) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  CheckedFile file{.name = "S.h5", .assembly = true};
+  for (int node = 1; node <= 6; ++node) file.responses.push_back(frf::Dof::parse(std::to_string(node) + ":+Z"));
+  file.references = file.responses;
+  for (int l = 0; l < 60; ++l) {
+    const double hz = 20.0 + 4.0 * l;
+    Eigen::MatrixXcd h = Eigen::MatrixXcd::Zero(6, 6);
+    for (int m = 1; m <= 3; ++m) {
+      Eigen::VectorXcd shape(6);
+      for (int i = 0; i < 6; ++i) shape[i] = std::cos(m * (0.4 + 0.37 * i));
+      h += shape * shape.transpose() / (std::pow(70.0 * m * (1.0 + shift), 2) * Complex(1.0, 0.02) - hz * hz);
+    }
+    for (Complex& value : h.reshaped()) value *= 1.0 + 0.003 / std::sqrt(2.0) * Complex(normal(generator), normal(generator));
+    file.frequency_hz.push_back(hz);
+    file.frfs.push_back(h);
+  }
+  return file;
+}
+
+ident::CheckResult checked(std::vector<CheckedFile> files) { return ident::inquire(std::move(files), {}, {}, false); }
+
+TEST(mirror_agreement, is_one_for_noise_whatever_its_size_was_said_to_be) {
+  CheckedFile file = structure(0.0, 1);
+  EXPECT_NEAR(ident::mirror_agreement(file).ratio, 1.0, 0.15);
+  file.noise = std::make_shared<const ident::NoiseLaws>(
+      ident::NoiseLaws{Eigen::MatrixXd::Constant(6, 6, 9e-6), Eigen::MatrixXd::Zero(6, 6), true});
+  const ident::Agreement recorded = ident::mirror_agreement(file);
+  EXPECT_TRUE(recorded.recorded);
+  EXPECT_NEAR(recorded.ratio, 1.0, 0.15);
+  EXPECT_FALSE(recorded.contradicts());
+}
+
+TEST(check, names_references_measured_after_the_structure_changed) {
+  CheckedFile file = structure(0.0, 1);
+  const CheckedFile later = structure(0.004, 2);
+  for (std::size_t l = 0; l < file.frfs.size(); ++l) file.frfs[l].rightCols(2) = later.frfs[l].rightCols(2);
+  const ident::CheckResult result = checked({file});
+  ASSERT_EQ(result.suspects.size(), 1u);
+  EXPECT_EQ(result.verdict, ident::Verdict::suspicious);
+  EXPECT_EQ(ident::title(result.suspects[0]), "not_reciprocal 5:+Z, 6:+Z in S.h5");
+  EXPECT_THAT(result.suspects[0].evidence, HasSubstr("mostly in references 5:+Z, 6:+Z against the others"));
+  ASSERT_EQ(result.reciprocity.size(), 1u);
+  EXPECT_LT(result.reciprocity[0].rms[0][1], 0.01);
+  EXPECT_GT(result.reciprocity[0].rms[0][5], 0.05);
+  EXPECT_EQ(checked({structure(0.0, 3)}).verdict, ident::Verdict::clean);
+}
+
+TEST(check, names_the_one_number_that_is_off) {
+  CheckedFile file = structure(0.0, 1);
+  file.frfs[31](1, 4) *= 20.0;
+  const ident::CheckResult result = checked({file});
+  ASSERT_EQ(result.suspects.size(), 1u);
+  EXPECT_EQ(ident::title(result.suspects[0]), "outlier 2:+Z, 5:+Z in S.h5");
+  EXPECT_THAT(result.suspects[0].evidence, HasSubstr("2:+Z over 5:+Z at 144 Hz"));
+}
+
+TEST(check, names_references_and_frfs_that_are_copies) {
+  CheckedFile column = structure(0.0, 1), cell = column;
+  for (Eigen::MatrixXcd& line : column.frfs) line.col(4) = line.col(1).eval();
+  for (Eigen::MatrixXcd& line : cell.frfs) line(3, 2) = line(0, 2);
+  const auto columns = ident::find_copied_columns(column), cells = ident::find_copied_columns(cell);
+  ASSERT_EQ(columns.size(), 1u);
+  EXPECT_EQ(ident::title(columns[0]), "copy 2:+Z, 5:+Z in S.h5");
+  ASSERT_EQ(cells.size(), 1u);
+  EXPECT_EQ(ident::title(cells[0]), "copy 1:+Z, 4:+Z in S.h5");
+  EXPECT_THAT(cells[0].evidence, HasSubstr("to the reference 3:+Z"));
+  EXPECT_TRUE(ident::find_copied_columns(structure(0.0, 1)).empty());
+}
+
+TEST(noise_law, is_found_from_variances_that_scatter) {
+  std::mt19937_64 generator(4);
+  std::gamma_distribution<double> gamma(4.0, 0.25);
+  std::vector<ident::NoiseSample> samples;
+  for (int i = 0; i < 4000; ++i) {
+    const double square = std::pow(10.0, -3.0 + 6.0 * i / 4000.0);
+    samples.push_back({(2e-4 * square + 3e-4) * gamma(generator), square, 1.0});
+  }
+  const auto [proportional, constant] = ident::fit_noise_law(samples);
+  EXPECT_NEAR(proportional / 2e-4, 1.0, 0.06);
+  EXPECT_NEAR(constant / 3e-4, 1.0, 0.06);
+}
+
+TEST(reference_groups, are_found_by_level_and_by_pairs) {
+  EXPECT_THAT(ident::upper_group({1.0, 1.1, 9.0, 0.8, 12.0}), testing::ElementsAre(2, 4));
+  EXPECT_THAT(ident::upper_group({1.0, 1.1, 0.9, 1.3, 1.2}), testing::IsEmpty());
+  Eigen::MatrixXd cells = Eigen::MatrixXd::Constant(5, 5, 1.0);
+  for (const Eigen::Index i : {1, 3}) {
+    for (const Eigen::Index j : {0, 2, 4}) cells(i, j) = cells(j, i) = 30.0;
+  }
+  EXPECT_THAT(ident::group_that_differs(cells), testing::ElementsAre(1, 3));
+  EXPECT_THAT(ident::group_that_differs(Eigen::MatrixXd::Constant(5, 5, 1.0)), testing::IsEmpty());
+}
+
+TEST(missing_points, name_the_joint_dof_without_driving_point) {
+  CheckedFile part = structure(0.0, 1);
+  part.assembly = false;
+  const Dofs joint = {frf::Dof::parse("5:+Z"), frf::Dof::parse("6:+Z"), frf::Dof::parse("101:+Z")};
+  EXPECT_THAT(ident::missing_points({part}, joint), testing::IsEmpty());
+  for (Eigen::MatrixXcd& line : part.frfs) line(4, 4) = Complex(std::nan(""), 0.0);
+  EXPECT_THAT(ident::missing_points({part}, joint), testing::ElementsAre(HasSubstr("S.h5 has no driving point FRF of the joint's 5:+Z:")));
+}
+
+problems::Measurement hammered(const problems::Problem& problem, std::uint64_t seed) {
+  const frf::NoiseModel noise{.kind = frf::NoiseKind::hammer, .reciprocal = false, .coherence = 0.999};
+  problems::Measurement data;
+  for (std::size_t i = 0; i < problem.substructures.size(); ++i) data.substructures.push_back(frf::polluted(problem.substructures[i], noise, seed, 0, i));
+  data.assembly = frf::polluted(problem.assembly, noise, seed, 0, problem.substructures.size());
+  return data;
+}
+
+/// What a set says at [line, response, reference], changed in some references.
+template <class Change>
+void change_columns(frf::FrfSet& set, std::size_t first, const Change& change) {
+  for (std::size_t l = 0; l < set.header.lines(); ++l) {
+    for (std::size_t c = first; c < set.header.reference.size(); ++c) change(l, c);
+  }
+}
+
+TEST(check, undoes_a_mistake_in_some_references_alone) {
+  const problems::Problem problem = problems::make("rig1");
+  problems::Measurement data = hammered(problem, 1);
+  frf::FrfSet& set = data.assembly;
+  const std::size_t first = set.header.reference.size() / 2;
+  change_columns(set, first, [&](std::size_t l, std::size_t c) { std::swap(set.values[set.index(l, 0, c)], set.values[set.index(l, 2, c)]); });
+  const ident::CheckResult result = problems::check(problems::scene(problem), data);
+  ASSERT_FALSE(result.suspects.empty());
+  EXPECT_EQ(result.suspects[0].kind, SuspectKind::swap);
+  EXPECT_TRUE(frf::has(result.suspects[0].dofs, set.header.response[0]) && frf::has(result.suspects[0].dofs, set.header.response[2]));
+  EXPECT_THAT(result.suspects[0].evidence, HasSubstr("for the references "));
+  EXPECT_THAT(result.suspects[0].remedy, HasSubstr("\"" + set.header.reference.back().name() + "\""));
+}
+
+class FilesOfRig : public testing::Test {
+ protected:
+  FilesOfRig() : problem_(problems::make("rig1")), data_(hammered(problem_, 1)) {}
+
+  void write(const frf::FrfSet& set, const std::string& name) { frf::write(set, folder_ / name); }
+  void write_all() {
+    for (const frf::FrfSet& set : data_.substructures) write(set, set.header.file);
+    write(data_.assembly, data_.assembly.header.file);
+  }
+  ident::Scene scene(std::string text) const { return ident::parse_scene(text, folder_ / "rig1.toml"); }
+
+  TestFolder folder_;
+  problems::Problem problem_;
+  problems::Measurement data_;
+};
+
+TEST_F(FilesOfRig, that_are_two_runs_of_the_same_numbers_are_named) {
+  write_all();
+  const std::string assembly = data_.assembly.header.file, again = "again.h5";
+  write(data_.assembly, again);
+  std::string text = problem_.scene;
+  const std::string name = "\"" + assembly + "\"";
+  text.replace(text.find(name), name.size(), "[" + name + ", \"" + again + "\"]");
+  const ident::CheckResult result = ident::check_whole(scene(text));
+  ASSERT_FALSE(result.suspects.empty());
+  EXPECT_EQ(ident::title(result.suspects[0]), "copy in again.h5");
+  EXPECT_THAT(result.suspects[0].evidence, HasSubstr("are the same numbers"));
+  data_.assembly.values[3] *= 1.001;
+  write(data_.assembly, again);
+}
+
+TEST_F(FilesOfRig, that_no_joint_of_the_scene_explains_are_not_clean) {
+  write_all();
+  EXPECT_TRUE(ident::check_whole(scene(problem_.scene)).suspects.empty());
+  std::string text = problem_.scene;
+  const std::size_t damping = text.find("[joint.hysteretic_damping]"), next = text.find("\n[", damping + 1);
+  ASSERT_NE(next, std::string::npos);
+  text.erase(damping, next - damping + 1);
+  const ident::CheckResult result = ident::check_whole(scene(text));
+  ASSERT_EQ(result.suspects.size(), 1u);
+  EXPECT_EQ(result.suspects[0].kind, SuspectKind::nonlinear);
+  EXPECT_THAT(result.suspects[0].evidence, HasSubstr("mass at the joint"));
+}
+
+TEST_F(FilesOfRig, a_gain_of_all_frfs_of_one_percent_is_named) {
+  for (Complex& value : data_.assembly.values) value *= 1.01;
+  const ident::CheckResult result = problems::check(problems::scene(problem_), data_);
+  ASSERT_FALSE(result.suspects.empty());
+  EXPECT_EQ(ident::title(result.suspects[0]), "gain in " + data_.assembly.header.file);
+}
+
+TEST(rigid_body_mass, is_read_off_three_lines_above_0_hz) {
+  CheckedFile file;
+  file.responses = file.references = {frf::Dof::parse("1:+Z"), frf::Dof::parse("2:+Z")};
+  for (double hz = 0.0; hz <= 10.0; hz += 1.0) {
+    file.frequency_hz.push_back(hz);
+    file.frfs.push_back(Eigen::MatrixXcd::Constant(2, 2, -1.0 / (2.5 * std::pow(2.0 * M_PI * hz, 2))));
+  }
+  const auto mass = ident::rigid_body_mass(file);
+  ASSERT_TRUE(mass);
+  EXPECT_NEAR(*mass, 2.5, 1e-9);
+}
+
+TEST(other_causes, are_those_that_the_scene_leaves_open) {
+  ident::Scene scene = problems::scene(problems::make("rig1"));
+  EXPECT_THAT(ident::other_causes(scene), HasSubstr("mass at the joint"));
+  scene.joints.front().matrices[restrictions::Kind::mass] = restrictions::Pattern::symmetric;
+  EXPECT_THAT(ident::other_causes(scene), testing::Not(HasSubstr("mass at the joint")));
+}
+
+}  // namespace
