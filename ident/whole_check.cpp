@@ -15,7 +15,7 @@
 namespace jointid::ident {
 namespace {
 
-constexpr std::size_t most_frfs = 2500, most_lines = 24;
+constexpr std::size_t fitted_frfs = 2500, fitted_lines = 24;
 constexpr double beyond = 1.5;  ///< χ² over degrees of freedom
 
 std::size_t frfs_of(const frf::FrfSystem& system) {
@@ -38,11 +38,11 @@ Scene likelihood_of(const Scene& scene) {
 /// Few lines, evenly spread; null where the scene is too large.
 std::unique_ptr<Plan> small_plan(Scene scene) {
   auto plan = make_plan(scene);
-  if (frfs_of(*plan->substructures) + frfs_of(*plan->assembly) > most_frfs || !plan->regenerated.empty()) return nullptr;
-  if (plan->lines.size() <= most_lines) return plan;
+  if (frfs_of(*plan->substructures) + frfs_of(*plan->assembly) > fitted_frfs || !plan->regenerated.empty()) return nullptr;
+  if (plan->lines.size() <= fitted_lines) return plan;
   const double first = plan->lines.front().frequency_hz, last = plan->lines.back().frequency_hz;
   scene.frequency.range_hz = {first, last};
-  scene.frequency.step_hz = (last - first) / static_cast<double>(most_lines - 1);
+  scene.frequency.step_hz = (last - first) / static_cast<double>(fitted_lines - 1);
   return make_plan(scene);
 }
 
