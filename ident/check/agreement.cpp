@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
 #include "dense/minimum_norm.hpp"
 #include "frf/noise/variance_law.hpp"
+#include "ident/check/slope_fit.hpp"
 #include "ident/variance/noise_fit.hpp"
 
 namespace jointid::ident {
@@ -17,7 +19,8 @@ namespace {
 using Eigen::Index;
 
 constexpr double beyond_recorded = 1.5, beyond_estimated = 4.0;
-constexpr double sure_deviations = 6.0;
+constexpr double sure_deviations = 6.0, least_gain = 0.003;
+constexpr double unsure_noise = 0.3;  ///< of a law of variances
 constexpr double least_noise = 1e-7;  ///< of the largest FRF of a reference: what single precision leaves
 constexpr double negligible = 1e-12;  ///< of |H_ii H_jj|: FRFs that are zero by symmetry say nothing
 
@@ -73,7 +76,18 @@ class Sums {
     square_ += line_square_;
   }
 
+  /// Of a line: what the assembly's FRFs and what they leave have in common, the square of the former, and what noise makes of both.
+  void add_gain(double common, double square, double bias) {
+    excess_.add(bias - common, square - bias);
+    bias_ += bias;
+  }
+
   Agreement finish(bool recorded) {
+    if (excess_.is_told() && excess_.square() > bias_) {
+      out_.excess = excess_.value();
+      out_.excess_deviation = excess_.scatter() / excess_.square();
+      out_.excess_doubt = unsure_noise * bias_ / excess_.square();
+    }
     out_.recorded = recorded;
     out_.ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 0.0;
     out_.worst_share = square_ > out_.freedom ? worst_excess_ / (square_ - out_.freedom) : 0.0;
@@ -84,13 +98,15 @@ class Sums {
  private:
   Agreement out_;
   Eigen::MatrixXd squares_, counts_;
+  SlopeFit excess_;
+  double bias_ = 0.0;
   double square_ = 0.0, line_square_ = 0.0, line_freedom_ = 0.0, worst_excess_ = 0.0;
 };
 
 /// Terms of one line of a span test with their error squares.
 struct NoisySpan {
-  Eigen::MatrixXcd difference, joint;
-  Eigen::MatrixXd noise, joint_noise;
+  Eigen::MatrixXcd difference, joint, of_assembly;
+  Eigen::MatrixXd noise, joint_noise, assembly_noise;
 
   static void fill(const CheckedFile& file, std::size_t line, const std::vector<Index>& rows, const std::vector<Index>& columns,
                    bool transposed, double sign, Index first, Eigen::MatrixXcd& values, Eigen::MatrixXd& noise) {
@@ -115,6 +131,8 @@ struct NoisySpan {
     const CheckedFile &part = files[setup.part], &assembly = files[setup.assembly];
     fill(assembly, line, setup.assembly_rows, setup.assembly_columns, setup.transposed, 1.0, 0, difference, noise);
     fill(assembly, line, setup.assembly_rows, setup.outer_columns, setup.transposed, 1.0, inner, difference, noise);
+    of_assembly = difference;
+    assembly_noise = noise;
     fill(part, line, setup.part_rows, setup.part_columns, setup.transposed, -1.0, 0, difference, noise);
     fill(part, line, setup.part_rows, setup.joint, setup.transposed, 1.0, 0, joint, joint_noise);
   }
@@ -134,12 +152,15 @@ struct NoisySpan {
         scale.cwiseAbs2().cwiseInverse().asDiagonal() * (noise + joint_noise * forces.cwiseAbs2());
     Eigen::VectorXd free(rows);
     for (Index r = 0; r < rows; ++r) free[r] = std::max(1.0 - (x.row(r) * inverse.col(r))(0, 0).real(), 1e-6);
+    const Eigen::MatrixXcd scaled = scale.cwiseInverse().asDiagonal() * of_assembly, moved = scaled - x * (inverse * scaled);
+    double common = 0.0, moved_square = 0.0, bias = 0.0;
     for (Index c = 0; c < left.cols(); ++c) {
-      double square = 0.0, of_noise = 0.0, worst = 0.0;
+      double square = 0.0, of_noise = 0.0, of_assembly_noise = 0.0, worst = 0.0;
       Index worst_row = 0;
       for (Index r = 0; r < rows; ++r) {
         square += std::norm(left(r, c));
         of_noise += free[r] * expected(r, c);
+        of_assembly_noise += free[r] * assembly_noise(r, c) / (scale[r] * scale[r]);
         const double ratio = std::norm(left(r, c)) / (free[r] * expected(r, c));
         sums.cell(r, c, ratio);
         if (ratio > worst) {
@@ -148,7 +169,11 @@ struct NoisySpan {
         }
       }
       sums.add(freedom * square / of_noise, freedom, worst_row, c, worst);
+      common += moved.col(c).dot(left.col(c)).real() / of_noise;
+      moved_square += moved.col(c).squaredNorm() / of_noise;
+      bias += of_assembly_noise / of_noise;
     }
+    sums.add_gain(common, moved_square, bias);
   }
 };
 
@@ -185,6 +210,7 @@ struct MirrorPlaces {
 struct MirrorLaw {
   double proportional = 0.0, constant = 0.0;
   Eigen::MatrixXd mean_square;
+  Eigen::MatrixXd beyond;  ///< by which a pair's own differences are larger than the law, as most of its lines say; 1 to 30
 
   MirrorLaw(const CheckedFile& file, const MirrorPlaces& places) {
     constexpr std::size_t most_samples = 6000;
@@ -213,17 +239,40 @@ struct MirrorLaw {
     const frf::VarianceLaw law = fit_noise(samples);
     proportional = 2.0 * law.proportional;
     constant = 2.0 * law.constant;
+    beyond = Eigen::MatrixXd::Ones(n, n);
+    if (says_anything()) fit_pairs(file, places);
+  }
+
+  /// By the median of the ratios, which is ln 2 of their mean in noise.
+  void fit_pairs(const CheckedFile& file, const MirrorPlaces& places) {
+    constexpr double most = 30.0;
+    const std::size_t n = places.dofs.size();
+    std::vector<std::vector<double>> ratios(n * n);
+    for (std::size_t l = 0; l < file.frfs.size(); ++l) {
+      const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
+      places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
+        if (const double ratio = std::norm(a - b) / (*this)(i, j, a, b, factor); std::isfinite(ratio)) ratios[i * n + j].push_back(ratio);
+      });
+    }
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+      if (!ratios[k].empty()) beyond(at(k / n), at(k % n)) = std::clamp(median(ratios[k]) / std::numbers::ln2, 1.0, most);
+    }
   }
 
   /// E|H_ij − H_ji|².
   double operator()(std::size_t i, std::size_t j, const Complex& a, const Complex& b, double factor) const {
-    return proportional * (std::norm(a) + std::norm(b)) + 2.0 * constant * mean_square(at(i), at(j)) * factor;
+    const double all = proportional * (std::norm(a) + std::norm(b)) + 2.0 * constant * mean_square(at(i), at(j)) * factor;
+    return beyond(at(i), at(j)) * all;
   }
 
   bool says_anything() const { return proportional + constant > 1e-12; }
 };
 
 }  // namespace
+
+bool Agreement::tells_gain() const {
+  return excess_deviation > 0.0 && std::abs(excess) > std::max({least_gain, sure_deviations * excess_deviation, excess_doubt});
+}
 
 bool Agreement::contradicts() const {
   if (!(freedom > 0.0)) return false;

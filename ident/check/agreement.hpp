@@ -23,9 +23,14 @@ struct Agreement {
   std::size_t worst_line = 0;
   Eigen::Index worst_row = 0, worst_column = 0;
   double worst_share = 0.0, worst_ratio = 0.0;
+  /// Of a span test: by which share all FRFs of the assembly would have to be larger, its standard deviation, and how much of it a wrong
+  /// law of the noise may make; 0 where that is not told.
+  double excess = 0.0, excess_deviation = 0.0, excess_doubt = 0.0;
 
   /// Whether that is more than chance and the uncertainty of noise laws make.
   bool contradicts() const;
+  /// Whether the excess is beyond 0.3 %, six deviations and its doubt.
+  bool tells_gain() const;
 };
 
 /// Of a span test: H_asm − H_sub − H_sub(R,J) F, with the forces F by least squares. No test unless the noise of both files is recorded.

@@ -168,6 +168,36 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
           .remedy = ""};
 }
 
+/// All FRFs of an assembly, or of a part, off by a factor.
+std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup>& setups) {
+  std::vector<Suspect> found;
+  for (std::size_t a = 0; a < files.size(); ++a) {
+    std::vector<std::pair<const SpanSetup*, Agreement>> tests;
+    for (const SpanSetup& setup : setups) {
+      if (setup.assembly == a && !setup.transposed) tests.emplace_back(&setup, span_agreement(setup, files));
+    }
+    const auto tells = [](const auto& test) { return test.second.tells_gain(); };
+    const auto first = std::ranges::find_if(tests, tells);
+    if (first == tests.end()) continue;
+    const double excess = first->second.excess;
+    const bool of_all = std::ranges::all_of(tests, [&](const auto& test) {
+      return std::abs(test.second.excess - excess) <
+             0.3 * std::abs(excess) + 4.0 * std::hypot(test.second.excess_deviation, first->second.excess_deviation);
+    });
+    const CheckedFile& file = files[of_all ? a : first->first->part];
+    const double factor = of_all ? 1.0 + excess : 1.0 / (1.0 + excess);
+    found.push_back({.kind = SuspectKind::gain,
+                     .file = file.name,
+                     .dofs = {},
+                     .evidence = fmt::format("all FRFs of the file are off by the factor {:.4g} ± {:.2g}, as far as the parts and forces at "
+                                             "the joint tell; a few tenths of a percent are what calibrations leave",
+                                             1.0 / factor, first->second.excess_deviation),
+                     .confidence = 0.7,
+                     .remedy = remedy_in(file.name, fmt::format("gain = {:.5g}", factor))});
+  }
+  return found;
+}
+
 Suspect not_passive(const CheckedFile& file) {
   return {.kind = SuspectKind::not_passive,
           .file = file.name,
@@ -202,6 +232,9 @@ std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup
     if (auto suspect = not_reciprocal(files[f], screening.reciprocity[f], noise[f])) found.push_back(std::move(*suspect));
   }
   const bool one = std::ranges::any_of(found, [](const Suspect& suspect) { return suspect.kind == SuspectKind::outlier; });
+  if (!one) {
+    for (Suspect& gain : small_gains(files, setups)) found.push_back(std::move(gain));
+  }
   const WorstSpan span = one ? WorstSpan{} : worst_span(files, setups);
   if (span.setup != nullptr) {
     found.push_back(not_of_the_parts(files, span));

@@ -32,7 +32,9 @@ using testing::HasSubstr;
 CheckedFile structure(double shift, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;
-  CheckedFile file{.name = "S.h5", .assembly = true};
+  CheckedFile file;
+  file.name = "S.h5";
+  file.assembly = true;
   for (int node = 1; node <= 6; ++node) file.responses.push_back(frf::Dof::parse(std::to_string(node) + ":+Z"));
   file.references = file.responses;
   for (int l = 0; l < 60; ++l) {
@@ -127,14 +129,14 @@ TEST(reference_groups, are_found_by_level_and_by_pairs) {
 TEST(missing_points, name_the_joint_dof_without_driving_point) {
   CheckedFile part = structure(0.0, 1);
   part.assembly = false;
-  const Dofs joint = {frf::Dof::parse("5:+Z"), frf::Dof::parse("6:+Z"), frf::Dof::parse("101:+Z")};
+  const ident::Dofs joint = {frf::Dof::parse("5:+Z"), frf::Dof::parse("6:+Z"), frf::Dof::parse("101:+Z")};
   EXPECT_THAT(ident::missing_points({part}, joint), testing::IsEmpty());
   for (Eigen::MatrixXcd& line : part.frfs) line(4, 4) = Complex(std::nan(""), 0.0);
   EXPECT_THAT(ident::missing_points({part}, joint), testing::ElementsAre(HasSubstr("S.h5 has no driving point FRF of the joint's 5:+Z:")));
 }
 
 problems::Measurement hammered(const problems::Problem& problem, std::uint64_t seed) {
-  const frf::NoiseModel noise{.kind = frf::NoiseKind::hammer, .reciprocal = false, .coherence = 0.999};
+  const frf::NoiseModel noise{.kind = frf::NoiseKind::hammer, .coherence = 0.999, .reciprocal = false};
   problems::Measurement data;
   for (std::size_t i = 0; i < problem.substructures.size(); ++i) data.substructures.push_back(frf::polluted(problem.substructures[i], noise, seed, 0, i));
   data.assembly = frf::polluted(problem.assembly, noise, seed, 0, problem.substructures.size());
