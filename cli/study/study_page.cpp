@@ -68,13 +68,19 @@ void add_quality(const StudyReport& report, report::ReportPage& page) {
   page.add(quality_histograms(report.file, report.statistics));
 }
 
+/// Not green where a solution does not tell a matrix, though every trial gave one.
+report::StatusBanner banner_of(const study::StudyStatistics& statistics) {
+  const std::string trials = trials_text(statistics) + ".", doubt = report::study_doubt(statistics);
+  if (statistics.usable == statistics.trials && !doubt.empty()) return report::status_banner("doubtful", doubt + ". " + trials);
+  return report::trials_banner(statistics.usable, statistics.trials, "no trial gave an estimate", trials);
+}
+
 }  // namespace
 
 std::string study_report(const StudyReport& report, const ident::Scene& scene) {
   const std::string file = scene.file.filename().string();
   report::ReportPage page(scene.title.empty() ? file : scene.title, "jointid study " + file);
-  page.status(report::trials_banner(report.statistics.usable, report.statistics.trials, "no trial gave an estimate",
-                                    trials_text(report.statistics) + "."));
+  page.status(banner_of(report.statistics));
   add_summary(report, scene, page);
   add_unknowns(report, page);
   add_quality(report, page);

@@ -18,6 +18,7 @@ using report::unknowns_table;
 std::string head(const StudyReport& report) {
   report::Table table({{"", report::Align::left}, {"", report::Align::left}});
   table.add({"trials", trials_text(report.statistics)});
+  if (const std::string doubt = report::study_doubt(report.statistics); !doubt.empty()) table.add({"doubtful", doubt});
   table.add({"seed", fmt::format("{}", report.seed)});
   table.add({"all results", report.file});
   for (const std::string& note : report.notes) table.add({"note", note});

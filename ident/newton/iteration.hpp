@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "ident/newton/response_problem.hpp"
 #include "minimise/linear/triangle.hpp"
@@ -16,7 +17,12 @@ struct NewtonFit {
   std::vector<double> q;
   std::size_t iterations = 0;
   bool converged = false;
+  bool diverged = false;  ///< see runs_away()
 };
+
+/// Whether an unknown has grown beyond 1e10 times all of the start, or beyond 1e10, where joints move the FRFs no more (unknowns of a
+/// ResponseProblem are about 1), or is no number: an iteration ends there.
+bool runs_away(std::span<const double> q, std::span<const double> start);
 
 struct NewtonOptions {
   std::size_t most_iterations = 100;

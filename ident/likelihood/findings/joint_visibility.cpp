@@ -51,7 +51,7 @@ void add_deformations(const LineState& state, const ComplexMatrix& dz, Numbers& 
 }
 
 /// Of the numbers of all processes.
-std::optional<double> median(const std::vector<double>& own, const LineShares& shares) {
+std::optional<double> median_of_all(const std::vector<double>& own, const LineShares& shares) {
   std::vector<double> values;
   for (const std::vector<double>& each : shares.gathered(own)) values.insert(values.end(), each.begin(), each.end());
   if (values.empty()) return std::nullopt;
@@ -72,7 +72,7 @@ JointVisibility joint_visibility(const LikelihoodData& data, const LikelihoodEst
     add_effects(data.layout(), data.lines()[i], effects);
     add_deformations(state, estimator.impedance_of(i, direction) - estimator.impedance_of(i, origin), deformations);
   }
-  return {median(effects, data.shares()), median(deformations, data.shares())};
+  return {median_of_all(effects, data.shares()), median_of_all(deformations, data.shares())};
 }
 
 namespace {
@@ -95,7 +95,7 @@ std::optional<double> relative_motion(const LikelihoodData& data, const Likeliho
       if (free > 0.0) ratios.push_back(std::abs(state.a(i, k) - sign * state.a(j, k)) / free);
     }
   }
-  return median(ratios, data.shares());
+  return median_of_all(ratios, data.shares());
 }
 
 std::vector<Pair> held_pairs(const LikelihoodData& data, const LikelihoodEstimator& estimator, const Dofs& joint) {

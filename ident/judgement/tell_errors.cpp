@@ -1,0 +1,106 @@
+#include "ident/judgement/tell_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "base/eigen.hpp"
+#include "base/statistics.hpp"
+#include "base/text.hpp"
+#include "ident/judgement/judge.hpp"
+#include "ident/judgement/passivity.hpp"
+#include "ident/judgement/value_scales.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double least_value = 0.1;  // of the largest of its matrix and unit
+constexpr double half_a_digit = 0.5;
+constexpr double sure = 5.0;  // standard deviations of an eigenvalue
+
+void tell_negative(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
+  std::string what;
+  if (const auto found = negative_diagonals(plan, theta, covariance, normal_95); !found.empty()) {
+    what = text(found.front());
+  } else if (const auto motions = active_motions(plan, theta, covariance, sure); !motions.empty() && out.status == Status::ok) {
+    what = text(motions.front());
+  }
+  if (what.empty()) return;
+  tell(out, Status::doubtful,
+       "The joint is not passive: " + what + ". No springs and dampers have that: do not use this matrix, or restrict it (definite = true).");
+}
+
+double error_of(const Estimate& unknown) {
+  if (!unknown.determined) return std::numeric_limits<double>::infinity();
+  return unknown.std_error ? *unknown.std_error : unknown.error_estimate.value_or(0.0);
+}
+
+/// Error over value of every unknown; a small value counts as a tenth of the largest.
+std::vector<double> relative_errors(const Plan& plan, const Solution& out) {
+  std::vector<double> values, shares;
+  for (const Estimate& unknown : out.unknowns) values.push_back(unknown.value);
+  const Eigen::VectorXd largest = largest_of_kind(plan, values);
+  for (std::size_t u = 0; u < values.size(); ++u) {
+    const double size = std::max(std::abs(values[u]), least_value * largest[at(u)]);
+    shares.push_back(error_of(out.unknowns[u]) / size);
+  }
+  return shares;
+}
+
+/// "K(1,1), K(1,2) and 3 more"
+std::string names_above(const std::vector<double>& shares, double limit, const Solution& out) {
+  constexpr std::size_t most = 3;
+  std::size_t count = 0;
+  std::string text;
+  for (std::size_t u = 0; u < shares.size(); ++u) {
+    if (!(shares[u] > limit)) continue;
+    if (count < most) text += (count > 0 ? ", " : "") + out.unknowns[u].name;
+    ++count;
+  }
+  return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
+}
+
+void warn_of_matrices(const Plan& plan, const std::vector<double>& shares, Solution& out) {
+  std::map<restrictions::Kind, double> best;
+  for (std::size_t u = 0; u < shares.size(); ++u) {
+    const restrictions::Kind kind = plan.restriction.unknowns[plan.columns->unknown_of(u)].kind;
+    const auto found = best.try_emplace(kind, shares[u]).first;
+    found->second = std::min(found->second, shares[u]);
+  }
+  for (const auto& [kind, share] : best) {
+    if (!(share > half_a_digit)) continue;
+    std::string matrix = restrictions::key(kind);
+    std::ranges::replace(matrix, '_', ' ');
+    out.warnings.push_back("The data do not tell the " + matrix + " " + restrictions::symbol(kind) +
+                           ": the error of every unknown in it is more than half of its value.");
+  }
+}
+
+void tell_useless(const Plan& plan, Solution& out) {
+  if (out.unknowns.empty()) return;
+  const std::vector<double> shares = relative_errors(plan, out);
+  const auto above = [&](double limit) {
+    return static_cast<std::size_t>(std::ranges::count_if(shares, [limit](double share) { return share > limit; }));
+  };
+  const std::string remedy = " Measure what sees the joint better (`jointid plan SCENE --bound`), or tie unknowns.";
+  if (2 * above(1.0) > shares.size()) {
+    tell(out, Status::doubtful,
+         "Errors are larger than values in " + std::to_string(above(1.0)) + " of " + std::to_string(shares.size()) + " unknowns: " +
+             names_above(shares, 1.0, out) + "." + remedy);
+  } else if (above(half_a_digit) == shares.size()) {
+    tell(out, Status::doubtful, "No unknown has a valid digit: all errors are more than half of the value." + remedy);
+  } else {
+    warn_of_matrices(plan, shares, out);
+  }
+}
+
+}  // namespace
+
+void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
+  tell_negative(plan, theta, covariance, out);
+  tell_useless(plan, out);
+}
+
+}  // namespace jointid::ident
