@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double far_apart = 8.0;        // errors of the other lines
-constexpr double looks_far_apart = 4.0;  // before those are worked out
+constexpr double looks_far_apart = 2.0;  // by errors in which the group itself has a part
 constexpr double least_moved = 0.05;
 
 /// By how many errors each unknown moves, at least by so much of the largest of its kind.
@@ -62,21 +62,23 @@ struct DominantGroup {
   VectorXd deviation;
 };
 
+/// The group whose absence moves most, where that is far by what the others say.
 std::optional<DominantGroup> dominant_group(const Plan& plan, LineJackknife& jackknife, const VectorXd& scale) {
-  std::optional<DominantGroup> out;
-  double most = far_apart;
+  DominantGroup out;
+  double most = looks_far_apart;
   for (std::size_t group = 0; group < jackknife.groups.size(); ++group) {
-    const VectorXd without = jackknife.without.col(at(group));
     const VectorXd about = deviations(jackknife_scatter(without_column(jackknife.without, at(group))));
-    if (!(largest_move(jackknife.all, without, about, scale).errors > looks_far_apart)) continue;
-    auto deviation = deviation_of_others(plan, jackknife, group);
-    if (!deviation) continue;
-    const Move move = largest_move(jackknife.all, without, *deviation, scale);
+    const Move move = largest_move(jackknife.all, jackknife.without.col(at(group)), about, scale);
     if (!(move.errors > most)) continue;
     most = move.errors;
-    out = {group, std::move(*deviation)};
+    out.group = group;
   }
-  return out;
+  if (most == looks_far_apart) return std::nullopt;
+  auto deviation = deviation_of_others(plan, jackknife, out.group);
+  if (!deviation) return std::nullopt;
+  out.deviation = std::move(*deviation);
+  const VectorXd without = jackknife.without.col(at(out.group));
+  return largest_move(jackknife.all, without, out.deviation, scale).errors > far_apart ? std::optional(out) : std::nullopt;
 }
 
 /// FRFs of a system at a line of its own and the two beside it.

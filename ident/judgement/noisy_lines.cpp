@@ -156,7 +156,7 @@ std::optional<NoisyLines> read_form(Plan& plan, std::size_t most) {
   const Dofs& joint = plan.coordinates.joint;
   const std::vector<Line> chosen = spread_lines(plan.lines, most);
   const std::vector<std::size_t> sub_lines = lines_of(chosen, &Line::substructures), asm_lines = lines_of(chosen, &Line::assembly);
-  const std::optional<Scene> scene = scene_with_noise(plan, {{joint, reads.columns}, sub_lines}, {{reads.rows, joint}, asm_lines});
+  const std::optional<Scene> scene = scene_with_noise(plan, {joint, reads.columns, sub_lines}, {reads.rows, joint, asm_lines});
   if (!scene) return std::nullopt;
   NoisyLines out{.lines = {}, .row_joint = joint_numbers(reads.n_rows.size(), reads.rows.size()),
                  .column_joint = joint_numbers(reads.n_columns.size(), reads.columns.size()), .rows = reads.rows, .columns = reads.columns};

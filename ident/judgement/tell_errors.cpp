@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
@@ -17,7 +18,6 @@ namespace jointid::ident {
 namespace {
 
 constexpr double least_value = 0.1;  // of the largest of its matrix and unit
-constexpr double half_a_digit = 0.5;
 constexpr double sure = 5.0;  // standard deviations of an eigenvalue
 
 void tell_negative(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
@@ -62,37 +62,56 @@ std::string names_above(const std::vector<double>& shares, double limit, const S
   return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
 }
 
-void warn_of_matrices(const Plan& plan, const std::vector<double>& shares, Solution& out) {
-  std::map<restrictions::Kind, double> best;
-  for (std::size_t u = 0; u < shares.size(); ++u) {
-    const restrictions::Kind kind = plan.restriction.unknowns[plan.columns->unknown_of(u)].kind;
-    const auto found = best.try_emplace(kind, shares[u]).first;
-    found->second = std::min(found->second, shares[u]);
+/// Unknowns of one matrix and unit, whose largest value has no digit: an error among them is at least as large.
+struct WithoutDigit {
+  restrictions::Kind kind = restrictions::Kind::stiffness;
+  std::string unit;
+  double share = 0.0;  ///< that error over the largest value
+};
+
+std::vector<WithoutDigit> without_digit(const Plan& plan, const Solution& out) {
+  struct Group {
+    double value = 0.0, error = 0.0;
+  };
+  std::map<std::pair<restrictions::Kind, std::string>, Group> groups;
+  for (std::size_t u = 0; u < out.unknowns.size(); ++u) {
+    const restrictions::Unknown& unknown = plan.restriction.unknowns[plan.columns->unknown_of(u)];
+    Group& group = groups[{unknown.kind, unknown.unit}];
+    group.value = std::max(group.value, std::abs(out.unknowns[u].value));
+    group.error = std::max(group.error, error_of(out.unknowns[u]));
   }
-  for (const auto& [kind, share] : best) {
-    if (!(share > half_a_digit)) continue;
-    std::string matrix = restrictions::key(kind);
-    std::ranges::replace(matrix, '_', ' ');
-    out.warnings.push_back("The data do not tell the " + matrix + " " + restrictions::symbol(kind) +
-                           ": the error of every unknown in it is more than half of its value.");
+  std::vector<WithoutDigit> found;
+  for (const auto& [of, group] : groups) {
+    if (group.error > 0.0 && group.error >= group.value) found.push_back({of.first, of.second, group.error / group.value});
   }
+  return found;
+}
+
+std::string text(const WithoutDigit& of) {
+  std::string matrix = restrictions::key(of.kind);
+  std::ranges::replace(matrix, '_', ' ');
+  return matrix + " " + restrictions::symbol(of.kind) + " has no valid digit in " + of.unit + ": errors reach " + digits(of.share) +
+         " times its largest value";
 }
 
 void tell_useless(const Plan& plan, Solution& out) {
   if (out.unknowns.empty()) return;
   const std::vector<double> shares = relative_errors(plan, out);
-  const auto above = [&](double limit) {
-    return static_cast<std::size_t>(std::ranges::count_if(shares, [limit](double share) { return share > limit; }));
-  };
+  const auto useless = static_cast<std::size_t>(std::ranges::count_if(shares, [](double share) { return share > 1.0; }));
   const std::string remedy = " Measure what sees the joint better (`jointid plan SCENE --bound`), or tie unknowns.";
-  if (2 * above(1.0) > shares.size()) {
+  if (2 * useless > shares.size()) {
     tell(out, Status::doubtful,
-         "Errors are larger than values in " + std::to_string(above(1.0)) + " of " + std::to_string(shares.size()) + " unknowns: " +
+         "Errors are larger than values in " + std::to_string(useless) + " of " + std::to_string(shares.size()) + " unknowns: " +
              names_above(shares, 1.0, out) + "." + remedy);
-  } else if (above(half_a_digit) == shares.size()) {
-    tell(out, Status::doubtful, "No unknown has a valid digit: all errors are more than half of the value." + remedy);
-  } else {
-    warn_of_matrices(plan, shares, out);
+    return;
+  }
+  const bool has_stiffness = plan.restriction.has(restrictions::Kind::stiffness);
+  bool told = false;
+  for (const WithoutDigit& each : without_digit(plan, out)) {
+    const bool counts = each.kind == restrictions::Kind::stiffness || !has_stiffness;
+    if (counts && !told) tell(out, Status::doubtful, "The " + text(each) + "." + remedy);
+    told = told || counts;
+    if (!counts) out.warnings.push_back("The " + text(each) + ".");
   }
 }
 

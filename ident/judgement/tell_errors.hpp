@@ -13,8 +13,8 @@ namespace jointid::ident {
 ///   that active_motions() finds beyond five deviations;
 ///   errors (std_error, else error_estimate) that are larger than the values of more than half of the unknowns; a value counts as a tenth
 ///   of the largest of its matrix and unit at least;
-///   or more than half of the value in every unknown: no valid digit.
-/// A warning names a matrix of which no unknown is known that well.
+///   or an error of K (of a joint without K: of any matrix) that is as large as the largest value of its unit: no valid digit.
+/// A warning names other matrices without a valid digit.
 void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out);
 
 }  // namespace jointid::ident

@@ -90,6 +90,17 @@ Starts guessed_starts(Plan& plan, LikelihoodEstimator& estimator, const std::vec
   return predicted_starts(plan, std::move(direct), points, most);
 }
 
+/// Whether an estimate is beyond 1e8 times the guess, as one gross value among the FRFs makes it.
+bool is_absurd(const std::vector<double>& theta, const std::vector<double>& guess) {
+  constexpr double far = 1e8;
+  const auto size = [](const std::vector<double>& of) {
+    double largest = 0.0;
+    for (const double each : of) largest = std::max(largest, std::isfinite(each) ? std::abs(each) : std::numeric_limits<double>::infinity());
+    return largest;
+  };
+  return size(theta) > far * size(guess);
+}
+
 /// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked out
 /// to compare it with.
 Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
@@ -103,6 +114,10 @@ Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& 
     if (found.size() == 1 || misfit < least) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
   }
   std::rotate(found.begin(), found.begin() + best, found.begin() + best + 1);
+  if (least > near) {  // springs, where the best is absurd
+    const auto springs = spring_starts(plan, *likelihood_plan(plan)->observations);
+    if (!springs.empty() && is_absurd(found.front(), springs.front())) found.insert(found.begin(), springs.front());
+  }
   return [&plan, &control, found = std::move(found), most](std::size_t k) -> std::optional<std::vector<double>> {
     if (k >= most) return std::nullopt;
     if (k < found.size()) return found[k];
@@ -174,7 +189,7 @@ class BestJoint {
     best.fit.lines = plan_.lines.size();
     best.fit.equations_used = equations_used(*likelihood_plan(plan_)->observations, {});
     best.fit.iterations = steps_;
-    best.runtime_s.solve = seconds_since(begin_);
+    best.runtime_s.solve = std::max(0.0, seconds_since(begin_) - best.runtime_s.start);
     control_.so_far(best);
   }
 

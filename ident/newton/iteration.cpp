@@ -128,7 +128,6 @@ bool is_tiny(const Eigen::VectorXd& step, const std::vector<double>& q, double s
 NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options,
                   const std::function<std::optional<Eigen::VectorXd>(const std::vector<double>& q, Linearised& lines)>& advance) {
   constexpr double gain = 0.01;
-  const std::vector<double> begun = start;
   NewtonFit fit{.q = std::move(start)};
   double misfit = std::numeric_limits<double>::infinity();
   std::size_t since = 0;  // it was that much more
@@ -155,7 +154,7 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
       break;
     }
     fit.q = added(fit.q, *step);
-    fit.diverged = runs_away(fit.q, begun);
+    fit.diverged = runs_away(fit.q);
     if (fit.diverged) break;
     if (is_tiny(*step, fit.q, 1e-10)) {
       fit.converged = true;
@@ -168,11 +167,9 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
 
 }  // namespace
 
-bool runs_away(std::span<const double> q, std::span<const double> start) {
-  constexpr double far = 1e10;
-  double largest = 1.0;
-  for (const double each : start) largest = std::max(largest, std::abs(each));
-  return std::ranges::any_of(q, [&](double each) { return !(std::abs(each) <= far * largest); });
+bool runs_away(std::span<const double> q) {
+  constexpr double far = 1e12;
+  return std::ranges::any_of(q, [](double each) { return !(std::abs(each) <= far); });
 }
 
 void append(const ResponseProblem::Rows& rows, minimise::Triangle& triangle) {
@@ -236,7 +233,6 @@ std::vector<double> RoundCoordinates::point(std::span<const double> x) const {
 NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
                     const std::function<minimise::Minimum(std::span<const double>)>& minimum, const NewtonOptions& options) {
   constexpr int most_rounds = 40;
-  const std::vector<double> begun = start;
   NewtonFit fit{.q = std::move(start)};
   for (int round = 0; round < most_rounds && !fit.converged; ++round) {
     if (options.watch) options.watch(fit.q);
@@ -248,7 +244,7 @@ NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
     Eigen::VectorXd step(at(fit.q.size()));
     for (std::size_t i = 0; i < fit.q.size(); ++i) step[at(i)] = found.q[i] - fit.q[i];
     fit.q = found.q;
-    fit.diverged = runs_away(fit.q, begun);
+    fit.diverged = runs_away(fit.q);
     if (fit.diverged) break;
     fit.converged = is_tiny(step, fit.q, 1e-10);
   }

@@ -20,9 +20,9 @@ struct NewtonFit {
   bool diverged = false;  ///< see runs_away()
 };
 
-/// Whether an unknown has grown beyond 1e10 times all of the start, or beyond 1e10, where joints move the FRFs no more (unknowns of a
-/// ResponseProblem are about 1), or is no number: an iteration ends there.
-bool runs_away(std::span<const double> q, std::span<const double> start);
+/// Whether an unknown is beyond 1e12, or no number: those of a ResponseProblem are about 1, and a joint that stiff moves the FRFs no more.
+/// An iteration ends there.
+bool runs_away(std::span<const double> q);
 
 struct NewtonOptions {
   std::size_t most_iterations = 100;

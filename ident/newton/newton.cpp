@@ -47,7 +47,7 @@ NewtonFit by_values(ResponseProblem& problem, const Point& start, const NewtonOp
   };
   const minimise::Minimum found = minimum(objective, Point(start.size(), 0.0), round.size());
   NewtonFit fit{.q = round.point(found.q), .iterations = found.iterations, .converged = found.converged};
-  fit.diverged = runs_away(fit.q, start);
+  fit.diverged = runs_away(fit.q);
   return fit;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::size_t reference_cores = 2;
 
-/// Of one iteration of one line besides its matrices.
-constexpr double bookkeeping_seconds = 3e-5;
+/// Of one iteration of one line besides its matrices; and of a solution besides its iterations.
+constexpr double bookkeeping_seconds = 3e-5, other_seconds = 0.015;
 
 /// On one core.
 double processor_seconds(const Cost& cost) {
@@ -18,7 +18,7 @@ double processor_seconds(const Cost& cost) {
   if (iteration.expected == 0) return 0.0;
   const double each = iteration.flops / reference_pace(iteration.matrix, iteration.complex) +
                       static_cast<double>(cost.lines) * bookkeeping_seconds;
-  return static_cast<double>(iteration.expected) * each;
+  return other_seconds + static_cast<double>(iteration.expected) * each;
 }
 
 }  // namespace
