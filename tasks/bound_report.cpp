@@ -110,8 +110,13 @@ std::size_t affordable_lines(const ident::Plan& plan, double seconds, std::size_
 /// Everything that is asked of the data of one plan.
 class Predictor {
  public:
-  Predictor(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control)
-      : plan_(likelihood_plan(plan, plan.scene)), guess_(joint_guess(*plan_)), control_(control), all_lines_(plan_->lines.size()) {
+  Predictor(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
+            const std::function<void(const BoundReport&)>& keep)
+      : plan_(likelihood_plan(plan, plan.scene)),
+        guess_(joint_guess(*plan_)),
+        control_(control),
+        keep_(keep),
+        all_lines_(plan_->lines.size()) {
     const ident::Dofs& coordinates = likelihood_plan(*plan_)->observations->layout().coordinates;
     for (const frf::Dof& dof : candidates) absent_.push_back(find_candidate(plan.scene, coordinates, dof));
     left_out_ = coordinates_of_assembly();
@@ -124,6 +129,7 @@ class Predictor {
     out.lines = all_lines_;
     try {
       tell_bound(out);
+      keep(out);
       tell_changes(out);
     } catch (const Interrupted&) {
       out.interrupted = true;
@@ -133,6 +139,10 @@ class Predictor {
 
  private:
   static constexpr double most_seconds = 60.0;  ///< of one core of the reference machine: for the bound, and twice that for all changes
+
+  void keep(const BoundReport& so_far) const {
+    if (keep_) keep_(so_far);
+  }
 
   /// The information of all lines of which `some` is that of those that are looked at; priors are there once.
   Eigen::MatrixXd of_all(Eigen::MatrixXd some) const {
@@ -172,6 +182,7 @@ class Predictor {
     leave_out_coordinates(now, out);
     add_candidates(now, out);
     add_lines(now, out);
+    keep(out);
     add_equations(now, out);
   }
 
@@ -245,6 +256,7 @@ class Predictor {
     for (const std::size_t c : left_out_) {
       out.without_coordinate.push_back(
           now.change(coordinates[c].name() + (c < others ? "" : " on the assembly"), bound_without(with(absent_, c))));
+      keep(out);
     }
   }
 
@@ -252,6 +264,7 @@ class Predictor {
     const ident::Dofs coordinates = likelihood_plan(*plan_)->observations->layout().coordinates;
     for (const std::size_t c : absent_) {
       out.with_more.push_back(now.change(coordinates[c].name(), bound_without(without(absent_, c))));
+      keep(out);
     }
     if (absent_.size() > 1) out.with_more.push_back(now.change("all candidates", bound_without({})));
   }
@@ -294,6 +307,7 @@ class Predictor {
   std::unique_ptr<ident::Plan> plan_;
   std::vector<double> guess_, scales_;
   const ident::Control& control_;
+  const std::function<void(const BoundReport&)>& keep_;
   std::size_t all_lines_;
   std::vector<std::size_t> absent_;    ///< candidates
   std::vector<std::size_t> left_out_;  ///< one after the other
@@ -304,8 +318,9 @@ class Predictor {
 
 }  // namespace
 
-BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control) {
-  return Predictor(plan, candidates, control).run();
+BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
+                          const std::function<void(const BoundReport&)>& keep) {
+  return Predictor(plan, candidates, control, keep).run();
 }
 
 }  // namespace jointid::tasks

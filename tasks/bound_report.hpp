@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct BoundReport {
 /// tells what each of them and all together would change. The bound is that of the likelihood for the equations of the scene,
 /// whatever its method. Where all lines would take more than a minute of one core of the reference machine, the bound is that of some spread
 /// over all, as if they were all. Interrupted, what there is so far. Throws InputError for scenes without a joint to assume, and as make_plan() does.
-BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control);
+/// `keep` is given what there is after every step, for who may not wait for its end.
+BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
+                          const std::function<void(const BoundReport&)>& keep = {});
 
 }  // namespace jointid::tasks

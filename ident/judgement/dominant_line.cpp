@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double far_apart = 8.0;        // errors of the other lines
-constexpr double looks_far_apart = 2.0;  // by errors in which the group itself has a part
+constexpr double most_left = 0.5;   // of the sum of squares, without the group
 constexpr double least_moved = 0.05;
 
 /// By how many errors each unknown moves, at least by so much of the largest of its kind.
@@ -44,16 +44,9 @@ std::optional<VectorXd> deviation_of_others(const Plan& plan, LineJackknife& jac
     if (other == group) continue;
     const auto without = estimate_without(plan, jackknife.systems, {group, other});
     if (!without) return std::nullopt;
-    found.col(column++) = *without;
+    found.col(column++) = without->theta;
   }
   return deviations(jackknife_scatter(found));
-}
-
-/// The columns without one.
-Eigen::MatrixXd without_column(const Eigen::MatrixXd& from, Index one) {
-  Eigen::MatrixXd out(from.rows(), from.cols() - 1);
-  out << from.leftCols(one), from.rightCols(from.cols() - one - 1);
-  return out;
 }
 
 /// A group that decides the estimate, and the errors of the others.
@@ -62,23 +55,16 @@ struct DominantGroup {
   VectorXd deviation;
 };
 
-/// The group whose absence moves most, where that is far by what the others say.
+/// The group without which the others agree best, where they disagree with it: it has most of the residuals, or makes them.
 std::optional<DominantGroup> dominant_group(const Plan& plan, LineJackknife& jackknife, const VectorXd& scale) {
-  DominantGroup out;
-  double most = looks_far_apart;
-  for (std::size_t group = 0; group < jackknife.groups.size(); ++group) {
-    const VectorXd about = deviations(jackknife_scatter(without_column(jackknife.without, at(group))));
-    const Move move = largest_move(jackknife.all, jackknife.without.col(at(group)), about, scale);
-    if (!(move.errors > most)) continue;
-    most = move.errors;
-    out.group = group;
-  }
-  if (most == looks_far_apart) return std::nullopt;
-  auto deviation = deviation_of_others(plan, jackknife, out.group);
+  const auto least = std::ranges::min_element(jackknife.residual_without);
+  if (!(*least < most_left * jackknife.residual)) return std::nullopt;
+  const auto group = static_cast<std::size_t>(least - jackknife.residual_without.begin());
+  auto deviation = deviation_of_others(plan, jackknife, group);
   if (!deviation) return std::nullopt;
-  out.deviation = std::move(*deviation);
-  const VectorXd without = jackknife.without.col(at(out.group));
-  return largest_move(jackknife.all, without, out.deviation, scale).errors > far_apart ? std::optional(out) : std::nullopt;
+  const VectorXd without = jackknife.without.col(at(group));
+  if (!(largest_move(jackknife.all, without, *deviation, scale).errors > far_apart)) return std::nullopt;
+  return DominantGroup{group, std::move(*deviation)};
 }
 
 /// FRFs of a system at a line of its own and the two beside it.
@@ -140,12 +126,12 @@ std::optional<DominantLine> line_in(Plan& plan, LineJackknife& jackknife, const 
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto without = estimate_without(plan, systems, {i});
     if (!without) continue;
-    const Move move = largest_move(jackknife.all, *without, dominant.deviation, scale);
+    const Move move = largest_move(jackknife.all, without->theta, dominant.deviation, scale);
     if (!(move.errors > most)) continue;
     most = move.errors;
     found = i;
     out = DominantLine{.frequency_hz = lines[i].frequency_hz, .column = static_cast<std::size_t>(move.column),
-                       .with = jackknife.all[move.column], .without = (*without)[move.column], .frf = {}};
+                       .with = jackknife.all[move.column], .without = without->theta[move.column], .frf = {}};
   }
   if (out) name_frf(plan, lines[found], *out);
   return out;

@@ -54,7 +54,7 @@ std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std:
   return out;
 }
 
-std::optional<Eigen::VectorXd> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
+std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
                                                 const std::vector<std::size_t>& left_out) {
   minimise::Accumulator rest(plan.columns->size(), systems.front().reduction());
   for (std::size_t g = 0; g < systems.size(); ++g) {
@@ -62,8 +62,8 @@ std::optional<Eigen::VectorXd> estimate_without(const Plan& plan, std::vector<mi
   }
   const minimise::LinearSolution linear = solve(plan, rest, minimise::Condition::skip);
   if (linear.rank != plan.columns->size()) return std::nullopt;
-  const Eigen::VectorXd found = Eigen::Map<const Eigen::VectorXd>(linear.y.data(), at(linear.y.size()));
-  return found.allFinite() ? std::optional(found) : std::nullopt;
+  PartialEstimate found{Eigen::Map<const Eigen::VectorXd>(linear.y.data(), at(linear.y.size())), linear.residual_norm * linear.residual_norm};
+  return found.theta.allFinite() ? std::optional(std::move(found)) : std::nullopt;
 }
 
 Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
@@ -75,17 +75,19 @@ Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
 std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control) {
   if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
   LineJackknife out{.groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty()), .systems = {}, .all = {}, .without = {},
-                    .covariance = {}};
+                    .residual_without = {}, .covariance = {}};
   out.systems = systems_of(plan, out.groups, control);
   out.without = Eigen::MatrixXd(at(plan.columns->size()), at(out.groups.size()));
   for (std::size_t group = 0; group < out.groups.size(); ++group) {
     const auto found = estimate_without(plan, out.systems, {group});
     if (!found) return std::nullopt;
-    out.without.col(at(group)) = *found;
+    out.without.col(at(group)) = found->theta;
+    out.residual_without.push_back(found->residual);
   }
   const auto all = estimate_without(plan, out.systems, {});
   if (!all) return std::nullopt;
-  out.all = *all;
+  out.all = all->theta;
+  out.residual = all->residual;
   std::size_t used = 0;
   for (const auto& group : out.groups) used += group.size();
   const double to_all = static_cast<double>(used) / static_cast<double>(plan.lines.size());

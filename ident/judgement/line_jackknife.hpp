@@ -16,6 +16,8 @@ struct LineJackknife {
   std::vector<minimise::Accumulator> systems;  ///< of the groups, each alone
   Eigen::VectorXd all;      ///< by all groups
   Eigen::MatrixXd without;  ///< [unknowns × groups]: by all but one
+  double residual = 0.0;    ///< ‖r‖² of the weighted rows of all groups
+  std::vector<double> residual_without;  ///< of all but one
   /// The scatter of `without` (delete-a-group jackknife), (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ, scaled to all lines of the plan. It has no part
   /// of the bias, which all groups share.
   Eigen::MatrixXd covariance;
@@ -29,8 +31,14 @@ std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, 
 /// The systems of groups of lines, each alone.
 std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control);
 
+/// An estimate (scaled unknowns) and ‖r‖² of its weighted rows.
+struct PartialEstimate {
+  Eigen::VectorXd theta;
+  double residual = 0.0;
+};
+
 /// The estimate by all systems but those that are named; empty where the rank is not full.
-std::optional<Eigen::VectorXd> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
+std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
                                                 const std::vector<std::size_t>& left_out);
 
 /// (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ of the columns of `estimates`.

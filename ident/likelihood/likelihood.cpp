@@ -108,13 +108,13 @@ Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& 
   std::vector<std::vector<double>> found;
   std::ptrdiff_t best = 0;
   double least = 0.0;
-  while (found.empty() || (found.size() < linear_ways.size() && least > near)) {
+  while (found.empty() || (found.size() < linear_ways.size() && !(least <= near))) {
     found.push_back(*linear_start(plan, found.size(), control));
     const double misfit = estimator.misfit_at(found.back());
-    if (found.size() == 1 || misfit < least) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
+    if (found.size() == 1 || misfit < least || std::isnan(least)) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
   }
   std::rotate(found.begin(), found.begin() + best, found.begin() + best + 1);
-  if (least > near) {  // springs, where the best is absurd
+  if (!(least <= near)) {  // springs, where the best is absurd
     const auto springs = spring_starts(plan, *likelihood_plan(plan)->observations);
     if (!springs.empty() && is_absurd(found.front(), springs.front())) found.insert(found.begin(), springs.front());
   }
