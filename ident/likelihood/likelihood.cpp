@@ -90,17 +90,6 @@ Starts guessed_starts(Plan& plan, LikelihoodEstimator& estimator, const std::vec
   return predicted_starts(plan, std::move(direct), points, most);
 }
 
-/// Whether an estimate is beyond 1e8 times the guess, as one gross value among the FRFs makes it.
-bool is_absurd(const std::vector<double>& theta, const std::vector<double>& guess) {
-  constexpr double far = 1e8;
-  const auto size = [](const std::vector<double>& of) {
-    double largest = 0.0;
-    for (const double each : of) largest = std::max(largest, std::isfinite(each) ? std::abs(each) : std::numeric_limits<double>::infinity());
-    return largest;
-  };
-  return size(theta) > far * size(guess);
-}
-
 /// Linear estimates, that which fits best first, then random changes of that one. Where the first nearly fits no other is worked out
 /// to compare it with.
 Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& control, std::size_t most) {
@@ -108,16 +97,12 @@ Starts linear_starts(Plan& plan, LikelihoodEstimator& estimator, const Control& 
   std::vector<std::vector<double>> found;
   std::ptrdiff_t best = 0;
   double least = 0.0;
-  while (found.empty() || (found.size() < linear_ways.size() && !(least <= near))) {
+  while (found.empty() || (found.size() < linear_ways.size() && least > near)) {
     found.push_back(*linear_start(plan, found.size(), control));
     const double misfit = estimator.misfit_at(found.back());
-    if (found.size() == 1 || misfit < least || std::isnan(least)) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
+    if (found.size() == 1 || misfit < least) std::tie(best, least) = std::pair(std::ssize(found) - 1, misfit);
   }
   std::rotate(found.begin(), found.begin() + best, found.begin() + best + 1);
-  if (!(least <= near)) {  // springs, where the best is absurd
-    const auto springs = spring_starts(plan, *likelihood_plan(plan)->observations);
-    if (!springs.empty() && is_absurd(found.front(), springs.front())) found.insert(found.begin(), springs.front());
-  }
   return [&plan, &control, found = std::move(found), most](std::size_t k) -> std::optional<std::vector<double>> {
     if (k >= most) return std::nullopt;
     if (k < found.size()) return found[k];

@@ -104,17 +104,18 @@ TEST(Verdict, NamesTheLineAndTheFrfThatDecideAlone) {
   problems::Problem problem = problems::make("A6");
   std::get<frf::NoiseModel>(problem.noise) = {.kind = frf::NoiseKind::circular, .level = 0.01};
   Scene scene = problems::scene(problem);
+  scene.identify.weighting = weighting::Weighting::wb;
   scene.noise = NoiseSection{.model = "circular", .level = 0.01, .frf_model = std::get<frf::NoiseModel>(problem.noise)};
   problems::Measurement data = problems::polluted(problem, 1, 0);
   EXPECT_EQ(solve(*problems::plan(scene, data), judged()).status, Status::ok);
-  const std::size_t line = 100, row = 1, column = 2;
+  const std::size_t line = 100, row = frf::find_coordinate(data.assembly.header.response, frf::Dof::parse("3:+Y")),
+                    column = frf::find_coordinate(data.assembly.header.reference, frf::Dof::parse("5:+Y"));  // at the joint: it weighs a row
   data.assembly.values[data.assembly.index(line, row, column)] *= 1e6;
   const Solution found = solve(*problems::plan(scene, data), judged());
   EXPECT_EQ(found.status, Status::doubtful);
   EXPECT_THAT(found.message, HasSubstr("One line decides"));
   EXPECT_THAT(found.message, HasSubstr(digits(data.assembly.header.frequency_hz[line], "%.6g") + " Hz"));
-  EXPECT_THAT(found.message, HasSubstr(data.assembly.header.response[row].name() + "/" + data.assembly.header.reference[column].name() +
-                                       " of the assembly"));
+  EXPECT_THAT(found.message, HasSubstr("FRF 3:+Y/5:+Y of the assembly"));
 }
 
 TEST(Verdict, TheChiSquareShownIsThatOfTheLinesThatItGoesBy) {
