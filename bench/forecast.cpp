@@ -1,7 +1,8 @@
-// What `plan` expects of the methods that iterate, against what they take: processor time of one solution on one thread, over seeds of
-// simulated noise. Promised: with all FRFs the mean over the seeds is within a factor of three of the forecast, with ties, too; and so it is
-// in three of four cases of all, H_nn alone included: there the starts that do not lead to the joint decide, in some seeds tenfold. Forecasts are counted operations at the pace of the reference machine (docs/cost.md), so that they are the
-// same on every machine; where ours has another pace, all ratios shift by it.
+// What `plan` expects of the methods that iterate, against what they take: processor time of one solution on one thread, over
+// seeds of simulated noise. Promised: with all FRFs the mean over the seeds is within a factor of three of the forecast, with
+// ties, too; and so it is in three of four cases of all, H_nn alone included: there the starts that do not lead to the joint
+// decide, in some seeds tenfold. Forecasts are counted operations at the pace of the reference machine (docs/cost.md), so that
+// they are the same on every machine; where ours has another pace, all ratios shift by it.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -44,8 +45,8 @@ struct Case {
   bool ties = false;     ///< of the first two unknowns, as the truth has them
 
   std::string text() const {
-    return fmt::format("{} {} {}{}{}", problem, ident::name(method), at_joint ? "all FRFs" : "H_nn alone", start ? ", a start" : "",
-                       ties ? ", ties" : "");
+    return fmt::format("{} {} {}{}{}", problem, ident::name(method), at_joint ? "all FRFs" : "H_nn alone",
+                       start ? ", a start" : "", ties ? ", ties" : "");
   }
 };
 
@@ -63,7 +64,7 @@ ident::Scene scene_of(const problems::Problem& problem, const Case& asked) {
     }
   }
   if (asked.ties) {
-    const auto& first = problem.unknowns[0], &second = problem.unknowns[1];
+    const auto &first = problem.unknowns[0], &second = problem.unknowns[1];
     scene.identify.ties = {fmt::format("{} = {:.17g}*{}", second.name, second.value / first.value, first.name)};
   }
   return scene;
@@ -93,8 +94,8 @@ double measure_case(const Case& asked, std::size_t seeds) {
                          each.matrix, solution.fit.iterations, each.expected);
   }
   const double mean = sum / static_cast<double>(seeds);
-  fmt::print("{:<36} expected {:8.3f} s, took {:8.3f} s ({:.3f} to {:.3f}), {:5.2f} times  {}\n", asked.text(), expected, mean, least, most,
-             mean / expected, detail);
+  fmt::print("{:<36} expected {:8.3f} s, took {:8.3f} s ({:.3f} to {:.3f}), {:5.2f} times  {}\n", asked.text(), expected, mean,
+             least, most, mean / expected, detail);
   std::fflush(stdout);
   return std::max(mean / expected, expected / mean);
 }
@@ -109,7 +110,8 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
   for (const char* name : {"A1", "B", "C1", "E2", "F3", "G1", "A6", "rig1"}) cases.push_back({.problem = name});
   for (const char* name : {"A1", "C2"}) cases.push_back({.problem = name, .ties = true});
   for (const bool start : {false, true}) cases.push_back({.problem = "H4", .at_joint = false, .start = start, .ties = true});
-  for (const char* name : {"H4", "C2", "A1"}) cases.push_back({.problem = name, .method = newton, .at_joint = false, .start = true});
+  for (const char* name : {"H4", "C2", "A1"})
+    cases.push_back({.problem = name, .method = newton, .at_joint = false, .start = true});
   std::size_t measured = 0, within = 0;
   for (const Case& each : cases) {
     if (line.words() > 1 && each.problem != line.word(1, "")) continue;
@@ -119,7 +121,8 @@ void measure(const bench::CommandLine& line, bench::Promises& promises) {
     within += off <= 3.0;
     if (each.at_joint) promises.speed_at_most(each.text() + ": taken over expected, or the reverse", off, 3.0);
   }
-  promises.speed_at_least("share of the forecasts within a factor of three", static_cast<double>(within) / static_cast<double>(measured), 0.75);
+  promises.speed_at_least("share of the forecasts within a factor of three",
+                          static_cast<double>(within) / static_cast<double>(measured), 0.75);
 }
 
 }  // namespace

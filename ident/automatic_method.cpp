@@ -67,7 +67,8 @@ std::unique_ptr<Plan> planned(Scene scene, const Choice& choice, const Planner& 
 }
 
 /// Where Method One has no equation: the likelihood, else "newton"; `refused` where neither plans.
-std::unique_ptr<Plan> plan_without_equations(const Scene& scene, const InputError& refused, bool likelihood_is_refused, const Planner& planner) {
+std::unique_ptr<Plan> plan_without_equations(const Scene& scene, const InputError& refused, bool likelihood_is_refused,
+                                             const Planner& planner) {
   const std::string why = "Method One has no equation on these data (" + refused.parts().problem + ")";
   for (const Method method : {Method::likelihood, Method::newton}) {
     if (method == Method::likelihood && likelihood_is_refused) continue;

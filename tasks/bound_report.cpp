@@ -138,7 +138,8 @@ class Predictor {
   }
 
  private:
-  static constexpr double most_seconds = 60.0;  ///< of one core of the reference machine: for the bound, and twice that for all changes
+  static constexpr double most_seconds =
+      60.0;  ///< of one core of the reference machine: for the bound, and twice that for all changes
 
   void keep(const BoundReport& so_far) const {
     if (keep_) keep_(so_far);
@@ -186,7 +187,8 @@ class Predictor {
     add_equations(now, out);
   }
 
-  Eigen::MatrixXd information_without(const std::vector<std::size_t>& coordinates, std::vector<Eigen::MatrixXd>* by_part = nullptr) {
+  Eigen::MatrixXd information_without(const std::vector<std::size_t>& coordinates,
+                                      std::vector<Eigen::MatrixXd>* by_part = nullptr) {
     stop_if(control_.interrupted);
     likelihood_plan(*plan_)->observations->leave_out(coordinates);
     ident::LikelihoodEstimator estimator = make_estimator(*plan_, control_, next_stage());
@@ -194,7 +196,8 @@ class Predictor {
     const std::size_t lines = plan_->lines.size(), count = std::min(parts, lines);
     for (std::size_t part = 0; by_part != nullptr && part < count; ++part) {
       by_part->push_back(Eigen::MatrixXd::Zero(information.rows(), information.cols()));
-      for (std::size_t i = part * lines / count; i < (part + 1) * lines / count; ++i) by_part->back() += estimator.information_of(i);
+      for (std::size_t i = part * lines / count; i < (part + 1) * lines / count; ++i)
+        by_part->back() += estimator.information_of(i);
     }
     return information;
   }
@@ -232,8 +235,7 @@ class Predictor {
     const std::size_t lines = plan_->lines.size(), count = by_part_.size();
     for (std::size_t part = 0; part < count && count > 1; ++part) {
       const std::size_t first = part * lines / count, last = (part + 1) * lines / count;
-      out.without_lines.push_back(
-          now.change(range_text(*plan_, first, last), bound_of(*plan_, information_ - by_part_[part])));
+      out.without_lines.push_back(now.change(range_text(*plan_, first, last), bound_of(*plan_, information_ - by_part_[part])));
     }
   }
 

@@ -29,17 +29,22 @@ std::string equivalent_status(const std::vector<tasks::LevelJoint>& levels) {
 
 std::string equivalent_doubt(const std::vector<tasks::LevelJoint>& levels) {
   const auto count = [&](const auto& is) {
-    return static_cast<std::size_t>(std::ranges::count_if(levels, [&](const tasks::LevelJoint& level) { return is(level.joint); }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(levels, [&](const tasks::LevelJoint& level) { return is(level.joint); }));
   };
   const std::size_t impossible = count(is_impossible);
   if (impossible > 0) {
-    return fmt::format("at {} of {} levels no spring and damper: negative beyond the error, or a stiffness whose error is larger than itself; "
-                       "the errors of the FRFs outweigh the joint", impossible, levels.size());
+    return fmt::format(
+        "at {} of {} levels no spring and damper: negative beyond the error, or a stiffness whose error is larger than itself; "
+        "the errors of the FRFs outweigh the joint",
+        impossible, levels.size());
   }
-  const std::size_t unknown = count([](const tasks::EquivalentJoint& joint) { return joint.deviation > std::abs(joint.damping); });
+  const std::size_t unknown =
+      count([](const tasks::EquivalentJoint& joint) { return joint.deviation > std::abs(joint.damping); });
   return 2 * unknown <= levels.size()
              ? ""
-             : fmt::format("the damping is not known: its error is larger than itself at {} of {} levels", unknown, levels.size());
+             : fmt::format("the damping is not known: its error is larger than itself at {} of {} levels", unknown,
+                           levels.size());
 }
 
 bool all_settled(const std::vector<tasks::LevelJoint>& levels) {

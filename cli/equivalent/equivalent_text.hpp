@@ -28,8 +28,8 @@ bool all_settled(const std::vector<tasks::LevelJoint>& levels);
 /// "ok"; "doubtful" where equivalent_doubt() says something; "not_usable" where a level did not settle.
 std::string equivalent_status(const std::vector<tasks::LevelJoint>& levels);
 
-/// What speaks against the values by their own errors: a level with no passive joint or an unknown stiffness, or damping that most levels
-/// do not tell. Empty: nothing.
+/// What speaks against the values by their own errors: a level with no passive joint or an unknown stiffness, or damping that
+/// most levels do not tell. Empty: nothing.
 std::string equivalent_doubt(const std::vector<tasks::LevelJoint>& levels);
 
 }  // namespace jointid::cli

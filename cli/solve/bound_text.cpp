@@ -49,9 +49,9 @@ std::string bound_text(const tasks::BoundReport& report) {
       report.lines_looked_at < report.lines
           ? fmt::format("changes of the data: by {} of the {} lines, spread over all\n", report.lines_looked_at, report.lines)
           : "";
-  return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) + "\n" +
-         unknowns.text() + "\nweakest combinations, in parts of the assumed values\n" + weakest_table(report.weakest).text() + lines +
-         changes_text("without a coordinate", report.without_coordinate, report) +
+  return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) +
+         "\n" + unknowns.text() + "\nweakest combinations, in parts of the assumed values\n" +
+         weakest_table(report.weakest).text() + lines + changes_text("without a coordinate", report.without_coordinate, report) +
          changes_text("without a part of the lines", report.without_lines, report) +
          changes_text("with more data", report.with_more, report);
 }

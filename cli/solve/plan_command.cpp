@@ -53,7 +53,8 @@ PlanArguments& add_linear_plan(CLI::App& app, Chosen& chosen) {
 
 namespace {
 
-void write_plan(const PlanArguments& arguments, const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound, std::ostream& out) {
+void write_plan(const PlanArguments& arguments, const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound,
+                std::ostream& out) {
   if (arguments.json) write_target(*arguments.json, plan_json(plan, bound), out);
   if (arguments.json != "-") out << plan_text(plan) << (bound ? bound_text(*bound) : "");
 }

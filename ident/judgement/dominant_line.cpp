@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double far_apart = 8.0;        // errors of the other lines
-constexpr double most_left = 0.5;   // of the sum of squares, without the group
+constexpr double far_apart = 8.0;  // errors of the other lines
+constexpr double most_left = 0.5;  // of the sum of squares, without the group
 constexpr double least_moved = 0.05;
 
 /// By how many errors each unknown moves, at least by so much of the largest of its kind.
@@ -80,7 +80,8 @@ double oddness(double before, double here, double after) {
   return std::max({1.0, here / high, low / here});
 }
 
-void look_at(frf::FrfSystem& system, std::size_t line, const Dofs& rows, const Dofs& columns, const std::string& name, OddFrf& worst) {
+void look_at(frf::FrfSystem& system, std::size_t line, const Dofs& rows, const Dofs& columns, const std::string& name,
+             OddFrf& worst) {
   if (line == 0 || line + 1 >= system.frequency_hz().size() || rows.empty() || columns.empty()) return;
   const std::array<std::size_t, 3> lines = {line - 1, line, line + 1};
   const std::size_t each = rows.size() * columns.size();
@@ -130,8 +131,11 @@ std::optional<DominantLine> line_in(Plan& plan, LineJackknife& jackknife, const 
     if (!(move.errors > most)) continue;
     most = move.errors;
     found = i;
-    out = DominantLine{.frequency_hz = lines[i].frequency_hz, .column = static_cast<std::size_t>(move.column),
-                       .with = jackknife.all[move.column], .without = without->theta[move.column], .frf = {}};
+    out = DominantLine{.frequency_hz = lines[i].frequency_hz,
+                       .column = static_cast<std::size_t>(move.column),
+                       .with = jackknife.all[move.column],
+                       .without = without->theta[move.column],
+                       .frf = {}};
   }
   if (out) name_frf(plan, lines[found], *out);
   return out;
@@ -139,7 +143,8 @@ std::optional<DominantLine> line_in(Plan& plan, LineJackknife& jackknife, const 
 
 }  // namespace
 
-std::optional<DominantLine> dominant_line(Plan& plan, LineJackknife& jackknife, const std::vector<double>& y, const Control& control) {
+std::optional<DominantLine> dominant_line(Plan& plan, LineJackknife& jackknife, const std::vector<double>& y,
+                                          const Control& control) {
   const VectorXd scale = largest_of_kind(plan, y);
   std::size_t looked_at = 0;
   for (const auto& group : jackknife.groups) looked_at += group.size();

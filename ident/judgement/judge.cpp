@@ -89,8 +89,8 @@ struct Unbiased {
 };
 
 /// Error estimates from the scatter and, where a fit without bias is there, the difference to that.
-void fill_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, const std::optional<Unbiased>& fit,
-                 Solution& out) {
+void fill_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
+                 const std::optional<Unbiased>& fit, Solution& out) {
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     const auto c = at(column);
     Estimate& estimate = out.unknowns[column];
@@ -122,15 +122,16 @@ void fill_matrix_errors(const Plan& plan, Solution& out) {
 }
 
 /// Motions that give energy away by the estimate without bias, and by the estimate itself with its bias as a part of its error.
-void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, const std::optional<Unbiased>& fit,
-                  Solution& out) {
+void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
+                  const std::optional<Unbiased>& fit, Solution& out) {
   fill_errors(plan, theta, scatter, fit, out);
   fill_matrix_errors(plan, out);
   Eigen::MatrixXd covariance = scatter;
   if (fit) {
     const Eigen::VectorXd bias = vector_of(theta) - vector_of(fit->theta);
     covariance += bias * bias.transpose();
-    if (!active_motions(plan, theta, covariance, 5.0).empty()) tell_active(active_motions(plan, fit->theta, fit->covariance, 6.0), out);
+    if (!active_motions(plan, theta, covariance, 5.0).empty())
+      tell_active(active_motions(plan, fit->theta, fit->covariance, 6.0), out);
   }
   tell_errors(plan, theta, covariance, out);
 }
@@ -156,7 +157,8 @@ std::optional<Unbiased> judge_prediction(Plan& plan, const std::vector<double>& 
   if (poor || fit->misfit > (data->from_knowledge ? doubtful_misfit : doubtful_unsure)) {
     tell(out, poor ? Status::poor_fit : Status::doubtful,
          "This joint does not explain H_nn: what parts and joint predict of it is off by " + digits(std::sqrt(fit->misfit)) +
-             " times the errors that their noise makes. Another one may: method \"likelihood\" looks for it; give a start near the joint, "
+             " times the errors that their noise makes. Another one may: method \"likelihood\" looks for it; give a start near "
+             "the joint, "
              "or measure the assembly at the joint.");
     return std::nullopt;
   }

@@ -62,7 +62,8 @@ std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<mi
   }
   const minimise::LinearSolution linear = solve(plan, rest, minimise::Condition::skip);
   if (linear.rank != plan.columns->size()) return std::nullopt;
-  PartialEstimate found{Eigen::Map<const Eigen::VectorXd>(linear.y.data(), at(linear.y.size())), linear.residual_norm * linear.residual_norm};
+  PartialEstimate found{Eigen::Map<const Eigen::VectorXd>(linear.y.data(), at(linear.y.size())),
+                        linear.residual_norm * linear.residual_norm};
   return found.theta.allFinite() ? std::optional(std::move(found)) : std::nullopt;
 }
 
@@ -74,8 +75,12 @@ Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
 
 std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control) {
   if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
-  LineJackknife out{.groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty()), .systems = {}, .all = {}, .without = {},
-                    .residual_without = {}, .covariance = {}};
+  LineJackknife out{.groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty()),
+                    .systems = {},
+                    .all = {},
+                    .without = {},
+                    .residual_without = {},
+                    .covariance = {}};
   out.systems = systems_of(plan, out.groups, control);
   out.without = Eigen::MatrixXd(at(plan.columns->size()), at(out.groups.size()));
   for (std::size_t group = 0; group < out.groups.size(); ++group) {

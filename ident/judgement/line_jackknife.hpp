@@ -14,18 +14,18 @@ namespace jointid::ident {
 struct LineJackknife {
   std::vector<std::vector<Line>> groups;
   std::vector<minimise::Accumulator> systems;  ///< of the groups, each alone
-  Eigen::VectorXd all;      ///< by all groups
-  Eigen::MatrixXd without;  ///< [unknowns × groups]: by all but one
-  double residual = 0.0;    ///< ‖r‖² of the weighted rows of all groups
-  std::vector<double> residual_without;  ///< of all but one
-  /// The scatter of `without` (delete-a-group jackknife), (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ, scaled to all lines of the plan. It has no part
-  /// of the bias, which all groups share.
+  Eigen::VectorXd all;                         ///< by all groups
+  Eigen::MatrixXd without;                     ///< [unknowns × groups]: by all but one
+  double residual = 0.0;                       ///< ‖r‖² of the weighted rows of all groups
+  std::vector<double> residual_without;        ///< of all but one
+  /// The scatter of `without` (delete-a-group jackknife), (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ, scaled to all lines of the plan. It
+  /// has no part of the bias, which all groups share.
   Eigen::MatrixXd covariance;
 };
 
-/// Groups are neighbouring lines, so that errors which neighbours share count as one; every twelfth line where a joint has bands. At
-/// most `most_lines` lines spread over all are taken. Empty with fewer than four lines, and where a group cannot be left out without the
-/// rank becoming less.
+/// Groups are neighbouring lines, so that errors which neighbours share count as one; every twelfth line where a joint has bands.
+/// At most `most_lines` lines spread over all are taken. Empty with fewer than four lines, and where a group cannot be left out
+/// without the rank becoming less.
 std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control);
 
 /// The systems of groups of lines, each alone.

@@ -52,8 +52,10 @@ std::optional<double> scattered_level(frf::FrfSystem& system, const Excerpt& of,
 
 MeasuredRectangle read_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns, const Scene& scene,
                                  const std::vector<std::size_t>& lines) {
-  MeasuredRectangle out{.values = std::vector<Complex>(lines.size() * rows.size() * columns.size()), .variances = {},
-                        .rows = rows.size(), .columns = columns.size()};
+  MeasuredRectangle out{.values = std::vector<Complex>(lines.size() * rows.size() * columns.size()),
+                        .variances = {},
+                        .rows = rows.size(),
+                        .columns = columns.size()};
   out.variances.resize(out.values.size());
   frf::BlockReader(system, rows, columns).read(lines, out.values);
   Variances variances(system, rows, columns, scene);
@@ -75,7 +77,9 @@ std::vector<std::size_t> lines_of(const std::vector<Line>& lines, std::size_t Li
   return out;
 }
 
-bool knows_noise(const Plan& plan) { return !has_scatter(*plan.substructures, plan.scene) && !has_scatter(*plan.assembly, plan.scene); }
+bool knows_noise(const Plan& plan) {
+  return !has_scatter(*plan.substructures, plan.scene) && !has_scatter(*plan.assembly, plan.scene);
+}
 
 std::optional<Scene> scene_with_noise(Plan& plan, const Excerpt& substructures, const Excerpt& assembly) {
   Scene scene = plan.scene;

@@ -13,7 +13,9 @@ struct MeasuredRectangle {
   std::vector<Complex> values, variances;
   std::size_t rows = 0, columns = 0;
 
-  Complex value(std::size_t line, std::size_t row, std::size_t column) const { return values[(line * rows + row) * columns + column]; }
+  Complex value(std::size_t line, std::size_t row, std::size_t column) const {
+    return values[(line * rows + row) * columns + column];
+  }
   /// E|δ|², (m/N)².
   double variance(std::size_t line, std::size_t row, std::size_t column) const {
     const Complex parts = variances[(line * rows + row) * columns + column];
@@ -40,8 +42,8 @@ struct Excerpt {
 /// Whether files and scene tell the noise of all FRFs.
 bool knows_noise(const Plan& plan);
 
-/// The scene of a plan, with a [noise] that is what neighbouring lines of some FRFs scatter where files and scene say nothing; empty where
-/// the lines do not tell it.
+/// The scene of a plan, with a [noise] that is what neighbouring lines of some FRFs scatter where files and scene say nothing;
+/// empty where the lines do not tell it.
 std::optional<Scene> scene_with_noise(Plan& plan, const Excerpt& substructures, const Excerpt& assembly);
 
 }  // namespace jointid::ident

@@ -126,8 +126,8 @@ std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::ve
 }
 
 std::string text(const ActiveMotion& motion) {
-  return of_matrix(motion.kind) + " has a negative eigenvalue, " + digits(motion.eigenvalue) + " ± " + digits(motion.deviation, "%.1g") +
-         " of its largest, with most motion at " + motion.most_moved.name();
+  return of_matrix(motion.kind) + " has a negative eigenvalue, " + digits(motion.eigenvalue) + " ± " +
+         digits(motion.deviation, "%.1g") + " of its largest, with most motion at " + motion.most_moved.name();
 }
 
 std::string text(const NegativeDiagonal& element) {

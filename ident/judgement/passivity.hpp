@@ -32,8 +32,8 @@ struct NegativeDiagonal {
 };
 
 /// Those that are more than `deviations` standard deviations below zero, most certain first.
-std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance,
-                                                 double deviations);
+std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::vector<double>& theta,
+                                                 const Eigen::MatrixXd& covariance, double deviations);
 
 /// "hysteretic damping D has a negative eigenvalue, -0.83 ± 0.02 of its largest, with most motion at 4:+Y".
 std::string text(const ActiveMotion& motion);

@@ -55,7 +55,8 @@ std::optional<PredictedLines> read_all(Plan& plan, std::size_t most) {
   const Coordinates& own = plan.coordinates;
   const Dofs rows = joined(own.responses, own.joint), columns = joined(own.references, own.joint);
   const std::vector<Line> chosen = spread_lines(plan.lines, most);
-  const std::vector<std::size_t> part_lines = lines_of(chosen, &Line::substructures), whole_lines = lines_of(chosen, &Line::assembly);
+  const std::vector<std::size_t> part_lines = lines_of(chosen, &Line::substructures),
+                                 whole_lines = lines_of(chosen, &Line::assembly);
   const auto scene = scene_with_noise(plan, {own.joint, columns, part_lines}, {own.responses, own.references, whole_lines});
   if (!scene) return std::nullopt;
   const MeasuredRectangle parts = read_rectangle(*plan.substructures, rows, columns, *scene, part_lines);
@@ -85,7 +86,8 @@ PredictedResidual residual_at(const PredictedLine& line, const MatrixXcd& z) {
   const MatrixXcd force = z * out.to_joint;  // P H_ba
   out.f = line.nn - line.aa + line.ab * force;
   const MatrixXd right = force.cwiseAbs2(), left = (out.from_joint * z).cwiseAbs2();
-  const MatrixXd variance = line.nn_variance + line.ab_variance * right + left * line.ba_variance + left * line.bb_variance * right +
+  const MatrixXd variance = line.nn_variance + line.ab_variance * right + left * line.ba_variance +
+                            left * line.bb_variance * right +
                             least_share_of_frf * least_share_of_frf * (line.nn.cwiseAbs2() + line.aa.cwiseAbs2());
   out.weight = MatrixXd::Zero(out.f.rows(), out.f.cols());
   for (Index i = 0; i < variance.size(); ++i) {

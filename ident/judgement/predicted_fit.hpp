@@ -34,8 +34,9 @@ struct PredictedFit {
   std::vector<double> theta;   ///< scaled unknowns
   Eigen::MatrixXd covariance;  ///< of theta, from the scatter of the lines' gradients (sandwich)
   bool settled = false;
-  double misfit = 0.0;         ///< |F|²/var F: the mean of a line's equations, the middle one of all lines. About 1 for a joint that fits
-  std::size_t lines = 0;       ///< with any equation
+  double misfit =
+      0.0;  ///< |F|²/var F: the mean of a line's equations, the middle one of all lines. About 1 for a joint that fits
+  std::size_t lines = 0;  ///< with any equation
 };
 
 /// Lines for predicted_fit(), as many as it takes in about a second. Empty where errors have much in common (modal models,

@@ -32,7 +32,8 @@ void tell_negative(const Plan& plan, const std::vector<double>& theta, const Eig
   }
   if (what.empty()) return;
   tell(out, Status::doubtful,
-       "The joint is not passive: " + what + ". No springs and dampers have that: do not use this matrix, or restrict it (definite = true).");
+       "The joint is not passive: " + what +
+           ". No springs and dampers have that: do not use this matrix, or restrict it (definite = true).");
 }
 
 double error_of(const Estimate& unknown) {
@@ -93,8 +94,8 @@ std::vector<WithoutDigit> without_digit(const Plan& plan, const Solution& out) {
 std::string text(const WithoutDigit& of) {
   std::string matrix = restrictions::key(of.kind);
   std::ranges::replace(matrix, '_', ' ');
-  return matrix + " " + restrictions::symbol(of.kind) + " has no valid digit in " + of.unit + ": errors reach " + digits(of.share) +
-         " times its largest value";
+  return matrix + " " + restrictions::symbol(of.kind) + " has no valid digit in " + of.unit + ": errors reach " +
+         digits(of.share) + " times its largest value";
 }
 
 void tell_useless(const Plan& plan, Solution& out) {
@@ -104,8 +105,8 @@ void tell_useless(const Plan& plan, Solution& out) {
   const std::string remedy = " Measure what sees the joint better (`jointid plan SCENE --bound`), or tie unknowns.";
   if (2 * useless > shares.size()) {
     tell(out, Status::doubtful,
-         "Errors are larger than values in " + std::to_string(useless) + " of " + std::to_string(shares.size()) + " unknowns: " +
-             names_above(shares, 1.0, out) + "." + remedy);
+         "Errors are larger than values in " + std::to_string(useless) + " of " + std::to_string(shares.size()) +
+             " unknowns: " + names_above(shares, 1.0, out) + "." + remedy);
     return;
   }
   const bool has_stiffness = plan.restriction.has(restrictions::Kind::stiffness);

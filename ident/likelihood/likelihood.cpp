@@ -147,15 +147,16 @@ std::size_t equations_used(const Observations& observations, const std::vector<d
 std::vector<double> joint_within(const AdmissibleSet& set, const std::vector<double>& theta, const Eigen::MatrixXd& information) {
   const Eigen::VectorXd from = Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()));
   const auto n = at(theta.size());
-  const bool informed = information.rows() >= n && information.topLeftCorner(n, n).allFinite() && information.diagonal().head(n).minCoeff() > 0.0;
+  const bool informed =
+      information.rows() >= n && information.topLeftCorner(n, n).allFinite() && information.diagonal().head(n).minCoeff() > 0.0;
   Eigen::MatrixXd root = from.cwiseAbs().cwiseMax(1e-6 * from.cwiseAbs().maxCoeff()).cwiseMax(1e-300).cwiseInverse().asDiagonal();
   if (informed) root = minimise::root_of(joint_information(information, theta.size()));
   const Eigen::VectorXd nearest = nearest_admissible(set, from, root, 1.0).theta;
   return nearest.allFinite() ? std::vector<double>(nearest.begin(), nearest.end()) : theta;
 }
 
-/// Tells Control::so_far the best joint so far: that of the least Σ L, before there is one the last; under the constraints of the scene, as
-/// the result will be.
+/// Tells Control::so_far the best joint so far: that of the least Σ L, before there is one the last; under the constraints of the
+/// scene, as the result will be.
 class BestJoint {
  public:
   BestJoint(const Plan& plan, const Solution& begun, const Control& control) : plan_(plan), begun_(begun), control_(control) {}

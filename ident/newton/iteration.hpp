@@ -20,8 +20,8 @@ struct NewtonFit {
   bool diverged = false;  ///< see runs_away()
 };
 
-/// Whether an unknown is beyond 1e12, or no number: those of a ResponseProblem are about 1, and a joint that stiff moves the FRFs no more.
-/// An iteration ends there.
+/// Whether an unknown is beyond 1e12, or no number: those of a ResponseProblem are about 1, and a joint that stiff moves the FRFs
+/// no more. An iteration ends there.
 bool runs_away(std::span<const double> q);
 
 struct NewtonOptions {

@@ -201,8 +201,8 @@ void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, c
   }
 }
 
-/// The covariance of the scaled unknowns θ by the scatter of the lines, to first order: H⁻¹ (Σ g_l g_lᵀ) H⁻¹ · L/(L−1) with H = Σ JᵀJ and
-/// g_l the gradient of line l less their mean, in the problem as it is weighted.
+/// The covariance of the scaled unknowns θ by the scatter of the lines, to first order: H⁻¹ (Σ g_l g_lᵀ) H⁻¹ · L/(L−1) with H = Σ
+/// JᵀJ and g_l the gradient of line l less their mean, in the problem as it is weighted.
 Eigen::MatrixXd scatter_at(const ResponseProblem& problem, const Point& q) {
   const Eigen::Index n = at(problem.unknowns());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
@@ -234,7 +234,8 @@ Eigen::MatrixXd scatter_at(const ResponseProblem& problem, const Point& q) {
 
 /// "K(1,1) reached 5.3e+28 N/m".
 std::string largest_unknown(const Point& q, const Solution& out) {
-  const auto most = std::ranges::max_element(q, {}, [](double each) { return std::isnan(each) ? HUGE_VAL : std::abs(each); }) - q.begin();
+  const auto most =
+      std::ranges::max_element(q, {}, [](double each) { return std::isnan(each) ? HUGE_VAL : std::abs(each); }) - q.begin();
   const Estimate& unknown = out.unknowns[static_cast<std::size_t>(most)];
   return unknown.name + " reached " + digits(unknown.value) + " " + unknown.unit;
 }

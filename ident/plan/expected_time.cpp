@@ -24,7 +24,8 @@ double processor_seconds(const Cost& cost) {
 }  // namespace
 
 double reference_pace(std::size_t matrix, bool complex) {
-  const double most = complex ? 16e9 : 12e9, half = complex ? 60.0 : 100.0;  // flop/s, and the size at which half of it is reached
+  const double most = complex ? 16e9 : 12e9,
+               half = complex ? 60.0 : 100.0;  // flop/s, and the size at which half of it is reached
   const auto n = static_cast<double>(matrix);
   return most * n / (n + half);
 }

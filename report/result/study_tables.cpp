@@ -43,13 +43,15 @@ std::string study_doubt(const study::StudyStatistics& statistics) {
   std::string text;
   for (const study::QualityStatistics& matrix : statistics.quality) {
     if (!(matrix.rms_over_trials > 1.0)) continue;
-    text += (text.empty() ? "" : "; ") + words(matrix.matrix) + fmt::format(" is off by {:.0f} % rms over the trials", 100.0 * matrix.rms_over_trials);
+    text += (text.empty() ? "" : "; ") + words(matrix.matrix) +
+            fmt::format(" is off by {:.0f} % rms over the trials", 100.0 * matrix.rms_over_trials);
   }
   if (!text.empty()) return text + ": one solution does not tell it";
   const auto scatters = [](const study::UnknownStatistics& unknown) { return unknown.std_deviation > std::abs(unknown.mean); };
   const auto count = static_cast<std::size_t>(std::ranges::count_if(statistics.unknowns, scatters));
   if (2 * count <= statistics.unknowns.size()) return "";
-  return fmt::format("{} of {} unknowns scatter by more than their mean: one solution does not tell them", count, statistics.unknowns.size());
+  return fmt::format("{} of {} unknowns scatter by more than their mean: one solution does not tell them", count,
+                     statistics.unknowns.size());
 }
 
 Table unknowns_table(const study::StudyStatistics& statistics) {

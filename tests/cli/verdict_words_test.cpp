@@ -44,7 +44,8 @@ TEST(StudyVerdict, AMatrixThatIsOffByMoreThanItselfIsSaid) {
   statistics.quality[1].rms_over_trials = 0.4;
   EXPECT_EQ(report::study_doubt(statistics), "");
   statistics.quality[1].rms_over_trials = 3.0;
-  EXPECT_EQ(report::study_doubt(statistics), "hysteretic damping is off by 300 % rms over the trials: one solution does not tell it");
+  EXPECT_EQ(report::study_doubt(statistics),
+            "hysteretic damping is off by 300 % rms over the trials: one solution does not tell it");
 }
 
 TEST(StudyVerdict, WithoutATruthTheScatterTells) {

@@ -190,7 +190,8 @@ TEST_F(Automatic, KeepsTheLikelihoodHoweverLongWhereMethodOneHasNoEquation) {
 TEST(AutomaticUnderLoad, PlansOfTwentyScenesAreTheSame) {
   const auto plans = [] {
     std::vector<std::pair<std::string, double>> out;
-    for (const char* name : {"A1", "A3", "A5", "A7", "A8", "A9", "A10", "B", "C1", "C2", "D1", "D2", "D3", "E1", "E2", "E3", "F1", "G1", "G3", "H4"}) {
+    for (const char* name : {"A1", "A3", "A5", "A7", "A8", "A9", "A10", "B",  "C1", "C2",
+                             "D1", "D2", "D3", "E1", "E2", "E3", "F1",  "G1", "G3", "H4"}) {
       const problems::Problem problem = problems::make(name);
       Scene scene = problems::scene(problem);
       scene.identify = {};

@@ -63,7 +63,8 @@ Solution h4(const std::string& solver, bool start, bool noise) {
   Scene scene = problems::scene(problem);
   scene.identify.solver = solver;
   if (!start) scene.identify.start.clear();
-  return solve(*problems::plan(scene, noise ? problems::polluted(problem, 1, 0) : problems::Measurement{problem.substructures, problem.assembly}),
+  return solve(*problems::plan(scene, noise ? problems::polluted(problem, 1, 0)
+                                            : problems::Measurement{problem.substructures, problem.assembly}),
                judged());
 }
 
@@ -82,7 +83,8 @@ TEST(Verdict, OfNewtonIsOkWithoutNoiseAndItsErrorsAreRounding) {
   const Solution found = h4("levenberg-marquardt", true, false);
   EXPECT_EQ(found.status, Status::ok) << found.message;
   ASSERT_EQ(errors_of(found), found.unknowns.size());
-  for (const Estimate& unknown : found.unknowns) EXPECT_LT(*unknown.error_estimate, 1e-6 * std::abs(unknown.value)) << unknown.name;
+  for (const Estimate& unknown : found.unknowns)
+    EXPECT_LT(*unknown.error_estimate, 1e-6 * std::abs(unknown.value)) << unknown.name;
 }
 
 TEST(Verdict, OfTheDirectSolutionIsNotOkWhereItIsWrong) {
@@ -109,7 +111,8 @@ TEST(Verdict, NamesTheLineAndTheFrfThatDecideAlone) {
   problems::Measurement data = problems::polluted(problem, 1, 0);
   EXPECT_EQ(solve(*problems::plan(scene, data), judged()).status, Status::ok);
   const std::size_t line = 100, row = frf::find_coordinate(data.assembly.header.response, frf::Dof::parse("3:+Y")),
-                    column = frf::find_coordinate(data.assembly.header.reference, frf::Dof::parse("5:+Y"));  // at the joint: it weighs a row
+                    column = frf::find_coordinate(data.assembly.header.reference,
+                                                  frf::Dof::parse("5:+Y"));  // at the joint: it weighs a row
   data.assembly.values[data.assembly.index(line, row, column)] *= 1e6;
   const Solution found = solve(*problems::plan(scene, data), judged());
   EXPECT_EQ(found.status, Status::doubtful);
@@ -125,7 +128,8 @@ TEST(Verdict, TheChiSquareShownIsThatOfTheLinesThatItGoesBy) {
   scene.identify.method = Method::likelihood;
   problems::Measurement data = problems::polluted(problem, 1, 0);
   const std::size_t line = 12;
-  for (std::size_t i = 0; i < data.assembly.header.entries(); ++i) data.assembly.values[line * data.assembly.header.entries() + i] *= -40.0;
+  for (std::size_t i = 0; i < data.assembly.header.entries(); ++i)
+    data.assembly.values[line * data.assembly.header.entries() + i] *= -40.0;
   const Solution found = solve(*problems::plan(scene, data), judged());
   const ChiSquare& chi = found.fit.chi_square.value();
   EXPECT_EQ(chi.outlying_lines, 1u);
@@ -175,10 +179,12 @@ struct ToldErrors {
 
   void tell() {
     std::vector<double> theta;
-    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(found.unknowns.size()), static_cast<Eigen::Index>(found.unknowns.size()));
+    Eigen::MatrixXd covariance =
+        Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(found.unknowns.size()), static_cast<Eigen::Index>(found.unknowns.size()));
     for (std::size_t u = 0; u < found.unknowns.size(); ++u) {
       theta.push_back(found.unknowns[u].value / plan->unscale(u));
-      covariance(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(u)) = std::pow(*found.unknowns[u].error_estimate / plan->unscale(u), 2);
+      covariance(static_cast<Eigen::Index>(u), static_cast<Eigen::Index>(u)) =
+          std::pow(*found.unknowns[u].error_estimate / plan->unscale(u), 2);
     }
     tell_errors(*plan, theta, covariance, found);
   }

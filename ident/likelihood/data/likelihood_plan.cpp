@@ -133,9 +133,10 @@ std::size_t shared_right_sides(const Plan& plan, const LikelihoodPlan& own) {
   return joint.shapes().size() + own.observations->systematic().size() + 1;
 }
 
-/// How often the FRFs of all lines are linearised or optimised, an experience (docs/cost.md). With FRFs of the assembly at the joint: of the
-/// start, and where weights change; between them factors stay. With H_nn alone several starts are followed to the end, and more of them
-/// where few lines leave more of the joint open. Under constraints the estimate goes on from its free minimum.
+/// How often the FRFs of all lines are linearised or optimised, an experience (docs/cost.md). With FRFs of the assembly at the
+/// joint: of the start, and where weights change; between them factors stay. With H_nn alone several starts are followed to the
+/// end, and more of them where few lines leave more of the joint open. Under constraints the estimate goes on from its free
+/// minimum.
 std::size_t expected_iterations(const Plan& plan, const LikelihoodPlan& own) {
   constexpr std::size_t usual = 8, from_start = 100, guessed = 20'000, fewest = 150, most = 1'000, constrained = 4;
   std::size_t count = usual;

@@ -86,9 +86,10 @@ void add_misfit(const Fit& fit, const std::vector<double>& frequency_hz, std::ve
   const double freedom = chi_square.degrees_of_freedom;
   if (!(chi_square.value > freedom + 5.0 * std::sqrt(2.0 * std::max(freedom, 1.0)))) {
     if (chi_square.outlying_lines == 0) return;
-    out.push_back({FindingKind::misfit, std::to_string(chi_square.outlying_lines) +
-                                            " outlying lines are set aside: they count for little in the joint, and not in chi-square." +
-                                            worst_lines(chi_square, frequency_hz, outlying)});
+    out.push_back(
+        {FindingKind::misfit, std::to_string(chi_square.outlying_lines) +
+                                  " outlying lines are set aside: they count for little in the joint, and not in chi-square." +
+                                  worst_lines(chi_square, frequency_hz, outlying)});
     return;
   }
   out.push_back({FindingKind::misfit, "Joint model, variances or some lines do not fit: chi-square is " +
