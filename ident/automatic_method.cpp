@@ -37,7 +37,7 @@ bool knows_variances(const Scene& scene, const frf::FrfSystem& system) {
 struct Choice {
   Method method = Method::one;
   std::string why;
-  bool is_certain = true;  ///< whatever the likelihood would cost
+  bool is_certain = true;  ///< whatever it would cost, and whether it has equations or not
 };
 
 Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
@@ -51,9 +51,9 @@ Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::
   if (!identify.priors.empty() || identify.bootstrap > 0) return {Method::likelihood, "the scene has priors or a bootstrap"};
   if (!scene.data.gains.empty() || !scene.data.masses.empty()) return {Method::likelihood, "the scene has gains or masses with priors"};
   if (!identify.start.empty() || identify.starts > 0) return {Method::likelihood, "the scene gives a start"};
-  if (scene.data.regenerate.any()) return {Method::one, "errors of regenerated FRFs are not independent"};
+  if (scene.data.regenerate.any()) return {Method::one, "errors of regenerated FRFs are not independent", false};
   if (!knows_variances(scene, substructures) || !knows_variances(scene, assembly)) {
-    return {Method::one, "the variances of the FRFs are not known (of the files, [noise] or repeats)"};
+    return {Method::one, "the variances of the FRFs are not known (of the files, [noise] or repeats)", false};
   }
   return {Method::likelihood, "the variances of the FRFs are known", false};
 }
@@ -66,21 +66,48 @@ std::unique_ptr<Plan> planned(Scene scene, const Choice& choice, const Planner& 
   return plan;
 }
 
+/// Where Method One has no equation: the likelihood, else "newton"; `refused` where neither plans.
+std::unique_ptr<Plan> plan_without_equations(const Scene& scene, const InputError& refused, bool likelihood_is_refused,
+                                             const Planner& planner) {
+  const std::string why = "Method One has no equation on these data (" + refused.parts().problem + ")";
+  for (const Method method : {Method::likelihood, Method::newton}) {
+    if (method == Method::likelihood && likelihood_is_refused) continue;
+    try {
+      return planned(scene, {method, why}, planner);
+    } catch (const InputError&) {
+      // The next one needs less.
+    }
+  }
+  throw InputError(refused.parts());
+}
+
 }  // namespace
 
 std::unique_ptr<Plan> plan_automatically(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly,
                                          const Planner& planner) {
   Choice choice = wish(scene, substructures, assembly);
   if (choice.is_certain) return planned(scene, choice, planner);
-  try {
-    auto plan = planned(scene, choice, planner);
-    if (are_expected_within(longest, plan->cost)) return plan;
-    choice.why = "the likelihood would take about " + digits(expected_seconds(plan->cost)) + " s here";
-  } catch (const InputError& error) {
-    choice.why = "the data do not allow the likelihood: " + error.parts().problem;
+  std::unique_ptr<Plan> slow;
+  const bool asks_likelihood = choice.method == Method::likelihood;
+  if (asks_likelihood) {
+    try {
+      slow = planned(scene, choice, planner);
+      if (are_expected_within(longest, slow->cost)) return slow;
+      choice.why = "the likelihood would take about " + digits(expected_seconds(slow->cost, 2)) +
+                   " s on two cores of the reference machine (docs/cost.md)";
+    } catch (const InputError& error) {
+      choice.why = "the data do not allow the likelihood: " + error.parts().problem;
+    }
   }
   choice.method = Method::one;
-  return planned(scene, choice, planner);
+  try {
+    return planned(scene, choice, planner);
+  } catch (const InputError& refused) {
+    if (!slow) return plan_without_equations(scene, refused, asks_likelihood, planner);
+    slow->chosen = "method likelihood: Method One has no equation on these data; it takes about " +
+                   digits(expected_seconds(slow->cost, 2)) + " s on two cores of the reference machine (docs/cost.md)";
+    return slow;
+  }
 }
 
 void choose_weighting(Plan& plan, const Control& control, RunTime& time) {

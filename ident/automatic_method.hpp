@@ -13,8 +13,9 @@ namespace jointid::ident {
 using Planner = std::function<std::unique_ptr<Plan>(const Scene&)>;
 
 /// [identify] method = "auto": "likelihood" where the variances of all FRFs are known (of the files, of [noise], of repeats), the
-/// data allow it and its iterations should take less than a minute here (expected_seconds()); else "one". A weighting, a delta or
-/// modal regeneration ask for "one"; a solver, for the method that has it; a start, starts, priors or a bootstrap for
+/// data allow it and its counted operations take less than a minute on the reference machine (are_expected_within(): no clock and
+/// no load of this one decides); else "one", and where that has no equation "likelihood" all the same, or "newton". A weighting,
+/// a delta or modal regeneration ask for "one"; a solver, for the method that has it; a start, starts, priors or a bootstrap for
 /// "likelihood". Plan::chosen tells which and why.
 std::unique_ptr<Plan> plan_automatically(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly,
                                          const Planner& planner);

@@ -133,9 +133,17 @@ void refuse_unshared(const Plan& plan, const Control& control) {
 
 }  // namespace
 
-Solution solve(Plan& plan, const Control& control) {
+Solution solve(Plan& plan, const Control& asked) {
   Solution out;
   const Clock::time_point start = Clock::now();
+  Control control = asked;
+  if (asked.so_far) {
+    control.so_far = [&asked, start](const Solution& best) {
+      Solution timed = best;
+      timed.runtime_s.total = seconds_since(start);
+      asked.so_far(timed);
+    };
+  }
   refuse_unshared(plan, control);
   out.dofs = plan.coordinates.joint;
   for (const ModalRegeneration& each : plan.regenerated) {

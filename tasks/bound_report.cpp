@@ -4,12 +4,15 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
+#include "base/eigen.hpp"
 #include "ident/identify.hpp"
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
 #include "ident/likelihood/findings/weak_combinations.hpp"
+#include "ident/plan/expected_time.hpp"
 #include "ident/plan/joint_guess.hpp"
 #include "minimise/linear/covariance.hpp"
 
@@ -82,28 +85,52 @@ std::vector<std::size_t> with(std::vector<std::size_t> to, std::size_t one) {
   return to;
 }
 
+/// Seconds of one core of the reference machine for the information of one line: its FRFs are optimised and linearised.
+double line_seconds(const ident::Plan& plan) {
+  constexpr std::size_t usual = 4;
+  ident::Cost cost = plan.cost;
+  cost.iteration.expected = usual;
+  return ident::expected_seconds(cost, 1) / static_cast<double>(std::max<std::size_t>(1, cost.lines));
+}
+
+/// So many lines of a plan, spread over all.
+void keep_lines(ident::Plan& plan, std::size_t count) {
+  const std::vector<ident::Line> all = std::exchange(plan.lines, {});
+  const std::size_t kept = std::min(count, all.size());
+  for (std::size_t i = 0; i < kept; ++i) plan.lines.push_back(all[(2 * i + 1) * all.size() / (2 * kept)]);
+}
+
+/// How many lines are worked out in so many seconds of one core, for so many choices of the data.
+std::size_t affordable_lines(const ident::Plan& plan, double seconds, std::size_t choices) {
+  constexpr std::size_t least = 2 * parts;
+  const double lines = seconds / (line_seconds(plan) * static_cast<double>(std::max<std::size_t>(1, choices)));
+  return std::min(plan.lines.size(), std::max(least, static_cast<std::size_t>(std::min(lines, 1e9))));
+}
+
 /// Everything that is asked of the data of one plan.
 class Predictor {
  public:
-  Predictor(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control)
-      : plan_(likelihood_plan(plan, plan.scene)), guess_(joint_guess(*plan_)), control_(control) {
+  Predictor(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
+            const std::function<void(const BoundReport&)>& keep)
+      : plan_(likelihood_plan(plan, plan.scene)),
+        guess_(joint_guess(*plan_)),
+        control_(control),
+        keep_(keep),
+        all_lines_(plan_->lines.size()) {
     const ident::Dofs& coordinates = likelihood_plan(*plan_)->observations->layout().coordinates;
     for (const frf::Dof& dof : candidates) absent_.push_back(find_candidate(plan.scene, coordinates, dof));
-    read_observations(*plan_, control);
+    left_out_ = coordinates_of_assembly();
+    changes_ = left_out_.size() + absent_.size() + (absent_.size() > 1 ? 1 : 0) + 2;
+    keep_lines(*plan_, affordable_lines(*plan_, most_seconds, 1));
   }
 
   BoundReport run() {
-    information_ = information_without(absent_, &by_line_);
-    const std::vector<double> scales = relative_scales(*plan_, guess_);
-    const Baseline now(bound_of(*plan_, information_), scales);
     BoundReport out;
-    tell_unknowns(now, out);
+    out.lines = all_lines_;
     try {
-      leave_out_lines(now, out);
-      leave_out_coordinates(now, out);
-      add_candidates(now, out);
-      add_lines(now, out);
-      add_equations(now, out);
+      tell_bound(out);
+      keep(out);
+      tell_changes(out);
     } catch (const Interrupted&) {
       out.interrupted = true;
     }
@@ -111,24 +138,79 @@ class Predictor {
   }
 
  private:
+  static constexpr double most_seconds =
+      60.0;  ///< of one core of the reference machine: for the bound, and twice that for all changes
+
+  void keep(const BoundReport& so_far) const {
+    if (keep_) keep_(so_far);
+  }
+
+  /// The information of all lines of which `some` is that of those that are looked at; priors are there once.
+  Eigen::MatrixXd of_all(Eigen::MatrixXd some) const {
+    if (plan_->lines.size() == all_lines_) return some;
+    Eigen::VectorXd priors = Eigen::VectorXd::Zero(some.rows());
+    for (const auto& [column, value, weight] : likelihood_plan(*plan_)->priors) priors[at(column)] += weight * weight;
+    some.diagonal() -= priors;
+    some *= static_cast<double>(all_lines_) / static_cast<double>(plan_->lines.size());
+    some.diagonal() += priors;
+    return some;
+  }
+
+  /// The bound by the lines of the plan, or by as many as are worked out in a minute, as if they were all.
+  void tell_bound(BoundReport& out) {
+    read_observations(*plan_, control_);
+    information_ = of_all(information_without(absent_, &by_part_));
+    const double share = static_cast<double>(all_lines_) / static_cast<double>(plan_->lines.size());
+    for (Eigen::MatrixXd& part : by_part_) part *= share;
+    scales_ = relative_scales(*plan_, guess_);
+    const Baseline now(bound_of(*plan_, information_), scales_);
+    out.lines_looked_at = plan_->lines.size();
+    tell_unknowns(now, out);
+    leave_out_lines(now, out);
+  }
+
+  /// What other data would do, by so many lines that it takes two minutes: factors do not change with the number of lines.
+  void tell_changes(BoundReport& out) {
+    const std::size_t lines = affordable_lines(*plan_, 2.0 * most_seconds, changes_);
+    Eigen::MatrixXd information = information_;
+    if (lines < plan_->lines.size()) {
+      keep_lines(*plan_, lines);
+      read_observations(*plan_, control_);
+      information = of_all(information_without(absent_));
+    }
+    out.lines_looked_at = plan_->lines.size();
+    const Baseline now(bound_of(*plan_, information), scales_);
+    leave_out_coordinates(now, out);
+    add_candidates(now, out);
+    add_lines(now, out);
+    keep(out);
+    add_equations(now, out);
+  }
+
   Eigen::MatrixXd information_without(const std::vector<std::size_t>& coordinates,
-                                      std::vector<Eigen::MatrixXd>* by_line = nullptr) {
+                                      std::vector<Eigen::MatrixXd>* by_part = nullptr) {
     stop_if(control_.interrupted);
     likelihood_plan(*plan_)->observations->leave_out(coordinates);
     ident::LikelihoodEstimator estimator = make_estimator(*plan_, control_, next_stage());
     Eigen::MatrixXd information = estimator.information_at(scaled(*plan_, guess_));
-    for (std::size_t i = 0; by_line != nullptr && i < plan_->lines.size(); ++i) by_line->push_back(estimator.information_of(i));
+    const std::size_t lines = plan_->lines.size(), count = std::min(parts, lines);
+    for (std::size_t part = 0; by_part != nullptr && part < count; ++part) {
+      by_part->push_back(Eigen::MatrixXd::Zero(information.rows(), information.cols()));
+      for (std::size_t i = part * lines / count; i < (part + 1) * lines / count; ++i)
+        by_part->back() += estimator.information_of(i);
+    }
     return information;
   }
 
-  /// For progress: how many choices of the data were begun.
+  /// For progress: how many choices of the data were begun, of how many.
   std::shared_ptr<const std::string> next_stage() {
     ++choices_;
-    return std::make_shared<const std::string>("predicting errors, data set " + std::to_string(choices_));
+    return std::make_shared<const std::string>("predicting errors, data set " + std::to_string(choices_) + " of " +
+                                               std::to_string(std::max(choices_, changes_ + 1)));
   }
 
   std::vector<double> bound_without(const std::vector<std::size_t>& coordinates) {
-    return bound_of(*plan_, information_without(coordinates));
+    return bound_of(*plan_, of_all(information_without(coordinates)));
   }
 
   void tell_unknowns(const Baseline& now, BoundReport& out) const {
@@ -150,25 +232,33 @@ class Predictor {
   }
 
   void leave_out_lines(const Baseline& now, BoundReport& out) const {
-    const std::size_t lines = plan_->lines.size(), count = std::min(parts, lines);
+    const std::size_t lines = plan_->lines.size(), count = by_part_.size();
     for (std::size_t part = 0; part < count && count > 1; ++part) {
       const std::size_t first = part * lines / count, last = (part + 1) * lines / count;
-      Eigen::MatrixXd rest = information_;
-      for (std::size_t i = first; i < last; ++i) rest -= by_line_[i];
-      out.without_lines.push_back(now.change(range_text(*plan_, first, last), bound_of(*plan_, rest)));
+      out.without_lines.push_back(now.change(range_text(*plan_, first, last), bound_of(*plan_, information_ - by_part_[part])));
     }
+  }
+
+  /// Those whose absence is looked at.
+  std::vector<std::size_t> coordinates_of_assembly() const {
+    const ident::Dofs& coordinates = likelihood_plan(*plan_)->observations->layout().coordinates;
+    std::vector<std::size_t> out;
+    for (std::size_t c = 0; c < coordinates.size(); ++c) {
+      const bool on_assembly =
+          frf::has(plan_->assembly->responses(), coordinates[c]) || frf::has(plan_->assembly->references(), coordinates[c]);
+      if (std::ranges::find(absent_, c) == absent_.end() && on_assembly) out.push_back(c);
+    }
+    return out;
   }
 
   void leave_out_coordinates(const Baseline& now, BoundReport& out) {
     const ident::LineLayout& layout = likelihood_plan(*plan_)->observations->layout();
     const ident::Dofs coordinates = layout.coordinates;
     const std::size_t others = layout.others;
-    for (std::size_t c = 0; c < coordinates.size(); ++c) {
-      const bool on_assembly =
-          frf::has(plan_->assembly->responses(), coordinates[c]) || frf::has(plan_->assembly->references(), coordinates[c]);
-      if (std::ranges::find(absent_, c) != absent_.end() || !on_assembly) continue;
+    for (const std::size_t c : left_out_) {
       out.without_coordinate.push_back(
           now.change(coordinates[c].name() + (c < others ? "" : " on the assembly"), bound_without(with(absent_, c))));
+      keep(out);
     }
   }
 
@@ -176,29 +266,33 @@ class Predictor {
     const ident::Dofs coordinates = likelihood_plan(*plan_)->observations->layout().coordinates;
     for (const std::size_t c : absent_) {
       out.with_more.push_back(now.change(coordinates[c].name(), bound_without(without(absent_, c))));
+      keep(out);
     }
     if (absent_.size() > 1) out.with_more.push_back(now.change("all candidates", bound_without({})));
   }
 
-  /// The bound of another scene on the same files, without the candidates.
+  /// The bound of another scene on the same files, without the candidates; of its lines the same part is looked at.
   std::vector<double> bound_of_other(ident::Plan& other) {
     std::vector<std::size_t> absent;
     const ident::Dofs& coordinates = likelihood_plan(other)->observations->layout().coordinates;
     const ident::Dofs& own = likelihood_plan(*plan_)->observations->layout().coordinates;
     for (const std::size_t c : absent_) absent.push_back(frf::find_coordinate(coordinates, own[c]));
+    const std::size_t all = other.lines.size();
+    keep_lines(other, std::max<std::size_t>(1, all * plan_->lines.size() / all_lines_));
     read_observations(other, control_);
     likelihood_plan(other)->observations->leave_out(absent);
-    return bound_of(other, make_estimator(other, control_, next_stage()).information_at(scaled(other, guess_)));
+    const double share = static_cast<double>(all) / static_cast<double>(other.lines.size());
+    return bound_of(other, share * make_estimator(other, control_, next_stage()).information_at(scaled(other, guess_)));
   }
 
   void add_lines(const Baseline& now, BoundReport& out) {
     ident::Scene wide = plan_->scene;
     wide.frequency = {};
     const auto other = likelihood_plan(*plan_, wide);
-    if (other->lines.size() == plan_->lines.size()) return;
-    out.with_more.push_back(now.change(
-        "all " + std::to_string(other->lines.size()) + " lines of the files, " + range_text(*other, 0, other->lines.size()),
-        bound_of_other(*other)));
+    if (other->lines.size() == all_lines_) return;
+    const std::string what =
+        "all " + std::to_string(other->lines.size()) + " lines of the files, " + range_text(*other, 0, other->lines.size());
+    out.with_more.push_back(now.change(what, bound_of_other(*other)));
   }
 
   void add_equations(const Baseline& now, BoundReport& out) {
@@ -213,18 +307,22 @@ class Predictor {
   }
 
   std::unique_ptr<ident::Plan> plan_;
-  std::vector<double> guess_;
+  std::vector<double> guess_, scales_;
   const ident::Control& control_;
-  std::vector<std::size_t> absent_;  ///< candidates
-  std::size_t choices_ = 0;
+  const std::function<void(const BoundReport&)>& keep_;
+  std::size_t all_lines_;
+  std::vector<std::size_t> absent_;    ///< candidates
+  std::vector<std::size_t> left_out_;  ///< one after the other
+  std::size_t choices_ = 0, changes_ = 0;
   Eigen::MatrixXd information_;
-  std::vector<Eigen::MatrixXd> by_line_;
+  std::vector<Eigen::MatrixXd> by_part_;
 };
 
 }  // namespace
 
-BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control) {
-  return Predictor(plan, candidates, control).run();
+BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
+                          const std::function<void(const BoundReport&)>& keep) {
+  return Predictor(plan, candidates, control, keep).run();
 }
 
 }  // namespace jointid::tasks

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,10 @@ struct BoundChange {
 
 /// What a test can tell about a joint, before it is made (docs/formulas.md §11g).
 struct BoundReport {
-  bool interrupted = false;  ///< not all changes of the data are there
+  bool interrupted = false;  ///< not all changes of the data are there; without unknowns the bound is not, either
+  std::size_t lines = 0;     ///< of the plan
+  std::size_t lines_looked_at =
+      0;  ///< for the changes of the data: as many as take two minutes of one core of the reference machine
   std::vector<UnknownBound> unknowns;
   std::vector<ident::WeakCombination> weakest;
   std::vector<std::string> variances;           ///< where they come from, one phrase each
@@ -39,7 +43,10 @@ struct BoundReport {
 /// Predicts standard deviations on FRFs of a model or an earlier test, with the errors of [noise] or of the files, for the joint
 /// of [truth], else of [identify] start. `candidates`: coordinates of the files that count as not measured, until `with_more`
 /// tells what each of them and all together would change. The bound is that of the likelihood for the equations of the scene,
-/// whatever its method. Throws InputError for scenes without a joint to assume, and as make_plan() does.
-BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control);
+/// whatever its method. Where all lines would take more than a minute of one core of the reference machine, the bound is that of
+/// some spread over all, as if they were all. Interrupted, what there is so far. Throws InputError for scenes without a joint to
+/// assume, and as make_plan() does. `keep` is given what there is after every step, for who may not wait for its end.
+BoundReport predict_bound(const ident::Plan& plan, const ident::Dofs& candidates, const ident::Control& control,
+                          const std::function<void(const BoundReport&)>& keep = {});
 
 }  // namespace jointid::tasks

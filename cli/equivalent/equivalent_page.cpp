@@ -34,7 +34,7 @@ report::CurvePlot plot_of(std::vector<tasks::LevelJoint> levels, const std::stri
 
 std::string equivalent_page(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
   report::ReportPage page(scene.title.empty() ? "Equivalent stiffness and damping" : scene.title, "jointid equivalent");
-  page.status(all_settled(levels) ? report::status_banner("ok", "")
+  page.status(all_settled(levels) ? report::status_banner(equivalent_status(levels), equivalent_doubt(levels))
                                   : report::status_banner("not_usable", "no stiffness and damping fit the FRFs of some levels"));
   page.section("Over displacement");
   page.add(report::Text{equivalent_title(scene), true});

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/statistics.hpp"
 #include "report/json_value.hpp"
 #include "report/text/table.hpp"
 
@@ -13,7 +15,37 @@ namespace {
 
 const char* equation(const ident::EquivalentScene& scene) { return scene.rigid ? "7.18" : "7.11"; }
 
+/// No spring or damper beyond the 95 % interval, or a stiffness whose error is larger than itself.
+bool is_impossible(const tasks::EquivalentJoint& joint) {
+  return joint.stiffness < 0.0 || joint.damping < -normal_95 * joint.deviation || joint.deviation > std::abs(joint.stiffness);
+}
+
 }  // namespace
+
+std::string equivalent_status(const std::vector<tasks::LevelJoint>& levels) {
+  if (!all_settled(levels)) return "not_usable";
+  return equivalent_doubt(levels).empty() ? "ok" : "doubtful";
+}
+
+std::string equivalent_doubt(const std::vector<tasks::LevelJoint>& levels) {
+  const auto count = [&](const auto& is) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(levels, [&](const tasks::LevelJoint& level) { return is(level.joint); }));
+  };
+  const std::size_t impossible = count(is_impossible);
+  if (impossible > 0) {
+    return fmt::format(
+        "at {} of {} levels no spring and damper: negative beyond the error, or a stiffness whose error is larger than itself; "
+        "the errors of the FRFs outweigh the joint",
+        impossible, levels.size());
+  }
+  const std::size_t unknown =
+      count([](const tasks::EquivalentJoint& joint) { return joint.deviation > std::abs(joint.damping); });
+  return 2 * unknown <= levels.size()
+             ? ""
+             : fmt::format("the damping is not known: its error is larger than itself at {} of {} levels", unknown,
+                           levels.size());
+}
 
 bool all_settled(const std::vector<tasks::LevelJoint>& levels) {
   return std::ranges::all_of(levels, [](const tasks::LevelJoint& level) { return level.joint.settled; });
@@ -27,6 +59,7 @@ std::string equivalent_title(const ident::EquivalentScene& scene) {
 std::string equivalent_text(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
   text += equivalent_title(scene) + "\n\n";
+  if (const std::string doubt = equivalent_doubt(levels); !doubt.empty()) text += "doubtful: " + doubt + "\n\n";
   text += equivalent_table(levels).text() +
           "\n± of either, as the residuals scatter; gains of whole FRFs that are off are not in it\n";
   return text;
@@ -48,7 +81,7 @@ report::Table equivalent_table(const std::vector<tasks::LevelJoint>& levels) {
 }
 
 std::string equivalent_json(const ident::EquivalentScene& scene, const std::vector<tasks::LevelJoint>& levels) {
-  report::Json out = {{"status", all_settled(levels) ? "ok" : "not_usable"},
+  report::Json out = {{"status", equivalent_status(levels)},
                       {"equation", equation(scene)},
                       {"real", scene.real},
                       {"levels", report::Json::array()}};

@@ -25,4 +25,11 @@ std::string equivalent_csv(const std::vector<tasks::LevelJoint>& levels);
 /// Whether every level has an answer.
 bool all_settled(const std::vector<tasks::LevelJoint>& levels);
 
+/// "ok"; "doubtful" where equivalent_doubt() says something; "not_usable" where a level did not settle.
+std::string equivalent_status(const std::vector<tasks::LevelJoint>& levels);
+
+/// What speaks against the values by their own errors: a level with no passive joint or an unknown stiffness, or damping that
+/// most levels do not tell. Empty: nothing.
+std::string equivalent_doubt(const std::vector<tasks::LevelJoint>& levels);
+
 }  // namespace jointid::cli

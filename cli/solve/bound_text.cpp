@@ -36,6 +36,7 @@ std::string changes_text(const char* title, std::vector<tasks::BoundChange> chan
 }  // namespace
 
 std::string bound_text(const tasks::BoundReport& report) {
+  if (report.unknowns.empty()) return "\nINTERRUPTED: the bound was not worked out\n";
   report::Table unknowns(
       {{"name", report::Align::left}, {"assumed"}, {"std error"}, {"unit", report::Align::left}, {"relative"}});
   for (const tasks::UnknownBound& unknown : report.unknowns) {
@@ -44,9 +45,13 @@ std::string bound_text(const tasks::BoundReport& report) {
                   unknown.unit, fixed ? percent(unknown.relative) : ""});
   }
   const std::string cut = report.interrupted ? "\nINTERRUPTED: not all changes of the data were looked at\n" : "";
-  return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) + "\n" +
-         unknowns.text() + "\nweakest combinations, in parts of the assumed values\n" + weakest_table(report.weakest).text() +
-         changes_text("without a coordinate", report.without_coordinate, report) +
+  const std::string lines =
+      report.lines_looked_at < report.lines
+          ? fmt::format("changes of the data: by {} of the {} lines, spread over all\n", report.lines_looked_at, report.lines)
+          : "";
+  return cut + "\nsmallest standard errors (Cramér–Rao bound) with " + fmt::format("{}", fmt::join(report.variances, ", ")) +
+         "\n" + unknowns.text() + "\nweakest combinations, in parts of the assumed values\n" +
+         weakest_table(report.weakest).text() + lines + changes_text("without a coordinate", report.without_coordinate, report) +
          changes_text("without a part of the lines", report.without_lines, report) +
          changes_text("with more data", report.with_more, report);
 }

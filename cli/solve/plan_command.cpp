@@ -9,6 +9,7 @@
 #include "cli/options/output.hpp"
 #include "cli/solve/bound_text.hpp"
 #include "cli/solve/plan_text.hpp"
+#include "cli/text/interrupt.hpp"
 #include "cli/text/progress.hpp"
 #include "ident/check/check.hpp"
 #include "ident/identify.hpp"
@@ -51,6 +52,32 @@ PlanArguments& add_linear_plan(CLI::App& app, Chosen& chosen) {
   return *arguments;
 }
 
+namespace {
+
+void write_plan(const PlanArguments& arguments, const ident::Plan& plan, const std::optional<tasks::BoundReport>& bound,
+                std::ostream& out) {
+  if (arguments.json) write_target(*arguments.json, plan_json(plan, bound), out);
+  if (arguments.json != "-") out << plan_text(plan) << (bound ? bound_text(*bound) : "");
+}
+
+constexpr const char* cut_short = "interrupted; what was predicted so far is written";
+
+/// Interrupted, the plan and what was predicted so far are written, also when a step does not end in time.
+tasks::BoundReport bound_of(const PlanArguments& arguments, ident::Plan& plan, const ident::Control& control, std::ostream& out) {
+  SoFar<tasks::BoundReport> kept;
+  const auto save = [&]() -> std::string {
+    tasks::BoundReport so_far = kept.get().value_or(tasks::BoundReport{});
+    so_far.interrupted = true;
+    write_plan(arguments, plan, so_far, out);
+    return cut_short;
+  };
+  return with_last_words(save, [&] {
+    return tasks::predict_bound(plan, arguments.candidates, control, [&](const tasks::BoundReport& report) { kept.put(report); });
+  });
+}
+
+}  // namespace
+
 bool is_elsewhere(const PlanArguments& arguments) { return arguments.run_laws == nullptr && needs_laws(arguments.scene); }
 
 ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
@@ -62,13 +89,12 @@ ExitCode execute(const PlanArguments& arguments, std::ostream& out) {
   std::optional<tasks::BoundReport> bound;
   if (arguments.bound) {
     Progress progress;
-    bound = tasks::predict_bound(*plan, arguments.candidates, progress.control());
+    bound = bound_of(arguments, *plan, progress.control(), out);
     if (!bound->interrupted) note_suspect(*plan, progress.control());
   }
   const bool cut = bound && bound->interrupted;
-  if (arguments.json) write_target(*arguments.json, plan_json(*plan, bound), out);
-  if (arguments.json != "-") out << plan_text(*plan) << (bound ? bound_text(*bound) : "");
-  if (cut) throw Interrupted("interrupted; what was predicted so far is written");
+  write_plan(arguments, *plan, bound, out);
+  if (cut) throw Interrupted(cut_short);
   return ExitCode::done;
 }
 

@@ -46,7 +46,7 @@ std::string cost_text(const ident::Cost& cost) {
     table.add({"an iteration, Mflop", report::number(each.flops / 1e6)});
     table.add({"iterations expected", fmt::format("{}", each.expected)});
     table.add({"memory, MB", report::number(megabytes(each.memory_bytes))});
-    table.add({"time of the iterations expected here, s", fmt::format("{:.2g}", ident::expected_seconds(cost))});
+    table.add({"time of the iterations expected, s", fmt::format("{:.2g}", ident::expected_seconds(cost))});
   } else {
     table.add({"rows per line after compression", fmt::format("{}", cost.compressed_rows_per_line)});
     table.add({"assembling, Mflop", report::number(cost.assemble_flops / 1e6)});

@@ -83,6 +83,12 @@ std::string short_number(const std::optional<double>& value) {
 
 /// What the error estimates of a linear method are.
 std::string estimate_note(const ident::Solution& solution) {
+  if (solution.used.method == ident::Method::newton) {
+    return "  error estimate: scatter of the lines, to first order" +
+           std::string(std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.bias.has_value(); })
+                           ? ", and the difference to the joint with each FRF weighed by its noise\n"
+                           : "; the bias that noise in the parts' FRFs makes is not known and not in it\n");
+  }
   const bool bias = std::ranges::any_of(solution.unknowns, [](const auto& u) { return u.bias.has_value(); });
   return bias ? "  error estimate: scatter between groups of lines, and the bias that noise in the coefficients makes, to first "
                 "order\n"
@@ -106,7 +112,9 @@ std::string unknowns_text(const ident::Solution& solution) {
     cells.push_back(estimate.determined ? estimate.limit : "not determined by the data");
     table.add(std::move(cells));
   }
-  return "\nunknowns\n" + table.text() + (estimates ? estimate_note(solution) : "");
+  const bool none = !estimates && !errors && solution.used.method == ident::Method::newton;
+  return "\nunknowns\n" + table.text() + (estimates ? estimate_note(solution) : "") +
+         (none ? "  no errors: they are those of a joint that settled and is fixed by the data\n" : "");
 }
 
 std::string fit_text(const ident::Solution& solution) {

@@ -68,16 +68,11 @@ void add_quality(const StudyReport& report, report::ReportPage& page) {
   page.add(quality_histograms(report.file, report.statistics));
 }
 
-/// Green only where all trials gave an estimate and the middle one is near the truth.
+/// Not green where a solution does not tell a matrix, though every trial gave one.
 report::StatusBanner banner_of(const study::StudyStatistics& statistics) {
-  const std::string far = report::far_from_truth(statistics);
-  report::StatusBanner banner = report::trials_banner(statistics.usable, statistics.trials, "no trial gave an estimate",
-                                                      trials_text(statistics) + "." + (far.empty() ? "" : " " + far));
-  if (banner.trust == report::Trust::good && !far.empty()) {
-    banner.trust = report::Trust::doubtful;
-    banner.word = "far from the truth";
-  }
-  return banner;
+  const std::string trials = trials_text(statistics) + ".", doubt = report::study_doubt(statistics);
+  if (statistics.usable == statistics.trials && !doubt.empty()) return report::status_banner("doubtful", doubt + ". " + trials);
+  return report::trials_banner(statistics.usable, statistics.trials, "no trial gave an estimate", trials);
 }
 
 }  // namespace

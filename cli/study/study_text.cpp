@@ -18,9 +18,9 @@ using report::unknowns_table;
 std::string head(const StudyReport& report) {
   report::Table table({{"", report::Align::left}, {"", report::Align::left}});
   table.add({"trials", trials_text(report.statistics)});
+  if (const std::string doubt = report::study_doubt(report.statistics); !doubt.empty()) table.add({"doubtful", doubt});
   table.add({"seed", fmt::format("{}", report.seed)});
   table.add({"all results", report.file});
-  if (const std::string far = report::far_from_truth(report.statistics); !far.empty()) table.add({"warning", far});
   for (const std::string& note : report.notes) table.add({"note", note});
   return (report.title.empty() ? "" : report.title + "\n") + table.text();
 }

@@ -7,9 +7,13 @@
 
 #include "base/eigen.hpp"
 #include "base/text.hpp"
+#include "ident/judgement/dominant_line.hpp"
 #include "ident/judgement/line_jackknife.hpp"
 #include "ident/judgement/passivity.hpp"
+#include "ident/judgement/predicted_fit.hpp"
+#include "ident/judgement/tell_errors.hpp"
 #include "ident/judgement/whitened_fit.hpp"
+#include "ident/scene/method_traits.hpp"
 #include "ident/scene/variance_origin.hpp"
 #include "modalfit/poles/selection.hpp"
 
@@ -78,16 +82,22 @@ Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), at(values.size()));
 }
 
+/// The joint without the bias that noise makes, as the judgement's own fit has it.
+struct Unbiased {
+  std::vector<double> theta;
+  Eigen::MatrixXd covariance;
+};
+
 /// Error estimates from the scatter and, where a fit without bias is there, the difference to that.
-void fill_errors(const Plan& plan, const minimise::LinearSolution& linear, const Eigen::MatrixXd& scatter,
-                 const std::optional<WhitenedFit>& fit, Solution& out) {
+void fill_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
+                 const std::optional<Unbiased>& fit, Solution& out) {
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     const auto c = at(column);
     Estimate& estimate = out.unknowns[column];
     const double unit = std::abs(plan.unscale(column));
     double square = scatter(c, c);
-    if (fit && fit->corrected) {
-      const double bias = linear.y[column] - fit->theta[column];
+    if (fit) {
+      const double bias = theta[column] - fit->theta[column];
       square += std::max(0.0, bias * bias - fit->covariance(c, c));
       estimate.bias = bias * plan.unscale(column);
     }
@@ -112,13 +122,59 @@ void fill_matrix_errors(const Plan& plan, Solution& out) {
 }
 
 /// Motions that give energy away by the estimate without bias, and by the estimate itself with its bias as a part of its error.
-std::vector<ActiveMotion> active_of(const Plan& plan, const minimise::LinearSolution& linear, const Eigen::MatrixXd& scatter,
-                                    const std::optional<WhitenedFit>& fit) {
-  if (!fit || !fit->corrected) return {};
-  const std::vector<ActiveMotion> without_bias = active_motions(plan, fit->theta, fit->covariance, 6.0);
-  const Eigen::VectorXd bias = vector_of(linear.y) - vector_of(fit->theta);
-  const std::vector<ActiveMotion> itself = active_motions(plan, linear.y, scatter + bias * bias.transpose(), 5.0);
-  return itself.empty() ? itself : without_bias;
+void judge_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter,
+                  const std::optional<Unbiased>& fit, Solution& out) {
+  fill_errors(plan, theta, scatter, fit, out);
+  fill_matrix_errors(plan, out);
+  Eigen::MatrixXd covariance = scatter;
+  if (fit) {
+    const Eigen::VectorXd bias = vector_of(theta) - vector_of(fit->theta);
+    covariance += bias * bias.transpose();
+    if (!active_motions(plan, theta, covariance, 5.0).empty())
+      tell_active(active_motions(plan, fit->theta, fit->covariance, 6.0), out);
+  }
+  tell_errors(plan, theta, covariance, out);
+}
+
+/// By the equations of Method One.
+std::optional<Unbiased> judge_equations(Plan& plan, const std::vector<double>& theta, Solution& out) {
+  const std::optional<NoisyLines> data = lines_to_judge(plan);
+  std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, theta) : std::nullopt;
+  if (!fit) return std::nullopt;
+  out.fit.misfit = fit->misfit;
+  tell_misfit(*data, *fit, out);
+  if (fit->free_misfit < no_joint_misfit) tell_no_joint(out);
+  return fit->corrected ? std::optional(Unbiased{std::move(fit->theta), std::move(fit->covariance)}) : std::nullopt;
+}
+
+/// By what parts and joint predict of H_nn.
+std::optional<Unbiased> judge_prediction(Plan& plan, const std::vector<double>& theta, Solution& out) {
+  const std::optional<PredictedLines> data = predicted_lines_to_judge(plan);
+  std::optional<PredictedFit> fit = data ? predicted_fit(plan, *data, theta) : std::nullopt;
+  if (!fit) return std::nullopt;
+  out.fit.misfit = fit->misfit;
+  const bool poor = fit->misfit > poor_misfit;
+  if (poor || fit->misfit > (data->from_knowledge ? doubtful_misfit : doubtful_unsure)) {
+    tell(out, poor ? Status::poor_fit : Status::doubtful,
+         "This joint does not explain H_nn: what parts and joint predict of it is off by " + digits(std::sqrt(fit->misfit)) +
+             " times the errors that their noise makes. Another one may: method \"likelihood\" looks for it; give a start near "
+             "the joint, "
+             "or measure the assembly at the joint.");
+    return std::nullopt;
+  }
+  return Unbiased{std::move(fit->theta), std::move(fit->covariance)};
+}
+
+void tell_dominant(const Plan& plan, const DominantLine& found, Solution& out) {
+  const auto value = [&](double scaled) { return digits(scaled * plan.unscale(found.column), "%.3g"); };
+  const std::string hz = digits(found.frequency_hz, "%.6g");
+  const std::string frf = found.frf.empty() ? ""
+                                            : " FRF " + found.frf + " is " + digits(found.over_neighbours, "%.2g") +
+                                                  " times off its neighbours there.";
+  tell(out, Status::doubtful,
+       "One line decides against all others: with " + hz + " Hz " + out.unknowns[found.column].name + " is " + value(found.with) +
+           ", without it " + value(found.without) + " " + out.unknowns[found.column].unit + "." + frf +
+           " Leave the line out (exclude in [frequency]) or put the file right.");
 }
 
 /// Errors that would not hold, and what was said from them.
@@ -154,19 +210,17 @@ void tell_check(const CheckResult& found, Solution& out) {
 
 void judge_linear(Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out) {
   if (linear.rank != plan.columns->size()) return;
-  const std::optional<NoisyLines> data = lines_to_judge(plan);
-  const std::optional<WhitenedFit> fit = data ? whitened_fit(plan, *data, linear.y) : std::nullopt;
-  if (fit) {
-    out.fit.misfit = fit->misfit;
-    tell_misfit(*data, *fit, out);
-    if (fit->free_misfit < no_joint_misfit) tell_no_joint(out);
-  }
+  const bool from_prediction = !traits(plan.scene.identify.method).joint_on_assembly;
+  const auto fit = from_prediction ? judge_prediction(plan, linear.y, out) : judge_equations(plan, linear.y, out);
   if (plan.admissible) return;
-  const std::optional<Eigen::MatrixXd> scatter = line_jackknife(plan, jackknife_lines, control);
-  if (!scatter) return;
-  fill_errors(plan, linear, *scatter, fit, out);
-  fill_matrix_errors(plan, out);
-  tell_active(active_of(plan, linear, *scatter, fit), out);
+  std::optional<LineJackknife> jackknife = line_jackknife(plan, jackknife_lines, control);
+  if (!jackknife) return;
+  judge_errors(plan, linear.y, jackknife->covariance, fit, out);
+  if (const auto line = dominant_line(plan, *jackknife, linear.y, control)) tell_dominant(plan, *line, out);
+}
+
+void judge_predicted(Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out) {
+  judge_errors(plan, theta, scatter, judge_prediction(plan, theta, out), out);
 }
 
 namespace {
@@ -244,6 +298,7 @@ void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Co
   if (control.detail == Detail::full && out.status != Status::rank_deficient && !plan.admissible) {
     tell_active(active_motions(plan, fit.theta, fit.covariance, 5.0), out);
   }
+  if (control.detail == Detail::full && is_usable(out.status)) tell_errors(plan, fit.theta, fit.covariance, out);
   if (out.identifiability && out.identifiability->joint.effect && *out.identifiability->joint.effect < no_joint_effect)
     tell_no_joint(out);
   if (out.status == Status::poor_fit) withhold_errors(out);

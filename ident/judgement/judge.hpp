@@ -20,8 +20,14 @@ void tell(Solution& out, Status status, const std::string& sentence);
 ///             six deviations of the estimate without bias and five of the estimate itself;
 ///   doubtful  misfit > 1.5 (3 where the noise is read off the scatter, or the bias could not be taken off), or that of a row or
 ///   column > 4; or no joint at all explains the FRFs (WhitenedFit::free_misfit < 1.3).
-/// Nothing is said of the misfit where nothing is known of the noise (read_noisy_lines()).
+/// Nothing is said of the misfit where nothing is known of the noise (read_noisy_lines()). The direct solution, which has no
+/// equation of Method One, is held against what it predicts of H_nn (PredictedFit). Also doubtful: tell_errors(), and a line that
+/// decides alone (dominant_line()).
 void judge_linear(Plan& plan, const minimise::LinearSolution& linear, const Control& control, Solution& out);
+
+/// Holds a joint that was found from H_nn alone against its data. `scatter`: covariance of the scaled unknowns theta by the
+/// scatter of the lines. Errors and status as judge_linear() gives them.
+void judge_predicted(Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& scatter, Solution& out);
 
 /// "Most suspect: sign 125:+Y in assembly.uff. …" with its evidence.
 std::string phrase(const Suspect& suspect);

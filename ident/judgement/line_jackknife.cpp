@@ -37,8 +37,10 @@ std::vector<std::vector<Line>> groups_of(const std::vector<Line>& lines, std::si
   return out;
 }
 
-/// The systems of the groups, each on its own.
+}  // namespace
+
 std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control) {
+  OtherLines lines(plan);
   Control quick = control;
   quick.detail = Detail::estimates;
   quick.progress = {};
@@ -52,31 +54,50 @@ std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std:
   return out;
 }
 
-}  // namespace
-
-std::optional<Eigen::MatrixXd> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control) {
-  if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
-  OtherLines lines(plan);
-  const auto groups = groups_of(lines.all(), most_lines, !plan.columns->limits_hz().empty());
-  std::vector<minimise::Accumulator> systems = systems_of(plan, groups, control);
-  const Eigen::Index unknowns = at(plan.columns->size()), count = at(groups.size());
-  Eigen::MatrixXd found(unknowns, count);
-  for (std::size_t left_out = 0; left_out < systems.size(); ++left_out) {
-    minimise::Accumulator rest(plan.columns->size(), systems.front().reduction());
-    for (std::size_t g = 0; g < systems.size(); ++g) {
-      if (g != left_out) rest.merge(systems[g]);
-    }
-    const minimise::LinearSolution linear = solve(plan, rest, minimise::Condition::skip);
-    if (linear.rank != plan.columns->size()) return std::nullopt;
-    for (Eigen::Index u = 0; u < unknowns; ++u) found(u, at(left_out)) = linear.y[static_cast<std::size_t>(u)];
+std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
+                                                const std::vector<std::size_t>& left_out) {
+  minimise::Accumulator rest(plan.columns->size(), systems.front().reduction());
+  for (std::size_t g = 0; g < systems.size(); ++g) {
+    if (std::ranges::find(left_out, g) == left_out.end()) rest.merge(systems[g]);
   }
-  if (!found.allFinite()) return std::nullopt;
-  const Eigen::MatrixXd apart = found.colwise() - found.rowwise().mean();
-  const auto g = static_cast<double>(count);
+  const minimise::LinearSolution linear = solve(plan, rest, minimise::Condition::skip);
+  if (linear.rank != plan.columns->size()) return std::nullopt;
+  PartialEstimate found{Eigen::Map<const Eigen::VectorXd>(linear.y.data(), at(linear.y.size())),
+                        linear.residual_norm * linear.residual_norm};
+  return found.theta.allFinite() ? std::optional(std::move(found)) : std::nullopt;
+}
+
+Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates) {
+  const Eigen::MatrixXd apart = estimates.colwise() - estimates.rowwise().mean();
+  const auto g = static_cast<double>(estimates.cols());
+  return (g - 1.0) / g * apart * apart.transpose();
+}
+
+std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control) {
+  if (plan.lines.size() < least_lines || linear_plan(plan) == nullptr) return std::nullopt;
+  LineJackknife out{.groups = groups_of(plan.lines, most_lines, !plan.columns->limits_hz().empty()),
+                    .systems = {},
+                    .all = {},
+                    .without = {},
+                    .residual_without = {},
+                    .covariance = {}};
+  out.systems = systems_of(plan, out.groups, control);
+  out.without = Eigen::MatrixXd(at(plan.columns->size()), at(out.groups.size()));
+  for (std::size_t group = 0; group < out.groups.size(); ++group) {
+    const auto found = estimate_without(plan, out.systems, {group});
+    if (!found) return std::nullopt;
+    out.without.col(at(group)) = found->theta;
+    out.residual_without.push_back(found->residual);
+  }
+  const auto all = estimate_without(plan, out.systems, {});
+  if (!all) return std::nullopt;
+  out.all = all->theta;
+  out.residual = all->residual;
   std::size_t used = 0;
-  for (const auto& group : groups) used += group.size();
-  const double to_all = static_cast<double>(used) / static_cast<double>(lines.all().size());
-  return (g - 1.0) / g * to_all * apart * apart.transpose();
+  for (const auto& group : out.groups) used += group.size();
+  const double to_all = static_cast<double>(used) / static_cast<double>(plan.lines.size());
+  out.covariance = to_all * jackknife_scatter(out.without);
+  return out;
 }
 
 }  // namespace jointid::ident

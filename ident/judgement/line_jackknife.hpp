@@ -2,17 +2,46 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
+#include "minimise/linear/accumulator.hpp"
 
 namespace jointid::ident {
 
-/// The covariance of a linear estimate (scaled unknowns) by its scatter when one of up to twelve groups of lines after the other is left
-/// out (delete-a-group jackknife): (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ. Groups are neighbouring lines, so that errors which neighbours
-/// share count as one; every twelfth line where a joint has bands. At most `most_lines` lines spread over all are taken, and the scatter is
-/// scaled to all of them. It has no part of the bias, which all groups share. Empty with fewer than four lines, and where a group
-/// cannot be left out without the rank becoming less.
-std::optional<Eigen::MatrixXd> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control);
+/// A linear estimate (scaled unknowns) with one of up to twelve groups of lines after the other left out.
+struct LineJackknife {
+  std::vector<std::vector<Line>> groups;
+  std::vector<minimise::Accumulator> systems;  ///< of the groups, each alone
+  Eigen::VectorXd all;                         ///< by all groups
+  Eigen::MatrixXd without;                     ///< [unknowns × groups]: by all but one
+  double residual = 0.0;                       ///< ‖r‖² of the weighted rows of all groups
+  std::vector<double> residual_without;        ///< of all but one
+  /// The scatter of `without` (delete-a-group jackknife), (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ, scaled to all lines of the plan. It
+  /// has no part of the bias, which all groups share.
+  Eigen::MatrixXd covariance;
+};
+
+/// Groups are neighbouring lines, so that errors which neighbours share count as one; every twelfth line where a joint has bands.
+/// At most `most_lines` lines spread over all are taken. Empty with fewer than four lines, and where a group cannot be left out
+/// without the rank becoming less.
+std::optional<LineJackknife> line_jackknife(Plan& plan, std::size_t most_lines, const Control& control);
+
+/// The systems of groups of lines, each alone.
+std::vector<minimise::Accumulator> systems_of(Plan& plan, const std::vector<std::vector<Line>>& groups, const Control& control);
+
+/// An estimate (scaled unknowns) and ‖r‖² of its weighted rows.
+struct PartialEstimate {
+  Eigen::VectorXd theta;
+  double residual = 0.0;
+};
+
+/// The estimate by all systems but those that are named; empty where the rank is not full.
+std::optional<PartialEstimate> estimate_without(const Plan& plan, std::vector<minimise::Accumulator>& systems,
+                                                const std::vector<std::size_t>& left_out);
+
+/// (G−1)/G Σ_g (y_g − ȳ)(y_g − ȳ)ᵀ of the columns of `estimates`.
+Eigen::MatrixXd jackknife_scatter(const Eigen::MatrixXd& estimates);
 
 }  // namespace jointid::ident

@@ -6,36 +6,12 @@
 #include "base/eigen.hpp"
 #include "base/error.hpp"
 #include "dense/blas.hpp"
+#include "ident/judgement/measured_rectangle.hpp"
 #include "ident/plan/coordinates.hpp"
 #include "ident/variance/frf_covariances.hpp"
-#include "ident/variance/variances.hpp"
 
 namespace jointid::ident {
 namespace {
-
-/// A rectangle of one system with the variances of its FRFs, row-major per line.
-struct MeasuredRectangle {
-  std::vector<Complex> values, variances;
-  std::size_t rows = 0, columns = 0;
-
-  Complex value(std::size_t line, std::size_t row, std::size_t column) const { return values[(line * rows + row) * columns + column]; }
-  double variance(std::size_t line, std::size_t row, std::size_t column) const {
-    const Complex parts = variances[(line * rows + row) * columns + column];
-    return parts.real() + parts.imag();
-  }
-};
-
-MeasuredRectangle read_rectangle(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns, const Scene& scene,
-                                 const std::vector<std::size_t>& lines) {
-  MeasuredRectangle out{.values = std::vector<Complex>(lines.size() * rows.size() * columns.size()), .variances = {},
-                        .rows = rows.size(), .columns = columns.size()};
-  out.variances.resize(out.values.size());
-  frf::BlockReader(system, rows, columns).read(lines, out.values);
-  Variances variances(system, rows, columns, scene);
-  if (variances.needs_prepare()) variances.prepare(lines);
-  variances.read(lines, out.values, out.variances);
-  return out;
-}
 
 /// Covariances of the columns of a rectangle of the substructures, where files have them.
 class ColumnErrors {
@@ -111,53 +87,6 @@ class ColumnErrors {
   FrfCovariances covariances_;
 };
 
-/// The lines of one system that some lines of the plan are.
-std::vector<std::size_t> lines_of(const std::vector<Line>& lines, std::size_t Line::*which) {
-  std::vector<std::size_t> out;
-  for (const Line& line : lines) out.push_back(line.*which);
-  return out;
-}
-
-bool has_scatter(frf::FrfSystem& system, const Scene& scene) {
-  for (std::size_t s = 0; s < system.source_count(); ++s) {
-    if (variance_origin(scene, system.source(s).header()) == VarianceOrigin::scatter) return true;
-  }
-  return false;
-}
-
-/// Some of the DOFs, spread over all.
-Dofs sample_of(const Dofs& dofs, std::size_t most) {
-  Dofs out;
-  const std::size_t count = std::min(most, dofs.size());
-  for (std::size_t i = 0; i < count; ++i) out.push_back(dofs[i * dofs.size() / count]);
-  return out;
-}
-
-/// The relative noise that some FRFs of a system show between neighbouring lines, E|δ|²/|H|²: exceeded by a quarter of them.
-/// Empty where most of them are not resolved.
-std::optional<double> scattered_level(frf::FrfSystem& system, const Dofs& rows, const Dofs& columns, const Scene& scene,
-                                      const std::vector<std::size_t>& lines) {
-  constexpr std::size_t most = 5;
-  const Dofs few_rows = sample_of(rows, most), few_columns = sample_of(columns, most);
-  std::vector<Complex> values(lines.size() * few_rows.size() * few_columns.size()), noise(values.size());
-  frf::BlockReader(system, few_rows, few_columns).read(lines, values);
-  Variances variances(system, few_rows, few_columns, scene);
-  variances.prepare(lines);
-  std::size_t unresolved = 0;
-  for (const FileVariances& file : variances.origins()) unresolved += file.unresolved;
-  if (2 * unresolved > few_rows.size() * few_columns.size()) return std::nullopt;
-  variances.read(lines, values, noise);
-  std::vector<double> shares;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double share = (noise[i].real() + noise[i].imag()) / std::norm(values[i]);
-    if (std::isfinite(share)) shares.push_back(share);
-  }
-  if (shares.empty()) return std::nullopt;
-  const auto high = shares.begin() + static_cast<std::ptrdiff_t>(3 * shares.size() / 4);
-  std::ranges::nth_element(shares, high);
-  return *high;
-}
-
 /// What Method One reads: rows and columns of both systems.
 struct Reads {
   EquationSet use;
@@ -222,35 +151,12 @@ NoisyLine line_of(const NoisyLines& form, const MeasuredRectangle& sub, const Co
   return out;
 }
 
-std::vector<Line> spread_lines(const std::vector<Line>& all, std::size_t most) {
-  std::vector<Line> out;
-  const std::size_t count = std::min(most, all.size());
-  for (std::size_t i = 0; i < count; ++i) out.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
-  return out;
-}
-
-/// A scene whose [noise] is what neighbouring lines scatter, where files and scene say nothing; empty where they do not tell.
-std::optional<Scene> with_noise(Plan& plan, const Reads& reads, const std::vector<std::size_t>& sub_lines,
-                                const std::vector<std::size_t>& asm_lines) {
-  Scene scene = plan.scene;
-  if (!has_scatter(*plan.substructures, scene) && !has_scatter(*plan.assembly, scene)) return scene;
-  const auto parts = scattered_level(*plan.substructures, plan.coordinates.joint, reads.columns, scene, sub_lines);
-  const auto whole = scattered_level(*plan.assembly, reads.rows, plan.coordinates.joint, scene, asm_lines);
-  if (!parts || !whole) return std::nullopt;
-  frf::NoiseModel model;
-  model.kind = frf::NoiseKind::circular;
-  model.level = std::min(0.9, std::sqrt(std::max(*parts, *whole)));
-  scene.noise = NoiseSection{.model = frf::name(model.kind), .level = model.level, .frf_model = model};
-  scene.identify.variance = VarianceChoice::automatic;
-  return scene;
-}
-
 std::optional<NoisyLines> read_form(Plan& plan, std::size_t most) {
   const Reads reads = reads_of(plan);
   const Dofs& joint = plan.coordinates.joint;
   const std::vector<Line> chosen = spread_lines(plan.lines, most);
   const std::vector<std::size_t> sub_lines = lines_of(chosen, &Line::substructures), asm_lines = lines_of(chosen, &Line::assembly);
-  const std::optional<Scene> scene = with_noise(plan, reads, sub_lines, asm_lines);
+  const std::optional<Scene> scene = scene_with_noise(plan, {joint, reads.columns, sub_lines}, {reads.rows, joint, asm_lines});
   if (!scene) return std::nullopt;
   NoisyLines out{.lines = {}, .row_joint = joint_numbers(reads.n_rows.size(), reads.rows.size()),
                  .column_joint = joint_numbers(reads.n_columns.size(), reads.columns.size()), .rows = reads.rows, .columns = reads.columns};
@@ -258,7 +164,7 @@ std::optional<NoisyLines> read_form(Plan& plan, std::size_t most) {
   out.wanted[0][1] = reads.use.nj;
   out.wanted[1][0] = reads.use.jn;
   out.wanted[1][1] = reads.use.jj;
-  out.from_knowledge = !has_scatter(*plan.substructures, plan.scene) && !has_scatter(*plan.assembly, plan.scene);
+  out.from_knowledge = knows_noise(plan);
   const Dofs sub_rows = joined(reads.n_rows, joint);
   const MeasuredRectangle sub = read_rectangle(*plan.substructures, sub_rows, reads.columns, *scene, sub_lines);
   const ColumnErrors errors(*plan.substructures, sub_rows, reads.columns, *scene, sub_lines);

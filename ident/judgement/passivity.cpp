@@ -17,6 +17,8 @@ using Eigen::VectorXd;
 
 /// Smaller parts of the largest eigenvalue are what a slightly wrong model of the joint makes.
 constexpr double least_share = 0.05;
+/// Of the largest element: what rounding makes of a zero.
+constexpr double rounding_share = 1e-9;
 
 /// X(theta) in SI units with the columns of a line, and its derivative by a column along v: Σ coefficient·v_row v_column.
 struct OneMatrix {
@@ -65,11 +67,23 @@ void find_active(const Plan& plan, const OneMatrix& matrix, const std::optional<
   }
 }
 
-}  // namespace
+void find_negative(const Plan& plan, const OneMatrix& matrix, const std::optional<Range>& band, const std::vector<double>& theta,
+                   const MatrixXd& covariance, double deviations, std::vector<NegativeDiagonal>& out) {
+  const Index n = at(plan.restriction.dofs.size());
+  const MatrixXd x = matrix.at(theta, n);
+  if (!x.allFinite()) return;
+  for (Index i = 0; i < n; ++i) {
+    if (!(x(i, i) < 0.0)) continue;
+    const VectorXd g = matrix.gradient(VectorXd::Unit(n, i), theta.size());
+    const double deviation = std::sqrt(std::max(0.0, g.dot(covariance * g)));
+    if (x(i, i) < -deviations * deviation && x(i, i) < -rounding_share * x.cwiseAbs().maxCoeff())
+      out.push_back({matrix.terms.kind, band, plan.restriction.dofs[static_cast<std::size_t>(i)], x(i, i), deviation});
+  }
+}
 
-std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<double>& theta, const MatrixXd& covariance,
-                                         double deviations) {
-  std::vector<ActiveMotion> out;
+/// K, C and D of every band.
+template <class Look>
+void each_matrix(const Plan& plan, const Look& look) {
   const std::vector<double>& limits = plan.columns->limits_hz();
   for (std::size_t k = 0; k < std::max<std::size_t>(1, limits.empty() ? 1 : limits.size() - 1); ++k) {
     const bool bands = !limits.empty();
@@ -78,19 +92,47 @@ std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<dou
     const std::optional<Range> band = bands ? std::optional(Range{limits[k], limits[k + 1]}) : std::nullopt;
     for (const restrictions::MatrixTerms& terms : plan.restriction.matrices) {
       if (terms.kind == restrictions::Kind::mass) continue;
-      find_active(plan, {terms, columns, unscale(terms.kind, plan.omega0)}, band, theta, covariance, deviations, out);
+      look(OneMatrix{terms, columns, unscale(terms.kind, plan.omega0)}, band);
     }
   }
+}
+
+std::string of_matrix(restrictions::Kind kind) {
+  std::string matrix = restrictions::key(kind);
+  std::ranges::replace(matrix, '_', ' ');
+  return matrix + " " + restrictions::symbol(kind);
+}
+
+}  // namespace
+
+std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<double>& theta, const MatrixXd& covariance,
+                                         double deviations) {
+  std::vector<ActiveMotion> out;
+  each_matrix(plan, [&](const OneMatrix& matrix, const std::optional<Range>& band) {
+    find_active(plan, matrix, band, theta, covariance, deviations, out);
+  });
   std::ranges::stable_sort(out, {}, &ActiveMotion::eigenvalue);
   return out;
 }
 
+std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::vector<double>& theta, const MatrixXd& covariance,
+                                                 double deviations) {
+  std::vector<NegativeDiagonal> out;
+  each_matrix(plan, [&](const OneMatrix& matrix, const std::optional<Range>& band) {
+    find_negative(plan, matrix, band, theta, covariance, deviations, out);
+  });
+  std::ranges::stable_sort(out, {}, [](const NegativeDiagonal& each) { return each.value / each.deviation; });
+  return out;
+}
+
 std::string text(const ActiveMotion& motion) {
-  std::string matrix = restrictions::key(motion.kind);
-  std::ranges::replace(matrix, '_', ' ');
-  return matrix + " " + restrictions::symbol(motion.kind) + " has a negative eigenvalue, " + digits(motion.eigenvalue) +
-         " ± " + digits(motion.deviation, "%.1g") +
-         " of its largest, with most motion at " + motion.most_moved.name();
+  return of_matrix(motion.kind) + " has a negative eigenvalue, " + digits(motion.eigenvalue) + " ± " +
+         digits(motion.deviation, "%.1g") + " of its largest, with most motion at " + motion.most_moved.name();
+}
+
+std::string text(const NegativeDiagonal& element) {
+  return of_matrix(element.kind) + " is negative at " + element.dof.name() + ", " + digits(element.value, "%.3g") + " ± " +
+         digits(element.deviation);
 }
 
 }  // namespace jointid::ident

@@ -23,7 +23,22 @@ struct ActiveMotion {
 std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance,
                                          double deviations);
 
+/// A diagonal element of K, C or D that is negative beyond its error: no passive joint has one, whatever else it couples.
+struct NegativeDiagonal {
+  restrictions::Kind kind = restrictions::Kind::stiffness;
+  std::optional<Range> band_hz;
+  frf::Dof dof;
+  double value = 0.0, deviation = 0.0;  ///< SI
+};
+
+/// Those that are more than `deviations` standard deviations below zero, most certain first.
+std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::vector<double>& theta,
+                                                 const Eigen::MatrixXd& covariance, double deviations);
+
 /// "hysteretic damping D has a negative eigenvalue, -0.83 ± 0.02 of its largest, with most motion at 4:+Y".
 std::string text(const ActiveMotion& motion);
+
+/// "stiffness K is negative at 4:+Y, -1.6e+06 ± 3e+05".
+std::string text(const NegativeDiagonal& element);
 
 }  // namespace jointid::ident

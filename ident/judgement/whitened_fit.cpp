@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/complex.hpp"
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
-#include "ident/equations/row_expander.hpp"
-#include "ident/plan/scaling.hpp"
+#include "ident/judgement/line_joint.hpp"
 #include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
@@ -19,42 +17,6 @@ using Eigen::MatrixXd;
 
 /// Errors of FRFs below this part of them are not called a misfit: axes, units and single precision are no better.
 constexpr double least_relative_error = 1e-3;
-
-/// One matrix element that an unknown stands at.
-struct Place {
-  Index row, column;
-  Complex factor;
-};
-
-/// Z_j of a line: the places of every unknown of the line, and what is known.
-struct LineJoint {
-  std::vector<std::size_t> columns;         ///< of the whole problem, one per unknown of the restriction; empty: in no band
-  std::vector<std::vector<Place>> unknowns;
-  MatrixXcd known;
-
-  MatrixXcd at(const std::vector<double>& theta) const {
-    MatrixXcd z = known;
-    for (std::size_t u = 0; u < unknowns.size(); ++u) {
-      for (const auto& [row, column, factor] : unknowns[u]) z(row, column) += theta[columns[u]] * factor;
-    }
-    return z;
-  }
-};
-
-LineJoint joint_at(const Plan& plan, double frequency_hz) {
-  const restrictions::Restriction& restriction = plan.restriction;
-  const double omega = angular(frequency_hz);
-  const auto n = at(restriction.dofs.size());
-  LineJoint out{plan.columns->at(frequency_hz), std::vector<std::vector<Place>>(restriction.unknowns.size()), MatrixXcd::Zero(n, n)};
-  for (const restrictions::MatrixTerms& matrix : restriction.matrices) {
-    const Complex si = impedance_factor(matrix.kind, omega), scaled = si * unscale(matrix.kind, plan.omega0);
-    for (const auto& [row, column, unknown, coefficient] : matrix.terms) {
-      out.unknowns[unknown].push_back({at(row), at(column), scaled * coefficient});
-    }
-    for (const auto& [row, column, value] : matrix.known) out.known(at(row), at(column)) += si * value;
-  }
-  return out;
-}
 
 /// P and Q with the shares of C in them, and the residuals and weights 1/var of a line; weight 0: not an equation.
 struct LineResidual {
@@ -121,7 +83,7 @@ LineResidual residual_of(const NoisyLines& data, const NoisyLine& line, const Ma
 }
 
 /// A T_k B: the derivative of r by an unknown.
-MatrixXcd derivative(const NoisyLine& line, const std::vector<Place>& places) {
+MatrixXcd derivative(const NoisyLine& line, const std::vector<LineJoint::Place>& places) {
   MatrixXcd e = MatrixXcd::Zero(line.a.rows(), line.b.cols());
   for (const auto& [row, column, factor] : places) e += factor * line.a.col(row) * line.b.row(column);
   return e;

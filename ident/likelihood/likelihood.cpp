@@ -14,6 +14,7 @@
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
+#include "ident/admissible/admissible_fit.hpp"
 #include "ident/admissible/outcome.hpp"
 #include "ident/equations/linear_plan.hpp"
 #include "ident/judgement/judge.hpp"
@@ -133,7 +134,29 @@ double largest_relative_error(const Plan& plan, const LikelihoodFit& whole) {
   return std::sqrt(relative_covariance(plan, minimise::covariance_of(fit.information), values, all).diagonal().maxCoeff());
 }
 
-/// Tells Control::so_far the best joint so far: that of the least Σ L, before there is one the last.
+/// Complex equations of the lines that have a say.
+std::size_t equations_used(const Observations& observations, const std::vector<double>& line_weight) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < observations.lines().size(); ++i) {
+    if (line_weight.empty() || line_weight[i] > 0.0) count += observations.lines()[i].measured / 2;
+  }
+  return count;
+}
+
+/// The joint of the scene's set that is nearest to an estimate on the way, in the metric of its information where there is some.
+std::vector<double> joint_within(const AdmissibleSet& set, const std::vector<double>& theta, const Eigen::MatrixXd& information) {
+  const Eigen::VectorXd from = Eigen::Map<const Eigen::VectorXd>(theta.data(), at(theta.size()));
+  const auto n = at(theta.size());
+  const bool informed =
+      information.rows() >= n && information.topLeftCorner(n, n).allFinite() && information.diagonal().head(n).minCoeff() > 0.0;
+  Eigen::MatrixXd root = from.cwiseAbs().cwiseMax(1e-6 * from.cwiseAbs().maxCoeff()).cwiseMax(1e-300).cwiseInverse().asDiagonal();
+  if (informed) root = minimise::root_of(joint_information(information, theta.size()));
+  const Eigen::VectorXd nearest = nearest_admissible(set, from, root, 1.0).theta;
+  return nearest.allFinite() ? std::vector<double>(nearest.begin(), nearest.end()) : theta;
+}
+
+/// Tells Control::so_far the best joint so far: that of the least Σ L, before there is one the last; under the constraints of the
+/// scene, as the result will be.
 class BestJoint {
  public:
   BestJoint(const Plan& plan, const Solution& begun, const Control& control) : plan_(plan), begun_(begun), control_(control) {}
@@ -147,9 +170,12 @@ class BestJoint {
     minimise::LinearSolution linear;
     linear.y = {fit.theta.begin(), fit.theta.begin() + std::ptrdiff_t(plan_.columns->size())};
     linear.rank = linear.y.size();
+    if (plan_.admissible) linear.y = joint_within(*plan_.admissible, linear.y, fit.information);
     interpret(plan_, linear, best);
     best.fit.lines = plan_.lines.size();
+    best.fit.equations_used = equations_used(*likelihood_plan(plan_)->observations, {});
     best.fit.iterations = steps_;
+    best.runtime_s.solve = std::max(0.0, seconds_since(begin_) - best.runtime_s.start);
     control_.so_far(best);
   }
 
@@ -157,6 +183,7 @@ class BestJoint {
   const Plan& plan_;
   const Solution& begun_;
   const Control& control_;
+  Clock::time_point begin_ = Clock::now();
   double least_ = std::numeric_limits<double>::infinity();
   std::size_t steps_ = 0;
 };
@@ -184,16 +211,32 @@ LikelihoodFit fit_by_solver(Plan& plan, LikelihoodEstimator& estimator, const Co
   return fit;
 }
 
+/// The lines that say something of the joint, and how many of them are outlying.
+struct UsedLines {
+  std::size_t all = 0, outlying = 0;
+
+  bool sets_aside() const { return 3 * outlying <= all; }
+};
+
+UsedLines used_lines(const LikelihoodFit& fit) {
+  UsedLines out;
+  for (const double weight : fit.line_weight) {
+    out.all += weight > 0.0;
+    out.outlying += weight > 0.0 && weight < 0.5;
+  }
+  return out;
+}
+
 ChiSquare chi_square_of(const Observations& observations, const std::vector<ScaledPrior>& priors, const LikelihoodFit& fit) {
-  ChiSquare out;
+  const UsedLines lines = used_lines(fit);
+  ChiSquare out{.outlying_lines = lines.outlying, .by_line = {}};
   for (std::size_t i = 0; i < fit.line_cost.size(); ++i) {
     const double redundancy = observations.lines()[i].redundancy(observations.layout());
     const bool used = fit.line_weight[i] > 0.0;
     out.by_line.push_back(used ? fit.line_cost[i] / redundancy : std::numeric_limits<double>::quiet_NaN());
-    if (!used) continue;
+    if (!used || (lines.sets_aside() && fit.line_weight[i] < 0.5)) continue;
     out.value += fit.line_cost[i];
     out.degrees_of_freedom += redundancy;
-    if (fit.line_weight[i] < 0.5) ++out.outlying_lines;
   }
   for (const auto& [column, value, weight] : priors) {
     out.value += weight * weight * (value - fit.theta[column]) * (value - fit.theta[column]);
@@ -315,6 +358,10 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   const Eigen::MatrixXd covariance = covariance_under_ties(plan, joint_information(information, fit.theta.size()));
   out.systematic = systematic_estimates(plan, whole, information);
   state_errors(plan, covariance, out);
+  out.fit.lines = plan.lines.size();
+  out.fit.equations_used = equations_used(observations, fit.line_weight);
+  out.fit.iterations = fit.iterations;
+  out.fit.chi_square = chi_square;
   if (control.so_far) control.so_far(out);
   if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, estimator, fit, control, out);
   out.runtime_s.intervals = seconds_since(solved);
@@ -326,13 +373,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
                          : "The likelihood broke down: is a line on a resonance without any damping? Leave such lines out.";
   }
   out.variances = variance_sources(plan);
-  out.fit.lines = plan.lines.size();
-  for (std::size_t i = 0; i < fit.line_weight.size(); ++i) {
-    if (fit.line_weight[i] > 0.0) out.fit.equations_used += observations.lines()[i].measured / 2;
-  }
-  out.fit.iterations = fit.iterations;
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;
-  out.fit.chi_square = chi_square;
   if (tied(plan))
     out.fit.chi_square->degrees_of_freedom +=
         static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());

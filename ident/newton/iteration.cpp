@@ -128,7 +128,7 @@ bool is_tiny(const Eigen::VectorXd& step, const std::vector<double>& q, double s
 NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const NewtonOptions& options,
                   const std::function<std::optional<Eigen::VectorXd>(const std::vector<double>& q, Linearised& lines)>& advance) {
   constexpr double gain = 0.01;
-  NewtonFit fit{std::move(start), 0, false};
+  NewtonFit fit{.q = std::move(start)};
   double misfit = std::numeric_limits<double>::infinity();
   std::size_t since = 0;  // it was that much more
   while (fit.iterations < options.most_iterations && !(options.patience && since >= *options.patience)) {
@@ -154,6 +154,8 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
       break;
     }
     fit.q = added(fit.q, *step);
+    fit.diverged = runs_away(fit.q);
+    if (fit.diverged) break;
     if (is_tiny(*step, fit.q, 1e-10)) {
       fit.converged = true;
       break;
@@ -164,6 +166,11 @@ NewtonFit iterate(ResponseProblem& problem, std::vector<double> start, const New
 }
 
 }  // namespace
+
+bool runs_away(std::span<const double> q) {
+  constexpr double far = 1e12;
+  return std::ranges::any_of(q, [](double each) { return !(std::abs(each) <= far); });
+}
 
 void append(const ResponseProblem::Rows& rows, minimise::Triangle& triangle) {
   const std::size_t count = rows.columns.size(), stride = triangle.stride(), unknowns = triangle.unknowns();
@@ -226,7 +233,7 @@ std::vector<double> RoundCoordinates::point(std::span<const double> x) const {
 NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
                     const std::function<minimise::Minimum(std::span<const double>)>& minimum, const NewtonOptions& options) {
   constexpr int most_rounds = 40;
-  NewtonFit fit{std::move(start), 0, false};
+  NewtonFit fit{.q = std::move(start)};
   for (int round = 0; round < most_rounds && !fit.converged; ++round) {
     if (options.watch) options.watch(fit.q);
     problem.weigh_at(fit.q);
@@ -237,7 +244,8 @@ NewtonFit in_rounds(ResponseProblem& problem, std::vector<double> start,
     Eigen::VectorXd step(at(fit.q.size()));
     for (std::size_t i = 0; i < fit.q.size(); ++i) step[at(i)] = found.q[i] - fit.q[i];
     fit.q = found.q;
-    if (!step.allFinite()) break;
+    fit.diverged = runs_away(fit.q);
+    if (fit.diverged) break;
     fit.converged = is_tiny(step, fit.q, 1e-10);
   }
   problem.select_all();

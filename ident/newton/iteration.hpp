@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "ident/newton/response_problem.hpp"
 #include "minimise/linear/triangle.hpp"
@@ -16,7 +17,12 @@ struct NewtonFit {
   std::vector<double> q;
   std::size_t iterations = 0;
   bool converged = false;
+  bool diverged = false;  ///< see runs_away()
 };
+
+/// Whether an unknown is beyond 1e12, or no number: those of a ResponseProblem are about 1, and a joint that stiff moves the FRFs
+/// no more. An iteration ends there.
+bool runs_away(std::span<const double> q);
 
 struct NewtonOptions {
   std::size_t most_iterations = 100;

@@ -5,14 +5,18 @@
 #include <cmath>
 #include <limits>
 
+#include "base/eigen.hpp"
 #include "base/random.hpp"
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
+#include "ident/judgement/judge.hpp"
 #include "ident/newton/iteration.hpp"
 #include "ident/newton/newton_plan.hpp"
 #include "ident/plan/interpret.hpp"
 #include "ident/plan/joint_guess.hpp"
 #include "ident/plan/prediction.hpp"
 #include "ident/result/minima.hpp"
+#include "minimise/linear/covariance.hpp"
 #include "minimise/linear/solve_linear.hpp"
 #include "minimise/linear/start_points.hpp"
 
@@ -42,7 +46,9 @@ NewtonFit by_values(ResponseProblem& problem, const Point& start, const NewtonOp
     return misfit;
   };
   const minimise::Minimum found = minimum(objective, Point(start.size(), 0.0), round.size());
-  return {round.point(found.q), found.iterations, found.converged};
+  NewtonFit fit{.q = round.point(found.q), .iterations = found.iterations, .converged = found.converged};
+  fit.diverged = runs_away(fit.q);
+  return fit;
 }
 
 constexpr int evaluations = 20000;
@@ -111,11 +117,13 @@ class Search {
     options.watch = [this](const Point& q) { watch(q); };
     if (number > 0) options.draw = draws_of(number);
     NewtonFit fit = run_or_stop(start, options);
+    fit.converged = fit.converged && !fit.diverged;
     iterations_ += fit.iterations;
     const double misfit = problem_.misfit(fit.q);
     if (!std::isfinite(misfit)) return;
     if (fit.converged) minima_.add({misfit, 1, fit.q}, same);
-    if (!best_.q.empty() && misfit >= misfit_) return;
+    const bool returns = best_.diverged && !fit.diverged;  // one that ran away says nothing
+    if (!best_.q.empty() && !returns && (misfit >= misfit_ || fit.diverged)) return;
     best_ = std::move(fit);
     misfit_ = misfit;
   }
@@ -193,6 +201,45 @@ void search(Plan& plan, const NewtonPlan& own, const ResponseProblem& problem, c
   }
 }
 
+/// The covariance of the scaled unknowns θ by the scatter of the lines, to first order: H⁻¹ (Σ g_l g_lᵀ) H⁻¹ · L/(L−1) with H = Σ
+/// JᵀJ and g_l the gradient of line l less their mean, in the problem as it is weighted.
+Eigen::MatrixXd scatter_at(const ResponseProblem& problem, const Point& q) {
+  const Eigen::Index n = at(problem.unknowns());
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(n, n);
+  std::vector<Eigen::VectorXd> gradients;
+  problem.each_line(q, true, [&](const ResponseProblem::Rows& rows) {
+    const std::size_t count = rows.columns.size(), equations = rows.f.size();
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Map<const RowMajor> jacobian(rows.jacobian.data(), at(equations), at(count));
+    const Eigen::Map<const Eigen::VectorXd> f(rows.f.data(), at(equations)), factor(rows.factor.data(), at(count));
+    const Eigen::MatrixXd own = jacobian * factor.asDiagonal();
+    const Eigen::MatrixXd square = own.transpose() * own;
+    const Eigen::VectorXd gradient = rows.weight * (own.transpose() * f);
+    Eigen::VectorXd whole = Eigen::VectorXd::Zero(n);
+    for (std::size_t t = 0; t < count; ++t) {
+      whole[at(rows.columns[t])] += gradient[at(t)];
+      for (std::size_t u = 0; u < count; ++u) information(at(rows.columns[t]), at(rows.columns[u])) += square(at(t), at(u));
+    }
+    gradients.push_back(std::move(whole));
+  });
+  const auto lines = static_cast<double>(gradients.size());
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(n);
+  for (const Eigen::VectorXd& gradient : gradients) mean += gradient / lines;
+  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(n, n);
+  for (const Eigen::VectorXd& gradient : gradients) scatter += (gradient - mean) * (gradient - mean).transpose();
+  const Eigen::MatrixXd inverse = minimise::covariance_of(information);
+  const Eigen::VectorXd scale = Eigen::Map<const Eigen::VectorXd>(problem.scale().data(), n);
+  return scale.asDiagonal() * (inverse * scatter * inverse) * scale.asDiagonal() * (lines / std::max(1.0, lines - 1.0));
+}
+
+/// "K(1,1) reached 5.3e+28 N/m".
+std::string largest_unknown(const Point& q, const Solution& out) {
+  const auto most =
+      std::ranges::max_element(q, {}, [](double each) { return std::isnan(each) ? HUGE_VAL : std::abs(each); }) - q.begin();
+  const Estimate& unknown = out.unknowns[static_cast<std::size_t>(most)];
+  return unknown.name + " reached " + digits(unknown.value) + " " + unknown.unit;
+}
+
 /// What the linearised problem at the end says of rank and condition.
 minimise::LinearSolution linearised(ResponseProblem& problem, const Point& q) {
   minimise::Accumulator accumulator(problem.unknowns());
@@ -213,7 +260,8 @@ double as_good_as(double misfit, std::size_t unknowns, std::size_t rows) {
   return std::max(misfit * (1.0 + 2.0 * static_cast<double>(unknowns) / free), 1e-20);
 }
 
-void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out) {
+/// Fills `scatter` where the estimate settled and Detail::full asks for it.
+void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out, std::optional<Eigen::MatrixXd>& scatter) {
   const Clock::time_point start = Clock::now();
   ResponseProblem problem(own.read_responses(plan, plan.lines.size()), plan.columns->size());
   out.runtime_s.read = seconds_since(start);
@@ -238,7 +286,11 @@ void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out
   out.fit.iterations = found.iterations();
   if (!found.best().converged) {
     out.status = Status::not_converged;
-    out.message = "The iteration did not settle. Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
+    out.message = (found.best().diverged ? "The iteration diverged and was stopped: " + largest_unknown(found.best().q, out) + "."
+                                         : "The iteration did not settle.") +
+                  " Try other starts (starts = 20 in [identify]) or method \"likelihood\".";
+  } else if (out.status == Status::ok && control.detail == Detail::full) {
+    scatter = scatter_at(problem, found.best().q);
   }
   if (plan.scene.identify.starts > 0) {
     out.search = found.minima().result(as_good_as(found.misfit(), problem.unknowns(), problem.residuals()));
@@ -252,8 +304,14 @@ void estimate(Plan& plan, NewtonPlan& own, const Control& control, Solution& out
 class NewtonMethod final : public NewtonPlan {
  public:
   void solve(Plan& plan, const Control& control, Solution& out) override {
-    estimate(plan, *this, control, out);
+    std::optional<Eigen::MatrixXd> scatter;
+    estimate(plan, *this, control, out, scatter);
     tell_and_predict(plan, control, out);
+    if (!scatter || control.judgement != Judgement::data) return;
+    const Stopwatch watch(out.runtime_s.check);
+    std::vector<double> theta;
+    for (std::size_t c = 0; c < out.unknowns.size(); ++c) theta.push_back(out.unknowns[c].value / plan.unscale(c));
+    judge_predicted(plan, theta, *scatter, out);
   }
 };
 

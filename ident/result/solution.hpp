@@ -69,8 +69,9 @@ struct BandMatrices {
   Matrices errors{};  ///< of the elements, from Estimate::error_estimate; empty where there is none
 };
 
-/// How the residuals of all FRFs compare with their variances: `value` is about `degrees_of_freedom`, give or take √(2·that),
-/// when joint model and variances are right.
+/// How residuals compare with their variances: `value` is about `degrees_of_freedom`, give or take √(2·that), when joint model
+/// and variances are right. Both are of the lines that the verdict goes by: without outlying ones, where these are a third at
+/// most.
 struct ChiSquare {
   double value = 0.0;
   double degrees_of_freedom = 0.0;

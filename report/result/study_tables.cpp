@@ -39,14 +39,19 @@ std::string trials_text(const study::StudyStatistics& statistics) {
   return text;
 }
 
-std::string far_from_truth(const study::StudyStatistics& statistics) {
-  constexpr double far = 0.5;
+std::string study_doubt(const study::StudyStatistics& statistics) {
   std::string text;
   for (const study::QualityStatistics& matrix : statistics.quality) {
-    const double middle = matrix.rms_relative_error[2];
-    if (middle > far) text += fmt::format("{}{} by {:.0f} %", text.empty() ? "" : ", ", words(matrix.matrix), 100.0 * middle);
+    if (!(matrix.rms_over_trials > 1.0)) continue;
+    text += (text.empty() ? "" : "; ") + words(matrix.matrix) +
+            fmt::format(" is off by {:.0f} % rms over the trials", 100.0 * matrix.rms_over_trials);
   }
-  return text.empty() ? text : "The middle trial is far from the truth (rms of the relative errors): " + text + ".";
+  if (!text.empty()) return text + ": one solution does not tell it";
+  const auto scatters = [](const study::UnknownStatistics& unknown) { return unknown.std_deviation > std::abs(unknown.mean); };
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(statistics.unknowns, scatters));
+  if (2 * count <= statistics.unknowns.size()) return "";
+  return fmt::format("{} of {} unknowns scatter by more than their mean: one solution does not tell them", count,
+                     statistics.unknowns.size());
 }
 
 Table unknowns_table(const study::StudyStatistics& statistics) {

@@ -16,8 +16,10 @@ std::map<std::string, std::string> study_texts(const std::string& scene_text);
 /// "1000, 998 with an estimate, 2 rank deficient".
 std::string trials_text(const study::StudyStatistics& statistics);
 
-/// A sentence that names the matrices whose relative error (rms over the elements) is above one half in the middle trial; else empty.
-std::string far_from_truth(const study::StudyStatistics& statistics);
+/// "hysteretic damping is off by 300 % rms over the trials": of a matrix that a solution does not tell, being off by more than
+/// its own size against the truth; without a truth, of unknowns that scatter by more than their mean where most do. Empty: there
+/// is none.
+std::string study_doubt(const study::StudyStatistics& statistics);
 
 /// One row per unknown. Errors are in percent of the true value, or of the mean where none is known; quantiles are those of the
 /// relative error.

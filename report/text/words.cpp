@@ -21,9 +21,21 @@ std::string equations_text(const std::vector<ident::Equation>& equations) {
   return names.empty() ? "all" : fmt::format("{}", fmt::join(names, " "));
 }
 
+namespace {
+
+/// A third of the lines at most is set aside.
+bool is_set_aside(const ident::ChiSquare& chi_square) {
+  const auto lines = std::ranges::count_if(chi_square.by_line, [](double ratio) { return !std::isnan(ratio); });
+  return 3 * static_cast<std::ptrdiff_t>(chi_square.outlying_lines) <= lines;
+}
+
+}  // namespace
+
 std::string chi_square_text(const ident::ChiSquare& chi_square) {
   const auto [value, freedom] = std::pair(chi_square.value, chi_square.degrees_of_freedom);
-  return fmt::format("{:.4g} / {:g} = {:.4g}", value, freedom, value / freedom);
+  const std::string aside =
+      chi_square.outlying_lines == 0 ? "" : fmt::format(", {} outlying lines set aside", chi_square.outlying_lines);
+  return fmt::format("{:.4g} / {:g} = {:.4g}{}", value, freedom, value / freedom, is_set_aside(chi_square) ? aside : "");
 }
 
 std::string rounding_digits(const ident::Solution& solution) {

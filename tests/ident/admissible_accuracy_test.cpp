@@ -109,6 +109,9 @@ TEST(AdmissibleRegenerated, CaseB5TellsTheConstraintAndItsCost) {
                 free.quality.at(kind).rms_relative_error, figures.rms_relative_error);
   }
   EXPECT_GE(least_relative_eigenvalue(found), -1e-10);
+  EXPECT_NEAR(found.quality.at(Kind::stiffness).rms_relative_error, 0.0265, 0.0005);  // docs/admissible-joints.md
+  EXPECT_NEAR(found.quality.at(Kind::hysteretic_damping).rms_relative_error, 0.678, 0.005);
+  EXPECT_NEAR(least_relative_eigenvalue(found), 0.0076, 0.0003);
   EXPECT_GE(found.admissibility->chi_square, 0.0);
   EXPECT_EQ(found.admissibility->equations > 0, least_relative_eigenvalue(free) < 0.0);
 }

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <thread>
+
+#include "frf/set/frf_source.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "problems/case/in_memory.hpp"
@@ -141,6 +145,71 @@ TEST_F(Automatic, ExpectsEightFactorisationsOfALine) {
   EXPECT_EQ(cost.iteration.expected, 8u);
   cost.iteration.flops = 3.5e9;
   EXPECT_TRUE(are_expected_within(60.0, cost));
+}
+
+/// The assembly of A1 without its joint.
+problems::Measurement unreached(const problems::Problem& problem) {
+  problems::Measurement out = problems::polluted(problem, 1, 0);
+  const frf::FrfSet& set = out.assembly;
+  std::vector<std::size_t> lines(set.header.lines()), kept;
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = i;
+  for (std::size_t i = 0; i < set.header.response.size(); ++i) {
+    if (frf::find_coordinate(problem.joint_dofs, set.header.response[i]) == frf::npos) kept.push_back(i);
+  }
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; i < set.header.reference.size(); ++i) {
+    if (frf::find_coordinate(problem.joint_dofs, set.header.reference[i]) == frf::npos) columns.push_back(i);
+  }
+  out.assembly = frf::load(*frf::from_memory(set), {lines, kept, columns});
+  return out;
+}
+
+TEST_F(Automatic, NeverTakesMethodOneWhereItHasNoEquation) {
+  const auto chosen = [&] { return problems::plan(scene, unreached(problem)); };
+  EXPECT_EQ(chosen()->scene.identify.method, Method::likelihood);
+  scene.noise.reset();
+  const auto without_variances = chosen();
+  EXPECT_NE(without_variances->scene.identify.method, Method::one);
+  EXPECT_THAT(without_variances->chosen, HasSubstr("no equation"));
+  for (auto& [kind, spec] : scene.joints.front().matrices) spec = restrictions::Pattern::full;  // no likelihood
+  EXPECT_EQ(chosen()->scene.identify.method, Method::newton);
+}
+
+TEST_F(Automatic, KeepsTheLikelihoodHoweverLongWhereMethodOneHasNoEquation) {
+  const auto given = problems::plan(scene, unreached(problem));
+  const auto slow = plan_automatically(scene, *given->substructures, *given->assembly, [&](const Scene& asked) {
+    auto planned = problems::plan(asked, unreached(problem));
+    planned->cost.iteration.flops *= 1e9;
+    return planned;
+  });
+  EXPECT_EQ(slow->scene.identify.method, Method::likelihood);
+  EXPECT_THAT(slow->chosen, HasSubstr("no equation"));
+}
+
+/// Nothing is timed, so that what else the machine does makes no difference: once with a thread that takes what it can.
+TEST(AutomaticUnderLoad, PlansOfTwentyScenesAreTheSame) {
+  const auto plans = [] {
+    std::vector<std::pair<std::string, double>> out;
+    for (const char* name : {"A1", "A3", "A5", "A7", "A8", "A9", "A10", "B",  "C1", "C2",
+                             "D1", "D2", "D3", "E1", "E2", "E3", "F1",  "G1", "G3", "H4"}) {
+      const problems::Problem problem = problems::make(name);
+      Scene scene = problems::scene(problem);
+      scene.identify = {};
+      scene.identify.automatic = scene.identify.any_weighting = true;
+      const auto plan = problems::plan(scene, {problem.substructures, problem.assembly});
+      out.emplace_back(plan->chosen, expected_seconds(plan->cost, 1));
+    }
+    return out;
+  };
+  const auto idle = plans();
+  std::atomic<bool> ends = false;
+  std::jthread load([&] {
+    volatile double sum = 0.0;
+    while (!ends) sum = sum + 1.0;
+  });
+  EXPECT_EQ(plans(), idle);
+  ends = true;
+  EXPECT_EQ(idle.size(), 20u);
 }
 
 TEST_F(Automatic, TimesOfThePhasesAddUpToTheTotal) {

@@ -12,9 +12,10 @@
 namespace jointid::ident {
 namespace {
 
+using problems::Measurement;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using problems::Measurement;
+using ::testing::StartsWith;
 
 /// A problem with circular noise of a level, whose law the scene knows.
 struct NoisyProblem {
@@ -96,6 +97,12 @@ TEST(Status, OfDataWithoutMistakesIsOk) {
     for (const double level : {0.01, 0.05}) {
       const NoisyProblem problem(name, level);
       const Solution found = problem.solve(problem.data());
+      if (level == 0.05 &&
+          (name == std::string("B") || name == std::string("E3"))) {  // Method One tells nothing there, by its own errors
+        EXPECT_EQ(found.status, Status::doubtful) << name;
+        EXPECT_THAT(found.message, testing::AnyOf(StartsWith("Errors are larger than values"), HasSubstr("has no valid digit")));
+        continue;
+      }
       EXPECT_EQ(found.status, Status::ok) << name << ' ' << level << ' ' << found.message;
     }
   }

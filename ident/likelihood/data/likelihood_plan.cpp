@@ -133,17 +133,29 @@ std::size_t shared_right_sides(const Plan& plan, const LikelihoodPlan& own) {
   return joint.shapes().size() + own.observations->systematic().size() + 1;
 }
 
+/// How often the FRFs of all lines are linearised or optimised, an experience (docs/cost.md). With FRFs of the assembly at the
+/// joint: of the start, and where weights change; between them factors stay. With H_nn alone several starts are followed to the
+/// end, and more of them where few lines leave more of the joint open. Under constraints the estimate goes on from its free
+/// minimum.
+std::size_t expected_iterations(const Plan& plan, const LikelihoodPlan& own) {
+  constexpr std::size_t usual = 8, from_start = 100, guessed = 20'000, fewest = 150, most = 1'000, constrained = 4;
+  std::size_t count = usual;
+  if (own.observations->layout().a.empty()) {
+    count = own.start ? std::clamp(guessed / std::max<std::size_t>(1, plan.lines.size()), fewest, most) : from_start;
+  }
+  return plan.admissible ? count + constrained : count;
+}
+
 /// Flops of linearising a line and eliminating its FRFs: LineElimination where that pays, else by the rows of what was measured.
 /// Large lines are counted as those of circular errors, in complex numbers.
 Iteration iteration_cost(const Plan& plan, const LikelihoodPlan& own) {
-  constexpr std::size_t usual = 8;  // of the start, and where weights change; between them factors stay
   const LineLayout& layout = own.observations->layout();
   const auto number = [](std::size_t i) { return static_cast<double>(i); };
   const std::size_t unknowns = plan.columns->size() + own.observations->systematic().size();
   const std::size_t shared = plan.lines.empty() ? unknowns + 1 : shared_right_sides(plan, own);
   const double v = number(layout.variables()), p = number(unknowns + 1), lines = number(plan.lines.size());
   Iteration out;
-  out.expected = usual;
+  out.expected = expected_iterations(plan, own);
   out.complex = layout.is_large();
   const bool eliminates = elimination_pays(layout, shared);
   const double each = eliminates ? flops_by_elimination(layout, shared) : flops_by_rows(layout, unknowns + 1);

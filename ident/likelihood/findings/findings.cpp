@@ -13,6 +13,7 @@ namespace {
 constexpr double bad = 0.1;  ///< relative error
 constexpr double hardly_seen = 5.0, loose = 0.5, held = 0.01;  ///< effect, deformation: see JointVisibility
 constexpr std::size_t most_lines = 3;
+constexpr double outlying = 3.0;  // about where a line counts for less than half
 
 std::string listed(const std::vector<std::string>& names) {
   std::string out = names.front();
@@ -65,11 +66,11 @@ void add_nonlinear(const Identifiability& found, IntervalKind intervals, std::ve
                                              "wrong. Set bootstrap = 200 in [identify]."});
 }
 
-/// The lines that fit worst, in the order of their χ².
-std::string worst_lines(const ChiSquare& chi_square, const std::vector<double>& frequency_hz) {
+/// The lines that fit worst, in the order of their χ² over degrees of freedom, which is above `least`.
+std::string worst_lines(const ChiSquare& chi_square, const std::vector<double>& frequency_hz, double least) {
   std::vector<std::size_t> order(std::min(chi_square.by_line.size(), frequency_hz.size()));
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t i) { return !(chi_square.by_line[i] > 1.0); });
+  std::erase_if(order, [&](std::size_t i) { return !(chi_square.by_line[i] > least); });
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return chi_square.by_line[a] > chi_square.by_line[b]; });
   std::vector<std::string> lines;
   for (const std::size_t i : order) {
@@ -83,11 +84,18 @@ void add_misfit(const Fit& fit, const std::vector<double>& frequency_hz, std::ve
   if (!fit.chi_square) return;
   const ChiSquare& chi_square = *fit.chi_square;
   const double freedom = chi_square.degrees_of_freedom;
-  if (!(chi_square.value > freedom + 5.0 * std::sqrt(2.0 * std::max(freedom, 1.0)))) return;
+  if (!(chi_square.value > freedom + 5.0 * std::sqrt(2.0 * std::max(freedom, 1.0)))) {
+    if (chi_square.outlying_lines == 0) return;
+    out.push_back(
+        {FindingKind::misfit, std::to_string(chi_square.outlying_lines) +
+                                  " outlying lines are set aside: they count for little in the joint, and not in chi-square." +
+                                  worst_lines(chi_square, frequency_hz, outlying)});
+    return;
+  }
   out.push_back({FindingKind::misfit, "Joint model, variances or some lines do not fit: chi-square is " +
                                           digits(chi_square.value, "%.4g") + " for " + digits(freedom, "%.4g") +
                                           " degrees of freedom, so the errors told are too small." +
-                                          worst_lines(chi_square, frequency_hz)});
+                                          worst_lines(chi_square, frequency_hz, 1.0)});
 }
 
 }  // namespace

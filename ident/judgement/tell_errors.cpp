@@ -1,0 +1,129 @@
+#include "ident/judgement/tell_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "base/eigen.hpp"
+#include "base/statistics.hpp"
+#include "base/text.hpp"
+#include "ident/judgement/judge.hpp"
+#include "ident/judgement/passivity.hpp"
+#include "ident/judgement/value_scales.hpp"
+#include "ident/scene/method_traits.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr double least_value = 0.1;  // of the largest of its matrix and unit
+/// Standard deviations of an eigenvalue; without FRFs at the assembly's joint, where other minima are near, it takes fewer.
+constexpr double sure = 5.0, sure_of_prediction = 2.0;
+
+void tell_negative(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
+  const double beyond = traits(plan.scene.identify.method).joint_on_assembly ? sure : sure_of_prediction;
+  std::string what;
+  if (const auto found = negative_diagonals(plan, theta, covariance, normal_95); !found.empty()) {
+    what = text(found.front());
+  } else if (const auto motions = active_motions(plan, theta, covariance, beyond); !motions.empty() && out.status == Status::ok) {
+    what = text(motions.front());
+  }
+  if (what.empty()) return;
+  tell(out, Status::doubtful,
+       "The joint is not passive: " + what +
+           ". No springs and dampers have that: do not use this matrix, or restrict it (definite = true).");
+}
+
+double error_of(const Estimate& unknown) {
+  if (!unknown.determined) return std::numeric_limits<double>::infinity();
+  return unknown.std_error ? *unknown.std_error : unknown.error_estimate.value_or(0.0);
+}
+
+/// Error over value of every unknown; a small value counts as a tenth of the largest.
+std::vector<double> relative_errors(const Plan& plan, const Solution& out) {
+  std::vector<double> values, shares;
+  for (const Estimate& unknown : out.unknowns) values.push_back(unknown.value);
+  const Eigen::VectorXd largest = largest_of_kind(plan, values);
+  for (std::size_t u = 0; u < values.size(); ++u) {
+    const double size = std::max(std::abs(values[u]), least_value * largest[at(u)]);
+    shares.push_back(error_of(out.unknowns[u]) / size);
+  }
+  return shares;
+}
+
+/// "K(1,1), K(1,2) and 3 more"
+std::string names_above(const std::vector<double>& shares, double limit, const Solution& out) {
+  constexpr std::size_t most = 3;
+  std::size_t count = 0;
+  std::string text;
+  for (std::size_t u = 0; u < shares.size(); ++u) {
+    if (!(shares[u] > limit)) continue;
+    if (count < most) text += (count > 0 ? ", " : "") + out.unknowns[u].name;
+    ++count;
+  }
+  return count > most ? text + " and " + std::to_string(count - most) + " more" : text;
+}
+
+/// Unknowns of one matrix and unit, whose largest value has no digit: an error among them is at least as large.
+struct WithoutDigit {
+  restrictions::Kind kind = restrictions::Kind::stiffness;
+  std::string unit;
+  double share = 0.0;  ///< that error over the largest value
+};
+
+std::vector<WithoutDigit> without_digit(const Plan& plan, const Solution& out) {
+  struct Group {
+    double value = 0.0, error = 0.0;
+  };
+  std::map<std::pair<restrictions::Kind, std::string>, Group> groups;
+  for (std::size_t u = 0; u < out.unknowns.size(); ++u) {
+    const restrictions::Unknown& unknown = plan.restriction.unknowns[plan.columns->unknown_of(u)];
+    Group& group = groups[{unknown.kind, unknown.unit}];
+    group.value = std::max(group.value, std::abs(out.unknowns[u].value));
+    group.error = std::max(group.error, error_of(out.unknowns[u]));
+  }
+  std::vector<WithoutDigit> found;
+  for (const auto& [of, group] : groups) {
+    if (group.error > 0.0 && group.error >= group.value) found.push_back({of.first, of.second, group.error / group.value});
+  }
+  return found;
+}
+
+std::string text(const WithoutDigit& of) {
+  std::string matrix = restrictions::key(of.kind);
+  std::ranges::replace(matrix, '_', ' ');
+  return matrix + " " + restrictions::symbol(of.kind) + " has no valid digit in " + of.unit + ": errors reach " +
+         digits(of.share) + " times its largest value";
+}
+
+void tell_useless(const Plan& plan, Solution& out) {
+  if (out.unknowns.empty()) return;
+  const std::vector<double> shares = relative_errors(plan, out);
+  const auto useless = static_cast<std::size_t>(std::ranges::count_if(shares, [](double share) { return share > 1.0; }));
+  const std::string remedy = " Measure what sees the joint better (`jointid plan SCENE --bound`), or tie unknowns.";
+  if (2 * useless > shares.size()) {
+    tell(out, Status::doubtful,
+         "Errors are larger than values in " + std::to_string(useless) + " of " + std::to_string(shares.size()) +
+             " unknowns: " + names_above(shares, 1.0, out) + "." + remedy);
+    return;
+  }
+  const bool has_stiffness = plan.restriction.has(restrictions::Kind::stiffness);
+  bool told = false;
+  for (const WithoutDigit& each : without_digit(plan, out)) {
+    const bool counts = each.kind == restrictions::Kind::stiffness || !has_stiffness;
+    if (counts && !told) tell(out, Status::doubtful, "The " + text(each) + "." + remedy);
+    told = told || counts;
+    if (!counts) out.warnings.push_back("The " + text(each) + ".");
+  }
+}
+
+}  // namespace
+
+void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
+  tell_negative(plan, theta, covariance, out);
+  tell_useless(plan, out);
+}
+
+}  // namespace jointid::ident

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "ident/plan/plan.hpp"
+#include "ident/result/solution.hpp"
+
+namespace jointid::ident {
+
+/// Makes an estimate doubtful whose own errors speak against it:
+///   a diagonal element of K, C or D that is negative beyond its 95 % interval, by the covariance of the scaled unknowns theta,
+///   or an eigenvalue that active_motions() finds beyond five deviations (two where the assembly is not measured at the joint);
+///   errors (std_error, else error_estimate) that are larger than the values of more than half of the unknowns; a value counts as
+///   a tenth of the largest of its matrix and unit at least; or an error of K (of a joint without K: of any matrix) that is as
+///   large as the largest value of its unit: no valid digit.
+/// A warning names other matrices without a valid digit.
+void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out);
+
+}  // namespace jointid::ident
