@@ -1,6 +1,7 @@
 #include "ident/likelihood/data/observations.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/complex.hpp"
 #include "base/statistics.hpp"
@@ -71,6 +72,21 @@ std::vector<FileVariances> Observations::origins() const {
   return all;
 }
 
+MirrorDifferences Observations::mirror_differences() const {
+  std::array<double, 2> sums = {differences_.squares, differences_.count};
+  shares_.sum(sums);
+  return {sums[0], sums[1]};
+}
+
+void Observations::assume(SystematicPlan gains, frf::FrfSystem& substructures, frf::FrfSystem& assembly) {
+  systematic_ = gains.unknowns();
+  systematic_lines_.reset();
+  if (!systematic_.empty()) {
+    systematic_lines_ = std::make_unique<SystematicLines>(std::move(gains), substructures, assembly, layout_.coordinates);
+  }
+  weigh_as_measured();
+}
+
 void Observations::forget_error_sums() {
   substructures_.forget_error_sums();
   assembly_.forget_error_sums();
@@ -96,6 +112,7 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
   raw_.clear();
   errors_.clear();
   data_.clear();
+  differences_ = {};
   if (systematic_lines_) systematic_lines_->clear();
   std::vector<std::size_t> substructure_lines, assembly_lines;
   for (const Line& line : lines) {
@@ -134,6 +151,8 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
       const bool apart = background_[at] == Complex(0.0);
       raw.substructures.at(row, column) = apart ? Measured{0.0, 0.0} : substructures_.at(i, row, column);
       raw.assembly.at(row, column) = assembly_.at(i, row, column);
+      if (!apart) substructures_.add_difference(i, row, column, differences_);
+      assembly_.add_difference(i, row, column, differences_);
     }
     Errors errors{substructures_.errors(i), assembly_.errors(i)};
     if (errors.substructures || errors.assembly) errors_.push_back(std::move(errors));

@@ -47,6 +47,12 @@ class Observations final : public LikelihoodData {
   bool has_error_sums() const { return substructures_.has_error_sums() || assembly_.has_error_sums(); }
   void forget_error_sums();
 
+  /// Of all FRFs that were read, in all processes.
+  MirrorDifferences mirror_differences() const;
+
+  /// From now on these systematic errors are unknown, gains of FRFs; none: those of the scene, which must have none. What was read stays.
+  void assume(SystematicPlan gains, frf::FrfSystem& substructures, frf::FrfSystem& assembly);
+
   /// What the scene says of systematic errors; nullptr where that is nothing.
   const SystematicPlan* systematic_plan() const { return systematic_lines_ ? &systematic_lines_->plan() : nullptr; }
 
@@ -78,6 +84,7 @@ class Observations final : public LikelihoodData {
   std::vector<Raw> raw_;        ///< of own_lines_
   std::vector<Errors> errors_;  ///< of own_lines_, where there are covariances
   LineShares::Range own_lines_;
+  MirrorDifferences differences_;
 };
 
 }  // namespace jointid::ident

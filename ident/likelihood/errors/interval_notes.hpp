@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ident/likelihood/errors/intervals.hpp"
+
+namespace jointid::ident {
+
+/// Whether a sensor alone explains the data better than a gain of all FRFs of a file.
+bool has_better_sensor(const TriedErrors& tried, const FileGain& gain);
+
+/// Notes what calibration is taken to be, and what it costs: `cost` times the width of exact calibration.
+void note_calibration(double cost, const std::optional<FileGain>& estimated, const TriedErrors& tried, Solution& out);
+
+/// Puts errors that responses to a reference share, and the bias of H1 that they may mean, into the intervals, and tells them: a note
+/// where they are not seen, too, and status doubtful where the bias is more than half the width of an interval. `information`: of all
+/// unknowns.
+void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen::MatrixXd& information, Intervals& intervals,
+                        Solution& out);
+
+/// Status doubtful: the data call for this gain.
+void tell_common_gain(const FileGain& gain, Solution& out);
+
+}  // namespace jointid::ident
