@@ -206,7 +206,7 @@ bool shares_errors(const Plan& plan) {
   return !plan.regenerated.empty() || (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors());
 }
 
-constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 16.0;  // χ² over f where errors include the misfit
+constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 100.0;  // χ² over f where errors include the misfit
 
 bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
   return fit.hopeless || ratio > (estimated || fit.includes_misfit ? poor_with_misfit : 2.0);

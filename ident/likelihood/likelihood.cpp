@@ -272,11 +272,24 @@ void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const Li
   }
 }
 
+/// χ² over degrees of freedom of the lines that count for half or more.
+double fitting_ratio(const ChiSquare& chi_square, const LikelihoodFit& fit) {
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < fit.line_weight.size(); ++i) {
+    if (!(fit.line_weight[i] >= 0.5)) continue;
+    sum += chi_square.by_line[i];
+    ++count;
+  }
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom);
+  return count > 0.0 ? sum / count * (freedom + static_cast<double>(fit.theta.size())) / freedom : 1.0;
+}
+
 /// A fit with what it was found by.
 struct Fitted {
   LikelihoodEstimator estimator;
   LikelihoodFit fit;
   ChiSquare chi_square;
+  double ratio = 1.0;  ///< χ² over degrees of freedom, of the lines that count
   std::optional<TriedErrors> tried = {};
   std::unique_ptr<AssumedGain> gain = {};  ///< a common gain that is one of the unknowns
   std::optional<FileGain> without = {};    ///< what the fit without that gain said of it
@@ -305,19 +318,20 @@ Fitted fitted(Plan& plan, const Control& control, const std::shared_ptr<std::str
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.start;
   const LikelihoodPlan& own = *likelihood_plan(plan);
   ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
-  return {std::move(estimator), std::move(fit), std::move(chi_square)};
+  const double ratio = fitting_ratio(chi_square, fit);
+  return {std::move(estimator), std::move(fit), std::move(chi_square), ratio};
 }
 
 /// Whether a gain explains the misfit beyond its expectation, or half of it.
-bool explains(const ChiSquare& with, const ChiSquare& without) {
-  const auto excess = [](const ChiSquare& of) { return of.value - of.degrees_of_freedom - 3.0 * std::sqrt(2.0 * of.degrees_of_freedom); };
+bool explains(double with, double without, double freedom) {
+  const auto excess = [&](double ratio) { return ratio - 1.0 - 3.0 * std::sqrt(2.0 / std::max(1.0, freedom)); };
   return excess(with) < 0.5 * std::max(0.0, excess(without));
 }
 
 /// Once more with a gain of all FRFs of a file, where the data call for that and it explains them.
 void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Fitted& all) {
   const FileGain* const gain = all.tried && !all.tried->is_calibration_stated ? telling_gain(all.tried->files) : nullptr;
-  if (gain == nullptr || has_better_sensor(*all.tried, *gain)) return;
+  if (gain == nullptr || all.tried->shared.are_seen() || has_better_sensor(*all.tried, *gain)) return;
   const FileGain chosen = *gain;
   std::vector<double> start = all.fit.theta;
   for (std::size_t c = 0; c < start.size(); ++c) start[c] += chosen.gain * chosen.answer[at(c)];
@@ -328,7 +342,8 @@ void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std
   LikelihoodFit fit = estimator.run(only, [&](std::size_t) { stop_if(control.interrupted); });
   const LikelihoodPlan& own = *likelihood_plan(plan);
   ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
-  if (!fit.converged || !explains(chi_square, all.chi_square)) {
+  const double ratio = fitting_ratio(chi_square, fit);
+  if (!fit.converged || !explains(ratio, all.ratio, chi_square.degrees_of_freedom)) {
     all.gain.reset();
     return;
   }
@@ -337,7 +352,8 @@ void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std
   all.estimator = std::move(estimator);
   all.fit = std::move(fit);
   all.chi_square = std::move(chi_square);
-  all.tried = try_errors(plan, all.estimator, all.fit, all.chi_square, control);
+  all.ratio = ratio;
+  all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
 }
 
 /// What is in the intervals beside the noise that variances tell.
@@ -352,17 +368,21 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   const std::size_t joint = plan.columns->size();
   Widened to{Intervals(covariance_under_ties(plan, joint_information(information, joint)))};
   to.likely = likely_chi_square(plan, chi_square.degrees_of_freedom, likelihood_plan(plan)->observations->mirror_differences());
-  const bool applies = all.tried && all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0;
+  const bool own = all.is_own(plan) || (plan.solver == "gauss-helmert" && all.fit.hopeless);
+  const bool applies = all.tried && own && !plan.admissible && plan.scene.identify.bootstrap == 0;
   if (!applies || minimise::null_space_of(all.fit.information).cols() > 0) return to;
   const TriedErrors& tried = *all.tried;
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
-  if (!(chi_square.value > to.likely * chi_square.degrees_of_freedom) || all.fit.hopeless) return to;
-  if (const auto jackknife = tried.blocks->covariance(tried.scores.information.topLeftCorner(at(all.fit.theta.size()), at(all.fit.theta.size())))) {
-    to.intervals.include_misfit(*jackknife, tried.inflation, tried.blocks->count());
-    to.includes_misfit = true;
-  }
+  const Eigen::Index size = at(all.fit.theta.size());
+  const auto jackknife =
+      tried.blocks->jackknife({tried.scores.information.topLeftCorner(size, size), tried.scores.gradient.head(size)});
+  const bool exceeds = all.ratio > to.likely;
+  if (!jackknife || !(exceeds || (jackknife->tells_more() && !tried.shared.are_seen()))) return to;
+  to.intervals.include_misfit(*jackknife, exceeds ? tried.inflation : 1.0);
+  to.includes_misfit = exceeds;
+  if (!exceeds) tell_scatter(*jackknife, out);
   return to;
 }
 
@@ -376,7 +396,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   Fitted all = fitted(plan, control, stage, out);
   *stage = "standard errors";
   const Clock::time_point solved = Clock::now();
-  if (all.fit.converged) all.tried = try_errors(plan, all.estimator, all.fit, all.chi_square, control);
+  if (all.fit.converged || all.fit.hopeless) all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
   if (all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0) fit_with_gain(plan, control, stage, all);
   const Eigen::MatrixXd information = all.is_own(plan) ? all.estimator.godambe_information_at(all.fit) : all.fit.information;
   const LikelihoodFit fit = joint_part(all.fit, plan.columns->size());
@@ -413,7 +433,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     const Stopwatch watch(out.runtime_s.identifiability);
     out.identifiability = identifiability_of(plan, all.estimator, covariance, widest.likely, out);
     tell_calibration(plan, information, out);
-    if (all.tried) tell_gains(suspect_gains(all.tried->trials, all.tried->scores, all.fit.theta.size(), all.tried->inflation), out);
+    if (all.tried && fit.converged) tell_gains(suspect_gains(all.tried->trials, all.tried->scores, all.fit.theta.size(), all.tried->inflation), out);
   }
   if (control.judgement == Judgement::none) return;
   const Stopwatch watch(out.runtime_s.check);

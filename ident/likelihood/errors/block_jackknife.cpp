@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "base/eigen.hpp"
+#include "base/statistics.hpp"
 #include "dense/cholesky.hpp"
+#include "minimise/linear/covariance.hpp"
 
 namespace jointid::ident {
 namespace {
@@ -49,17 +51,32 @@ void BlockScores::take(const std::vector<double>& numbers) {
   }
 }
 
-std::optional<Eigen::MatrixXd> BlockScores::covariance(const Eigen::MatrixXd& whole) const {
+std::optional<Jackknife> BlockScores::jackknife(const Scores& whole) const {
   if (blocks_.size() < least_blocks) return std::nullopt;
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(whole.rows(), whole.cols());
+  const Eigen::Index n = whole.information.rows();
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(n, n);
+  const Eigen::MatrixXd inverse = minimise::covariance_of(whole.information);
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(n), expected = squares;
+  std::vector<Eigen::MatrixXd> moves;  // covariances of the moves without a block
+  Jackknife out{.ratio = {}, .step = inverse * whole.gradient, .blocks = blocks_.size()};
   for (const Scores& block : blocks_) {
     if (block.gradient.size() == 0) continue;
-    const auto rest = dense::solve_definite(whole - block.information, block.gradient);
-    if (!rest) return std::nullopt;
-    out += rest->x * rest->x.transpose();
+    const auto rest = dense::solve_definite(whole.information - block.information, whole.gradient - block.gradient);
+    if (!rest || !(rest->reciprocal_condition > 1e-13)) return std::nullopt;
+    squares += (rest->x - out.step).cwiseAbs2();
+    moves.push_back(dense::solve_positive(whole.information - block.information, unit) - inverse);
+    expected += moves.back().diagonal();
   }
-  const auto count = static_cast<double>(blocks_.size());
-  return (count - 1.0) / count * out;
+  if (!(expected.minCoeff() > 0.0)) return std::nullopt;
+  out.ratio = squares.cwiseQuotient(expected);
+  out.mean = out.ratio.mean();
+  // The variance of the mean, that of a quadratic form of normal moves.
+  const Eigen::VectorXd scale = expected.cwiseSqrt().cwiseInverse();
+  double variance = 0.0;
+  for (const Eigen::MatrixXd& each : moves) variance += 2.0 * (scale.asDiagonal() * each * scale.asDiagonal()).squaredNorm();
+  const double freedom = 2.0 * static_cast<double>(n * n) / variance;
+  out.likely = chi_square_quantile(freedom, 5.0) / freedom;
+  return out;
 }
 
 }  // namespace jointid::ident

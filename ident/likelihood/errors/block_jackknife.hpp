@@ -7,6 +7,18 @@
 
 namespace jointid::ident {
 
+/// Delete-a-block jackknife, to first order: without block b θ moves by (I − I_b)⁻¹ (g − g_b) − I⁻¹ g. Its squares add up, over the
+/// blocks, to Σ ((I − I_b)⁻¹ − I⁻¹) on average where errors of lines are independent and as large as assumed.
+struct Jackknife {
+  Eigen::VectorXd ratio;   ///< of the sum of squares to that average, per unknown: variances over the assumed ones
+  Eigen::VectorXd step;    ///< I⁻¹ g: what is left to the minimum
+  double mean = 1.0;       ///< of the ratios
+  double likely = 1.0;     ///< of the mean, five standard deviations up
+  std::size_t blocks = 0;
+
+  bool tells_more() const { return mean > likely; }
+};
+
 /// Scores of the unknowns of a fit by blocks of neighbouring lines.
 class BlockScores {
  public:
@@ -19,10 +31,9 @@ class BlockScores {
 
   std::size_t count() const { return blocks_.size(); }
 
-  /// Delete-a-block jackknife, to first order: θ without a block is (I − I_b)⁻¹ g_b away, and (B − 1)/B Σ of its squares the covariance,
-  /// whatever the errors of neighbouring lines have in common. `whole`: information I with priors. Empty where a block alone fixes an
-  /// unknown, or there are fewer than six.
-  std::optional<Eigen::MatrixXd> covariance(const Eigen::MatrixXd& whole) const;
+  /// `whole`: information I with priors and gradient of all lines. Empty where a block alone fixes an unknown, or there are fewer than
+  /// six.
+  std::optional<Jackknife> jackknife(const Scores& whole) const;
 
  private:
   Scores& block(std::size_t b);

@@ -76,6 +76,13 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
            "(H2, Hv), or a force with less noise.");
 }
 
+void tell_scatter(const Jackknife& jackknife, Solution& out) {
+  tell(out, Status::doubtful,
+       "Blocks of lines disagree on the joint by " + digits(std::sqrt(jackknife.mean), "%.2g") +
+           " times what their errors explain, though χ² is as expected: the parts may have changed between the tests (temperature, "
+           "supports). Standard errors and intervals include that.");
+}
+
 void tell_common_gain(const FileGain& gain, Solution& out) {
   if (out.systematic.empty()) return;
   const SystematicEstimate& found = out.systematic.front();

@@ -16,6 +16,9 @@ void note_calibration(double cost, const std::optional<FileGain>& estimated, con
 void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen::MatrixXd& information, Intervals& intervals,
                         Solution& out);
 
+/// Status doubtful: blocks of lines scatter by more than their errors. Nothing where χ² says so already.
+void tell_scatter(const Jackknife& jackknife, Solution& out);
+
 /// Status doubtful: the data call for this gain.
 void tell_common_gain(const FileGain& gain, Solution& out);
 

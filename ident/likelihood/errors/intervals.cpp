@@ -37,15 +37,16 @@ void Intervals::add_bias(const Eigen::VectorXd& shift) {
   for (std::size_t i = 0; i < count; ++i) cases_.push_back({cases_[i].shift + shift.head(first_.size()), cases_[i].covariance});
 }
 
-void Intervals::include_misfit(const Eigen::MatrixXd& jackknife, double inflation, std::size_t blocks) {
-  const Eigen::MatrixXd largest = covariance();
+void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
+  const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
   Eigen::VectorXd factor(first_.size());
   for (Eigen::Index u = 0; u < first_.size(); ++u) {
-    factor[u] = std::max(inflation, std::sqrt(jackknife(u, u) / largest(u, u)));
+    factor[u] = std::max({1.0, inflation, first_[u] * std::sqrt(jackknife.ratio[u]) / now[u]});
   }
   for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
-  const boost::math::students_t_distribution<double> t(static_cast<double>(blocks) - 1.0);
+  const boost::math::students_t_distribution<double> t(static_cast<double>(jackknife.blocks) - 1.0);
   quantile_ = boost::math::quantile(t, 0.975);
+  add_bias(jackknife.step);
 }
 
 Eigen::MatrixXd Intervals::covariance() const {

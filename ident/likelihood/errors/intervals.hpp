@@ -21,9 +21,9 @@ class Intervals {
   /// An error between none and all of this.
   void add_bias(const Eigen::VectorXd& shift);
 
-  /// As large as misfit makes them: at least `inflation` times, and `jackknife` beyond the largest covariance of the cases, with the
-  /// quantile of Student's t.
-  void include_misfit(const Eigen::MatrixXd& jackknife, double inflation, std::size_t blocks);
+  /// As large as misfit makes them: variances `inflation`² times, or as many times what they were in the beginning as the jackknife
+  /// says, with the quantile of Student's t; and the step that is left.
+  void include_misfit(const Jackknife& jackknife, double inflation);
 
   /// The largest of all cases.
   Eigen::MatrixXd covariance() const;

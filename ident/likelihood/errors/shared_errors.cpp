@@ -54,6 +54,7 @@ SharedErrorSums::SharedErrorSums(const ErrorTrials& trials, std::size_t unknowns
       unknowns_(unknowns),
       squares_(Eigen::MatrixXd::Zero(at(trials.files.size()), at(trials.files.size()))),
       excess_(Eigen::VectorXd::Zero(at(trials.files.size()))),
+      information_(excess_),
       scatter_(trials.files.size(), Eigen::MatrixXd::Zero(at(unknowns), at(unknowns))),
       variance_(excess_),
       count_(excess_) {}
@@ -86,7 +87,9 @@ void SharedErrorSums::add(const ScoredLine& line) {
   for (std::size_t k = 0; k < references; ++k) {
     const auto file = at(trials_->references[k].file);
     const double gradient = scale[k] * line.reduced.gradient[at(first + k)];
-    excess_[file] += gradient * gradient - scale[k] * scale[k] * information(at(first + k), at(first + k));
+    const double own = scale[k] * scale[k] * information(at(first + k), at(first + k));
+    excess_[file] += gradient * gradient - own;
+    information_[file] += own;
     for (std::size_t l = 0; l < references; ++l) {
       const double cross = scale[k] * scale[l] * information(at(first + k), at(first + l));
       squares_(file, at(trials_->references[l].file)) += cross * cross;
@@ -102,6 +105,7 @@ void SharedErrorSums::add(const ScoredLine& line) {
 SharedErrorSums& SharedErrorSums::operator+=(const SharedErrorSums& other) {
   squares_ += other.squares_;
   excess_ += other.excess_;
+  information_ += other.information_;
   for (std::size_t f = 0; f < scatter_.size(); ++f) scatter_[f] += other.scatter_[f];
   variance_ += other.variance_;
   count_ += other.count_;
@@ -113,6 +117,7 @@ std::vector<double> SharedErrorSums::numbers() const {
   const auto put = [&](const auto& of) { out.insert(out.end(), of.data(), of.data() + of.size()); };
   put(squares_);
   put(excess_);
+  put(information_);
   for (const Eigen::MatrixXd& of : scatter_) put(of);
   put(variance_);
   put(count_);
@@ -127,6 +132,7 @@ void SharedErrorSums::take(const std::vector<double>& numbers) {
   };
   get(squares_);
   get(excess_);
+  get(information_);
   for (Eigen::MatrixXd& of : scatter_) get(of);
   get(variance_);
   get(count_);
@@ -142,7 +148,13 @@ SharedErrors SharedErrorSums::result() const {
   }
   if (there.empty()) return out;
   const Eigen::MatrixXd squares = squares_(there, there);
-  const Eigen::VectorXd share = dense::solve_symmetric(squares, excess_(there));
+  Eigen::MatrixXd rate = squares;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const double variance = count_[there[i]] > 0.0 ? std::exp(variance_[there[i]] / count_[there[i]]) : 0.0;
+    const double less = variance > 0.0 ? information_[there[i]] / variance : 0.0;
+    rate(at(i), at(i)) -= std::min(less, 0.5 * squares(at(i), at(i)));
+  }
+  const Eigen::VectorXd share = dense::solve_symmetric(rate, excess_(there));
   const Eigen::MatrixXd covariance = 2.0 * dense::solve_symmetric(squares, Eigen::MatrixXd::Identity(squares.rows(), squares.cols()));
   for (std::size_t i = 0; i < there.size(); ++i) {
     SharedErrors::OfFile& of = out.files[static_cast<std::size_t>(there[i])];

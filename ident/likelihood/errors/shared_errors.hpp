@@ -29,7 +29,8 @@ struct SharedErrors {
   double bias(std::size_t file) const;
 };
 
-/// Sums over lines, one of them per run: E[g_k² − I_kk] = Σ_k' τ²_k' I_kk'² for the score g and information I of e_k at the estimate.
+/// Sums over lines, one of them per run: E[g_k² − I_kk] = Σ_k' τ²_k' I_kk'² − τ²_k I_kk/σ² for the score g and information I of e_k at
+/// the estimate, σ² the relative variance of a part of an FRF, of which τ² is a part.
 class SharedErrorSums {
  public:
   SharedErrorSums(const ErrorTrials& trials, std::size_t unknowns);
@@ -46,6 +47,7 @@ class SharedErrorSums {
   std::size_t unknowns_;
   Eigen::MatrixXd squares_;  ///< Σ I_kk'², by the files of k and k'
   Eigen::VectorXd excess_;   ///< Σ g_k² − I_kk, by file
+  Eigen::VectorXd information_;  ///< Σ I_kk, by file
   std::vector<Eigen::MatrixXd> scatter_;
   Eigen::VectorXd variance_, count_;  ///< Σ of logarithms of relative variances
 };

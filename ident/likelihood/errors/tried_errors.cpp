@@ -70,7 +70,7 @@ Sums total(std::vector<Sums> runs, const LineShares& shares) {
 }  // namespace
 
 std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
-                                      const ChiSquare& chi_square, const Control& control) {
+                                      double chi_square, const Control& control) {
   if (!plan.scene.couple_first.pairs.empty()) return std::nullopt;
   TriedErrors out;
   out.trials = trials_of(plan, control);
@@ -88,7 +88,7 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimato
     out.scores.information(at(column), at(column)) += weight * weight;
     out.scores.gradient[at(column)] += weight * weight * (value - fit.theta[column]);
   }
-  out.inflation = std::sqrt(std::max(1.0, chi_square.value / std::max(1.0, chi_square.degrees_of_freedom)));
+  out.inflation = std::sqrt(std::max(1.0, chi_square));
   out.is_calibration_stated = !plan.scene.data.gains.empty();
   if (!out.trials.files.empty()) out.files = file_gains(out.trials, out.scores, known, out.inflation);
   return out;

@@ -14,7 +14,7 @@ namespace jointid::ident {
 struct TriedErrors {
   ErrorTrials trials;
   Scores scores;  ///< of the unknowns of the fit, then ErrorTrials::shared_by_lines()
-  double inflation = 1.0;  ///< of errors, √(χ² over degrees of freedom), at least 1
+  double inflation = 1.0;  ///< of errors, √(χ² over degrees of freedom) of the lines that count, at least 1
   std::vector<FileGain> files;  ///< empty where gains or masses are unknowns
   bool is_calibration_stated = false;  ///< [[data.gains]]
   SharedErrors shared;
@@ -23,8 +23,8 @@ struct TriedErrors {
 
 /// In one pass over the lines. Sensors are tried with Detail::full and up to 256 of them; files where no systematic errors are
 /// unknowns; shared errors where variances come from averages, FRFs are taken for independent, and there are
-/// up to 256 references and phases. Empty for parts that were coupled before.
+/// up to 256 references and phases. `chi_square`: over degrees of freedom, of the lines that count. Empty for parts that were coupled before.
 std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
-                                      const ChiSquare& chi_square, const Control& control);
+                                      double chi_square, const Control& control);
 
 }  // namespace jointid::ident
