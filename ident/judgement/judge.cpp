@@ -223,7 +223,8 @@ std::string worth_of_errors(const LikelihoodJudgement& fit, double ratio, bool p
 void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution& out) {
   const ChiSquare& chi_square = *out.fit.chi_square;
   const LineRatios lines = ratios_of(chi_square);
-  const double freedom = std::max(1.0, chi_square.degrees_of_freedom), ratio = lines.mean;
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom),
+               ratio = lines.are_many_outlying() ? lines.mean : std::max(lines.mean, fit.ratio);
   const bool shares = shares_errors(plan), poor = is_poor(fit, ratio, estimated_variances(out) || shares);
   if (!poor && !(ratio > (shares ? std::max(fit.likely, 2.0) : fit.likely))) {
     if (!lines.are_many_outlying()) return;

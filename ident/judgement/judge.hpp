@@ -36,6 +36,7 @@ struct LikelihoodJudgement {
   bool hopeless = false;  ///< it was stopped because no joint would mend the misfit
   bool several_minima = false;  ///< a joint that fits may be where no start led
   double likely = 1.4;          ///< χ² over degrees of freedom that chance leaves
+  double ratio = 0.0;           ///< that of the lines without gross errors
   bool includes_misfit = false;  ///< errors and intervals are those of the misfit, too
 };
 

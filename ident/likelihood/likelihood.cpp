@@ -272,16 +272,18 @@ void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const Li
   }
 }
 
-/// χ² over degrees of freedom of the lines that count for half or more.
+/// χ² over degrees of freedom of the lines without gross errors: those with at most ten times their expectation.
 double fitting_ratio(const ChiSquare& chi_square, const LikelihoodFit& fit) {
+  constexpr double gross = 10.0;
   double sum = 0.0, count = 0.0;
   for (std::size_t i = 0; i < fit.line_weight.size(); ++i) {
-    if (!(fit.line_weight[i] >= 0.5)) continue;
+    if (!(fit.line_weight[i] > 0.0 && chi_square.by_line[i] <= gross)) continue;
     sum += chi_square.by_line[i];
     ++count;
   }
   const double freedom = std::max(1.0, chi_square.degrees_of_freedom);
-  return count > 0.0 ? sum / count * (freedom + static_cast<double>(fit.theta.size())) / freedom : 1.0;
+  if (!(2.0 * count > static_cast<double>(fit.line_weight.size()))) return chi_square.value / freedom;
+  return sum / count * (freedom + static_cast<double>(fit.theta.size())) / freedom;
 }
 
 /// A fit with what it was found by.
@@ -331,7 +333,7 @@ bool explains(double with, double without, double freedom) {
 /// Once more with a gain of all FRFs of a file, where the data call for that and it explains them.
 void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Fitted& all) {
   const FileGain* const gain = all.tried && !all.tried->is_calibration_stated ? telling_gain(all.tried->files) : nullptr;
-  if (gain == nullptr || all.tried->shared.are_seen() || has_better_sensor(*all.tried, *gain)) return;
+  if (gain == nullptr || all.tried->shared.are_seen() || std::abs(all.tried->stretch->score) > std::abs(gain->score) || has_better_sensor(*all.tried, *gain)) return;
   const FileGain chosen = *gain;
   std::vector<double> start = all.fit.theta;
   for (std::size_t c = 0; c < start.size(); ++c) start[c] += chosen.gain * chosen.answer[at(c)];
@@ -375,6 +377,7 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
+  if (tried.stretch) tell_stretch(*tried.stretch, to.intervals, out);
   const Eigen::Index size = at(all.fit.theta.size());
   const auto jackknife =
       tried.blocks->jackknife({tried.scores.information.topLeftCorner(size, size), tried.scores.gradient.head(size)});
@@ -444,6 +447,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
                     .hopeless = fit.hopeless,
                     .several_minima = !joint_is_reached(plan),
                     .likely = widest.likely,
+                    .ratio = all.ratio,
                     .includes_misfit = widest.includes_misfit},
                    control, out);
 }

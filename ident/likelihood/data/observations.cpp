@@ -159,6 +159,25 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
   }
 }
 
+/// H' by the function (a + bω)/(1 + cω) through the lines on both sides, one mode and a constant: the product of both divided
+/// differences over that of the outer lines; their mean where that is far more than either.
+Complex Observations::slope(std::size_t own_line, bool of_assembly, Element at) const {
+  constexpr double most = 4.0;
+  if (own_line == 0 || own_line + 1 >= raw_.size()) return nan;
+  std::array<double, 3> omega{};
+  std::array<Complex, 3> value{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Raw& raw = raw_[own_line - 1 + k];
+    omega[k] = plan_lines_[own_lines_.first + own_line - 1 + k].frequency_hz;
+    value[k] = (of_assembly ? raw.assembly : raw.substructures).at(at.row, at.column).value;
+  }
+  const auto divided = [&](std::size_t a, std::size_t b) { return (value[b] - value[a]) / (omega[b] - omega[a]); };
+  const Complex left = divided(0, 1), right = divided(1, 2);
+  Complex derivative = left * right / divided(0, 2);
+  if (!(std::abs(derivative) <= most * std::max(std::abs(left), std::abs(right)))) derivative = 0.5 * (left + right);
+  return -(omega[1] * derivative / value[1] + 2.0);
+}
+
 LineData Observations::data_of(std::size_t own_line, double omega) const {
   const Raw& raw = raw_[own_line];
   const std::size_t n = layout_.others;

@@ -58,7 +58,8 @@ class Observations final : public LikelihoodData {
 
   /// Where systematic errors that the scene says nothing of would be on a line of this process.
   std::shared_ptr<const SystematicFrfs> systematic_frfs(std::size_t line, const SystematicLines& errors) const {
-    return errors.of(line - own_lines_.first, layout_, raw_[line - own_lines_.first]);
+    const std::size_t own = line - own_lines_.first;
+    return errors.of(own, layout_, raw_[own], [&](bool of_assembly, Element at) { return slope(own, of_assembly, at); });
   }
 
   /// Of the measured FRFs and their weights.
@@ -71,6 +72,7 @@ class Observations final : public LikelihoodData {
     std::shared_ptr<const LineErrors> substructures, assembly;
   };
 
+  Complex slope(std::size_t own_line, bool of_assembly, Element at) const;
   void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   LineData data_of(std::size_t own_line, double omega) const;
   void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,

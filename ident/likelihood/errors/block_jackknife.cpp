@@ -58,7 +58,7 @@ std::optional<Jackknife> BlockScores::jackknife(const Scores& whole) const {
   const Eigen::MatrixXd inverse = minimise::covariance_of(whole.information);
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(n), expected = squares;
   std::vector<Eigen::MatrixXd> moves;  // covariances of the moves without a block
-  Jackknife out{.ratio = {}, .step = inverse * whole.gradient, .blocks = blocks_.size()};
+  Jackknife out{.variance = {}, .step = inverse * whole.gradient, .blocks = blocks_.size()};
   for (const Scores& block : blocks_) {
     if (block.gradient.size() == 0) continue;
     const auto rest = dense::solve_definite(whole.information - block.information, whole.gradient - block.gradient);
@@ -68,8 +68,9 @@ std::optional<Jackknife> BlockScores::jackknife(const Scores& whole) const {
     expected += moves.back().diagonal();
   }
   if (!(expected.minCoeff() > 0.0)) return std::nullopt;
-  out.ratio = squares.cwiseQuotient(expected);
-  out.mean = out.ratio.mean();
+  const auto count = static_cast<double>(blocks_.size());
+  out.variance = (count - 1.0) / count * squares;
+  out.mean = squares.cwiseQuotient(expected).mean();
   // The variance of the mean, that of a quadratic form of normal moves.
   const Eigen::VectorXd scale = expected.cwiseSqrt().cwiseInverse();
   double variance = 0.0;

@@ -10,9 +10,9 @@ namespace jointid::ident {
 /// Delete-a-block jackknife, to first order: without block b θ moves by (I − I_b)⁻¹ (g − g_b) − I⁻¹ g. Its squares add up, over the
 /// blocks, to Σ ((I − I_b)⁻¹ − I⁻¹) on average where errors of lines are independent and as large as assumed.
 struct Jackknife {
-  Eigen::VectorXd ratio;   ///< of the sum of squares to that average, per unknown: variances over the assumed ones
+  Eigen::VectorXd variance;  ///< (B − 1)/B Σ of the squares: rather too large where a block tells much of an unknown
   Eigen::VectorXd step;    ///< I⁻¹ g: what is left to the minimum
-  double mean = 1.0;       ///< of the ratios
+  double mean = 1.0;       ///< over the unknowns, of the ratio of the sum to that average
   double likely = 1.0;     ///< of the mean, five standard deviations up
   std::size_t blocks = 0;
 

@@ -23,7 +23,7 @@ double FileGain::posterior_variance() const {
 double FileGain::posterior_mean() const { return is_determined() ? gain * posterior_variance() / (error * error) : 0.0; }
 
 std::vector<FileGain> file_gains(const ErrorTrials& trials, const Scores& scores, std::size_t known, double inflation) {
-  const Eigen::Index r = at(known), count = at(trials.files.size()), first = r + at(trials.sensors.size());
+  const Eigen::Index r = at(known), count = at(trials.shared_by_lines() - trials.sensors.size()), first = r + at(trials.sensors.size());
   const Eigen::MatrixXd cross = scores.information.block(0, first, r, count);
   Eigen::MatrixXd right(r, count + 1);
   right << cross, scores.gradient.head(r);
@@ -31,7 +31,8 @@ std::vector<FileGain> file_gains(const ErrorTrials& trials, const Scores& scores
   std::vector<FileGain> out;
   for (Eigen::Index f = 0; f < count; ++f) {
     const double all = scores.information(first + f, first + f), left = all - cross.col(f).dot(solved.col(f));
-    FileGain of{.file = trials.files[static_cast<std::size_t>(f)], .answer = -solved.col(f)};
+    const auto file = static_cast<std::size_t>(f);
+    FileGain of{.file = file < trials.files.size() ? trials.files[file] : FileTrial{}, .answer = -solved.col(f)};
     if (left > dependent * all) {
       const double gradient = scores.gradient[first + f] - cross.col(f).dot(solved.col(count));
       of.error = inflation / std::sqrt(left);

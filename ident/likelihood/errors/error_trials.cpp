@@ -60,6 +60,11 @@ void ErrorTrials::add_files(const Plan& of) {
   });
 }
 
+void ErrorTrials::add_stretch() {
+  plan.add({{Systematic::stretch, 1.0}, "stretch", "", 0.0}, roles.front());
+  has_stretch = true;
+}
+
 void ErrorTrials::add_references(const Plan& of) {
   const Dofs& coordinates = likelihood_plan(of)->observations->layout().coordinates;
   for (const bool is_phase : {false, true}) {

@@ -76,6 +76,17 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
            "(H2, Hv), or a force with less noise.");
 }
 
+void tell_stretch(const FileGain& stretch, Intervals& intervals, Solution& out) {
+  constexpr double seen = 3.0, told = 4.5;
+  if (!(std::abs(stretch.score) >= seen)) return;
+  intervals.add_bias(stretch.gain * stretch.answer);
+  if (!(std::abs(stretch.score) >= told)) return;
+  tell(out, Status::doubtful,
+       "The assembly fits the parts better with frequencies " + digits(100.0 * std::abs(stretch.gain), "%.2g") + " % " +
+           (stretch.gain > 0.0 ? "lower" : "higher") + " (" + digits(std::abs(stretch.score), "%.2g") +
+           " standard deviations): was the temperature another one, or a clock? Intervals reach from none to all of what that does.");
+}
+
 void tell_scatter(const Jackknife& jackknife, Solution& out) {
   tell(out, Status::doubtful,
        "Blocks of lines disagree on the joint by " + digits(std::sqrt(jackknife.mean), "%.2g") +

@@ -19,6 +19,10 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
 /// Status doubtful: blocks of lines scatter by more than their errors. Nothing where χ² says so already.
 void tell_scatter(const Jackknife& jackknife, Solution& out);
 
+/// Takes a stretch of the assembly's frequencies into the intervals, from none to all of it, where it is seen at three standard
+/// deviations; status doubtful from 4.5 on.
+void tell_stretch(const FileGain& stretch, Intervals& intervals, Solution& out);
+
 /// Status doubtful: the data call for this gain.
 void tell_common_gain(const FileGain& gain, Solution& out);
 

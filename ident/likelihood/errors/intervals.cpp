@@ -29,7 +29,7 @@ void Intervals::add_shared(const SharedErrors& shared, const Eigen::MatrixXd& in
   if (scatter.size() == 0) return;
   const Eigen::MatrixXd inverse = minimise::covariance_of(information);
   const Eigen::MatrixXd more = (inverse * scatter * inverse).topLeftCorner(first_.size(), first_.size());
-  for (Case& each : cases_) each.covariance = shared.own_part() * each.covariance + more;
+  for (Case& each : cases_) each.covariance += more;
 }
 
 void Intervals::add_bias(const Eigen::VectorXd& shift) {
@@ -41,7 +41,7 @@ void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
   const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
   Eigen::VectorXd factor(first_.size());
   for (Eigen::Index u = 0; u < first_.size(); ++u) {
-    factor[u] = std::max({1.0, inflation, first_[u] * std::sqrt(jackknife.ratio[u]) / now[u]});
+    factor[u] = std::max({1.0, inflation, std::sqrt(jackknife.variance[u]) / now[u]});
   }
   for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
   const boost::math::students_t_distribution<double> t(static_cast<double>(jackknife.blocks) - 1.0);

@@ -15,14 +15,14 @@ class Intervals {
   /// data and a prior of usual_calibration.
   void add_gain(const FileGain& gain);
 
-  /// Errors that responses to a reference share: C becomes (1 − ρ) C + I⁻¹ S I⁻¹.
+  /// Errors that responses to a reference share: C becomes C + I⁻¹ S I⁻¹, somewhat more than it is, for they are a part of the
+  /// variances.
   void add_shared(const SharedErrors& shared, const Eigen::MatrixXd& information);
 
   /// An error between none and all of this.
   void add_bias(const Eigen::VectorXd& shift);
 
-  /// As large as misfit makes them: variances `inflation`² times, or as many times what they were in the beginning as the jackknife
-  /// says, with the quantile of Student's t; and the step that is left.
+  /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the step that is left.
   void include_misfit(const Jackknife& jackknife, double inflation);
 
   /// The largest of all cases.

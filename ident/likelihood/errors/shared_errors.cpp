@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/eigen.hpp"
 #include "dense/cholesky.hpp"
@@ -10,6 +11,8 @@ namespace jointid::ident {
 namespace {
 
 constexpr double seen = 5.0;  ///< standard deviations
+
+Eigen::Index kind_of(const ReferenceTrial& trial) { return at(2 * trial.file + (trial.is_phase ? 1 : 0)); }
 
 std::vector<Complex> weights_of(const LineData& line) {
   std::vector<Complex> out;
@@ -23,14 +26,6 @@ std::vector<Complex> weights_of(const LineData& line) {
 
 bool SharedErrors::are_seen() const {
   return std::ranges::any_of(files, [](const OfFile& file) { return file.significance >= seen; });
-}
-
-double SharedErrors::own_part() const {
-  double part = 1.0;
-  for (const OfFile& file : files) {
-    if (file.significance >= seen && file.variance > 0.0) part = std::min(part, std::max(0.0, 1.0 - file.share / file.variance));
-  }
-  return part;
 }
 
 Eigen::MatrixXd SharedErrors::scatter() const {
@@ -52,12 +47,12 @@ double SharedErrors::bias(std::size_t file) const {
 SharedErrorSums::SharedErrorSums(const ErrorTrials& trials, std::size_t unknowns)
     : trials_(&trials),
       unknowns_(unknowns),
-      squares_(Eigen::MatrixXd::Zero(at(trials.files.size()), at(trials.files.size()))),
-      excess_(Eigen::VectorXd::Zero(at(trials.files.size()))),
+      squares_(Eigen::MatrixXd::Zero(at(2 * trials.files.size()), at(2 * trials.files.size()))),
+      excess_(Eigen::VectorXd::Zero(at(2 * trials.files.size()))),
       information_(excess_),
       scatter_(trials.files.size(), Eigen::MatrixXd::Zero(at(unknowns), at(unknowns))),
-      variance_(excess_),
-      count_(excess_) {}
+      variance_(Eigen::VectorXd::Zero(at(trials.files.size()))),
+      count_(variance_) {}
 
 void SharedErrorSums::note_variances(const ScoredLine& line) {
   if (!line.data.systematic) return;
@@ -85,14 +80,14 @@ void SharedErrorSums::add(const ScoredLine& line) {
   std::vector<double> scale(references);
   for (std::size_t k = 0; k < references; ++k) scale[k] = trials_->references[k].is_phase ? 1.0 / line.data.omega : 1.0;
   for (std::size_t k = 0; k < references; ++k) {
-    const auto file = at(trials_->references[k].file);
+    const Eigen::Index kind = kind_of(trials_->references[k]);
     const double gradient = scale[k] * line.reduced.gradient[at(first + k)];
     const double own = scale[k] * scale[k] * information(at(first + k), at(first + k));
-    excess_[file] += gradient * gradient - own;
-    information_[file] += own;
+    excess_[kind] += gradient * gradient - own;
+    information_[kind] += own;
     for (std::size_t l = 0; l < references; ++l) {
       const double cross = scale[k] * scale[l] * information(at(first + k), at(first + l));
-      squares_(file, at(trials_->references[l].file)) += cross * cross;
+      squares_(kind, kind_of(trials_->references[l])) += cross * cross;
     }
     Eigen::VectorXd answer = Eigen::VectorXd::Zero(at(unknowns_));
     for (std::size_t i = 0; i < first; ++i) {
@@ -138,29 +133,36 @@ void SharedErrorSums::take(const std::vector<double>& numbers) {
   get(count_);
 }
 
+/// A gain of a file is an error of real parts, a delay one of phases: what both have is shared on a line alone.
 SharedErrors SharedErrorSums::result() const {
   SharedErrors out;
+  const auto files = static_cast<std::size_t>(variance_.size());
   std::vector<Eigen::Index> there;
-  for (Eigen::Index f = 0; f < excess_.size(); ++f) {
-    out.files.push_back({.share = 0.0, .significance = 0.0, .variance = 0.0, .scatter = scatter_[static_cast<std::size_t>(f)],
-                         .averages = trials_->files[static_cast<std::size_t>(f)].averages});
-    if (squares_(f, f) > 0.0) there.push_back(f);
+  for (Eigen::Index kind = 0; kind < excess_.size(); ++kind) {
+    if (squares_(kind, kind) > 0.0) there.push_back(kind);
+  }
+  for (std::size_t f = 0; f < files; ++f) {
+    const double variance = count_[at(f)] > 0.0 ? std::exp(variance_[at(f)] / count_[at(f)]) : 0.0;
+    const bool is_tried = variance > 0.0;
+    out.files.push_back({.share = variance,
+                         .significance = is_tried ? std::numeric_limits<double>::infinity() : 0.0,
+                         .variance = variance,
+                         .scatter = scatter_[f],
+                         .averages = trials_->files[f].averages});
   }
   if (there.empty()) return out;
-  const Eigen::MatrixXd squares = squares_(there, there);
-  Eigen::MatrixXd rate = squares;
+  Eigen::MatrixXd rate = squares_(there, there);
   for (std::size_t i = 0; i < there.size(); ++i) {
-    const double variance = count_[there[i]] > 0.0 ? std::exp(variance_[there[i]] / count_[there[i]]) : 0.0;
-    const double less = variance > 0.0 ? information_[there[i]] / variance : 0.0;
-    rate(at(i), at(i)) -= std::min(less, 0.5 * squares(at(i), at(i)));
+    const double variance = out.files[static_cast<std::size_t>(there[i] / 2)].variance, square = squares_(there[i], there[i]);
+    if (variance > 0.0) rate(at(i), at(i)) -= std::min(information_[there[i]] / variance, 0.5 * square);
   }
   const Eigen::VectorXd share = dense::solve_symmetric(rate, excess_(there));
+  const Eigen::MatrixXd squares = squares_(there, there);
   const Eigen::MatrixXd covariance = 2.0 * dense::solve_symmetric(squares, Eigen::MatrixXd::Identity(squares.rows(), squares.cols()));
   for (std::size_t i = 0; i < there.size(); ++i) {
-    SharedErrors::OfFile& of = out.files[static_cast<std::size_t>(there[i])];
-    of.variance = count_[there[i]] > 0.0 ? std::exp(variance_[there[i]] / count_[there[i]]) : 0.0;
-    of.share = std::clamp(share[at(i)], 0.0, of.variance);
-    of.significance = share[at(i)] / std::sqrt(covariance(at(i), at(i)));
+    SharedErrors::OfFile& of = out.files[static_cast<std::size_t>(there[i] / 2)];
+    of.share = std::clamp(share[at(i)], 0.0, of.share);
+    of.significance = std::min(of.significance, share[at(i)] / std::sqrt(covariance(at(i), at(i))));
   }
   return out;
 }

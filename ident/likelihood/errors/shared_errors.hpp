@@ -13,7 +13,7 @@ namespace jointid::ident {
 struct SharedErrors {
   struct OfFile {
     double share = 0.0;         ///< τ²
-    double significance = 0.0;  ///< standard deviations above zero
+    double significance = 0.0;  ///< standard deviations above zero; of real parts and phases the less
     double variance = 0.0;      ///< median relative variance of a part of an FRF, that of its file
     Eigen::MatrixXd scatter;    ///< of the gradient of the unknowns, for τ² = 1
     double averages = 0.0;      ///< behind the variances
@@ -21,8 +21,6 @@ struct SharedErrors {
   std::vector<OfFile> files;  ///< as ErrorTrials::files
 
   bool are_seen() const;
-  /// What of the variances of FRFs is not shared, 0 to 1, the least of all files.
-  double own_part() const;
   /// Of the gradient by the errors that are seen; empty: none.
   Eigen::MatrixXd scatter() const;
   /// By how much H1 may be too low in a file, relative: 2 n τ² of n averages, not more than the coherences lack; 0 where nothing is seen.
@@ -45,9 +43,9 @@ class SharedErrorSums {
 
   const ErrorTrials* trials_;
   std::size_t unknowns_;
-  Eigen::MatrixXd squares_;  ///< Σ I_kk'², by the files of k and k'
-  Eigen::VectorXd excess_;   ///< Σ g_k² − I_kk, by file
-  Eigen::VectorXd information_;  ///< Σ I_kk, by file
+  Eigen::MatrixXd squares_;  ///< Σ I_kk'², by the kinds of k and k': file, real part or phase
+  Eigen::VectorXd excess_;   ///< Σ g_k² − I_kk, by kind
+  Eigen::VectorXd information_;  ///< Σ I_kk, by kind
   std::vector<Eigen::MatrixXd> scatter_;
   Eigen::VectorXd variance_, count_;  ///< Σ of logarithms of relative variances
 };

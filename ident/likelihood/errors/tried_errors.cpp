@@ -23,6 +23,7 @@ ErrorTrials trials_of(const Plan& plan, const Control& control) {
   if (trials.sensors.size() > most_trials) trials = {};
   if (observations.systematic_plan() != nullptr) return trials;
   trials.add_files(plan);
+  trials.add_stretch();
   ErrorTrials more = trials;
   more.add_references(plan);
   const bool correlated = observations.shares().any(!are_independent(observations));
@@ -91,6 +92,10 @@ std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimato
   out.inflation = std::sqrt(std::max(1.0, chi_square));
   out.is_calibration_stated = !plan.scene.data.gains.empty();
   if (!out.trials.files.empty()) out.files = file_gains(out.trials, out.scores, known, out.inflation);
+  if (out.trials.has_stretch) {
+    out.stretch = std::move(out.files.back());
+    out.files.pop_back();
+  }
   return out;
 }
 

@@ -17,6 +17,7 @@ struct TriedErrors {
   double inflation = 1.0;  ///< of errors, √(χ² over degrees of freedom) of the lines that count, at least 1
   std::vector<FileGain> files;  ///< empty where gains or masses are unknowns
   bool is_calibration_stated = false;  ///< [[data.gains]]
+  std::optional<FileGain> stretch{};   ///< of the assembly, in place of a gain
   SharedErrors shared;
   std::optional<BlockScores> blocks{};
 };
