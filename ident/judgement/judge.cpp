@@ -206,7 +206,7 @@ bool shares_errors(const Plan& plan) {
   return !plan.regenerated.empty() || (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors());
 }
 
-constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 100.0;  // χ² over f where errors include the misfit
+constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 16.0;  // χ² over f where errors include the misfit
 
 bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
   return fit.hopeless || ratio > (estimated || fit.includes_misfit ? poor_with_misfit : 2.0);
@@ -236,7 +236,7 @@ void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution&
   tell(out, poor ? Status::poor_fit : Status::doubtful,
        std::string(fit.hopeless ? "Stopped early: n" : "N") +
            (fit.several_minima ? "one of the joints that starts led to explains" : "o joint of this scene explains") +
-           " the FRFs: they are off by " + digits(std::sqrt(ratio)) +
+           " the FRFs: they are off by " + digits(std::sqrt(ratio), "%.3g") +
            " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ", " +
            digits((ratio - 1.0) / std::sqrt(2.0 / freedom), "%.2g") + " standard deviations above 1)." +
            worth_of_errors(fit, ratio, poor) +

@@ -44,7 +44,7 @@ struct LikelihoodJudgement {
 /// those that are outlying (at most one in five; else of all):
 ///   poor_fit  ρ > 4 where errors include the misfit, else ρ > 2 where all variances are known, 4 where some come from averages, repeats
 ///             or the scatter of the data; or K, C or D gives energy away beyond five standard deviations. No errors and intervals
-///             then, they would not hold, but where they include the misfit and ρ is 100 at most;
+///             then, they would not hold, but where they include the misfit and ρ is 16 at most;
 ///   doubtful  ρ > `likely`; or
 ///             JointVisibility::effect < 0.8: no joint is seen.
 void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Control& control, Solution& out);

@@ -370,14 +370,14 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   const std::size_t joint = plan.columns->size();
   Widened to{Intervals(covariance_under_ties(plan, joint_information(information, joint)))};
   to.likely = likely_chi_square(plan, chi_square.degrees_of_freedom, likelihood_plan(plan)->observations->mirror_differences());
-  const bool own = all.is_own(plan) || (plan.solver == "gauss-helmert" && all.fit.hopeless);
-  const bool applies = all.tried && own && !plan.admissible && plan.scene.identify.bootstrap == 0;
+  const bool applies = all.tried && all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0;
   if (!applies || minimise::null_space_of(all.fit.information).cols() > 0) return to;
   const TriedErrors& tried = *all.tried;
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
   tell_shared_errors(plan, tried, information, to.intervals, out);
   if (tried.stretch) tell_stretch(*tried.stretch, to.intervals, out);
+  if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
   const Eigen::Index size = at(all.fit.theta.size());
   const auto jackknife =
       tried.blocks->jackknife({tried.scores.information.topLeftCorner(size, size), tried.scores.gradient.head(size)});
@@ -399,7 +399,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   Fitted all = fitted(plan, control, stage, out);
   *stage = "standard errors";
   const Clock::time_point solved = Clock::now();
-  if (all.fit.converged || all.fit.hopeless) all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
+  if (all.fit.converged) all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
   if (all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0) fit_with_gain(plan, control, stage, all);
   const Eigen::MatrixXd information = all.is_own(plan) ? all.estimator.godambe_information_at(all.fit) : all.fit.information;
   const LikelihoodFit fit = joint_part(all.fit, plan.columns->size());

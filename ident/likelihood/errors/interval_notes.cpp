@@ -94,6 +94,18 @@ void tell_scatter(const Jackknife& jackknife, Solution& out) {
            "supports). Standard errors and intervals include that.");
 }
 
+void tell_unexplained_gain(const TriedErrors& tried, Intervals& intervals, Solution& out) {
+  constexpr double more = 3.0 * 4.5;
+  const FileGain* const gain = telling_gain(tried.files);
+  if (gain == nullptr || (tried.shared.are_seen() && std::abs(gain->score) < more)) return;
+  if (!gain->file.of_assembly) intervals.add_bias(gain->gain * gain->answer);
+  tell(out, Status::doubtful,
+       "The FRFs of " + (gain->file.of_assembly ? std::string("the assembly") : gain->file.name) + " fit the others better with a common gain of " +
+           digits(1.0 + gain->gain, "%.4f") + " (" + digits(std::abs(gain->score), "%.2g") +
+           " standard deviations from 1), which does not explain all: is a calibration off, or a sensor's? Intervals reach from none to "
+           "all of what it does.");
+}
+
 void tell_common_gain(const FileGain& gain, Solution& out) {
   if (out.systematic.empty()) return;
   const SystematicEstimate& found = out.systematic.front();

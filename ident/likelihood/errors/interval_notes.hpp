@@ -23,6 +23,10 @@ void tell_scatter(const Jackknife& jackknife, Solution& out);
 /// deviations; status doubtful from 4.5 on.
 void tell_stretch(const FileGain& stretch, Intervals& intervals, Solution& out);
 
+/// Status doubtful: the data call for a common gain that was not taken off, because a sensor or another error explains them better, or it
+/// does not explain them. Intervals reach from none to all of it. Where responses to a hit share errors three times as much is asked for.
+void tell_unexplained_gain(const TriedErrors& tried, Intervals& intervals, Solution& out);
+
 /// Status doubtful: the data call for this gain.
 void tell_common_gain(const FileGain& gain, Solution& out);
 

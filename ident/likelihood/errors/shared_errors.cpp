@@ -41,7 +41,7 @@ Eigen::MatrixXd SharedErrors::scatter() const {
 double SharedErrors::bias(std::size_t file) const {
   const OfFile& of = files[file];
   if (of.significance < seen) return 0.0;
-  return 2.0 * std::min(of.averages * of.share, (of.averages - 1.0) * of.variance);
+  return 2.0 * of.averages * of.share;
 }
 
 SharedErrorSums::SharedErrorSums(const ErrorTrials& trials, std::size_t unknowns)

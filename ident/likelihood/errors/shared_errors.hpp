@@ -23,7 +23,8 @@ struct SharedErrors {
   bool are_seen() const;
   /// Of the gradient by the errors that are seen; empty: none.
   Eigen::MatrixXd scatter() const;
-  /// By how much H1 may be too low in a file, relative: 2 n τ² of n averages, not more than the coherences lack; 0 where nothing is seen.
+  /// By how much H1 may be too low in a file, relative: 2 n τ² of n averages; 0 where nothing is seen. τ² is at most σ²,
+  /// so that this is not more than the coherences lack.
   double bias(std::size_t file) const;
 };
 
