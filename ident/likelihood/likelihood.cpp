@@ -333,7 +333,7 @@ bool explains(double with, double without, double freedom) {
 /// Once more with a gain of all FRFs of a file, where the data call for that and it explains them.
 void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Fitted& all) {
   const FileGain* const gain = all.tried && !all.tried->is_calibration_stated ? telling_gain(all.tried->files) : nullptr;
-  if (gain == nullptr || all.tried->shared.are_seen() || std::abs(all.tried->stretch->score) > std::abs(gain->score) || has_better_sensor(*all.tried, *gain)) return;
+  if (gain == nullptr || has_better_explanation(*all.tried, *gain)) return;
   const FileGain chosen = *gain;
   std::vector<double> start = all.fit.theta;
   for (std::size_t c = 0; c < start.size(); ++c) start[c] += chosen.gain * chosen.answer[at(c)];
@@ -436,7 +436,7 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     const Stopwatch watch(out.runtime_s.identifiability);
     out.identifiability = identifiability_of(plan, all.estimator, covariance, widest.likely, out);
     tell_calibration(plan, information, out);
-    if (all.tried && fit.converged) tell_gains(suspect_gains(all.tried->trials, all.tried->scores, all.fit.theta.size(), all.tried->inflation), out);
+    if (all.tried) tell_gains(suspect_gains(*all.tried, all.fit.theta.size()), out);
   }
   if (control.judgement == Judgement::none) return;
   const Stopwatch watch(out.runtime_s.check);

@@ -37,9 +37,10 @@ double largest_bias(const TriedErrors& tried) {
 
 }  // namespace
 
-bool has_better_sensor(const TriedErrors& tried, const FileGain& gain) {
-  const auto suspects =
-      suspect_gains(tried.trials, tried.scores, static_cast<std::size_t>(gain.answer.size()), tried.inflation);
+bool has_better_explanation(const TriedErrors& tried, const FileGain& gain) {
+  if (tried.shared.are_seen()) return true;
+  if (tried.stretch && std::abs(tried.stretch->score) > std::abs(gain.score)) return true;
+  const auto suspects = suspect_gains(tried, static_cast<std::size_t>(gain.answer.size()));
   return !suspects.empty() && std::abs(suspects.front().score) > std::abs(gain.score);
 }
 
@@ -72,8 +73,8 @@ void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen:
   tell(out, Status::doubtful,
        "Noise of the force's signal: errors of FRFs of one hit are alike, and H1 is then too low by up to " +
            percent(largest_bias(tried)) + ", which may move unknowns by up to " + digits(part, "%.2g") +
-           " half widths of their intervals. Intervals reach from no bias to all of it. Use an estimator that noise of the force does not bias "
-           "(H2, Hv), or a force with less noise.");
+           " half widths of their intervals. Intervals reach from no bias to all of it. Use an estimator that noise of the "
+           "force does not bias (H2, Hv), or a force with less noise.");
 }
 
 void tell_stretch(const FileGain& stretch, Intervals& intervals, Solution& out) {
@@ -100,8 +101,8 @@ void tell_unexplained_gain(const TriedErrors& tried, Intervals& intervals, Solut
   if (gain == nullptr || (tried.shared.are_seen() && std::abs(gain->score) < more)) return;
   if (!gain->file.of_assembly) intervals.add_bias(gain->gain * gain->answer);
   tell(out, Status::doubtful,
-       "The FRFs of " + (gain->file.of_assembly ? std::string("the assembly") : gain->file.name) + " fit the others better with a common gain of " +
-           digits(1.0 + gain->gain, "%.4f") + " (" + digits(std::abs(gain->score), "%.2g") +
+       "The FRFs of " + (gain->file.of_assembly ? std::string("the assembly") : gain->file.name) + " fit the others better with a " +
+           "common gain of " + digits(1.0 + gain->gain, "%.4f") + " (" + digits(std::abs(gain->score), "%.2g") +
            " standard deviations from 1), which does not explain all: is a calibration off, or a sensor's? Intervals reach from none to "
            "all of what it does.");
 }

@@ -4,8 +4,8 @@
 
 namespace jointid::ident {
 
-/// Whether a sensor alone explains the data better than a gain of all FRFs of a file.
-bool has_better_sensor(const TriedErrors& tried, const FileGain& gain);
+/// Whether a sensor alone or a stretch explains the data better than a gain of all FRFs of a file, or responses to a hit share errors.
+bool has_better_explanation(const TriedErrors& tried, const FileGain& gain);
 
 /// Notes what calibration is taken to be, and what it costs: `cost` times the width of exact calibration.
 void note_calibration(double cost, const std::optional<FileGain>& estimated, const TriedErrors& tried, Solution& out);

@@ -22,7 +22,8 @@ class Intervals {
   /// An error between none and all of this.
   void add_bias(const Eigen::VectorXd& shift);
 
-  /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the step that is left.
+  /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the
+  /// step that is left.
   void include_misfit(const Jackknife& jackknife, double inflation);
 
   /// The largest of all cases.

@@ -32,8 +32,10 @@ std::string other_file(const std::vector<SensorTrial>& sensors, const std::vecto
 
 }  // namespace
 
-std::vector<GainSuspect> suspect_gains(const ErrorTrials& trials, const Scores& whole, std::size_t known, double inflation) {
-  const std::vector<SensorTrial>& sensors = trials.sensors;
+std::vector<GainSuspect> suspect_gains(const TriedErrors& tried, std::size_t known) {
+  const std::vector<SensorTrial>& sensors = tried.trials.sensors;
+  const Scores& whole = tried.scores;
+  const double inflation = tried.inflation;
   if (sensors.empty()) return {};
   const Eigen::Index all = at(known + sensors.size());
   Scores scores = left_of({whole.information.topLeftCorner(all, all), whole.gradient.head(all)}, known);
