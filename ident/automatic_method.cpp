@@ -9,6 +9,7 @@
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "ident/equations/linear_plan.hpp"
+#include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "ident/plan/prediction.hpp"
 #include "ident/scene/variance_origin.hpp"
@@ -49,7 +50,7 @@ Choice wish(const Scene& scene, const frf::FrfSystem& substructures, const frf::
     }
   }
   if (!identify.priors.empty() || identify.bootstrap > 0) return {Method::likelihood, "the scene has priors or a bootstrap"};
-  if (!scene.data.gains.empty() || !scene.data.masses.empty()) return {Method::likelihood, "the scene has gains or masses with priors"};
+  if (are_errors_unknown(scene.data)) return {Method::likelihood, "the scene has gains or masses with priors"};
   if (!identify.start.empty() || identify.starts > 0) return {Method::likelihood, "the scene gives a start"};
   if (scene.data.regenerate.any()) return {Method::one, "errors of regenerated FRFs are not independent", false};
   if (!knows_variances(scene, substructures) || !knows_variances(scene, assembly)) {

@@ -7,6 +7,7 @@
 #include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
 #include "ident/judgement/judge.hpp"
+#include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/modal_regeneration.hpp"
 #include "ident/plan/data_source.hpp"
 #include "ident/prepare_plan.hpp"
@@ -33,8 +34,7 @@ std::unique_ptr<Plan> plan_start(const Plan& plan, const StartChoices& choices) 
 }
 
 void warn_of_systematic_errors(Plan& plan) {
-  const DataSection& data = plan.scene.data;
-  if (plan.scene.identify.method == Method::likelihood || (data.gains.empty() && data.masses.empty())) return;
+  if (plan.scene.identify.method == Method::likelihood || !are_errors_unknown(plan.scene.data)) return;
   plan.warnings.push_back("Gains of [[data.gains]] are taken for 1 and masses of [[data.masses]] for known: only method \"likelihood\" "
                           "estimates them.");
 }

@@ -260,14 +260,27 @@ bool shares_errors(const Plan& plan) {
   return !plan.regenerated.empty() || (!plan.scene.couple_first.pairs.empty() && !plan.method->carries_shared_errors());
 }
 
+constexpr double poor_with_misfit = 4.0, hopeless_with_misfit = 16.0;  // χ² over f where errors include the misfit
+
+bool is_poor(const LikelihoodJudgement& fit, double ratio, bool estimated) {
+  return fit.hopeless || ratio > (estimated || fit.includes_misfit ? poor_with_misfit : 2.0);
+}
+
+/// What errors and intervals are worth.
+std::string worth_of_errors(const LikelihoodJudgement& fit, double ratio, bool poor) {
+  if (fit.includes_misfit && ratio <= hopeless_with_misfit) {
+    return " Standard errors and intervals include the model error, as blocks of lines that are left out tell it.";
+  }
+  return poor ? " No standard errors or intervals are given, they would not hold." : " Standard errors and intervals are too small.";
+}
+
 void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution& out) {
   const ChiSquare& chi_square = *out.fit.chi_square;
   const LineRatios lines = ratios_of(chi_square);
-  const double freedom = std::max(1.0, chi_square.degrees_of_freedom), ratio = lines.mean;
-  const bool estimated = estimated_variances(out) || shares_errors(plan);
-  const bool poor = fit.hopeless || ratio > (estimated ? 4.0 : 2.0);
-  const double likely = chi_square_quantile(freedom, 5.0) / freedom;
-  if (!poor && !(ratio > std::max(likely, estimated ? 2.0 : 1.4))) {
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom),
+               ratio = lines.are_many_outlying() ? lines.mean : std::max(lines.mean, fit.ratio);
+  const bool shares = shares_errors(plan), poor = is_poor(fit, ratio, estimated_variances(out) || shares);
+  if (!poor && !(ratio > (shares ? std::max(fit.likely, 2.0) : fit.likely))) {
     if (!lines.are_many_outlying()) return;
     tell(out, Status::doubtful,
          std::to_string(lines.outlying) + " of " + std::to_string(lines.lines) +
@@ -277,13 +290,17 @@ void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution&
   tell(out, poor ? Status::poor_fit : Status::doubtful,
        std::string(fit.hopeless ? "Stopped early: n" : "N") +
            (fit.several_minima ? "one of the joints that starts led to explains" : "o joint of this scene explains") +
-           " the FRFs: they are off by " + digits(std::sqrt(ratio)) +
-           " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ")." +
-           (poor ? " No standard errors or intervals are given, they would not hold."
-                 : " Standard errors and intervals are too small.") +
+           " the FRFs: they are off by " + digits(std::sqrt(ratio), "%.3g") +
+           " times their standard errors (χ² over degrees of freedom " + digits(ratio, "%.3g") + ", " +
+           digits((ratio - 1.0) / std::sqrt(2.0 / freedom), "%.2g") + " standard deviations above 1)." +
+           worth_of_errors(fit, ratio, poor) +
            (fit.several_minima ? " Give [identify] a start near the joint, or starts = 40; or measure the assembly at the joint."
                                : "") +
            remedy);
+}
+
+bool keeps_errors(const LikelihoodJudgement& fit, const Solution& out) {
+  return fit.includes_misfit && ratios_of(*out.fit.chi_square).mean <= hopeless_with_misfit;
 }
 
 }  // namespace
@@ -291,17 +308,20 @@ void tell_chi_square(const Plan& plan, const LikelihoodJudgement& fit, Solution&
 void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Control& control, Solution& out) {
   const Status before = out.status;
   tell_chi_square(plan, fit, out);
+  const bool keeps = keeps_errors(fit, out);
   if (out.status == Status::doubtful && control.detail == Detail::estimates) {  // studies judge by their many trials
     out.status = before;
     out.message.clear();
   }
   if (control.detail == Detail::full && out.status != Status::rank_deficient && !plan.admissible) {
-    tell_active(active_motions(plan, fit.theta, fit.covariance, 5.0), out);
+    const std::vector<ActiveMotion> active = active_motions(plan, fit.theta, fit.covariance, 5.0);
+    tell_active(active, out);
+    if (!active.empty()) withhold_errors(out);
   }
   if (control.detail == Detail::full && is_usable(out.status)) tell_errors(plan, fit.theta, fit.covariance, out);
   if (out.identifiability && out.identifiability->joint.effect && *out.identifiability->joint.effect < no_joint_effect)
     tell_no_joint(out);
-  if (out.status == Status::poor_fit) withhold_errors(out);
+  if (out.status == Status::poor_fit && !keeps) withhold_errors(out);
 }
 
 }  // namespace jointid::ident

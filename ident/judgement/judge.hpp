@@ -41,14 +41,17 @@ struct LikelihoodJudgement {
   const Eigen::MatrixXd& covariance;
   bool hopeless = false;  ///< it was stopped because no joint would mend the misfit
   bool several_minima = false;  ///< a joint that fits may be where no start led
+  double likely = 1.4;          ///< χ² over degrees of freedom that chance leaves
+  double ratio = 0.0;           ///< that of the lines without gross errors
+  bool includes_misfit = false;  ///< errors and intervals are those of the misfit, too
 };
 
 /// Holds an estimate of method likelihood, whose χ² is in `out`, against its law. With ρ the mean χ² over f of the lines, without
 /// those that are outlying (at most one in five; else of all):
-///   poor_fit  ρ > 2 where all variances are known, 4 where some come from averages, repeats or the scatter of the data; or K, C
-///   or D
-///             gives energy away beyond five standard deviations. No errors and intervals then: they would not hold;
-///   doubtful  ρ above the quantile of χ²/f five standard deviations up, and above 1.4 (2); or
+///   poor_fit  ρ > 4 where errors include the misfit, else ρ > 2 where all variances are known, 4 where some come from averages, repeats
+///             or the scatter of the data; or K, C or D gives energy away beyond five standard deviations. No errors and intervals
+///             then, they would not hold, but where they include the misfit and ρ is 16 at most;
+///   doubtful  ρ > `likely`; or
 ///             JointVisibility::effect < 0.8: no joint is seen.
 void judge_likelihood(const Plan& plan, const LikelihoodJudgement& fit, const Control& control, Solution& out);
 

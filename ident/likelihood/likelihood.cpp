@@ -23,9 +23,12 @@
 #include "ident/likelihood/data/likelihood_plan.hpp"
 #include "ident/likelihood/findings/bootstrap.hpp"
 #include "ident/likelihood/findings/bound_of.hpp"
+#include "ident/likelihood/errors/chi_square_law.hpp"
 #include "ident/likelihood/findings/findings.hpp"
 #include "ident/likelihood/findings/gain_scores.hpp"
 #include "ident/likelihood/findings/identifiability.hpp"
+#include "ident/likelihood/errors/interval_notes.hpp"
+#include "ident/likelihood/errors/intervals.hpp"
 #include "ident/likelihood/findings/joint_part.hpp"
 #include "ident/likelihood/findings/systematic_estimates.hpp"
 #include "ident/likelihood/findings/variance_sources.hpp"
@@ -291,19 +294,6 @@ minimise::LinearSolution with_rank(const Plan& plan, const LikelihoodFit& fit) {
   return linear;
 }
 
-/// Cramér–Rao standard errors and intervals of the determined unknowns.
-void state_errors(const Plan& plan, const Eigen::MatrixXd& covariance, Solution& out) {
-  out.intervals = IntervalKind::cramer_rao;
-  for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
-    Estimate& estimate = out.unknowns[column];
-    if (!estimate.determined) continue;
-    const auto c = at(column);
-    const double error = std::sqrt(covariance(c, c)) * plan.unscale(column);
-    estimate.std_error = error;
-    estimate.ci95 = {estimate.value - normal_95 * error, estimate.value + normal_95 * error};
-  }
-}
-
 /// Replaces the Cramér–Rao errors by those of a bootstrap; keeps them, and says so, when too many replicates fail.
 void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const Control& control,
                       Solution& out) {
@@ -325,12 +315,35 @@ void bootstrap_errors(Plan& plan, const LikelihoodEstimator& estimator, const Li
   }
 }
 
-void estimate(Plan& plan, const Control& control, Solution& out) {
+/// χ² over degrees of freedom of the lines without gross errors: those with at most ten times their expectation.
+double fitting_ratio(const ChiSquare& chi_square, const LikelihoodFit& fit) {
+  constexpr double gross = 10.0;
+  double sum = 0.0, count = 0.0;
+  for (std::size_t i = 0; i < fit.line_weight.size(); ++i) {
+    if (!(fit.line_weight[i] > 0.0 && chi_square.by_line[i] <= gross)) continue;
+    sum += chi_square.by_line[i];
+    ++count;
+  }
+  const double freedom = std::max(1.0, chi_square.degrees_of_freedom);
+  if (!(2.0 * count > static_cast<double>(fit.line_weight.size()))) return chi_square.value / freedom;
+  return sum / count * (freedom + static_cast<double>(fit.theta.size())) / freedom;
+}
+
+/// A fit with what it was found by.
+struct Fitted {
+  LikelihoodEstimator estimator;
+  LikelihoodFit fit;
+  ChiSquare chi_square;
+  double ratio = 1.0;  ///< χ² over degrees of freedom, of the lines that count
+  std::optional<TriedErrors> tried = {};
+  std::unique_ptr<AssumedGain> gain = {};  ///< a common gain that is one of the unknowns
+  std::optional<FileGain> without = {};    ///< what the fit without that gain said of it
+
+  bool is_own(const Plan& plan) const { return plan.solver == "gauss-helmert" && fit.converged; }
+};
+
+Fitted fitted(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Solution& out) {
   const Clock::time_point start = Clock::now();
-  Observations& observations = *likelihood_plan(plan)->observations;
-  read_observations(plan, control);
-  out.runtime_s.read = seconds_since(start);
-  const auto stage = std::make_shared<std::string>("starting");
   LikelihoodEstimator estimator = make_estimator(plan, control, stage);
   BestJoint best(plan, out, control);
   if (control.so_far) estimator.set_listener([&best](const LikelihoodFit& found, double loss) { best.tell(found, loss); });
@@ -347,23 +360,102 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     out.admissibility = outcome_of(*plan.admissible, admissible, 1.0);
     out.admissibility->from_variances = true;
   }
-  out.runtime_s.solve = seconds_since(start) - out.runtime_s.read - out.runtime_s.start;
+  out.runtime_s.solve = seconds_since(start) - out.runtime_s.start;
+  const LikelihoodPlan& own = *likelihood_plan(plan);
+  ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
+  const double ratio = fitting_ratio(chi_square, fit);
+  return {std::move(estimator), std::move(fit), std::move(chi_square), ratio};
+}
+
+/// Whether a gain explains the misfit beyond its expectation, or half of it.
+bool explains(double with, double without, double freedom) {
+  const auto excess = [&](double ratio) { return ratio - 1.0 - 3.0 * std::sqrt(2.0 / std::max(1.0, freedom)); };
+  return excess(with) < 0.5 * std::max(0.0, excess(without));
+}
+
+/// Once more with a gain of all FRFs of a file, where the data call for that and it explains them.
+void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Fitted& all) {
+  const FileGain* const gain = all.tried && !all.tried->is_calibration_stated ? telling_gain(all.tried->files) : nullptr;
+  if (gain == nullptr || has_better_explanation(*all.tried, *gain)) return;
+  const FileGain chosen = *gain;
+  std::vector<double> start = all.fit.theta;
+  for (std::size_t c = 0; c < start.size(); ++c) start[c] += chosen.gain * chosen.answer[at(c)];
+  all.gain = std::make_unique<AssumedGain>(plan, chosen.file);
+  start.push_back(chosen.gain / usual_calibration);
+  LikelihoodEstimator estimator = make_estimator(plan, control, stage);
+  const Starts only = [&start](std::size_t k) { return k == 0 ? std::optional(start) : std::nullopt; };
+  LikelihoodFit fit = estimator.run(only, [&](std::size_t) { stop_if(control.interrupted); });
+  const LikelihoodPlan& own = *likelihood_plan(plan);
+  ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
+  const double ratio = fitting_ratio(chi_square, fit);
+  if (!fit.converged || !explains(ratio, all.ratio, chi_square.degrees_of_freedom)) {
+    all.gain.reset();
+    return;
+  }
+  all.without = chosen;
+  fit.iterations += all.fit.iterations;
+  all.estimator = std::move(estimator);
+  all.fit = std::move(fit);
+  all.chi_square = std::move(chi_square);
+  all.ratio = ratio;
+  all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
+}
+
+/// What is in the intervals beside the noise that variances tell.
+struct Widened {
+  Intervals intervals;
+  bool includes_misfit = false;
+  double likely = 0.0;
+};
+
+Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& information, Solution& out) {
+  const ChiSquare& chi_square = all.chi_square;
+  const std::size_t joint = plan.columns->size();
+  Widened to{Intervals(covariance_under_ties(plan, joint_information(information, joint)))};
+  to.likely = likely_chi_square(plan, chi_square.degrees_of_freedom, likelihood_plan(plan)->observations->mirror_differences());
+  const bool applies = all.tried && all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0;
+  if (!applies || minimise::null_space_of(all.fit.information).cols() > 0) return to;
+  const TriedErrors& tried = *all.tried;
+  if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
+  note_calibration(to.intervals.cost(), all.without, tried, out);
+  tell_shared_errors(plan, tried, information, to.intervals, out);
+  if (tried.stretch) tell_stretch(*tried.stretch, to.intervals, out);
+  if (!all.without && !tried.is_calibration_stated) tell_unexplained_gain(tried, to.intervals, out);
+  const Eigen::Index size = at(all.fit.theta.size());
+  const auto jackknife =
+      tried.blocks->jackknife({tried.scores.information.topLeftCorner(size, size), tried.scores.gradient.head(size)});
+  const bool exceeds = all.ratio > to.likely;
+  if (!jackknife || !(exceeds || (jackknife->tells_more() && !tried.shared.are_seen()))) return to;
+  to.intervals.include_misfit(*jackknife, exceeds ? tried.inflation : 1.0);
+  to.includes_misfit = exceeds;
+  if (!exceeds) tell_scatter(*jackknife, out);
+  return to;
+}
+
+void estimate(Plan& plan, const Control& control, Solution& out) {
+  const Clock::time_point start = Clock::now();
+  Observations& observations = *likelihood_plan(plan)->observations;
+  read_observations(plan, control);
+  out.runtime_s.read = seconds_since(start);
+  out.variances = variance_sources(plan);
+  const auto stage = std::make_shared<std::string>("starting");
+  Fitted all = fitted(plan, control, stage, out);
   *stage = "standard errors";
   const Clock::time_point solved = Clock::now();
-  const ChiSquare chi_square = chi_square_of(observations, likelihood_plan(plan)->priors, fit);
-  const bool own_solver = plan.solver == "gauss-helmert" && fit.converged;
-  const Eigen::MatrixXd information = own_solver ? estimator.godambe_information_at(fit) : fit.information;
-  const LikelihoodFit whole = std::exchange(fit, joint_part(fit, plan.columns->size()));
+  if (all.fit.converged) all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
+  if (all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0) fit_with_gain(plan, control, stage, all);
+  const Eigen::MatrixXd information = all.is_own(plan) ? all.estimator.godambe_information_at(all.fit) : all.fit.information;
+  const LikelihoodFit fit = joint_part(all.fit, plan.columns->size());
   interpret(plan, with_rank(plan, fit), out);
-  const Eigen::MatrixXd covariance = covariance_under_ties(plan, joint_information(information, fit.theta.size()));
-  out.systematic = systematic_estimates(plan, whole, information);
-  state_errors(plan, covariance, out);
+  out.systematic = systematic_estimates(plan, all.fit, information);
+  const Widened widest = widened(plan, all, information, out);
+  widest.intervals.state(plan, out);
   out.fit.lines = plan.lines.size();
   out.fit.equations_used = equations_used(observations, fit.line_weight);
   out.fit.iterations = fit.iterations;
-  out.fit.chi_square = chi_square;
+  out.fit.chi_square = all.chi_square;
   if (control.so_far) control.so_far(out);
-  if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, estimator, fit, control, out);
+  if (plan.scene.identify.bootstrap > 0 && !fit.hopeless) bootstrap_errors(plan, all.estimator, fit, control, out);
   out.runtime_s.intervals = seconds_since(solved);
   if (plan.scene.identify.starts > 0) out.search = search_of(plan, fit);
   const bool finite = std::ranges::all_of(fit.theta, [](double value) { return std::isfinite(value); });
@@ -372,26 +464,33 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
     out.message = finite ? "The likelihood did not settle."
                          : "The likelihood broke down: is a line on a resonance without any damping? Leave such lines out.";
   }
-  out.variances = variance_sources(plan);
   out.used.accumulator_bytes = observations.bytes() + fit.bytes;
   if (tied(plan))
     out.fit.chi_square->degrees_of_freedom +=
         static_cast<double>(fit.theta.size()) - static_cast<double>(plan.admissible->directions.cols());
   if (plan.admissible) tell_outcome(plan, out);
   if (control.so_far) control.so_far(out);
+  const Eigen::MatrixXd covariance = widest.intervals.covariance();
   if (control.detail == Detail::full) {
     stop_if(control.interrupted);
     if (control.progress) control.progress("identifiability", 0, 0);
     const Stopwatch watch(out.runtime_s.identifiability);
-    out.identifiability = identifiability_of(plan, estimator, covariance, out);
+    out.identifiability = identifiability_of(plan, all.estimator, covariance, widest.likely, out);
     tell_calibration(plan, information, out);
-    if (fit.converged) tell_gains(suspect_gains(plan, estimator, whole, chi_square, control), out);
+    if (all.tried) tell_gains(suspect_gains(*all.tried, all.fit.theta.size()), out);
   }
   if (control.judgement == Judgement::none) return;
   const Stopwatch watch(out.runtime_s.check);
-  const LikelihoodJudgement judgement = {
-      .theta = fit.theta, .covariance = covariance, .hopeless = fit.hopeless, .several_minima = !joint_is_reached(plan)};
-  judge_likelihood(plan, judgement, control, out);
+  if (all.without) tell_common_gain(*all.without, out);
+  judge_likelihood(plan,
+                   {.theta = fit.theta,
+                    .covariance = covariance,
+                    .hopeless = fit.hopeless,
+                    .several_minima = !joint_is_reached(plan),
+                    .likely = widest.likely,
+                    .ratio = all.ratio,
+                    .includes_misfit = widest.includes_misfit},
+                   control, out);
 }
 
 class LikelihoodMethod final : public LikelihoodPlan {

@@ -46,12 +46,12 @@ GainPrior read_gain_prior(const scene::Item& item, const std::vector<PlacedFile>
   const auto named = table.find("files");
   prior.files = named ? read_error_files(*named, files) : all_of(files);
   if (const auto role = table.find("role")) prior.of_reference = role->word(role_words) == role_words[1];
-  if (const auto gain = table.find("gain")) prior.gain = gain->positive();
+  if (const auto gain = table.find("gain")) prior.gain = gain->not_negative();
   if (const auto delay = table.find("delay")) prior.delay = delay->positive();
   if (const auto angle = table.find("angle")) prior.angle = angle->positive();
-  if (prior.gain == 0.0 && prior.delay == 0.0 && prior.angle == 0.0) {
+  if (!table.find("gain") && prior.delay == 0.0 && prior.angle == 0.0) {
     item.fail("neither gain nor delay nor angle is given",
-              "write gain = 0.01 for gains of 1 ± 0.01, delay = 1e-6 for delays of 0 ± 1e-6 s, angle = 0.02 for angles of 0 ± 0.02 rad");
+              "write gain = 0.01 for gains of 1 ± 0.01, gain = 0 for exact ones, delay = 1e-6 for delays of 0 ± 1e-6 s, angle = 0.02 for angles of 0 ± 0.02 rad");
   }
   prior.shared = read_sharing(table);
   return prior;

@@ -53,6 +53,7 @@ void expect_same(const Solution& a, const Solution& b, double errors) {
 
 TEST(SystematicScene, KnownGainsChangeNothing) {
   LikelihoodCase a1("A1", 0.01);
+  a1.scene.data.gains = {gains(0.0)};
   const Solution without = solved(a1.scene, measured(a1, 1));
   a1.scene.data.gains = {gains(1e-9)};
   const Solution with = solved(a1.scene, measured(a1, 1));

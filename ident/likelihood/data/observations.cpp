@@ -1,6 +1,7 @@
 #include "ident/likelihood/data/observations.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/complex.hpp"
 #include "base/statistics.hpp"
@@ -71,6 +72,21 @@ std::vector<FileVariances> Observations::origins() const {
   return all;
 }
 
+MirrorDifferences Observations::mirror_differences() const {
+  std::array<double, 2> sums = {differences_.squares, differences_.count};
+  shares_.sum(sums);
+  return {sums[0], sums[1]};
+}
+
+void Observations::assume(SystematicPlan gains, frf::FrfSystem& substructures, frf::FrfSystem& assembly) {
+  systematic_ = gains.unknowns();
+  systematic_lines_.reset();
+  if (!systematic_.empty()) {
+    systematic_lines_ = std::make_unique<SystematicLines>(std::move(gains), substructures, assembly, layout_.coordinates);
+  }
+  weigh_as_measured();
+}
+
 void Observations::forget_error_sums() {
   substructures_.forget_error_sums();
   assembly_.forget_error_sums();
@@ -96,6 +112,7 @@ void Observations::read(const std::vector<Line>& lines, const std::function<void
   raw_.clear();
   errors_.clear();
   data_.clear();
+  differences_ = {};
   if (systematic_lines_) systematic_lines_->clear();
   std::vector<std::size_t> substructure_lines, assembly_lines;
   for (const Line& line : lines) {
@@ -134,10 +151,31 @@ void Observations::read_chunk(std::span<const std::size_t> substructure_lines, s
       const bool apart = background_[at] == Complex(0.0);
       raw.substructures.at(row, column) = apart ? Measured{0.0, 0.0} : substructures_.at(i, row, column);
       raw.assembly.at(row, column) = assembly_.at(i, row, column);
+      if (!apart) substructures_.add_difference(i, row, column, differences_);
+      assembly_.add_difference(i, row, column, differences_);
     }
     Errors errors{substructures_.errors(i), assembly_.errors(i)};
     if (errors.substructures || errors.assembly) errors_.push_back(std::move(errors));
   }
+}
+
+/// H' by the function (a + bω)/(1 + cω) through the lines on both sides, one mode and a constant: the product of both divided
+/// differences over that of the outer lines; their mean where that is far more than either.
+Complex Observations::slope(std::size_t own_line, bool of_assembly, Element at) const {
+  constexpr double most = 4.0;
+  if (own_line == 0 || own_line + 1 >= raw_.size()) return nan;
+  std::array<double, 3> omega{};
+  std::array<Complex, 3> value{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Raw& raw = raw_[own_line - 1 + k];
+    omega[k] = plan_lines_[own_lines_.first + own_line - 1 + k].frequency_hz;
+    value[k] = (of_assembly ? raw.assembly : raw.substructures).at(at.row, at.column).value;
+  }
+  const auto divided = [&](std::size_t a, std::size_t b) { return (value[b] - value[a]) / (omega[b] - omega[a]); };
+  const Complex left = divided(0, 1), right = divided(1, 2);
+  Complex derivative = left * right / divided(0, 2);
+  if (!(std::abs(derivative) <= most * std::max(std::abs(left), std::abs(right)))) derivative = 0.5 * (left + right);
+  return -(omega[1] * derivative / value[1] + 2.0);
 }
 
 LineData Observations::data_of(std::size_t own_line, double omega) const {

@@ -47,12 +47,19 @@ class Observations final : public LikelihoodData {
   bool has_error_sums() const { return substructures_.has_error_sums() || assembly_.has_error_sums(); }
   void forget_error_sums();
 
+  /// Of all FRFs that were read, in all processes.
+  MirrorDifferences mirror_differences() const;
+
+  /// From now on these systematic errors are unknown, gains of FRFs; none: those of the scene, which must have none. What was read stays.
+  void assume(SystematicPlan gains, frf::FrfSystem& substructures, frf::FrfSystem& assembly);
+
   /// What the scene says of systematic errors; nullptr where that is nothing.
   const SystematicPlan* systematic_plan() const { return systematic_lines_ ? &systematic_lines_->plan() : nullptr; }
 
   /// Where systematic errors that the scene says nothing of would be on a line of this process.
   std::shared_ptr<const SystematicFrfs> systematic_frfs(std::size_t line, const SystematicLines& errors) const {
-    return errors.of(line - own_lines_.first, layout_, raw_[line - own_lines_.first]);
+    const std::size_t own = line - own_lines_.first;
+    return errors.of(own, layout_, raw_[own], [&](bool of_assembly, Element at) { return slope(own, of_assembly, at); });
   }
 
   /// Of the measured FRFs and their weights.
@@ -65,6 +72,7 @@ class Observations final : public LikelihoodData {
     std::shared_ptr<const LineErrors> substructures, assembly;
   };
 
+  Complex slope(std::size_t own_line, bool of_assembly, Element at) const;
   void read_chunk(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   LineData data_of(std::size_t own_line, double omega) const;
   void reweigh(const std::vector<Element>& elements, Element origin, const SymmetricFrfs& system,
@@ -78,6 +86,7 @@ class Observations final : public LikelihoodData {
   std::vector<Raw> raw_;        ///< of own_lines_
   std::vector<Errors> errors_;  ///< of own_lines_, where there are covariances
   LineShares::Range own_lines_;
+  MirrorDifferences differences_;
 };
 
 }  // namespace jointid::ident

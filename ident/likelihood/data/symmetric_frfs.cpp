@@ -203,6 +203,21 @@ Measured SymmetricFrfs::at(std::size_t i, std::size_t row, std::size_t column) c
           true};
 }
 
+void SymmetricFrfs::add_difference(std::size_t i, std::size_t row, std::size_t column, MirrorDifferences& to) const {
+  constexpr double most = 25.0;
+  if (row == column || covariances_) return;
+  const std::size_t one = (i * size_ + row) * size_ + column, other = (i * size_ + column) * size_ + row;
+  const Measured a{values_[one], variances_[one]}, b{values_[other], variances_[other]};
+  if (role(a, b) != Role::both) return;
+  const Complex difference = a.value - b.value, variance = a.variance + b.variance;
+  for (const auto& [square, of] : {std::pair(std::pow(difference.real(), 2), variance.real()),
+                                   std::pair(std::pow(difference.imag(), 2), variance.imag())}) {
+    if (!(of > 0.0)) continue;
+    to.squares += std::min(most, square / of);
+    to.count += 1.0;
+  }
+}
+
 /// Of the errors of an FRF and that of the transposed place: not 0 where both were measured with forces at once.
 double SymmetricFrfs::correlation_there_and_back(std::size_t i, std::size_t row, std::size_t column) const {
   if (!covariances_) return 0.0;

@@ -33,6 +33,11 @@ struct Blocks {
   bool nn = false, jn = false, jj = false;
 };
 
+/// FRFs there and back: squares of the parts of their difference over what their variances make of it, each at most 25, and how many.
+struct MirrorDifferences {
+  double squares = 0.0, count = 0.0;
+};
+
 /// The FRFs of one system as a symmetric matrix over some coordinates (reciprocity). Where (r,c) and (c,r) are both measured
 /// they are one measurement when they agree far better than their variances allow, and otherwise averaged.
 class SymmetricFrfs {
@@ -57,6 +62,9 @@ class SymmetricFrfs {
 
   /// The i-th line read, in the role (row, column) or (column, row).
   Measured at(std::size_t i, std::size_t row, std::size_t column) const;
+
+  /// Adds those of the i-th line read at (row, column) and back; nothing where only one was measured, or they are copies.
+  void add_difference(std::size_t i, std::size_t row, std::size_t column, MirrorDifferences& to) const;
 
   /// Whether the files say what coupled FRFs have in common; from forget_error_sums() on these are taken for independent.
   bool has_error_sums() const { return sums_ != nullptr; }

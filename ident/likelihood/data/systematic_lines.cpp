@@ -130,47 +130,51 @@ SystematicFactor SystematicLines::mass_factor(std::size_t i, std::size_t unknown
 
 /// Of a sensor at a coordinate that measured an FRF `value` with the coordinate `other`.
 void SystematicLines::add_factors(std::size_t i, const SensorRole& sensor, std::size_t coordinate, std::size_t other,
-                                  const Symmetric<Measured>& measured, Complex value, SystematicWay& out) const {
+                                  const Symmetric<Measured>& measured, Complex value, const SlopeOf& slope, SystematicWay& out) const {
   for (const std::size_t u : errors_of(sensor, coordinate)) {
     SystematicFactor factor{u, {}};
     if (unknowns_[u].kind == Systematic::mass) factor = mass_factor(i, u, sensor, measured);
     if (unknowns_[u].kind == Systematic::angle) factor.driving = along_other_axis(i, sensor, u, other) / value;
+    if (unknowns_[u].kind == Systematic::stretch) factor.driving = slope ? slope(sensor.of_assembly, {coordinate, other}) : nan;
     if (!std::isfinite(factor.driving.real())) continue;
     out.factors.push_back(factor);
     if (unknowns_[u].kind == Systematic::mass && coordinates_[other].same_coordinate(sensor.dof)) out.measures = factor.point;
   }
 }
 
-SystematicWay SystematicLines::way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const {
+SystematicWay SystematicLines::way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at,
+                                   const SlopeOf& slope) const {
   const auto [file, transposed] = origin(of_assembly, at.row, at.column);
   const std::size_t response = transposed ? at.column : at.row, reference = transposed ? at.row : at.column;
   const Complex value = measured.at(at.row, at.column).value;
   SystematicWay out;
-  add_factors(i, {of_assembly, file, false, coordinates_[response]}, response, reference, measured, value, out);
-  add_factors(i, {of_assembly, file, true, coordinates_[reference]}, reference, response, measured, value, out);
+  add_factors(i, {of_assembly, file, false, coordinates_[response]}, response, reference, measured, value, slope, out);
+  add_factors(i, {of_assembly, file, true, coordinates_[reference]}, reference, response, measured, value, slope, out);
   return out;
 }
 
 /// As SymmetricFrfs averages: an average has both ways, and of copies the FRF back is taken.
-std::vector<SystematicWay> SystematicLines::ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const {
+std::vector<SystematicWay> SystematicLines::ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at,
+                                                 const SlopeOf& slope) const {
   const Element mirrored{at.column, at.row};
   const bool there = origin(of_assembly, at.row, at.column).file != frf::npos;
   const bool back = origin(of_assembly, at.column, at.row).file != frf::npos;
   const Measured& own = measured.at(at.row, at.column);
   if (!own.known() || (!there && !back)) return {};
-  if (!own.averaged) return {way(i, of_assembly, measured, back ? mirrored : at)};
-  std::vector<SystematicWay> both = {way(i, of_assembly, measured, at), way(i, of_assembly, measured, mirrored)};
+  if (!own.averaged) return {way(i, of_assembly, measured, back ? mirrored : at, slope)};
+  std::vector<SystematicWay> both = {way(i, of_assembly, measured, at, slope), way(i, of_assembly, measured, mirrored, slope)};
   for (SystematicWay& each : both) each.share = 0.5;
   return both;
 }
 
 std::shared_ptr<const SystematicFrfs> SystematicLines::of(std::size_t i, const LineLayout& layout,
-                                                          const BothSystems<Measured>& measured) const {
+                                                          const BothSystems<Measured>& measured,
+                                                          const SlopeOf& slope) const {
   auto out = std::make_shared<SystematicFrfs>();
   std::size_t element = 0;
   const auto add = [&](bool of_assembly, Element at, double sign, double share) {
     const Symmetric<Measured>& frfs = of_assembly ? measured.assembly : measured.substructures;
-    std::vector<SystematicWay> by = ways(i, of_assembly, frfs, at);
+    std::vector<SystematicWay> by = ways(i, of_assembly, frfs, at, slope);
     if (has_factors(by)) out->push_back({element, sign, frfs.at(at.row, at.column).value, share, std::move(by)});
   };
   for_each_element(layout, [&](ElementOf of, Element at) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -13,6 +14,9 @@ struct FrfOrigin {
   std::size_t file = frf::npos;
   bool transposed = false;
 };
+
+/// −(ω H' + 2 H)/H of a measured FRF at a place of one system, what a stretch needs; NaN where it is not known.
+using SlopeOf = std::function<Complex(bool of_assembly, Element at)>;
 
 /// Brings the systematic errors of sensors to the elements of a line.
 class SystematicLines {
@@ -30,8 +34,9 @@ class SystematicLines {
     other_axes_.clear();
   }
 
-  /// Of the i-th line read.
-  std::shared_ptr<const SystematicFrfs> of(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured) const;
+  /// Of the i-th line read; `slope` only where stretches are unknown.
+  std::shared_ptr<const SystematicFrfs> of(std::size_t i, const LineLayout& layout, const BothSystems<Measured>& measured,
+                                           const SlopeOf& slope = {}) const;
 
  private:
   struct DrivingPoint {
@@ -50,8 +55,9 @@ class SystematicLines {
   const FrfOrigin& origin(bool of_assembly, std::size_t row, std::size_t column) const {
     return origins_[of_assembly ? 1 : 0][row * coordinates_.size() + column];
   }
-  SystematicWay way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const;
-  std::vector<SystematicWay> ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at) const;
+  SystematicWay way(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at, const SlopeOf& slope) const;
+  std::vector<SystematicWay> ways(std::size_t i, bool of_assembly, const Symmetric<Measured>& measured, Element at,
+                                  const SlopeOf& slope) const;
   void plan_errors(const frf::FrfSystem& system, bool of_assembly);
   const std::vector<std::size_t>& errors_of(const SensorRole& sensor, std::size_t coordinate) const {
     return errors_[sensor.of_assembly ? 1 : 0][(2 * sensor.file + (sensor.is_reference ? 1 : 0)) * coordinates_.size() + coordinate];
@@ -61,7 +67,7 @@ class SystematicLines {
   void read_other_axes(std::span<const std::size_t> substructure_lines, std::span<const std::size_t> assembly_lines);
   Complex along_other_axis(std::size_t i, const SensorRole& sensor, std::size_t unknown, std::size_t coordinate) const;
   void add_factors(std::size_t i, const SensorRole& sensor, std::size_t coordinate, std::size_t other,
-                   const Symmetric<Measured>& measured, Complex value, SystematicWay& out) const;
+                   const Symmetric<Measured>& measured, Complex value, const SlopeOf& slope, SystematicWay& out) const;
   SystematicFactor mass_factor(std::size_t i, std::size_t unknown, const SensorRole& sensor, const Symmetric<Measured>& measured) const;
 
   SystematicPlan plan_;

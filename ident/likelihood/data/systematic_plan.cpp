@@ -63,9 +63,14 @@ void require_driving_points(const Scene& scene, const MassPrior& prior, const st
 
 }  // namespace
 
+bool are_errors_unknown(const DataSection& data) {
+  const auto is_unknown = [](const GainPrior& prior) { return prior.gain > 0.0 || prior.delay > 0.0 || prior.angle > 0.0; };
+  return !data.masses.empty() || std::ranges::any_of(data.gains, is_unknown);
+}
+
 SystematicPlan SystematicPlan::of(const Scene& scene, const frf::FrfSystem& substructures, const frf::FrfSystem& assembly) {
   SystematicPlan plan;
-  if (scene.data.gains.empty() && scene.data.masses.empty()) return plan;
+  if (!are_errors_unknown(scene.data)) return plan;
   if (!scene.couple_first.pairs.empty()) {
     fail(scene, "[data]", "gains and masses are of measured FRFs, and couple_first makes new ones of them",
          "leave out one of both");

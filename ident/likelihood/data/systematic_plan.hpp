@@ -26,6 +26,9 @@ struct NamedSystematic {
   frf::Direction towards{};  ///< of an angle: at the sensor's node
 };
 
+/// Whether [[data.gains]] and [[data.masses]] leave anything open: gain = 0 says that calibration is exact.
+bool are_errors_unknown(const DataSection& data);
+
 /// Which FRFs have which systematic errors.
 class SystematicPlan {
  public:

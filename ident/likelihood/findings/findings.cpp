@@ -80,11 +80,11 @@ std::string worst_lines(const ChiSquare& chi_square, const std::vector<double>& 
   return lines.empty() ? "" : " Worst, with chi-square per degree of freedom: " + listed(lines) + ".";
 }
 
-void add_misfit(const Fit& fit, const std::vector<double>& frequency_hz, std::vector<Finding>& out) {
+void add_misfit(const Fit& fit, const std::vector<double>& frequency_hz, double likely, std::vector<Finding>& out) {
   if (!fit.chi_square) return;
   const ChiSquare& chi_square = *fit.chi_square;
   const double freedom = chi_square.degrees_of_freedom;
-  if (!(chi_square.value > freedom + 5.0 * std::sqrt(2.0 * std::max(freedom, 1.0)))) {
+  if (!(chi_square.value > std::max(likely * freedom, freedom + 5.0 * std::sqrt(2.0 * std::max(freedom, 1.0))))) {
     if (chi_square.outlying_lines == 0) return;
     out.push_back(
         {FindingKind::misfit, std::to_string(chi_square.outlying_lines) +
@@ -124,12 +124,12 @@ std::string text(const WeakCombination& weak) {
 }
 
 std::vector<Finding> findings_of(const Identifiability& found, const Fit& fit, IntervalKind intervals,
-                                 const std::vector<double>& frequency_hz) {
+                                 const std::vector<double>& frequency_hz, double likely) {
   std::vector<Finding> out;
   add_weak(found, out);
   add_joint(found, out);
   add_nonlinear(found, intervals, out);
-  add_misfit(fit, frequency_hz, out);
+  add_misfit(fit, frequency_hz, likely, out);
   return out;
 }
 

@@ -20,8 +20,8 @@ std::string text(const WeakCombination& weak);
 ///   stiff_joint       deformation < 0.01 and some error ≥ 10 % (thesis §6.8.3, §6.8.5, §6.9), with the stiff pairs as the
 ///                     line couple_first of a scene;
 ///   nonlinear         an error ≥ 30 %, unless the intervals are those of the bootstrap;
-///   misfit            χ² > f + 5√(2f), f its degrees of freedom.
+///   misfit            χ² > f + 5√(2f), f its degrees of freedom, and beyond `likely` times f, which estimated variances leave.
 std::vector<Finding> findings_of(const Identifiability& found, const Fit& fit, IntervalKind intervals,
-                                 const std::vector<double>& frequency_hz);
+                                 const std::vector<double>& frequency_hz, double likely = 0.0);
 
 }  // namespace jointid::ident

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "ident/likelihood/fit/estimator.hpp"
-#include "ident/plan/plan.hpp"
+#include "ident/likelihood/errors/tried_errors.hpp"
 #include "ident/result/solution.hpp"
 
 namespace jointid::ident {
@@ -18,10 +17,9 @@ struct GainSuspect {
 /// Score tests (Rao 1948) of the gain of every sensor that no table names: with information I and gradient g of the joint's and
 /// the declared unknowns r and of the gain t, all at the estimate, t moves by (g_t − I_tr I_rr⁻¹ g_r)/(I_tt − I_tr I_rr⁻¹ I_rt).
 /// The one with the largest score is taken into r, and the others are looked at again; those with a score of 5 or more, at most
-/// three. Errors are counted as larger where χ² says so. A response and the reference at the same coordinate are one sensor,
-/// since FRFs there and back are averaged. Nothing is said with more than 256 sensors, where it would cost more than the fit.
-std::vector<GainSuspect> suspect_gains(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
-                                       const ChiSquare& chi_square, const Control& control);
+/// three. Errors are counted as larger where χ² says so. A response and the reference at the same coordinate are one sensor, since FRFs
+/// there and back are averaged. `known`: unknowns of the fit.
+std::vector<GainSuspect> suspect_gains(const TriedErrors& tried, std::size_t known);
 
 /// A finding for each.
 void tell_gains(const std::vector<GainSuspect>& suspects, Solution& out);

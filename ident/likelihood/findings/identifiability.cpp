@@ -45,7 +45,7 @@ std::vector<double> weakest_direction(const Plan& plan, const Solution& solution
 }  // namespace
 
 Identifiability identifiability_of(const Plan& plan, const LikelihoodEstimator& estimator, const Eigen::MatrixXd& covariance,
-                                   const Solution& out) {
+                                   double likely, const Solution& out) {
   std::vector<double> values, frequency_hz;
   std::vector<std::string> names;
   std::vector<std::size_t> determined;
@@ -66,7 +66,7 @@ Identifiability identifiability_of(const Plan& plan, const LikelihoodEstimator& 
   for (Eigen::Index i = 0; i < relative.rows(); ++i) {
     found.largest_relative_error = std::max(found.largest_relative_error, std::sqrt(relative(i, i)));
   }
-  found.findings = findings_of(found, out.fit, out.intervals, frequency_hz);
+  found.findings = findings_of(found, out.fit, out.intervals, frequency_hz, likely);
   return found;
 }
 

@@ -7,9 +7,9 @@
 namespace jointid::ident {
 
 /// What the fit says about the unknowns of `out`, which has values, `determined`, std_error, intervals and χ² by now.
-/// `covariance`: of the scaled unknowns.
+/// `covariance`: of the scaled unknowns; `likely`: χ² over degrees of freedom that chance leaves.
 Identifiability identifiability_of(const Plan& plan, const LikelihoodEstimator& estimator, const Eigen::MatrixXd& covariance,
-                                   const Solution& out);
+                                   double likely, const Solution& out);
 
 /// Covariance in relative units (see relative_scales()) of the columns `which`, from that of the scaled unknowns.
 Eigen::MatrixXd relative_covariance(const Plan& plan, const Eigen::MatrixXd& covariance, const std::vector<double>& values,

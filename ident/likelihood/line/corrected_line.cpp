@@ -22,6 +22,7 @@ LogFactor log_factor(const SystematicUnknown& unknown, const SystematicFactor& f
       return {sigma * phi, sigma};
     case Systematic::delay:
       return {Complex(0.0, omega * sigma * phi), Complex(0.0, omega * sigma)};
+    case Systematic::stretch:
     case Systematic::angle:
       return {std::log(1.0 - sigma * phi * factor.driving), -sigma * factor.driving / (1.0 - sigma * phi * factor.driving)};
     case Systematic::mass:
@@ -75,7 +76,8 @@ Correction correction(const SystematicFrf& frf, std::span<const SystematicUnknow
     const std::size_t own = terms.size();
     for (const SystematicFactor& factor : way.factors) {
       const LogFactor of = log_factor(unknowns[factor.unknown], factor, phi.empty() ? 0.0 : phi[factor.unknown], omega);
-      const bool turns = unknowns[factor.unknown].kind == Systematic::angle;
+      const Systematic kind = unknowns[factor.unknown].kind;
+      const bool turns = kind == Systematic::angle || kind == Systematic::stretch;
       log += of.value;
       if (!turns) own_log += of.value;
       terms.push_back({factor.unknown, frf.sign * way.share * of.derivative, {}, turns ? 0.0 : frf.sign * frf.share});

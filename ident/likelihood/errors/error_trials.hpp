@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ident/likelihood/data/systematic_plan.hpp"
+#include "ident/plan/plan.hpp"
+
+namespace jointid::ident {
+
+/// A gain of one sensor.
+struct SensorTrial {
+  frf::Dof dof;
+  std::string file;
+  bool of_assembly;
+};
+
+/// A gain that all FRFs of the assembly share, or all of a part.
+struct FileTrial {
+  bool of_assembly;
+  std::size_t number = 0;  ///< of the part
+  std::string name;        ///< of the file, of the assembly's first
+  double averages = 0.0;  ///< behind its variances; 0: these come from elsewhere
+};
+
+/// An error on one line that all responses to a reference share: its real part (a gain), or its imaginary one (a delay of 1 s, which
+/// turns by ω).
+struct ReferenceTrial {
+  std::size_t file;  ///< in ErrorTrials::files
+  bool is_phase;
+};
+
+/// Systematic errors that are tried at an estimate, in this order after the unknowns of the fit.
+struct ErrorTrials {
+  std::vector<SensorTrial> sensors;
+  std::vector<FileTrial> files;
+  bool has_stretch = false;  ///< of the assembly, see Systematic::stretch
+  std::vector<std::vector<SensorRole>> roles;  ///< of the files' FRFs
+  std::vector<ReferenceTrial> references;
+  SystematicPlan plan;
+
+  /// Gains of all sensors that no table of the scene names.
+  void add_sensors(const Plan& of);
+  /// First the assembly, then the parts.
+  void add_files(const Plan& of);
+  /// After add_files().
+  void add_stretch();
+  /// Of all files whose variances come from averages without what FRFs have in common; after add_files().
+  void add_references(const Plan& of);
+
+  /// Those that all lines share: of sensors and files, and the stretch.
+  std::size_t shared_by_lines() const { return sensors.size() + files.size() + (has_stretch ? 1 : 0); }
+  std::size_t size() const { return shared_by_lines() + references.size(); }
+};
+
+}  // namespace jointid::ident

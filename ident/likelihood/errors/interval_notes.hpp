@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ident/likelihood/errors/intervals.hpp"
+
+namespace jointid::ident {
+
+/// Whether a sensor alone or a stretch explains the data better than a gain of all FRFs of a file, or responses to a hit share errors.
+bool has_better_explanation(const TriedErrors& tried, const FileGain& gain);
+
+/// Notes what calibration is taken to be, and what it costs: `cost` times the width of exact calibration.
+void note_calibration(double cost, const std::optional<FileGain>& estimated, const TriedErrors& tried, Solution& out);
+
+/// Puts errors that responses to a reference share, and the bias of H1 that they may mean, into the intervals, and tells them: a note
+/// where they are not seen, too, and status doubtful where the bias is more than half the width of an interval. `information`: of all
+/// unknowns.
+void tell_shared_errors(const Plan& plan, const TriedErrors& tried, const Eigen::MatrixXd& information, Intervals& intervals,
+                        Solution& out);
+
+/// Status doubtful: blocks of lines scatter by more than their errors. Nothing where χ² says so already.
+void tell_scatter(const Jackknife& jackknife, Solution& out);
+
+/// Takes a stretch of the assembly's frequencies into the intervals, from none to all of it, where it is seen at three standard
+/// deviations; status doubtful from 4.5 on.
+void tell_stretch(const FileGain& stretch, Intervals& intervals, Solution& out);
+
+/// Status doubtful: the data call for a common gain that was not taken off, because a sensor or another error explains them better, or it
+/// does not explain them. Intervals reach from none to all of it. Where responses to a hit share errors three times as much is asked for.
+void tell_unexplained_gain(const TriedErrors& tried, Intervals& intervals, Solution& out);
+
+/// Status doubtful: the data call for this gain.
+void tell_common_gain(const FileGain& gain, Solution& out);
+
+}  // namespace jointid::ident

@@ -1,0 +1,97 @@
+#include "ident/likelihood/errors/intervals.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+#include "base/eigen.hpp"
+#include "base/statistics.hpp"
+#include "minimise/linear/covariance.hpp"
+
+namespace jointid::ident {
+
+Intervals::Intervals(Eigen::MatrixXd covariance)
+    : first_(covariance.diagonal().cwiseSqrt()), quantile_(normal_95) {
+  cases_.push_back({Eigen::VectorXd::Zero(covariance.rows()), std::move(covariance)});
+}
+
+void Intervals::add_gain(const FileGain& gain) {
+  const Eigen::VectorXd answer = gain.answer.head(first_.size());
+  const std::size_t count = cases_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    cases_.push_back({cases_[i].shift + gain.posterior_mean() * answer,
+                      cases_[i].covariance + gain.posterior_variance() * answer * answer.transpose()});
+  }
+}
+
+void Intervals::add_shared(const SharedErrors& shared, const Eigen::MatrixXd& information) {
+  const Eigen::MatrixXd scatter = shared.scatter();
+  if (scatter.size() == 0) return;
+  const Eigen::MatrixXd inverse = minimise::covariance_of(information);
+  const Eigen::MatrixXd more = (inverse * scatter * inverse).topLeftCorner(first_.size(), first_.size());
+  for (Case& each : cases_) each.covariance += more;
+}
+
+void Intervals::add_bias(const Eigen::VectorXd& shift) {
+  const std::size_t count = cases_.size();
+  for (std::size_t i = 0; i < count; ++i) cases_.push_back({cases_[i].shift + shift.head(first_.size()), cases_[i].covariance});
+}
+
+void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
+  const Eigen::VectorXd now = covariance().diagonal().cwiseSqrt();
+  Eigen::VectorXd factor(first_.size());
+  for (Eigen::Index u = 0; u < first_.size(); ++u) {
+    factor[u] = std::max({1.0, inflation, std::sqrt(jackknife.variance[u]) / now[u]});
+  }
+  for (Case& each : cases_) each.covariance = factor.asDiagonal() * each.covariance * factor.asDiagonal();
+  const boost::math::students_t_distribution<double> t(static_cast<double>(jackknife.blocks) - 1.0);
+  quantile_ = boost::math::quantile(t, 0.975);
+  add_bias(jackknife.step);
+}
+
+Eigen::MatrixXd Intervals::covariance() const {
+  return std::ranges::max_element(cases_, {}, [](const Case& each) {
+    return each.covariance.diagonal().sum();
+  })->covariance;
+}
+
+std::array<double, 2> Intervals::ends(Eigen::Index unknown) const {
+  std::array<double, 2> out = {0.0, 0.0};
+  for (const Case& each : cases_) {
+    const double half = quantile_ * std::sqrt(each.covariance(unknown, unknown));
+    out = {std::min(out[0], each.shift[unknown] - half), std::max(out[1], each.shift[unknown] + half)};
+  }
+  return out;
+}
+
+Eigen::VectorXd Intervals::half_widths() const { return quantile_ * covariance().diagonal().cwiseSqrt(); }
+
+double Intervals::cost() const {
+  double cost = 1.0;
+  for (Eigen::Index u = 0; u < first_.size(); ++u) {
+    const auto [low, high] = ends(u);
+    if (first_[u] > 0.0) cost = std::max(cost, (high - low) / (2.0 * normal_95 * first_[u]));
+  }
+  return cost;
+}
+
+void Intervals::state(const Plan& plan, Solution& out) const {
+  out.intervals = IntervalKind::cramer_rao;
+  const Eigen::MatrixXd largest = covariance();
+  for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
+    Estimate& estimate = out.unknowns[column];
+    if (!estimate.determined) continue;
+    const auto c = at(column);
+    const double unit = plan.unscale(column);
+    const auto [low, high] = ends(c);
+    estimate.std_error = std::sqrt(largest(c, c)) * unit;
+    if (cases_.size() == 1) {
+      const double half = quantile_ * *estimate.std_error;
+      estimate.ci95 = {estimate.value - half, estimate.value + half};
+    } else {
+      estimate.ci95 = {estimate.value + low * unit, estimate.value + high * unit};
+    }
+  }
+}
+
+}  // namespace jointid::ident

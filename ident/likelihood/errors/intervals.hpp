@@ -1,0 +1,50 @@
+#pragma once
+
+#include "ident/likelihood/errors/tried_errors.hpp"
+
+namespace jointid::ident {
+
+/// The 95 % intervals of the joint's scaled unknowns: first those of the noise that variances tell, then what else may be in the data.
+/// An interval holds all that is within the quantile of the standard deviations of each of several cases: the estimate as it is, and
+/// as it would be without an error that the data leave open.
+class Intervals {
+ public:
+  explicit Intervals(Eigen::MatrixXd covariance);
+
+  /// A gain of the assembly against the parts: a case with θ + dθ/dgain · mean and the covariance + its variance · (dθ/dgain)², by the
+  /// data and a prior of usual_calibration.
+  void add_gain(const FileGain& gain);
+
+  /// Errors that responses to a reference share: C becomes C + I⁻¹ S I⁻¹, somewhat more than it is, for they are a part of the
+  /// variances.
+  void add_shared(const SharedErrors& shared, const Eigen::MatrixXd& information);
+
+  /// An error between none and all of this.
+  void add_bias(const Eigen::VectorXd& shift);
+
+  /// As large as misfit makes them: variances `inflation`² times, or what the jackknife says, with the quantile of Student's t; and the
+  /// step that is left.
+  void include_misfit(const Jackknife& jackknife, double inflation);
+
+  /// The largest of all cases.
+  Eigen::MatrixXd covariance() const;
+  /// Half the width of the noise's own.
+  Eigen::VectorXd half_widths() const;
+  /// The largest width over that of the covariance in the beginning.
+  double cost() const;
+
+  void state(const Plan& plan, Solution& out) const;
+
+ private:
+  struct Case {
+    Eigen::VectorXd shift;
+    Eigen::MatrixXd covariance;
+  };
+  std::array<double, 2> ends(Eigen::Index unknown) const;
+
+  std::vector<Case> cases_;
+  Eigen::VectorXd first_;  ///< standard deviations in the beginning
+  double quantile_;
+};
+
+}  // namespace jointid::ident

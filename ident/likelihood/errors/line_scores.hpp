@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+
+#include "ident/likelihood/data/systematic_lines.hpp"
+#include "ident/likelihood/fit/estimator.hpp"
+#include "ident/plan/plan.hpp"
+#include "ident/result/control.hpp"
+
+namespace jointid::ident {
+
+/// A line at the estimate, reduced to the unknowns of the fit and, after them, to systematic errors that are tried.
+struct ScoredLine {
+  std::size_t line;
+  double weight;                            ///< robust weight
+  const std::vector<std::size_t>& columns;  ///< of all unknowns: those of reduced
+  const ReducedLine& reduced;
+  const LineData& data;  ///< as measured, with the factors of the trials
+};
+
+/// Runs of lines that are worked on side by side. They do not depend on the number of threads, so that sums of what the runs sum up
+/// do not either.
+constexpr std::size_t most_runs = 16;
+
+/// Tells `look` every line of this process that counts, with the number of its run.
+void score_lines(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit, const SystematicLines& trials,
+                 const Control& control, const std::function<void(std::size_t run, const ScoredLine& line)>& look);
+
+/// Information and gradient of unknowns.
+struct Scores {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd gradient;
+
+  static Scores none(std::size_t unknowns);
+  /// Adds a line; unknowns beyond those that are here are passed over.
+  void add(const ScoredLine& line);
+  Scores& operator+=(const Scores& other);
+};
+
+/// What is left of information and gradient of the last unknowns once the first `known` are eliminated.
+Scores left_of(const Scores& whole, std::size_t known);
+
+}  // namespace jointid::ident

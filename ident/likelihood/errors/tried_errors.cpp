@@ -1,0 +1,102 @@
+#include "ident/likelihood/errors/tried_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/eigen.hpp"
+#include "ident/likelihood/data/likelihood_plan.hpp"
+
+namespace jointid::ident {
+namespace {
+
+constexpr std::size_t most_trials = 256;
+
+bool are_independent(const Observations& observations) {
+  return !observations.has_error_sums() &&
+         std::ranges::none_of(observations.lines(), [](const LineData& line) { return line.correlation != nullptr; });
+}
+
+ErrorTrials trials_of(const Plan& plan, const Control& control) {
+  const Observations& observations = *likelihood_plan(plan)->observations;
+  ErrorTrials trials;
+  if (control.detail == Detail::full) trials.add_sensors(plan);
+  if (trials.sensors.size() > most_trials) trials = {};
+  if (observations.systematic_plan() != nullptr) return trials;
+  trials.add_files(plan);
+  trials.add_stretch();
+  ErrorTrials more = trials;
+  more.add_references(plan);
+  const bool correlated = observations.shares().any(!are_independent(observations));
+  return correlated || more.references.size() > most_trials ? trials : more;
+}
+
+/// Sums of all kinds over the lines of a run.
+struct Sums {
+  Scores scores;
+  SharedErrorSums shared;
+  BlockScores blocks;
+
+  void add(const ScoredLine& line) {
+    scores.add(line);
+    shared.add(line);
+    blocks.add(line);
+  }
+  Sums& operator+=(const Sums& other) {
+    scores += other.scores;
+    shared += other.shared;
+    blocks += other.blocks;
+    return *this;
+  }
+};
+
+template <class T>
+void exchange(const LineShares& shares, T& sums) {
+  if (shares.size() == 1) return;
+  std::vector<double> numbers = sums.numbers();
+  shares.sum(numbers);
+  sums.take(numbers);
+}
+
+/// Over all runs and processes.
+Sums total(std::vector<Sums> runs, const LineShares& shares) {
+  Sums all = std::move(runs.front());
+  for (std::size_t run = 1; run < runs.size(); ++run) all += runs[run];
+  shares.sum({all.scores.information.data(), static_cast<std::size_t>(all.scores.information.size())});
+  shares.sum({all.scores.gradient.data(), static_cast<std::size_t>(all.scores.gradient.size())});
+  exchange(shares, all.shared);
+  exchange(shares, all.blocks);
+  return all;
+}
+
+}  // namespace
+
+std::optional<TriedErrors> try_errors(const Plan& plan, const LikelihoodEstimator& estimator, const LikelihoodFit& fit,
+                                      double chi_square, const Control& control) {
+  if (!plan.scene.couple_first.pairs.empty()) return std::nullopt;
+  TriedErrors out;
+  out.trials = trials_of(plan, control);
+  const LikelihoodPlan& own = *likelihood_plan(plan);
+  const std::size_t known = fit.theta.size(), summed = known + out.trials.shared_by_lines();
+  const SystematicLines lines(out.trials.plan, *plan.substructures, *plan.assembly, own.observations->layout().coordinates);
+  const Sums none{Scores::none(summed), SharedErrorSums(out.trials, known), BlockScores(fit.line_weight.size(), known)};
+  std::vector<Sums> runs(most_runs, none);
+  score_lines(plan, estimator, fit, lines, control, [&](std::size_t run, const ScoredLine& line) { runs[run].add(line); });
+  Sums all = total(std::move(runs), own.observations->shares());
+  out.scores = std::move(all.scores);
+  out.shared = all.shared.result();
+  out.blocks = std::move(all.blocks);
+  for (const auto& [column, value, weight] : own.priors) {
+    out.scores.information(at(column), at(column)) += weight * weight;
+    out.scores.gradient[at(column)] += weight * weight * (value - fit.theta[column]);
+  }
+  out.inflation = std::sqrt(std::max(1.0, chi_square));
+  out.is_calibration_stated = !plan.scene.data.gains.empty();
+  if (!out.trials.files.empty()) out.files = file_gains(out.trials, out.scores, known, out.inflation);
+  if (out.trials.has_stretch) {
+    out.stretch = std::move(out.files.back());
+    out.files.pop_back();
+  }
+  return out;
+}
+
+}  // namespace jointid::ident
