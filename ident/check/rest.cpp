@@ -232,7 +232,7 @@ std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup
     if (auto suspect = not_reciprocal(files[f], screening.reciprocity[f], noise[f])) found.push_back(std::move(*suspect));
   }
   const bool one = std::ranges::any_of(found, [](const Suspect& suspect) { return suspect.kind == SuspectKind::outlier; });
-  if (!one) {
+  if (found.empty()) {
     for (Suspect& gain : small_gains(files, setups)) found.push_back(std::move(gain));
   }
   const WorstSpan span = one ? WorstSpan{} : worst_span(files, setups);
