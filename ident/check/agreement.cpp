@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double beyond_recorded = 1.5, beyond_estimated = 4.0;
+constexpr double beyond_recorded = 3.0, beyond_estimated = 4.0;
 constexpr double sure_deviations = 6.0, least_gain = 0.003;
 constexpr double unsure_noise = 0.3;  ///< of a law of variances
 constexpr double least_noise = 1e-7;  ///< of the largest FRF of a reference: what single precision leaves
@@ -86,7 +86,8 @@ class Sums {
     if (excess_.is_told() && excess_.square() > bias_) {
       out_.excess = excess_.value();
       out_.excess_deviation = excess_.scatter() / excess_.square();
-      out_.excess_doubt = unsure_noise * bias_ / excess_.square();
+      const double ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 1.0;
+      out_.excess_doubt = (unsure_noise + std::max(0.0, ratio - 1.0)) * bias_ / excess_.square();
     }
     out_.recorded = recorded;
     out_.ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 0.0;

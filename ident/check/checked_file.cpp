@@ -138,6 +138,17 @@ Suspect wild_number(const CheckedFile& file, const frf::FrfHeader& header, const
           .remedy = "[frequency]\nexclude = [[" + digits(first, "%.9g") + ", " + digits(last, "%.9g") + "]]"};
 }
 
+/// An FRF that is zero by symmetry, and rounding in it. `line`: all FRFs there.
+bool is_negligible(const frf::WildValue& value, std::span<const Complex> line) {
+  constexpr double rounding = 1e-9;
+  double largest = 0.0;
+  for (const Complex& each : line) {
+    if (const double size = std::abs(each); std::isfinite(size)) largest = std::max(largest, size);
+  }
+  const double size = std::abs(value.value) / std::min(1.0, std::max(value.factor, 1e-300));
+  return value.kind != frf::WildKind::infinite && size < rounding * largest;
+}
+
 /// Of each run of consecutive lines; numbers that are missing are no mistake.
 std::vector<Suspect> wild_numbers(const CheckedFile& file, const frf::FrfHeader& header, const std::vector<std::size_t>& source_lines,
                                   std::span<const Complex> values) {
@@ -153,7 +164,10 @@ std::vector<Suspect> wild_numbers(const CheckedFile& file, const frf::FrfHeader&
     frf::WildSearch search(some);
     search.add(values.subspan(first * header.entries(), (end - first) * header.entries()));
     for (const frf::WildValue& value : search.finish().found) {
-      if (value.kind != frf::WildKind::not_a_number && found.size() < most) found.push_back(wild_number(file, some, value));
+      if (value.kind == frf::WildKind::not_a_number || found.size() == most) continue;
+      const std::size_t line = (first + value.line) * header.entries();
+      if (is_negligible(value, values.subspan(line, header.entries()))) continue;
+      found.push_back(wild_number(file, some, value));
     }
   }
   return found;

@@ -111,15 +111,27 @@ std::string where_not_reciprocal(const CheckedFile& file, const Agreement& test,
   return "most between " + group[0].name() + " and " + group[1].name() + ", in " + file.name + band_of(test);
 }
 
+/// By how much the noise of a file is larger than it says, where H_ij − H_ji is noise that most lines and pairs agree on; else 1.
+double noise_beyond_records(const CheckedFile& file, const Agreement& test) {
+  constexpr double just_noise = 2.0;
+  if (!test.recorded || !(test.ratio > 1.0) || !group_that_differs(test.cells).empty()) return 1.0;
+  CheckedFile unrecorded = file;
+  unrecorded.noise = nullptr;
+  unrecorded.errors = nullptr;
+  const Agreement own = mirror_agreement(unrecorded);
+  return own.freedom > 0.0 && own.ratio < just_noise ? test.ratio : 1.0;
+}
+
 std::optional<Suspect> not_reciprocal(const CheckedFile& file, const ReciprocityTest& screened, double noise) {
   const Agreement test = mirror_agreement(file);
   const bool by_much = screened.level > std::max(0.3, 4.0 * noise);
-  if (!test.contradicts() && !by_much) return std::nullopt;
+  const bool contradicts = test.contradicts() && noise_beyond_records(file, test) == 1.0;
+  if (!contradicts && !by_much) return std::nullopt;
   if (is_one_number(test)) return one_number_of_pair(file, test);
   const double rms = reciprocity_map(file).overall;
   Dofs group;
   std::string evidence = "H_ij and H_ji differ by " + percent(rms) + " rms (" + percent(screened.level) + " at most lines), ";
-  evidence += test.contradicts() ? digits(std::sqrt(test.ratio)) + " times what noise makes of it, " : "where the noise is about " + percent(noise) + ", ";
+  evidence += contradicts ? digits(std::sqrt(test.ratio)) + " times what noise makes of it, " : "where the noise is about " + percent(noise) + ", ";
   if (test.freedom > 0.0) evidence += where_not_reciprocal(file, test, group);
   return Suspect{.kind = SuspectKind::not_reciprocal,
                  .file = file.name,
@@ -137,8 +149,11 @@ struct WorstSpan {
 
 WorstSpan worst_span(const Files& files, const std::vector<SpanSetup>& setups) {
   WorstSpan worst;
+  std::vector<double> beyond;
+  for (const CheckedFile& file : files) beyond.push_back(noise_beyond_records(file, mirror_agreement(file)));
   for (const SpanSetup& setup : setups) {
     Agreement test = span_agreement(setup, files);
+    test.ratio /= std::max(beyond[setup.part], beyond[setup.assembly]);
     if (!test.contradicts() || (worst.setup != nullptr && test.ratio <= worst.test.ratio)) continue;
     worst = {std::move(test), &setup};
   }
