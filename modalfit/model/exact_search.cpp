@@ -11,7 +11,7 @@ namespace {
 
 /// Noise over modulus below which FRFs may be computed ones; the larger where the mean square of the residuals is far above it, for what a
 /// model lacks is part of what is taken for noise.
-constexpr double quiet = 1e-4, rather_quiet = 1e-3;
+constexpr double quiet = 1e-4, rather_quiet = 1e-2;
 constexpr double far_off = 100.0;
 constexpr double apart = 6.0;  ///< standard deviations between poles of such FRFs
 constexpr std::size_t most_splits_tried = 3;
@@ -23,7 +23,8 @@ bool PoleSearch::may_be_exact(const RefinedPoles& refined) const {
   if (band_.known_noise) return false;
   const double noise = relative_noise(band_, entries_);
   const bool is_far_off = refined.cost > far_off * refined.freedom;
-  return noise < (is_far_off ? rather_quiet : quiet) && !is_exact(band_, entries_, options_.kind, refined.poles);
+  const bool is_off = refined.cost > refined.freedom || !is_exact(band_, entries_, options_.kind, refined.poles);
+  return noise < (is_far_off ? rather_quiet : quiet) && is_off;
 }
 
 /// FRFs without noise tell poles apart that noise would not, and poles beyond the range better: what follows them to their
@@ -31,11 +32,13 @@ bool PoleSearch::may_be_exact(const RefinedPoles& refined) const {
 void PoleSearch::seek_exact(RefinedPoles& refined, ModalFit& out) {
   ModalFit other;
   const std::vector<double> weight = band_.weight;
+  const double before = deviation(band_, entries_, options_.kind, refined.poles);
   RefinedPoles exact = settled(candidates({.most_damping = options_.most_damping, .apart = apart}, other), false, other);
   extend(exact, other);
   while (!is_exact(band_, entries_, options_.kind, exact.poles) && split(exact, other)) extend(exact, other);
   add_peaks(exact, other);
-  if (exact.converged && is_exact(band_, entries_, options_.kind, exact.poles)) {
+  const double after = deviation(band_, entries_, options_.kind, exact.poles);
+  if (exact.converged && after < nearly_exact && after < 0.5 * before) {
     refined = std::move(exact);
     out = std::move(other);
   } else {
