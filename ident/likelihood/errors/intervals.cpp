@@ -49,11 +49,7 @@ void Intervals::include_misfit(const Jackknife& jackknife, double inflation) {
   add_bias(jackknife.step);
 }
 
-Eigen::MatrixXd Intervals::covariance() const {
-  return std::ranges::max_element(cases_, {}, [](const Case& each) {
-    return each.covariance.diagonal().sum();
-  })->covariance;
-}
+const Eigen::MatrixXd& Intervals::covariance() const { return cases_.front().covariance; }
 
 std::array<double, 2> Intervals::ends(Eigen::Index unknown) const {
   std::array<double, 2> out = {0.0, 0.0};
@@ -77,14 +73,14 @@ double Intervals::cost() const {
 
 void Intervals::state(const Plan& plan, Solution& out) const {
   out.intervals = IntervalKind::cramer_rao;
-  const Eigen::MatrixXd largest = covariance();
+  const Eigen::MatrixXd& own = covariance();
   for (std::size_t column = 0; column < out.unknowns.size(); ++column) {
     Estimate& estimate = out.unknowns[column];
     if (!estimate.determined) continue;
     const auto c = at(column);
     const double unit = plan.unscale(column);
     const auto [low, high] = ends(c);
-    estimate.std_error = std::sqrt(largest(c, c)) * unit;
+    estimate.std_error = std::sqrt(own(c, c)) * unit;
     if (cases_.size() == 1) {
       const double half = quantile_ * *estimate.std_error;
       estimate.ci95 = {estimate.value - half, estimate.value + half};

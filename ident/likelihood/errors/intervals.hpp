@@ -26,8 +26,8 @@ class Intervals {
   /// step that is left.
   void include_misfit(const Jackknife& jackknife, double inflation);
 
-  /// The largest of all cases.
-  Eigen::MatrixXd covariance() const;
+  /// Of the estimate as it is: of noise, shared errors and misfit, without what calibration costs.
+  const Eigen::MatrixXd& covariance() const;
   /// Half the width of the noise's own.
   Eigen::VectorXd half_widths() const;
   /// The largest width over that of the covariance in the beginning.
