@@ -69,7 +69,8 @@ std::optional<Suspect> fit_suspect(const Scene& scene, const Control& control) {
                    .dofs = {},
                    .evidence = "each file agrees with itself, but no joint of this scene explains the FRFs: they are off by " +
                                digits(std::sqrt(ratio)) + " times their standard errors (χ² over degrees of freedom " +
-                               digits(ratio, "%.3g") + ")" + worst_band(plan->lines, fit.fit.chi_square->by_line) + ". " + other_causes(scene),
+                               digits(ratio, "%.3g") + ")" + worst_band(plan->lines, fit.fit.chi_square->by_line) + ". " +
+                               other_causes(scene),
                    .confidence = 0.6,
                    .remedy = ""};
   } catch (const InputError&) {

@@ -20,6 +20,7 @@ using Eigen::Index;
 
 constexpr double beyond_recorded = 3.0, beyond_estimated = 4.0;
 constexpr double sure_deviations = 6.0, least_gain = 0.003;
+constexpr double just_noise = 1.5;    ///< of χ² over degrees of freedom
 constexpr double unsure_noise = 0.3;  ///< of a law of variances
 constexpr double least_noise = 1e-7;  ///< of the largest FRF of a reference: what single precision leaves
 constexpr double negligible = 1e-12;  ///< of |H_ii H_jj|: FRFs that are zero by symmetry say nothing
@@ -76,8 +77,10 @@ class Sums {
     square_ += line_square_;
   }
 
-  /// Of a line: what the assembly's FRFs and what they leave have in common, the square of the former, and what noise makes of both.
-  void add_gain(double common, double square, double bias) {
+  /// Of a line: what the assembly's FRFs and what they leave have in common, the square of the former, and what noise makes of
+  /// both.
+  void add_gain(double common, double square, double bias, double freedom) {
+    column_freedom_ = freedom;
     excess_.add(bias - common, square - bias);
     bias_ += bias;
   }
@@ -87,7 +90,8 @@ class Sums {
       out_.excess = excess_.value();
       out_.excess_deviation = excess_.scatter() / excess_.square();
       const double ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 1.0;
-      out_.excess_doubt = (unsure_noise + std::max(0.0, ratio - 1.0)) * bias_ / excess_.square();
+      out_.ratio_without = ratio - std::pow(out_.excess, 2) * column_freedom_ * excess_.square() / std::max(out_.freedom, 1.0);
+      out_.excess_doubt = (unsure_noise + std::max(0.0, out_.ratio_without - 1.0)) * bias_ / excess_.square();
     }
     out_.recorded = recorded;
     out_.ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 0.0;
@@ -100,7 +104,7 @@ class Sums {
   Agreement out_;
   Eigen::MatrixXd squares_, counts_;
   SlopeFit excess_;
-  double bias_ = 0.0;
+  double bias_ = 0.0, column_freedom_ = 0.0;
   double square_ = 0.0, line_square_ = 0.0, line_freedom_ = 0.0, worst_excess_ = 0.0;
 };
 
@@ -149,8 +153,7 @@ struct NoisySpan {
     const auto freedom = static_cast<double>(rows - fit.rank());
     if (!(freedom > 0.0)) return;
     const Eigen::MatrixXcd inverse = fit.pseudo_inverse(), forces = inverse * y, left = y - x * forces;
-    const Eigen::MatrixXd expected =
-        scale.cwiseAbs2().cwiseInverse().asDiagonal() * (noise + joint_noise * forces.cwiseAbs2());
+    const Eigen::MatrixXd expected = scale.cwiseAbs2().cwiseInverse().asDiagonal() * (noise + joint_noise * forces.cwiseAbs2());
     Eigen::VectorXd free(rows);
     for (Index r = 0; r < rows; ++r) free[r] = std::max(1.0 - (x.row(r) * inverse.col(r))(0, 0).real(), 1e-6);
     const Eigen::MatrixXcd scaled = scale.cwiseInverse().asDiagonal() * of_assembly, moved = scaled - x * (inverse * scaled);
@@ -174,7 +177,7 @@ struct NoisySpan {
       moved_square += moved.col(c).squaredNorm() / of_noise;
       bias += of_assembly_noise / of_noise;
     }
-    sums.add_gain(common, moved_square, bias);
+    sums.add_gain(common, moved_square, bias, freedom);
   }
 };
 
@@ -206,8 +209,8 @@ struct MirrorPlaces {
   }
 };
 
-/// H_ij and H_ji at one time or on one line are this much of each other's noise: σ² = proportional·|H|² + constant·(mean square of the
-/// pair), the constant in the quantity of the file. One law for all pairs, which half of the differences may contradict.
+/// H_ij and H_ji at one time or on one line are this much of each other's noise: σ² = proportional·|H|² + constant·(mean square
+/// of the pair), the constant in the quantity of the file. One law for all pairs, which half of the differences may contradict.
 struct MirrorLaw {
   double proportional = 0.0, constant = 0.0;
   Eigen::MatrixXd mean_square;
@@ -252,7 +255,8 @@ struct MirrorLaw {
     for (std::size_t l = 0; l < file.frfs.size(); ++l) {
       const double factor = frf::squared_factor(file.quantity, file.frequency_hz[l]);
       places.each_pair(file, l, [&](std::size_t i, std::size_t j, const Complex& a, const Complex& b) {
-        if (const double ratio = std::norm(a - b) / (*this)(i, j, a, b, factor); std::isfinite(ratio)) ratios[i * n + j].push_back(ratio);
+        if (const double ratio = std::norm(a - b) / (*this)(i, j, a, b, factor); std::isfinite(ratio))
+          ratios[i * n + j].push_back(ratio);
       });
     }
     for (std::size_t k = 0; k < ratios.size(); ++k) {
@@ -272,7 +276,8 @@ struct MirrorLaw {
 }  // namespace
 
 bool Agreement::tells_gain() const {
-  return excess_deviation > 0.0 && std::abs(excess) > std::max({least_gain, sure_deviations * excess_deviation, excess_doubt});
+  return excess_deviation > 0.0 && ratio_without < just_noise &&
+         std::abs(excess) > std::max({least_gain, sure_deviations * excess_deviation, excess_doubt});
 }
 
 bool Agreement::contradicts() const {
@@ -344,7 +349,8 @@ ReciprocityMap reciprocity_map(const CheckedFile& file) {
   out.rms.assign(n, std::vector<double>(n, 0.0));
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = i + 1; j < n; ++j) {
-      if (const double square = size(at(i), at(j)); square > 0.0) out.rms[i][j] = out.rms[j][i] = std::sqrt(difference(at(i), at(j)) / square);
+      if (const double square = size(at(i), at(j)); square > 0.0)
+        out.rms[i][j] = out.rms[j][i] = std::sqrt(difference(at(i), at(j)) / square);
     }
   }
   return out;

@@ -9,31 +9,34 @@
 
 namespace jointid::ident {
 
-/// Squares of differences that should be noise, over what the noise of the files makes of them: χ² over its degrees of freedom, about 1
-/// when all is well, as the likelihood sees it with a joint that is free at every line.
+/// Squares of differences that should be noise, over what the noise of the files makes of them: χ² over its degrees of freedom,
+/// about 1 when all is well, as the likelihood sees it with a joint that is free at every line.
 struct Agreement {
-  double ratio = 0.0;    ///< mean over the lines
-  double freedom = 0.0;  ///< complex degrees of freedom of all lines; 0: nothing was tested
+  double ratio = 0.0;     ///< mean over the lines
+  double freedom = 0.0;   ///< complex degrees of freedom of all lines; 0: nothing was tested
   bool recorded = false;  ///< the files say how large their noise is
   Dofs rows, columns;
   Eigen::MatrixXd cells;        ///< [row, column] mean over the lines; NaN where nothing was tested
   std::vector<double> by_line;  ///< NaN for a line without a test
   std::vector<double> frequency_hz;
-  /// The FRF at one line that makes most of χ², and the share of χ² beyond the degrees of freedom that goes with its column and line.
+  /// The FRF at one line that makes most of χ², and the share of χ² beyond the degrees of freedom that goes with its column and
+  /// line.
   std::size_t worst_line = 0;
   Eigen::Index worst_row = 0, worst_column = 0;
   double worst_share = 0.0, worst_ratio = 0.0;
-  /// Of a span test: by which share all FRFs of the assembly would have to be larger, its standard deviation, and how much of it a wrong
-  /// law of the noise may make; 0 where that is not told.
+  /// Of a span test: by which share all FRFs of the assembly would have to be larger, its standard deviation, and how much of it
+  /// a wrong law of the noise may make; 0 where that is not told.
   double excess = 0.0, excess_deviation = 0.0, excess_doubt = 0.0;
+  double ratio_without = 0.0;  ///< what is left of `ratio` when it is put right
 
   /// Whether that is more than chance and the uncertainty of noise laws make.
   bool contradicts() const;
-  /// Whether the excess is beyond 0.3 %, six deviations and its doubt.
+  /// Whether the excess is beyond 0.3 %, six deviations and its doubt, and leaves no more than noise.
   bool tells_gain() const;
 };
 
-/// Of a span test: H_asm − H_sub − H_sub(R,J) F, with the forces F by least squares. No test unless the noise of both files is recorded.
+/// Of a span test: H_asm − H_sub − H_sub(R,J) F, with the forces F by least squares. No test unless the noise of both files is
+/// recorded.
 Agreement span_agreement(const SpanSetup& setup, const std::vector<CheckedFile>& files);
 
 /// H_ij − H_ji in a file; where its noise is not recorded, over a law that most of the lines follow.

@@ -13,14 +13,16 @@ namespace {
 using Files = std::vector<CheckedFile>;
 
 /// The references of an assembly file whose columns leave much.
-Dofs references_that_differ(const Files& files, std::size_t file, const std::vector<SpanSetup>& setups, const Screening& screening) {
+Dofs references_that_differ(const Files& files, std::size_t file, const std::vector<SpanSetup>& setups,
+                            const Screening& screening) {
   std::vector<double> levels(files[file].references.size(), 0.0);
   for (std::size_t s = 0; s < setups.size(); ++s) {
     if (setups[s].assembly != file || setups[s].transposed || screening.span[s].lines == 0) continue;
     std::vector<Eigen::Index> columns = setups[s].assembly_columns;
     columns.insert(columns.end(), setups[s].outer_columns.begin(), setups[s].outer_columns.end());
     const double level = screening.span[s].level;
-    for (std::size_t c = 0; c < columns.size(); ++c) levels[static_cast<std::size_t>(columns[c])] += level * level * screening.span[s].column[c];
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      levels[static_cast<std::size_t>(columns[c])] += level * level * screening.span[s].column[c];
   }
   std::vector<double> tested;
   Dofs dofs;
@@ -45,8 +47,8 @@ void put_back(CheckedFile& whole, const CheckedFile& part) {
 std::string remedy_for(const MistakeTrial& trial, const CheckedFile& file, const Dofs& references) {
   const std::string names = comma_list(references, [](const frf::Dof& dof) { return "\"" + dof.name() + "\""; });
   if (trial.kind == SuspectKind::sign && trial.dofs.empty()) return trial.remedy;
-  return "# of the references " + names + " alone: write them to a file of their own, and\n# there, in place of " + file.name + ":\n" +
-         trial.remedy;
+  return "# of the references " + names + " alone: write them to a file of their own, and\n# there, in place of " + file.name +
+         ":\n" + trial.remedy;
 }
 
 MistakeTrial in_group(MistakeTrial trial, const Files& files, const Dofs& references) {

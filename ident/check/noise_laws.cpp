@@ -29,7 +29,8 @@ std::optional<VarianceOrigin> recorded_origin(const Scene& scene, const frf::Frf
   if (header.noise == frf::NoiseRecord::none) return std::nullopt;
   try {
     const VarianceOrigin origin = variance_origin(scene, header);
-    const bool is_recorded = origin == VarianceOrigin::variance || origin == VarianceOrigin::repeats || origin == VarianceOrigin::coherence;
+    const bool is_recorded =
+        origin == VarianceOrigin::variance || origin == VarianceOrigin::repeats || origin == VarianceOrigin::coherence;
     return is_recorded ? std::optional(origin) : std::nullopt;
   } catch (const InputError&) {
     return std::nullopt;  // solve says so

@@ -11,7 +11,8 @@
 
 namespace jointid::ident {
 
-/// E|e|² of the errors e of each receptance H of a file, proportional·|H|² + constant·|c|² with |c|² the squared_factor() of the line.
+/// E|e|² of the errors e of each receptance H of a file, proportional·|H|² + constant·|c|² with |c|² the squared_factor() of the
+/// line.
 struct NoiseLaws {
   Eigen::MatrixXd proportional, constant;  ///< [R,C]; NaN where nothing is known
   bool recorded = false;                   ///< by the file; else told by H_ij − H_ji
@@ -26,12 +27,12 @@ struct NoiseSample {
   double error_square, square, factor;
 };
 
-/// E|e|² = first·|H|² + second·|c|² of samples whose scatter is in proportion to their expectation (quasi-likelihood of a Gamma law, iterated
-/// least squares), both ≥ 0; NaN of fewer than 3 samples.
+/// E|e|² = first·|H|² + second·|c|² of samples whose scatter is in proportion to their expectation (quasi-likelihood of a Gamma
+/// law, iterated least squares), both ≥ 0; NaN of fewer than 3 samples.
 std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& samples);
 
-/// By variances or coherences of the file at up to 32 of the lines, where the scene takes its variances from there. `values`: [line,R,C], the
-/// receptances. Null where the file knows nothing.
+/// By variances or coherences of the file at up to 32 of the lines, where the scene takes its variances from there. `values`:
+/// [line,R,C], the receptances. Null where the file knows nothing.
 std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std::vector<std::size_t>& source_lines,
                                                std::span<const Complex> values, const Scene& scene);
 

@@ -102,7 +102,8 @@ std::vector<std::size_t> upper_group(const std::vector<double>& levels) {
 std::vector<std::size_t> group_that_differs(const Eigen::MatrixXd& cells) {
   const auto n = static_cast<std::size_t>(cells.rows());
   if (n < 3 || n > most_coordinates) return {};
-  const Eigen::MatrixXd logs = cells.unaryExpr([](double cell) { return std::isfinite(cell) ? std::log(std::max(cell, 1e-12)) : cell; });
+  const Eigen::MatrixXd logs =
+      cells.unaryExpr([](double cell) { return std::isfinite(cell) ? std::log(std::max(cell, 1e-12)) : cell; });
   std::vector<bool> in = best_cut(logs);
   if (!(sharpen(logs, in) > least_contrast)) return {};
   const auto count = static_cast<std::size_t>(std::ranges::count(in, true));

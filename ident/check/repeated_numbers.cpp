@@ -48,7 +48,12 @@ bool are_same(const CheckedFile& file, Index r, Index c, Index other_r, Index ot
 }
 
 Suspect copied(const CheckedFile& file, Dofs dofs, const std::string& evidence) {
-  return {.kind = SuspectKind::copy, .file = file.name, .dofs = std::move(dofs), .evidence = evidence, .confidence = 0.95, .remedy = ""};
+  return {.kind = SuspectKind::copy,
+          .file = file.name,
+          .dofs = std::move(dofs),
+          .evidence = evidence,
+          .confidence = 0.95,
+          .remedy = ""};
 }
 
 bool is_equal_column(const CheckedFile& file, Index a, Index b) {
@@ -82,7 +87,8 @@ std::vector<std::pair<Index, Index>> candidates(const Eigen::MatrixXcd& line, In
   std::ranges::sort(sizes);
   std::vector<std::pair<Index, Index>> out;
   for (std::size_t k = 1; k < sizes.size(); ++k) {
-    if (sizes[k].first - sizes[k - 1].first <= same_share * sizes[k].first) out.push_back(std::minmax(sizes[k - 1].second, sizes[k].second));
+    if (sizes[k].first - sizes[k - 1].first <= same_share * sizes[k].first)
+      out.push_back(std::minmax(sizes[k - 1].second, sizes[k].second));
   }
   return out;
 }

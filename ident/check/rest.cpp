@@ -81,10 +81,11 @@ Suspect one_number(const CheckedFile& file, const frf::Dof& response, const frf:
   return {.kind = SuspectKind::outlier,
           .file = file.name,
           .dofs = {response, reference},
-          .evidence = fmt::format("one number: the {} of {} over {} at {:g} Hz has the size {}, {:.2g} times its standard error off what "
-                                  "the other FRFs and lines make of it",
-                                  frf::name(file.quantity), response.name(), reference.name(), file.frequency_hz[line],
-                                  value_text(file, response, reference, line), std::sqrt(ratio)),
+          .evidence =
+              fmt::format("one number: the {} of {} over {} at {:g} Hz has the size {}, {:.2g} times its standard error off what "
+                          "the other FRFs and lines make of it",
+                          frf::name(file.quantity), response.name(), reference.name(), file.frequency_hz[line],
+                          value_text(file, response, reference, line), std::sqrt(ratio)),
           .confidence = one_number_confidence,
           .remedy = fmt::format("[frequency]\nexclude = [[{0:g}, {0:g}]]", file.frequency_hz[line])};
 }
@@ -99,10 +100,12 @@ Suspect one_number_of_pair(const CheckedFile& file, const Agreement& test) {
 /// "mostly in the references …": a group, one coordinate, or the worst pair.
 std::string where_not_reciprocal(const CheckedFile& file, const Agreement& test, Dofs& group) {
   for (const std::size_t k : group_that_differs(test.cells)) group.push_back(test.rows[k]);
-  if (group.size() == 1) return "mostly in those of " + group.front().name() + ": look for hits beside the point, or a sensor on its side";
+  if (group.size() == 1)
+    return "mostly in those of " + group.front().name() + ": look for hits beside the point, or a sensor on its side";
   if (!group.empty()) {
     return "mostly in references " + group_text(group) +
-           " against the others. Each of the two groups agrees within itself: between them the structure changed (bolts, temperature, "
+           " against the others. Each of the two groups agrees within itself: between them the structure changed (bolts, "
+           "temperature, "
            "force level, another day), or points were renumbered";
   }
   Index i = 0, j = 0;
@@ -131,7 +134,8 @@ std::optional<Suspect> not_reciprocal(const CheckedFile& file, const Reciprocity
   const double rms = reciprocity_map(file).overall;
   Dofs group;
   std::string evidence = "H_ij and H_ji differ by " + percent(rms) + " rms (" + percent(screened.level) + " at most lines), ";
-  evidence += contradicts ? digits(std::sqrt(test.ratio)) + " times what noise makes of it, " : "where the noise is about " + percent(noise) + ", ";
+  evidence += contradicts ? digits(std::sqrt(test.ratio)) + " times what noise makes of it, "
+                          : "where the noise is about " + percent(noise) + ", ";
   if (test.freedom > 0.0) evidence += where_not_reciprocal(file, test, group);
   return Suspect{.kind = SuspectKind::not_reciprocal,
                  .file = file.name,
@@ -166,7 +170,8 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
   const bool turned = worst.setup->transposed;
   const auto named = [&](frf::Dof row, frf::Dof column) { return turned ? Dofs{column, row} : Dofs{row, column}; };
   if (is_one_number(test)) {
-    const Dofs dofs = named(test.rows[static_cast<std::size_t>(test.worst_row)], test.columns[static_cast<std::size_t>(test.worst_column)]);
+    const Dofs dofs =
+        named(test.rows[static_cast<std::size_t>(test.worst_row)], test.columns[static_cast<std::size_t>(test.worst_column)]);
     const bool in_part = jump(part, dofs[0], dofs[1], test.worst_line) > jump(assembly, dofs[0], dofs[1], test.worst_line);
     return one_number(in_part ? part : assembly, dofs[0], dofs[1], test.worst_line, test.worst_ratio);
   }
@@ -177,8 +182,8 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
           .dofs = dofs,
           .evidence = "the FRFs of " + assembly.name + " do not follow from those of " + part.name +
                       " by forces at the joint, whatever it is: they are off by " + digits(std::sqrt(test.ratio)) +
-                      " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") + "), most in the response " +
-                      dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test),
+                      " times what noise makes of it (χ² over degrees of freedom " + digits(test.ratio, "%.3g") +
+                      "), most in the response " + dofs[0].name() + " and the reference " + dofs[1].name() + band_of(test),
           .confidence = unexplained_confidence,
           .remedy = ""};
 }
@@ -201,14 +206,15 @@ std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup
     });
     const CheckedFile& file = files[of_all ? a : first->first->part];
     const double factor = of_all ? 1.0 + excess : 1.0 / (1.0 + excess);
-    found.push_back({.kind = SuspectKind::gain,
-                     .file = file.name,
-                     .dofs = {},
-                     .evidence = fmt::format("all FRFs of the file are off by the factor {:.4g} ± {:.2g}, as far as the parts and forces at "
-                                             "the joint tell; a few tenths of a percent are what calibrations leave",
-                                             1.0 / factor, first->second.excess_deviation),
-                     .confidence = 0.7,
-                     .remedy = remedy_in(file.name, fmt::format("gain = {:.5g}", factor))});
+    found.push_back(
+        {.kind = SuspectKind::gain,
+         .file = file.name,
+         .dofs = {},
+         .evidence = fmt::format("all FRFs of the file are off by the factor {:.4g} ± {:.2g}, as far as the parts and forces at "
+                                 "the joint tell; a few tenths of a percent are what calibrations leave",
+                                 1.0 / factor, first->second.excess_deviation),
+         .confidence = 0.7,
+         .remedy = remedy_in(file.name, fmt::format("gain = {:.5g}", factor))});
   }
   return found;
 }
@@ -227,14 +233,16 @@ void add_nonlinear(const Screening& screening, std::vector<Suspect>& found) {
   for (const SpanTest& span : screening.span) worst = std::max(worst, span.level);
   for (const ReciprocityTest& test : screening.reciprocity) mirror = std::max(mirror, test.level);
   if (!(worst > 0.35 && worst > 4.0 * mirror)) return;
-  found.push_back({.kind = SuspectKind::nonlinear,
-                   .file = "",
-                   .dofs = {},
-                   .evidence = "forces at the joint's coordinates leave " + percent(worst) +
-                               " of the assembly's FRFs, where H_ij and H_ji agree to " + percent(mirror) +
-                               ": parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
-                   .confidence = 0.5,
-                   .remedy = ""});
+  found.push_back(
+      {.kind = SuspectKind::nonlinear,
+       .file = "",
+       .dofs = {},
+       .evidence =
+           "forces at the joint's coordinates leave " + percent(worst) +
+           " of the assembly's FRFs, where H_ij and H_ji agree to " + percent(mirror) +
+           ": parts and assembly are not the same structures, the joint acts at other coordinates too, or it is not linear",
+       .confidence = 0.5,
+       .remedy = ""});
 }
 
 }  // namespace
@@ -273,9 +281,9 @@ std::vector<std::string> missing_points(const Files& files, const Dofs& joint) {
       if (!there) missing.push_back(dof);
     }
     if (missing.empty()) continue;
-    notes.push_back(file.name + " has no driving point FRF of the joint's " + comma_list(missing, [](const frf::Dof& dof) {
-                      return dof.name();
-                    }) + ": what forces there do to the part is not measured, and cannot be checked");
+    notes.push_back(file.name + " has no driving point FRF of the joint's " +
+                    comma_list(missing, [](const frf::Dof& dof) { return dof.name(); }) +
+                    ": what forces there do to the part is not measured, and cannot be checked");
   }
   return notes;
 }

@@ -132,13 +132,15 @@ TEST(missing_points, name_the_joint_dof_without_driving_point) {
   const ident::Dofs joint = {frf::Dof::parse("5:+Z"), frf::Dof::parse("6:+Z"), frf::Dof::parse("101:+Z")};
   EXPECT_THAT(ident::missing_points({part}, joint), testing::IsEmpty());
   for (Eigen::MatrixXcd& line : part.frfs) line(4, 4) = Complex(std::nan(""), 0.0);
-  EXPECT_THAT(ident::missing_points({part}, joint), testing::ElementsAre(HasSubstr("S.h5 has no driving point FRF of the joint's 5:+Z:")));
+  EXPECT_THAT(ident::missing_points({part}, joint),
+              testing::ElementsAre(HasSubstr("S.h5 has no driving point FRF of the joint's 5:+Z:")));
 }
 
 problems::Measurement hammered(const problems::Problem& problem, std::uint64_t seed) {
   const frf::NoiseModel noise{.kind = frf::NoiseKind::hammer, .coherence = 0.999, .reciprocal = false};
   problems::Measurement data;
-  for (std::size_t i = 0; i < problem.substructures.size(); ++i) data.substructures.push_back(frf::polluted(problem.substructures[i], noise, seed, 0, i));
+  for (std::size_t i = 0; i < problem.substructures.size(); ++i)
+    data.substructures.push_back(frf::polluted(problem.substructures[i], noise, seed, 0, i));
   data.assembly = frf::polluted(problem.assembly, noise, seed, 0, problem.substructures.size());
   return data;
 }
@@ -156,11 +158,14 @@ TEST(check, undoes_a_mistake_in_some_references_alone) {
   problems::Measurement data = hammered(problem, 1);
   frf::FrfSet& set = data.assembly;
   const std::size_t first = set.header.reference.size() / 2;
-  change_columns(set, first, [&](std::size_t l, std::size_t c) { std::swap(set.values[set.index(l, 0, c)], set.values[set.index(l, 2, c)]); });
+  change_columns(set, first, [&](std::size_t l, std::size_t c) {
+    std::swap(set.values[set.index(l, 0, c)], set.values[set.index(l, 2, c)]);
+  });
   const ident::CheckResult result = problems::check(problems::scene(problem), data);
   ASSERT_FALSE(result.suspects.empty());
   EXPECT_EQ(result.suspects[0].kind, SuspectKind::swap);
-  EXPECT_TRUE(frf::has(result.suspects[0].dofs, set.header.response[0]) && frf::has(result.suspects[0].dofs, set.header.response[2]));
+  EXPECT_TRUE(frf::has(result.suspects[0].dofs, set.header.response[0]) &&
+              frf::has(result.suspects[0].dofs, set.header.response[2]));
   EXPECT_THAT(result.suspects[0].evidence, HasSubstr("for the references "));
   EXPECT_THAT(result.suspects[0].remedy, HasSubstr("\"" + set.header.reference.back().name() + "\""));
 }
