@@ -66,7 +66,7 @@ frf::FrfSet computed(const Structure& of, const Measurement& at) {
   return set;
 }
 
-ModalFit fitted(const frf::FrfSet& set, const FitOptions& options = {}) {
+ModalFit fit_of(const frf::FrfSet& set, const FitOptions& options = {}) {
   Band band = make_band(set, options.range_hz);
   return fit(band, set.header, options);
 }
@@ -98,13 +98,13 @@ void expect_exact(const ModalFit& found, const Structure& of, std::size_t first 
 TEST(Exact, OneModeInEveryQuantity) {
   const Structure one = structure({50.0}, {0.02}, 1);
   for (const auto quantity : {frf::Quantity::receptance, frf::Quantity::mobility, frf::Quantity::accelerance}) {
-    expect_exact(fitted(computed(one, {.first_hz = 1.0, .last_hz = 100.0, .step_hz = 1.0, .quantity = quantity})), one);
+    expect_exact(fit_of(computed(one, {.first_hz = 1.0, .last_hz = 100.0, .step_hz = 1.0, .quantity = quantity})), one);
   }
 }
 
 TEST(Exact, SixModesInEveryShapeOfMatrix) {
   for (const auto& [responses, references] : {std::pair{1, 1}, {6, 1}, {1, 6}, {3, 3}}) {
-    expect_exact(fitted(computed(six(), {.responses = static_cast<std::size_t>(responses),
+    expect_exact(fit_of(computed(six(), {.responses = static_cast<std::size_t>(responses),
                                          .references = static_cast<std::size_t>(references), .step_hz = 1.0})),
                  six());
   }
@@ -114,7 +114,7 @@ TEST(Exact, EveryFamilyOfModels) {
   for (const Damping law : {Damping::viscous, Damping::hysteretic}) {
     for (const bool real : {true, false}) {
       const frf::FrfSet set = computed(six(), {.responses = 6, .references = 1, .step_hz = 2.0, .law = law});
-      expect_exact(fitted(set, {.kind = {law, real}}), six());
+      expect_exact(fit_of(set, {.kind = {law, real}}), six());
     }
   }
 }
@@ -123,13 +123,13 @@ TEST(Exact, EveryFamilyOfModels) {
 TEST(Exact, TwoModesWithinABandwidthStayTwo) {
   const Structure close = structure({100.0, 100.3, 150.0}, {0.01, 0.012, 0.008}, 6);
   for (const std::size_t references : {1u, 3u}) {
-    expect_exact(fitted(computed(close, {.responses = 6, .references = references, .last_hz = 200.0})), close);
+    expect_exact(fit_of(computed(close, {.responses = 6, .references = references, .last_hz = 200.0})), close);
   }
 }
 
 /// Modes below and above the range, one of two near ones inside to be split.
 TEST(Exact, ModesOutsideTheRangeAreFoundToo) {
-  const ModalFit found = fitted(computed(six(), {.responses = 8, .references = 2, .first_hz = 120.0, .last_hz = 500.0, .step_hz = 1.0}));
+  const ModalFit found = fit_of(computed(six(), {.responses = 8, .references = 2, .first_hz = 120.0, .last_hz = 500.0, .step_hz = 1.0}));
   expect_exact(found, six(), 1, 1);
 }
 
@@ -137,13 +137,13 @@ TEST(Exact, ModesOutsideTheRangeAreFoundToo) {
 TEST(Exact, AModeOfLessThanADecibelStays) {
   Structure weak = six();
   for (double& component : weak.shape[3]) component *= 0.1;
-  expect_exact(fitted(computed(weak, {.responses = 3, .step_hz = 1.0})), weak);
+  expect_exact(fit_of(computed(weak, {.responses = 3, .step_hz = 1.0})), weak);
 }
 
 TEST(Exact, LightAndHeavyDamping) {
   const Structure light = structure({40.0, 112.0, 152.3}, {1e-4, 1e-4, 1.2e-4}, 3), heavy = structure({40.0, 112.0, 230.0}, {0.1, 0.08, 0.05}, 3);
-  expect_exact(fitted(computed(light, {.responses = 3, .first_hz = 20.0, .last_hz = 180.0, .step_hz = 0.1})), light);
-  expect_exact(fitted(computed(heavy, {.responses = 3, .first_hz = 1.0, .last_hz = 300.0, .step_hz = 1.0})), heavy);
+  expect_exact(fit_of(computed(light, {.responses = 3, .first_hz = 20.0, .last_hz = 180.0, .step_hz = 0.1})), light);
+  expect_exact(fit_of(computed(heavy, {.responses = 3, .first_hz = 1.0, .last_hz = 300.0, .step_hz = 1.0})), heavy);
 }
 
 /// The digits of single precision are noise of their size.
@@ -152,20 +152,20 @@ TEST(Exact, DigitsOfSinglePrecisionAreTheFloor) {
     return Complex(static_cast<float>(value.real()), static_cast<float>(value.imag()));
   });
   set.header.precision = 0x1p-24;
-  const ModalFit found = fitted(set);
+  const ModalFit found = fit_of(set);
   ASSERT_EQ(found.status, FitStatus::ok) << found.message;
   ASSERT_EQ(found.modes_inside(), 6u);
   for (std::size_t r = 0; r < 6; ++r) EXPECT_NEAR(found.modes[r].pole.frequency_hz / six().frequency_hz[r], 1.0, 1e-8);
 }
 
 TEST(Exact, ALawOfDampingThatFitsBetterIsNamed) {
-  const ModalFit found = fitted(computed(six(), {.responses = 4, .references = 1, .step_hz = 1.0, .law = Damping::hysteretic}));
+  const ModalFit found = fit_of(computed(six(), {.responses = 4, .references = 1, .step_hz = 1.0, .law = Damping::hysteretic}));
   EXPECT_THAT(found.remarks, testing::Contains(HasSubstr("--damping hysteretic")));
 }
 
 TEST(Size, PolesAndModelsAreThoseOfAnyPowerOfTwo) {
   const frf::FrfSet set = computed(six(), {.responses = 3, .references = 1, .step_hz = 2.0, .quantity = frf::Quantity::mobility});
-  const ModalFit one = fitted(set);
+  const ModalFit one = fit_of(set);
   ASSERT_EQ(one.modes_inside(), 6u);
   for (const int power : {-660, -31, 77, 660}) {
     const frf::FrfSet other = changed(set, [&](Complex value) { return value * std::ldexp(1.0, power); });
@@ -188,7 +188,7 @@ TEST(Size, AnFrfOfNextToNothingIsLeftOut) {
   frf::FrfSet set = computed(six(), {.responses = 3, .references = 2, .step_hz = 1.0});
   for (const double tiny : {1e-160, 1e-320, 0.0}) {
     for (std::size_t i = 0; i < set.header.lines(); ++i) set.values[set.index(i, 0, 0)] = {tiny, tiny};
-    const ModalFit found = fitted(set);
+    const ModalFit found = fit_of(set);
     expect_exact(found, six());
     EXPECT_EQ(found.residues.freedom[0], 0.0);
   }
@@ -197,21 +197,21 @@ TEST(Size, AnFrfOfNextToNothingIsLeftOut) {
 TEST(Size, WhatIsNoNumberOfMetresIsRefused) {
   const frf::FrfSet set = computed(six(), {.step_hz = 1.0});
   for (const double factor : {1e-310, 0.0}) {
-    EXPECT_THROW(fitted(changed(set, [&](Complex value) { return value * factor; })), InputError) << factor;
+    EXPECT_THROW(fit_of(changed(set, [&](Complex value) { return value * factor; })), InputError) << factor;
   }
-  EXPECT_THROW(fitted(changed(set, [](Complex) { return Complex(nan, nan); })), InputError);
+  EXPECT_THROW(fit_of(changed(set, [](Complex) { return Complex(nan, nan); })), InputError);
 }
 
 TEST(Looks, ConjugatedIsSaid) {
   const frf::FrfSet set = computed(six(), {.responses = 4, .references = 1, .step_hz = 1.0});
-  const ModalFit found = fitted(changed(set, [](Complex value) { return std::conj(value); }));
+  const ModalFit found = fit_of(changed(set, [](Complex value) { return std::conj(value); }));
   EXPECT_FALSE(is_usable(found.status));
   EXPECT_THAT(found.message, HasSubstr("look conjugated"));
 }
 
 TEST(Looks, ForceOverMotionIsSaid) {
   const frf::FrfSet one = computed(structure({50.0}, {0.02}, 1), {.first_hz = 1.0, .last_hz = 100.0, .step_hz = 1.0});
-  const ModalFit found = fitted(changed(one, [](Complex value) { return 1.0 / value; }));
+  const ModalFit found = fit_of(changed(one, [](Complex value) { return 1.0 / value; }));
   EXPECT_FALSE(is_usable(found.status));
   EXPECT_THAT(found.message, HasSubstr("look inverted"));
 }
@@ -221,11 +221,11 @@ TEST(Looks, RealFrfsAreNeverOk) {
   const auto real = [](Complex value) { return Complex(value.real()); };
   const auto modulus = [](Complex value) { return Complex(std::abs(value)); };
   const auto decibel = [](Complex value) { return Complex(20.0 * std::log10(std::abs(value))); };
-  for (const ModalFit& found : {fitted(changed(set, real)), fitted(changed(set, modulus)), fitted(changed(set, decibel))}) {
+  for (const ModalFit& found : {fit_of(changed(set, real)), fit_of(changed(set, modulus)), fit_of(changed(set, decibel))}) {
     EXPECT_FALSE(is_usable(found.status)) << name(found.status);
     EXPECT_THAT(found.message, HasSubstr("real throughout"));
   }
-  const ModalFit imaginary = fitted(changed(set, [](Complex value) { return Complex(0.0, value.imag()); }));
+  const ModalFit imaginary = fit_of(changed(set, [](Complex value) { return Complex(0.0, value.imag()); }));
   EXPECT_FALSE(is_usable(imaginary.status));
   EXPECT_THAT(imaginary.message, HasSubstr("imaginary throughout"));
 }
@@ -233,7 +233,7 @@ TEST(Looks, RealFrfsAreNeverOk) {
 /// Without damping frequencies are right, and damping is said not to be there.
 TEST(Looks, AModelWithoutDampingIsDoubtful) {
   const Structure undamped = structure({7.08, 19.85, 28.68}, {0.0, 0.0, 0.0}, 3);
-  const ModalFit found = fitted(computed(undamped, {.responses = 3, .references = 3, .first_hz = 0.5, .last_hz = 50.0, .step_hz = 0.25}));
+  const ModalFit found = fit_of(computed(undamped, {.responses = 3, .references = 3, .first_hz = 0.5, .last_hz = 50.0, .step_hz = 0.25}));
   EXPECT_EQ(found.status, FitStatus::doubtful);
   EXPECT_THAT(found.message, HasSubstr("without damping"));
   ASSERT_EQ(found.modes_inside(), 3u);
