@@ -11,7 +11,7 @@ namespace jointid::ident {
 namespace {
 
 constexpr double telling = 4.5;     ///< standard deviations
-constexpr double dependent = 1e-6;  ///< of the information on a gain: what the others leave of it
+constexpr double least_left = 1e-6;  ///< of the information on a gain: what the others leave of it
 
 }  // namespace
 
@@ -33,7 +33,7 @@ std::vector<FileGain> file_gains(const ErrorTrials& trials, const Scores& scores
     const double all = scores.information(first + f, first + f), left = all - cross.col(f).dot(solved.col(f));
     const auto file = static_cast<std::size_t>(f);
     FileGain of{.file = file < trials.files.size() ? trials.files[file] : FileTrial{}, .answer = -solved.col(f)};
-    if (left > dependent * all) {
+    if (left > least_left * all) {
       const double gradient = scores.gradient[first + f] - cross.col(f).dot(solved.col(count));
       of.error = inflation / std::sqrt(left);
       of.gain = gradient / left;
