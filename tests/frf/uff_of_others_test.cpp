@@ -67,7 +67,7 @@ FrfSet read(const std::string& bytes, const OpenOptions& options = {}) {
 }
 
 /// Of errors in use and in data.
-std::string refusal(const std::string& bytes, const OpenOptions& options = {}) {
+std::string refusal_of(const std::string& bytes, const OpenOptions& options = {}) {
   try {
     read(bytes, options);
   } catch (const InputError& error) {
@@ -109,20 +109,20 @@ TEST(UffOfOthers, UnitLabelsAsAnalysersWriteThem) {
 }
 
 TEST(UffOfOthers, LabelsThatAreNotUnderstoodAreNamedWithTheirPlaceAndARemedy) {
-  EXPECT_THAT(refusal(accelerance(1.0, "V", "V").str()),
+  EXPECT_THAT(refusal_of(accelerance(1.0, "V", "V").str()),
               AllOf(HasSubstr("sample.uff: dataset 58 number 1, record 9 (byte 7): unknown unit 'V': V is a voltage"),
                     HasSubstr("unit = "), HasSubstr("[data.files.\"NAME\"]"), HasSubstr("--unit")));
-  EXPECT_THAT(refusal(accelerance(1.0, "m/s^2", "counts").str()), HasSubstr("record 10 (byte 7): unknown unit 'counts'"));
-  EXPECT_THAT(refusal(accelerance(1.0, "dB", "NONE").str()), HasSubstr("dB is a level in decibels"));
-  EXPECT_THAT(refusal(accelerance(1.0, "m/s?", "N").str()), HasSubstr("did you mean 'm/s^2'?"));
-  EXPECT_THAT(refusal(accelerance(1.0, "m/s^2", "m").str()), HasSubstr("record 10 (byte 7): unit 'm' is not one of a force"));
-  EXPECT_THAT(refusal(accelerance(1.0, "kg", "N").str()),
+  EXPECT_THAT(refusal_of(accelerance(1.0, "m/s^2", "counts").str()), HasSubstr("record 10 (byte 7): unknown unit 'counts'"));
+  EXPECT_THAT(refusal_of(accelerance(1.0, "dB", "NONE").str()), HasSubstr("dB is a level in decibels"));
+  EXPECT_THAT(refusal_of(accelerance(1.0, "m/s?", "N").str()), HasSubstr("did you mean 'm/s^2'?"));
+  EXPECT_THAT(refusal_of(accelerance(1.0, "m/s^2", "m").str()), HasSubstr("record 10 (byte 7): unit 'm' is not one of a force"));
+  EXPECT_THAT(refusal_of(accelerance(1.0, "kg", "N").str()),
               HasSubstr("unit 'kg' is not one of a translation, its velocity or acceleration"));
-  EXPECT_THAT(refusal(accelerance(1.0, "g rms", "N pk").str()), HasSubstr("it mixes rms values and peaks"));
-  EXPECT_THAT(refusal(accelerance(1.0, "MM/S^2", "MN").str()), HasSubstr("MN may be MN or mN where case was lost"));
+  EXPECT_THAT(refusal_of(accelerance(1.0, "g rms", "N pk").str()), HasSubstr("it mixes rms values and peaks"));
+  EXPECT_THAT(refusal_of(accelerance(1.0, "MM/S^2", "MN").str()), HasSubstr("MN may be MN or mN where case was lost"));
   expect_right(read(accelerance(gravity / pound, "V", "V").str(), said("g/lbf")));
-  EXPECT_THAT(refusal(accelerance().str(), said("g")), HasSubstr("the unit 'g' that is given is not one of 1:+Z over 1:+Z"));
-  EXPECT_THAT(refusal(accelerance().str(), said("m/N")), HasSubstr("data type 12 makes it accelerance"));
+  EXPECT_THAT(refusal_of(accelerance().str(), said("g")), HasSubstr("the unit 'g' that is given is not one of 1:+Z over 1:+Z"));
+  EXPECT_THAT(refusal_of(accelerance().str(), said("m/N")), HasSubstr("data type 12 makes it accelerance"));
 }
 
 TEST(UffOfOthers, TheForceKeepsItsLabelWhereTheUserSaysTheQuantity) {
@@ -130,7 +130,7 @@ TEST(UffOfOthers, TheForceKeepsItsLabelWhereTheUserSaysTheQuantity) {
   mobility.numerator_type = 11;
   expect_right(read(mobility.str(), said("", Quantity::accelerance)));
   mobility.numerator_unit = "mm/s";  // in what are the numbers?
-  EXPECT_THAT(refusal(mobility.str(), said("", Quantity::accelerance)),
+  EXPECT_THAT(refusal_of(mobility.str(), said("", Quantity::accelerance)),
               HasSubstr("its unit 'mm/s' is one of mobility, and accelerance is given"));
   Record general = accelerance(gravity, "g", "N");
   general.numerator_type = general.denominator_type = 1;
@@ -147,7 +147,7 @@ TEST(UffOfOthers, FrequenciesInOtherUnits) {
   }
   Record record = accelerance();
   record.abscissa_unit = "order";
-  EXPECT_THAT(refusal(record.str()), HasSubstr("record 8 (byte 7): 'order' is no unit of frequency that is known"));
+  EXPECT_THAT(refusal_of(record.str()), HasSubstr("record 8 (byte 7): 'order' is no unit of frequency that is known"));
 }
 
 TEST(UffOfOthers, FieldsPaddedByBytes) {
@@ -176,9 +176,9 @@ TEST(UffOfOthers, EndOfFileBytesAndMarks) {
     expect_right(read(bytes));
   EXPECT_EQ(read(text + "\x1A" + at_node(accelerance(), 2).str()).header.response.size(), 2U);  // joined by the system
   EXPECT_EQ(read(text + "\xEF\xBB\xBF" + at_node(accelerance(), 2).str()).header.response.size(), 2U);
-  const std::string message = refusal(text + "junk\n\x1B[31m\x01");
+  const std::string message = refusal_of(text + "junk\n\x1B[31m\x01");
   EXPECT_THAT(message, AllOf(HasSubstr("'junk' stands here"), HasSubstr("export it again")));
-  EXPECT_EQ(refusal(text + "\x1B[31m\x01\n").find_first_of("\x1B\x01\n"), std::string::npos);
+  EXPECT_EQ(refusal_of(text + "\x1B[31m\x01\n").find_first_of("\x1B\x01\n"), std::string::npos);
 }
 
 TEST(UffOfOthers, ValuesThatAreNoNumbersAreNotMeasured) {
@@ -192,7 +192,7 @@ TEST(UffOfOthers, ValuesThatAreNoNumbersAreNotMeasured) {
   }
   Record infinite = accelerance();
   infinite.data.replace(0, 20, "             1.#INF0");
-  EXPECT_THAT(refusal(infinite.str()), HasSubstr("a value is infinite, at 10 Hz"));
+  EXPECT_THAT(refusal_of(infinite.str()), HasSubstr("a value is infinite, at 10 Hz"));
   infinite.first = 0.0;  // divided by ω²
   EXPECT_TRUE(std::isnan(read(infinite.str()).values[0].real()));
 }
@@ -201,7 +201,7 @@ TEST(UffOfOthers, RealFrfsHaveNoPhases) {
   Record real = accelerance();
   real.data_type = 4;
   real.data = coherence(1).data;
-  EXPECT_THAT(refusal(real.str()),
+  EXPECT_THAT(refusal_of(real.str()),
               AllOf(HasSubstr("record 7"), HasSubstr("the FRF is real (ordinate type 4): it has no phases")));
 }
 
@@ -217,7 +217,7 @@ TEST(UffOfOthers, OtherFrfsAreLeftOutAndNamed) {
   EXPECT_THAT(set.header.doubts,
               ElementsAre(AllOf(HasSubstr("3 FRFs are left out, as they are no motions over forces: 2:+Z/1:+Z (pressure / "
                                           "excitation force, Pa), 3:+Z/1:+Z (general / excitation force, uE), 4:+Z/1:+Z"))));
-  EXPECT_THAT(refusal(microphone.str()), HasSubstr("an FRF of data type 15 over 13 is not displacement"));
+  EXPECT_THAT(refusal_of(microphone.str()), HasSubstr("an FRF of data type 15 over 13 is not displacement"));
 }
 
 TEST(UffOfOthers, CoherencesThatAreNotUsedAreNamed) {
@@ -259,10 +259,10 @@ TEST(UffOfOthers, DofsThatTheFileDoesNotHaveAreGiven) {
               ElementsAre(Dof::parse("4:+Y"), Dof::parse("5:-Y")));
   const std::string same = nameless("NONE").str() + nameless("NONE").str();
   EXPECT_THAT(read(same, named({"4:+Y", "5:-Y"}, {"1:+X"})).header.response, ElementsAre(Dof::parse("4:+Y"), Dof::parse("5:-Y")));
-  EXPECT_THAT(refusal(same, named({"4:+Y", "5:-Y"}, {"1:+X", "2:+X"})), HasSubstr("nothing says which is which"));
-  EXPECT_THAT(refusal(several, named({"4:+Y"}, {"1:+X"})),
+  EXPECT_THAT(refusal_of(same, named({"4:+Y", "5:-Y"}, {"1:+X", "2:+X"})), HasSubstr("nothing says which is which"));
+  EXPECT_THAT(refusal_of(several, named({"4:+Y"}, {"1:+X"})),
               HasSubstr("1 responses are given, and its records without a direction have 2: 'A', 'B'"));
-  EXPECT_THAT(refusal(nameless("Pt1Z-").str()),
+  EXPECT_THAT(refusal_of(nameless("Pt1Z-").str()),
               AllOf(HasSubstr("its name is 'Pt1Z-'"),
                     HasSubstr("--response 1:-Z --reference 1:+X (dofs and reference_dofs in a scene)")));
   Record with_coherence = coherence(0);
@@ -274,13 +274,13 @@ TEST(UffOfOthers, DofsThatTheFileDoesNotHaveAreGiven) {
 
 TEST(UffOfOthers, OptionsThatDoNotApplyAreErrors) {
   EXPECT_THAT(
-      refusal(accelerance().str(), named({"9:+Y"}, {"8:+X"})),
+      refusal_of(accelerance().str(), named({"9:+Y"}, {"8:+X"})),
       AllOf(HasSubstr("its responses are given (--response, or dofs in a scene), and its records name their own, 1:+Z first"),
             HasSubstr("rename")));
-  EXPECT_THAT(refusal(accelerance().str(), named({}, {"8:+X"})), HasSubstr("its references are given"));
+  EXPECT_THAT(refusal_of(accelerance().str(), named({}, {"8:+X"})), HasSubstr("its references are given"));
   expect_right(read(accelerance().str(), named({"1:+Z"}, {"1:+Z"})));  // no contradiction
   const std::string table = "# quantity = receptance\nfrequency_hz, 1:Y/1:Y re, 1:Y/1:Y im\n10, 1, 0\n";
-  EXPECT_THAT(refusal(table, said("g/lbf")),
+  EXPECT_THAT(refusal_of(table, said("g/lbf")),
               HasSubstr("the unit 'g/lbf' is given, and a file of format CSV has a place of its own for it"));
 }
 
@@ -354,7 +354,7 @@ TEST(UffOfOthers, SystemsThatAreNotDescribedAreNeverTheGlobalOne) {
   EXPECT_FALSE(first_node(dataset18(1, 0, {0, 0, 0, 1, 0, 0, 0, 0, 1}) + node15(1, 0, 1)).axes);  // the global one
   EXPECT_FALSE(
       first_node(dataset18(7, 1, {0, 0, 0, 1, 0, 0, 0, 0, 1}) + node15(1, 0, 7)).axes);  // 1 is global where nothing else is 1
-  EXPECT_THAT(refusal(dataset18(1, 0, {0, 0, 0, 1, 0, 0, 2, 0, 0}) + node15(1, 0, 1) + accelerance().str()),
+  EXPECT_THAT(refusal_of(dataset18(1, 0, {0, 0, 0, 1, 0, 0, 2, 0, 0}) + node15(1, 0, 1) + accelerance().str()),
               HasSubstr("do not say a plane"));
 }
 

@@ -89,8 +89,11 @@ TEST_F(MeasuredModes, SisoFrf) {
   const auto path = file("siso-coherence/case1.mat");
   if (!std::filesystem::exists(path)) JOINTID_SKIP(path << " is missing: no external data");
   const frf::Dof dof = frf::Dof::parse("1:+Z");
-  const frf::FrfSet set = frf::load(
-      *frf::open(path, {.quantity = frf::Quantity::accelerance, .response = {dof}, .reference = {dof}, .variable = "Hf_chan_2"}));
+  frf::OpenOptions options;
+  options.quantity = frf::Quantity::accelerance;
+  options.response = options.reference = {dof};
+  options.variable = "Hf_chan_2";
+  const frf::FrfSet set = frf::load(*frf::open(path, options));
   for (const std::array range : {std::array{190.0, 235.0}, std::array{100.0, 300.0}}) {
     Band band = make_band(set, range);
     const ModalFit found = fit(band, set.header, {});
