@@ -27,9 +27,9 @@ frf::JournalKey key_of(const frf::TableHeader& header) {
   frf::JournalKey key;
   for (const auto& [name, called] : named_texts) key.push_back({called, text_of(header, name)});
   std::string others;
-  for (const auto& [name, text] : header.texts) {
-    const bool named = std::ranges::any_of(named_texts, [&](const auto& of) { return name == of.first; });
-    if (!named) others += name + "=" + text + "\n";
+  for (const auto& text : header.texts) {
+    const bool named = std::ranges::any_of(named_texts, [&](const auto& of) { return text.first == of.first; });
+    if (!named) others += text.first + "=" + text.second + "\n";
   }
   for (const frf::TableColumn& column : header.columns) others += column.name + "\n";
   key.push_back({"set of unknowns", others});

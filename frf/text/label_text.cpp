@@ -90,7 +90,8 @@ std::string_view without_brackets(std::string_view label) {
 std::string utf8_label(std::string_view label) {
   if (is_utf8(label)) return std::string(label);
   std::string text;
-  for (const unsigned char c : label) {
+  for (const char each : label) {
+    const auto c = static_cast<unsigned char>(each);
     if (c >= 0x80) text += static_cast<char>(0xC0 | (c >> 6));
     text += static_cast<char>(c < 0x80 ? c : 0x80 | (c & 0x3F));
   }

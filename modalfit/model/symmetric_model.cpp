@@ -26,8 +26,7 @@ std::vector<frf::Dof> coordinates(const ModalFit& fit) {
     }
   }
   std::ranges::sort(dofs, {}, frf::coordinate_key);
-  const auto repeated = std::ranges::unique(dofs);
-  dofs.erase(repeated.begin(), repeated.end());
+  dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
   return dofs;
 }
 

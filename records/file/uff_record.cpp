@@ -102,7 +102,7 @@ void add(frf::uff::ByteFile& file, const Chosen& chosen, const RecordOptions& op
   const auto [kind, to_si] = scale_of(file.name(), chosen, dof, options.unit_otherwise);
   const frf::uff::Points points = frf::uff::read_points(file, found.dataset);
   Channel channel{found.name, dof, kind, std::vector<double>(points.values.size())};
-  std::ranges::transform(points.values, channel.samples.begin(), [&](Complex value) { return to_si * value.real(); });
+  std::ranges::transform(points.values, channel.samples.begin(), [factor = to_si](Complex value) { return factor * value.real(); });
   const UffChannel::Times times = found.times(file.name(), points.abscissa, options.rate_hz);
   if (!times.rate_hz)
     found.dataset.place.fail("record 7", "states no step of the abscissa",
