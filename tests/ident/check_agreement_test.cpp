@@ -102,6 +102,15 @@ TEST(check, names_references_and_frfs_that_are_copies) {
   EXPECT_TRUE(ident::find_copied_columns(structure(0.0, 1)).empty());
 }
 
+TEST(check, takes_frfs_without_noise_that_symmetry_makes_equal_for_no_copies) {
+  CheckedFile file = structure(0.0, 1);
+  for (Eigen::MatrixXcd& line : file.frfs) {
+    line = (line + line.transpose()).eval();
+    line(3, 2) = line(2, 3) = line(0, 2) = line(2, 0);
+  }
+  EXPECT_TRUE(ident::find_copied_columns(file).empty());
+}
+
 TEST(noise_law, is_found_from_variances_that_scatter) {
   std::mt19937_64 generator(4);
   std::gamma_distribution<double> gamma(4.0, 0.25);

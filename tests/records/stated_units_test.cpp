@@ -239,7 +239,9 @@ struct Uff {
 const Uff force_n{.node = 1, .type = 13, .unit = "N"}, motion_si{.node = 2};
 
 TEST_F(StatedUnits, LabelsOfUffRecords) {
-  const auto [force, motion] = record_of();
+  const auto record = record_of();
+  const std::vector<double>& force = record.first;
+  const std::vector<double>& motion = record.second;
   const auto scaled = [](std::vector<double> values, double by) {
     for (double& value : values) value *= by;
     return values;
