@@ -40,8 +40,8 @@ struct Blown {
 
 /// Response r repeats the shapes of r mod 3.
 Record blow(const Blown& how, std::uint64_t seed, std::uint64_t number) {
-  Record record{"simulated", rate_hz, {{"F", frf::Dof::parse("1:+Z"), ChannelKind::force, std::vector<double>(how.samples)}}};
-  std::vector<double>& force = record.channels[0].samples;
+  Record record{"simulated", rate_hz, {{"F", frf::Dof::parse("1:+Z"), ChannelKind::force, {}}}};
+  std::vector<double> force(how.samples);
   for (std::size_t t = 0; t < 3; ++t) force[t + 8] = 100.0 * std::sin(std::numbers::pi * (static_cast<double>(t) + 1.0) / 4.0);
   for (std::size_t r = 0; r < how.responses; ++r) {
     std::vector<double> motion(how.samples);
@@ -60,6 +60,7 @@ Record blow(const Blown& how, std::uint64_t seed, std::uint64_t number) {
                                std::move(motion)});
   }
   for (std::size_t t = 0; t < how.samples; ++t) force[t] += how.hammer * normal_numbers({seed, number, 0}, t)[0];
+  record.channels[0].samples = std::move(force);
   return record;
 }
 

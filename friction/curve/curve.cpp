@@ -88,6 +88,8 @@ void validate(const Curve& curve) {
   require(finite(curve.u) && finite(curve.value) && finite(curve.damping), curve, "a number is not finite");
   require(is_within(curve.u) && is_within(curve.value) && is_within(curve.damping), curve, "a number is above 1e30");
   require(!is_series(curve) || std::ranges::all_of(curve.u, [](double u) { return u > 0.0; }), curve, "an amplitude is not positive");
+  require(!is_series(curve) || std::ranges::all_of(curve.u, [](double u) { return u > 1.0 / largest_number; }), curve,
+          "an amplitude is below 1e-30");
   require(curve.kind != CurveKind::loop || (curve.turn > 0 && curve.turn + 1 < curve.u.size()), curve, "a loop has no two branches");
   require(curve.largest_displacement() > 0.0, curve, "there is no displacement");
   require(curve.largest_displacement() > 1.0 / largest_number, curve, "no displacement is above 1e-30");

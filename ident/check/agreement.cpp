@@ -91,7 +91,8 @@ class Sums {
       out_.excess_deviation = excess_.scatter() / excess_.square();
       const double ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 1.0;
       out_.ratio_without = ratio - std::pow(out_.excess, 2) * column_freedom_ * excess_.square() / std::max(out_.freedom, 1.0);
-      out_.excess_doubt = (unsure_noise + std::max(0.0, out_.ratio_without - 1.0)) * bias_ / excess_.square();
+      // Below 1 it is where responses share errors, those of the hammer: they leave less than the bias that is taken off.
+      out_.excess_doubt = (unsure_noise + std::abs(out_.ratio_without - 1.0)) * bias_ / excess_.square();
     }
     out_.recorded = recorded;
     out_.ratio = out_.freedom > 0.0 ? square_ / out_.freedom : 0.0;

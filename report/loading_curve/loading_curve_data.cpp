@@ -153,15 +153,15 @@ class Reader {
   }
 
   Record record_of(const frf::Columns& columns) const {
+    const frf::NumberColumn& motions = task_.velocity ? velocity_column(columns) : displacement_column(columns);
     const Wanted force{"--force", "a force", task_.force, {"force", "friction", "tangential", "torque", "moment", "f"}, {"normal"}};
     const frf::NumberColumn& forces = chosen(columns, force);
-    require_different(columns, task_.velocity ? velocity_column(columns) : displacement_column(columns), "displacement", forces,
-                      "force");
+    require_different(columns, motions, "displacement", forces, "force");
     if (task_.velocity) require_different(columns, time_column(columns), "time", forces, "force");
     Record record{task_.velocity ? integrated_velocity(columns) : displacement(columns),
                   si_values(columns, forces, {"--force-unit", task_.force_unit, "uN"}, load)};
     require_measurable(columns, forces, record.force);
-    require_measurable(columns, task_.velocity ? velocity_column(columns) : displacement_column(columns), record.displacement);
+    require_measurable(columns, motions, record.displacement);
     if (record.displacement.size() != record.force.size()) {
       throw InputError({ErrorKind::data, columns.file, "",
                         fmt::format("{} displacements and {} forces", record.displacement.size(), record.force.size()),

@@ -25,7 +25,7 @@ TEST(Failure, InputErrorsKeepTheirMessageAndChooseTheCode) {
 }
 
 TEST(Failure, TheLineIsOneLine) {
-  EXPECT_EQ(of(InputError({ErrorKind::usage, "", "", "two\nlines", ""})).line, "two lines");
+  EXPECT_EQ(of(InputError({ErrorKind::usage, "", "", "two\nlines", ""})).line, "two\\nlines");
 }
 
 TEST(Failure, LackOfMemoryNamesARemedy) {

@@ -141,17 +141,22 @@ TEST(InterruptedCommand, AConversionLeavesNoTemporaryFile) {
   EXPECT_EQ(names_in(folder), before);
 }
 
-/// A command that waits for a file that another process holds a lease of, where nothing asks whether it shall end.
+/// A command that waits for somebody to read what it prints into a full pipe, where nothing asks whether it shall end.
 class Hanging {
  public:
   Hanging() {
-    std::signal(SIGIO, SIG_IGN);  // that somebody wants the file
-    held_ = ::open(folder_.path("held.toml").c_str(), O_RDWR | O_CREAT, 0600);
-    EXPECT_EQ(::fcntl(held_, F_SETLEASE, F_WRLCK), 0);
-    command_.emplace(folder_.path(), std::vector<std::string>{"solve", "held.toml"});
+    EXPECT_EQ(::pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK), 0);
+    const std::array<char, 4096> some{};
+    while (::write(pipe_[1], some.data(), some.size()) > 0) {
+    }
+    EXPECT_EQ(::fcntl(pipe_[1], F_SETFL, 0), 0);  // from now on writers wait
+    command_.emplace(folder_.path(), std::vector<std::string>{"problem", "list"}, Command::Streams{.out = pipe_[1], .err = -1});
     command_->wait_until_it_catches();
+    ::usleep(300000);
   }
-  ~Hanging() { ::close(held_); }
+  ~Hanging() {
+    for (const int end : pipe_) ::close(end);
+  }
   Hanging(const Hanging&) = delete;
   Hanging& operator=(const Hanging&) = delete;
   Command& operator*() { return *command_; }
@@ -159,7 +164,7 @@ class Hanging {
 
  private:
   InputFolder folder_;
-  int held_ = -1;
+  std::array<int, 2> pipe_{-1, -1};
   std::optional<Command> command_;
 };
 
@@ -211,7 +216,7 @@ TEST(InterruptedCommand, ABoundKeepsWhatWasPredicted) {
   problems::write(problems::make("rig1"), folder.path(), {});
   const Terminal terminal;
   Command command(folder.path(), {"plan", "rig1.toml", "--bound", "--json", "x.json"}, {.out = -1, .err = terminal.descriptor()});
-  terminal.until("predicting errors, data set 2: line ");
+  terminal.until("predicting errors, data set 2 of ");
   command.interrupt();
   terminal.until("jointid: error: interrupted; what was predicted so far is written");
   const Outcome outcome = command.wait();

@@ -173,7 +173,7 @@ TEST_F(Recorded, MistakesAreTold) {
   EXPECT_THAT(error_with("settle = 0.4", "settle = 0.4\nlines = [100.0, 110.0, 125.0]"), HasSubstr("not 110 Hz"));
   EXPECT_THAT(error_with("settle = 0.4", "settle = 0.4\nsweep = true"), HasSubstr("does not sweep"));
   EXPECT_THAT(error_with("settle = 0.4", "settle = 0.4\nperiods = 20"), HasSubstr("one window"));
-  EXPECT_THAT(error_with("settle = 0.4", "settle = 0.4\nrate = 8000.0"), HasSubstr("the parts have no line"));
+  EXPECT_THAT(error_with("settle = 0.4", "settle = 0.4\nrate = 8000.0"), HasSubstr("states 8192 samples per second"));
   EXPECT_THAT(error_with("settle = 0.4", "settle = 0.4\namplitude = 8.0"), HasSubstr("there are records, too"));
   EXPECT_THAT(error_with("force=1:+Y N", "force=2:+Y N"), HasSubstr("no channel is a force there"));
   EXPECT_THAT(error_with("force=1:+Y N", "force=1:+Y V"), HasSubstr("no unit of a force"));
