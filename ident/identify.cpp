@@ -6,6 +6,7 @@
 #include "base/stopwatch.hpp"
 #include "ident/automatic_method.hpp"
 #include "ident/check/check.hpp"
+#include "ident/check/rest.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/likelihood/data/systematic_plan.hpp"
 #include "ident/modal_regeneration.hpp"

@@ -9,6 +9,7 @@
 #include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "ident/check/check.hpp"
+#include "ident/check/rest.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/variance_origin.hpp"
 

@@ -85,22 +85,6 @@ std::string other_causes(const Scene& scene) {
   return text;
 }
 
-std::string worst_band(const std::vector<Line>& lines, const std::vector<double>& by_line) {
-  const std::size_t n = std::min(lines.size(), by_line.size()), width = std::max<std::size_t>(1, n / 8);
-  double most = 0.0;
-  std::size_t first = n;
-  for (std::size_t k = 0; k + width <= n; ++k) {
-    double sum = 0.0;
-    for (std::size_t i = k; i < k + width; ++i) sum += std::isnan(by_line[i]) ? 0.0 : by_line[i];
-    if (sum > most) {
-      most = sum;
-      first = k;
-    }
-  }
-  if (first == n) return "";
-  return ", most from " + digits(lines[first].frequency_hz, "%.4g") + " to " + digits(lines[first + width - 1].frequency_hz, "%.4g") + " Hz";
-}
-
 CheckResult check_scene(const Scene& scene, const Control& control) {
   OpenedScene opened = open_scene(scene);
   CheckResult result =

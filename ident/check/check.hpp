@@ -21,11 +21,8 @@ CheckResult check_systems(const Scene& scene, std::shared_ptr<frf::FrfSystem> su
 /// The same on at most 24 lines: for solve and plan, where the data are read for something else.
 CheckResult quick_check(const Plan& plan, const Control& control = {});
 
-/// What makes every joint of a scene miss FRFs that are right, as far as it may apply: the mass of the joint, its law of damping, a DOF left
-/// out, modes that a model lacks, another level of force.
+/// What makes every joint of a scene miss FRFs that are right, as far as it may apply: the mass of the joint, its law of damping, a DOF
+/// left out, modes that a model lacks, another level of force.
 std::string other_causes(const Scene& scene);
-
-/// ", most from LO to HI Hz": the eighth of the lines whose χ² over its expectation is highest; empty where none is known.
-std::string worst_band(const std::vector<Line>& lines, const std::vector<double>& by_line);
 
 }  // namespace jointid::ident

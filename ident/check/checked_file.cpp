@@ -256,13 +256,6 @@ double CheckedFile::variance(std::size_t line, Eigen::Index response, Eigen::Ind
          errors->constant(response, response).real() * frf::squared_factor(quantity, frequency_hz[line]);
 }
 
-std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count) {
-  std::vector<std::size_t> lines;
-  if (size <= count) return all_indices(size);
-  for (std::size_t i = 0; i < count; ++i) lines.push_back(i * (size - 1) / (count - 1));
-  return lines;
-}
-
 std::vector<CheckedFile> read_checked_files(const CheckedSystems& of, const CheckExtent& most,
                                             const std::function<bool()>& interrupted) {
   frf::FrfSystem* const systems[] = {&of.substructures, &of.assembly};

@@ -57,9 +57,6 @@ CheckedFile at_lines(const CheckedFile& file, const std::vector<std::size_t>& li
 /// The file's FRFs between some of the coordinates that it has.
 CheckedFile part_of(const CheckedFile& file, const Dofs& responses, const Dofs& references);
 
-/// `count` or fewer of 0 … size−1, evenly spread, the first and the last among them.
-std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count);
-
 /// Channels without signal (the rms of their FRFs is below 1e-4 of the median of their kind) and channels that repeat another of
 /// the file (to 1e-6). They are taken out of the file.
 std::vector<Suspect> take_out_dead_and_copied(CheckedFile& file);

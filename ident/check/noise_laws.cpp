@@ -9,7 +9,6 @@
 #include "base/statistics.hpp"
 #include "frf/noise/variance_law.hpp"
 #include "frf/set/h1.hpp"
-#include "ident/check/checked_file.hpp"
 #include "ident/scene/variance_origin.hpp"
 
 namespace jointid::ident {
@@ -130,6 +129,13 @@ std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std
   const bool any = (laws.proportional.array() > 0.0).any() || (laws.constant.array() > 0.0).any();
   if (!any && *origin == VarianceOrigin::repeats) return nullptr;  // one run twice: find_equal_runs()
   return std::make_shared<const NoiseLaws>(std::move(laws));
+}
+
+std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count) {
+  std::vector<std::size_t> lines;
+  const bool all = size <= count;
+  for (std::size_t i = 0; i < (all ? size : count); ++i) lines.push_back(all ? i : i * (size - 1) / (count - 1));
+  return lines;
 }
 
 }  // namespace jointid::ident

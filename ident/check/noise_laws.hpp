@@ -36,4 +36,7 @@ std::pair<double, double> fit_noise_law(const std::vector<NoiseSample>& samples)
 std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std::vector<std::size_t>& source_lines,
                                                std::span<const Complex> values, const Scene& scene);
 
+/// `count` or fewer of 0 … size−1, evenly spread, the first and the last among them.
+std::vector<std::size_t> spread_lines(std::size_t size, std::size_t count);
+
 }  // namespace jointid::ident

@@ -9,7 +9,6 @@
 #include "base/statistics.hpp"
 #include "base/text.hpp"
 #include "ident/check/agreement.hpp"
-#include "ident/check/check.hpp"
 #include "ident/check/reference_groups.hpp"
 
 namespace jointid::ident {
@@ -246,6 +245,23 @@ void add_nonlinear(const Screening& screening, std::vector<Suspect>& found) {
 }
 
 }  // namespace
+
+std::string worst_band(const std::vector<Line>& lines, const std::vector<double>& by_line) {
+  const std::size_t n = std::min(lines.size(), by_line.size()), width = std::max<std::size_t>(1, n / 8);
+  double most = 0.0;
+  std::size_t first = n;
+  for (std::size_t k = 0; k + width <= n; ++k) {
+    double sum = 0.0;
+    for (std::size_t i = k; i < k + width; ++i) sum += std::isnan(by_line[i]) ? 0.0 : by_line[i];
+    if (sum > most) {
+      most = sum;
+      first = k;
+    }
+  }
+  if (first == n) return "";
+  return ", most from " + digits(lines[first].frequency_hz, "%.4g") + " to " + digits(lines[first + width - 1].frequency_hz, "%.4g") +
+         " Hz";
+}
 
 std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup>& setups, const Screening& screening,
                                  const std::vector<double>& noise) {

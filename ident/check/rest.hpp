@@ -1,10 +1,14 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "ident/check/trials.hpp"
 
 namespace jointid::ident {
+
+/// ", most from LO to HI Hz": the eighth of the lines whose χ² over its expectation is highest; empty where none is known.
+std::string worst_band(const std::vector<Line>& lines, const std::vector<double>& by_line);
 
 /// What no trial explains: driving points that are not passive, H_ij ≠ H_ji, an assembly that does not follow from its parts,
 /// single numbers that make most of either; beyond what the noise of the files makes (Agreement), or by much. They name the

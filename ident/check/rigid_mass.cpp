@@ -9,7 +9,6 @@
 #include "dense/eigen.hpp"
 #include "ident/check/span_test.hpp"
 #include "ident/check/trials.hpp"
-#include "ident/check/unit_factor.hpp"
 
 namespace jointid::ident {
 namespace {

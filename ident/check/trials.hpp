@@ -1,11 +1,21 @@
 #pragma once
 
+#include <string>
 #include <functional>
 #include <vector>
 
 #include "ident/check/misfit.hpp"
 
 namespace jointid::ident {
+
+/// A factor between units that are mistaken for each other.
+struct UnitFactor {
+  double factor = 1.0;
+  std::string words;  ///< "g in place of m/s²"; empty: no such factor
+};
+
+/// The factor between units within `tolerance` (of its logarithm) of a measured one, or the measured one without words.
+UnitFactor nearest_unit(double measured, double tolerance);
 
 /// A mistake that may have been made, and how to undo it.
 struct MistakeTrial {

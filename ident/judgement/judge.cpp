@@ -30,12 +30,6 @@ constexpr std::size_t jackknife_lines = 256;
 constexpr const char* remedy =
     " `jointid check SCENE` looks for the cause: a sign, a label, a unit, another quantity, a file of another state.";
 
-int degree(Status status) {
-  if (status == Status::ok) return 0;
-  if (status == Status::doubtful) return 1;
-  return status == Status::poor_fit ? 2 : 3;
-}
-
 /// The DOF whose equations fit worst among rows and columns.
 struct WorstChannel {
   double misfit = 0.0;
@@ -193,12 +187,6 @@ void withhold_errors(Solution& out) {
 }
 
 }  // namespace
-
-void tell(Solution& out, Status status, const std::string& sentence) {
-  if (degree(status) > degree(out.status)) out.status = status;
-  if (!out.message.empty() && out.message.back() != ' ') out.message += " ";
-  out.message += sentence;
-}
 
 std::string phrase(const Suspect& suspect) { return "Most suspect: " + title(suspect) + ". " + suspect.evidence + "."; }
 

@@ -3,15 +3,13 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "ident/judgement/tell_errors.hpp"
 #include "ident/plan/plan.hpp"
 #include "ident/result/control.hpp"
 #include "ident/result/solution.hpp"
 #include "minimise/linear/linear_solution.hpp"
 
 namespace jointid::ident {
-
-/// Makes the status at least as bad as `status` (ok < doubtful < poor_fit; others stay) and adds a sentence to the message.
-void tell(Solution& out, Status status, const std::string& sentence);
 
 /// Holds a linear estimate against its data: fills Estimate::error_estimate and bias, BandMatrices::errors and Fit::misfit, and
 /// sets the status:

@@ -10,13 +10,18 @@
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
 #include "base/text.hpp"
-#include "ident/judgement/judge.hpp"
 #include "ident/judgement/passivity.hpp"
 #include "ident/judgement/value_scales.hpp"
 #include "ident/scene/method_traits.hpp"
 
 namespace jointid::ident {
 namespace {
+
+int degree(Status status) {
+  if (status == Status::ok) return 0;
+  if (status == Status::doubtful) return 1;
+  return status == Status::poor_fit ? 2 : 3;
+}
 
 constexpr double least_value = 0.1;  // of the largest of its matrix and unit
 /// Standard deviations of an eigenvalue; without FRFs at the assembly's joint, where other minima are near, it takes fewer.
@@ -120,6 +125,12 @@ void tell_useless(const Plan& plan, Solution& out) {
 }
 
 }  // namespace
+
+void tell(Solution& out, Status status, const std::string& sentence) {
+  if (degree(status) > degree(out.status)) out.status = status;
+  if (!out.message.empty() && out.message.back() != ' ') out.message += " ";
+  out.message += sentence;
+}
 
 void tell_errors(const Plan& plan, const std::vector<double>& theta, const Eigen::MatrixXd& covariance, Solution& out) {
   tell_negative(plan, theta, covariance, out);

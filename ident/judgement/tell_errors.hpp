@@ -1,12 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "ident/plan/plan.hpp"
 #include "ident/result/solution.hpp"
 
 namespace jointid::ident {
+
+/// Makes the status at least as bad as `status` (ok < doubtful < poor_fit; others stay) and adds a sentence to the message.
+void tell(Solution& out, Status status, const std::string& sentence);
 
 /// Makes an estimate doubtful whose own errors speak against it:
 ///   a diagonal element of K, C or D that is negative beyond its 95 % interval, by the covariance of the scaled unknowns theta,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "modalfit/band/band.hpp"
-#include "modalfit/model/fit.hpp"
+#include "modalfit/model/modal_fit.hpp"
 
 namespace jointid::modalfit {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modalfit/model/pole_search.hpp"
 #include "modalfit/model/uncertainty.hpp"
 #include "modalfit/poles/doubled.hpp"
 #include "modalfit/poles/prominence.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "modalfit/band/band.hpp"
-#include "modalfit/model/fit.hpp"
+#include "modalfit/model/modal_fit.hpp"
 #include "modalfit/poles/refine.hpp"
 
 namespace jointid::modalfit {

@@ -39,12 +39,6 @@ bool has_pole_at(const std::vector<Pole>& poles, const ModelKind& kind, const Po
 
 }  // namespace
 
-bool is_inside(const Pole& pole, const Band& band) {
-  return pole.frequency_hz >= band.frequency_hz.front() && pole.frequency_hz <= band.frequency_hz.back();
-}
-
-double damping_per_zeta(const ModelKind& kind) { return kind.damping == Damping::hysteretic ? 2.0 : 1.0; }
-
 RefinedPoles PoleSearch::run(ModalFit& out) {
   RefinedPoles refined = run_usual(out);
   if (!stopped() && may_be_exact(refined)) seek_exact(refined, out);

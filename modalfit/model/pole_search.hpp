@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "modalfit/band/band.hpp"
-#include "modalfit/model/fit.hpp"
+#include "modalfit/model/modal_fit.hpp"
 #include "modalfit/poles/clusters.hpp"
 #include "modalfit/poles/refine.hpp"
 
@@ -51,11 +51,5 @@ class PoleSearch {
   const FitOptions& options_;
   const std::vector<std::size_t>& entries_;
 };
-
-/// Whether a pole lies between the first and the last line.
-bool is_inside(const Pole& pole, const Band& band);
-
-/// Hysteretic η = 2ζ at resonance.
-double damping_per_zeta(const ModelKind& kind);
 
 }  // namespace jointid::modalfit

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -139,53 +138,6 @@ TEST(InterruptedCommand, AConversionLeavesNoTemporaryFile) {
   for (int attempt = 0; attempt < 20 && !caught; ++attempt) caught = catch_in_the_act(folder, before);
   EXPECT_TRUE(caught);
   EXPECT_EQ(names_in(folder), before);
-}
-
-/// A command that waits for somebody to read what it prints into a full pipe, where nothing asks whether it shall end.
-class Hanging {
- public:
-  Hanging() {
-    EXPECT_EQ(::pipe2(pipe_.data(), O_CLOEXEC | O_NONBLOCK), 0);
-    const std::array<char, 4096> some{};
-    while (::write(pipe_[1], some.data(), some.size()) > 0) {
-    }
-    EXPECT_EQ(::fcntl(pipe_[1], F_SETFL, 0), 0);  // from now on writers wait
-    command_.emplace(folder_.path(), std::vector<std::string>{"problem", "list"}, Command::Streams{.out = pipe_[1], .err = -1});
-    command_->wait_until_it_catches();
-    ::usleep(300000);
-  }
-  ~Hanging() {
-    for (const int end : pipe_) ::close(end);
-  }
-  Hanging(const Hanging&) = delete;
-  Hanging& operator=(const Hanging&) = delete;
-  Command& operator*() { return *command_; }
-  Command* operator->() { return &*command_; }
-
- private:
-  InputFolder folder_;
-  std::array<int, 2> pipe_{-1, -1};
-  std::optional<Command> command_;
-};
-
-TEST(InterruptedCommand, EndsByItselfWhereNothingAsks) {
-  for (const int signal : {SIGINT, SIGTERM}) {
-    Hanging command;
-    command->interrupt(signal);
-    const Outcome outcome = command->wait();
-    EXPECT_EQ(outcome.code, 130);
-    EXPECT_EQ(outcome.err, said + "jointid: error: interrupted\n");
-  }
-}
-
-TEST(InterruptedCommand, EndsAtOnceWhenItIsAskedTwice) {
-  Hanging command;
-  command->interrupt(SIGTERM);
-  ::usleep(200000);  // two signals at a time are one
-  command->interrupt();
-  const Outcome outcome = command->wait();
-  EXPECT_EQ(outcome.code, 130);
-  EXPECT_EQ(outcome.err, said);
 }
 
 TEST(InterruptedCommand, TheLikelihoodLeavesItsBestJointMarked) {
