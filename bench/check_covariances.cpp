@@ -1,6 +1,6 @@
-// `jointid check` on files whose covariances say that all responses to a blow share the noise of the hammer's signal (10 % of every FRF),
-// beside noise of each sensor, 0.05 % of its rms: one sensor of the assembly that reads 2 % too much, and clean scenes. With the covariances, and with the
-// variances alone. Promised: docs/checking-data.md.
+// `jointid check` on files whose covariances say that all responses to a blow share the noise of the hammer's signal (10 % of
+// every FRF), beside noise of each sensor, 0.05 % of its rms: one sensor of the assembly that reads 2 % too much, and clean
+// scenes. With the covariances, and with the variances alone. Promised: docs/checking-data.md.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -40,7 +40,8 @@ frf::FrfSet noisy(const frf::FrfSet& exact, std::uint64_t seed, std::uint64_t nu
   const auto noise_of_sensor = [&](std::size_t r) {  // blows are of one strength
     double square = 0.0;
     for (std::size_t line = 0; line < out.header.lines(); ++line) {
-      for (std::size_t c = 0; c < columns && factor(line) > 0.0; ++c) square += std::norm(exact.values[out.index(line, r, c)] / factor(line));
+      for (std::size_t c = 0; c < columns && factor(line) > 0.0; ++c)
+        square += std::norm(exact.values[out.index(line, r, c)] / factor(line));
     }
     return sensor * std::sqrt(square / static_cast<double>(out.header.lines() * columns));
   };
@@ -90,7 +91,8 @@ void add(const problems::Problem& problem, std::uint64_t seed, bool covariances,
 }
 
 void print(const char* what, const Counts& of) {
-  fmt::print("  {:20} culprit first {} of {}; clean scenes called worse than clean {} of {}\n", what, of.found, of.planted, of.alarms, of.clean);
+  fmt::print("  {:20} culprit first {} of {}; clean scenes called worse than clean {} of {}\n", what, of.found, of.planted,
+             of.alarms, of.clean);
 }
 
 void measure_all(const bench::CommandLine& line, bench::Promises& promises) {

@@ -1,7 +1,7 @@
-// An assembly predicted with a joint that was identified from the same parts: cases A1 and B. The parts' FRFs are coupled again with the
-// joint that method "likelihood" finds from them and from some FRFs of the assembly. Coverage of the 95 % intervals of the coupled FRFs with
-// the joint taken as exact, with its covariance, and with what it has in common with the FRFs that it was found from.
-// Promised: docs/coupling.md.
+// An assembly predicted with a joint that was identified from the same parts: cases A1 and B. The parts' FRFs are coupled again
+// with the joint that method "likelihood" finds from them and from some FRFs of the assembly. Coverage of the 95 % intervals of
+// the coupled FRFs with the joint taken as exact, with its covariance, and with what it has in common with the FRFs that it was
+// found from. Promised: docs/coupling.md.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -108,7 +108,8 @@ void print(const char* what, const Figures& of) {
 }
 
 /// `equations`: of the scene where there are none.
-void measure(const std::string& name, double step_hz, std::vector<ident::Equation> equations, std::size_t tests, bench::Promises& promises) {
+void measure(const std::string& name, double step_hz, std::vector<ident::Equation> equations, std::size_t tests,
+             bench::Promises& promises) {
   problems::Problem problem = problems::make(name);
   const frf::NoiseModel noise{.kind = frf::NoiseKind::circular, .level = 0.02, .reciprocal = false};
   problem.noise = noise;

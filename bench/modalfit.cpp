@@ -217,8 +217,8 @@ double scan_seconds(std::size_t responses, bench::Promises& promises) {
     modalfit::regenerate(modalfit::make_symmetric(fit, band), set.header);
     found = fit.modes_inside();
   });
-  fmt::print("  {} × 1 FRFs × 400 lines: {} of 4 modes, {:.2f} s by the clock, {:.2f} s of processor time\n", responses, found, time.wall[0],
-             time.processor[0]);
+  fmt::print("  {} × 1 FRFs × 400 lines: {} of 4 modes, {:.2f} s by the clock, {:.2f} s of processor time\n", responses, found,
+             time.wall[0], time.processor[0]);
   promises.holds(fmt::format("all four modes of {} responses and no other", responses), found == 4);
   return time.processor[0];
 }

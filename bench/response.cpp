@@ -172,7 +172,9 @@ void compare(const Case& each, bool quick, bench::Promises& promises) {
 
 /// A step: residual, Jacobian and its solution, with the receptances of the frequency at hand.
 void step_cost(bool quick, bench::Promises& promises) {
-  fmt::print("\none Newton step, two bilinear joints, harmonics to 9\n  coordinates  step µs  receptances of the frequency ms, dense; sparse; largest difference\n");
+  fmt::print(
+      "\none Newton step, two bilinear joints, harmonics to 9\n  coordinates  step µs  receptances of the frequency ms, dense; "
+      "sparse; largest difference\n");
   std::vector<double> all;
   for (const Eigen::Index n : quick ? std::vector<Eigen::Index>{18, 180} : std::vector<Eigen::Index>{18, 180, 1800}) {
     const Eigen::MatrixXd place = unit(n, 0);

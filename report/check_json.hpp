@@ -6,8 +6,8 @@
 
 namespace jointid::report {
 
-/// {"verdict", "suspects": [{"kind", "file", "dofs", "evidence", "confidence", "remedy"}]}; "remedy" is null where there is none. Where there
-/// are any: "notes", sentences; "reciprocity": [{"file", "rms", "dofs", "map"}], ReciprocityMap to three decimals.
+/// {"verdict", "suspects": [{"kind", "file", "dofs", "evidence", "confidence", "remedy"}]}; "remedy" is null where there is none.
+/// Where there are any: "notes", sentences; "reciprocity": [{"file", "rms", "dofs", "map"}], ReciprocityMap to three decimals.
 nlohmann::ordered_json check_json(const ident::CheckResult& result);
 
 }  // namespace jointid::report

@@ -128,8 +128,9 @@ Suspect wild_number(const CheckedFile& file, const frf::FrfHeader& header, const
   const double first = header.frequency_hz[value.line], last = header.frequency_hz[value.last_line];
   const std::string lines = first == last ? digits(first, "%g") + " Hz" : digits(first, "%g") + " to " + digits(last, "%g") + " Hz";
   const std::string size = value.kind == frf::WildKind::infinite ? "infinite"
-                           : value.kind == frf::WildKind::large  ? digits(value.factor, "%.2g") + " times the size of its neighbour lines"
-                                                                 : "1/" + digits(1.0 / value.factor, "%.2g") + " of the size of its neighbour lines";
+                           : value.kind == frf::WildKind::large
+                               ? digits(value.factor, "%.2g") + " times the size of its neighbour lines"
+                               : "1/" + digits(1.0 / value.factor, "%.2g") + " of the size of its neighbour lines";
   return {.kind = SuspectKind::outlier,
           .file = file.name,
           .dofs = dofs,

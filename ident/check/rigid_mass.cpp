@@ -110,7 +110,8 @@ double disagreement(const std::vector<CheckedFile>& files, const Dofs& joint) {
   std::vector<CheckedFile> some;
   for (const CheckedFile& file : files) some.push_back(at_lines(file, spread_lines(file.frfs.size(), lines)));
   double sum = 0.0;
-  for (const SpanSetup& setup : span_setups(some, joint)) sum += std::log(std::hypot(span_test(setup, some, SpanDetail::level).level, least));
+  for (const SpanSetup& setup : span_setups(some, joint))
+    sum += std::log(std::hypot(span_test(setup, some, SpanDetail::level).level, least));
   return sum;
 }
 

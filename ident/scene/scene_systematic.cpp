@@ -51,7 +51,8 @@ GainPrior read_gain_prior(const scene::Item& item, const std::vector<PlacedFile>
   if (const auto angle = table.find("angle")) prior.angle = angle->positive();
   if (!table.find("gain") && prior.delay == 0.0 && prior.angle == 0.0) {
     item.fail("neither gain nor delay nor angle is given",
-              "write gain = 0.01 for gains of 1 ± 0.01, gain = 0 for exact ones, delay = 1e-6 for delays of 0 ± 1e-6 s, angle = 0.02 for angles of 0 ± 0.02 rad");
+              "write gain = 0.01 for gains of 1 ± 0.01, gain = 0 for exact ones, delay = 1e-6 for delays of 0 ± 1e-6 s, angle = "
+              "0.02 for angles of 0 ± 0.02 rad");
   }
   prior.shared = read_sharing(table);
   return prior;

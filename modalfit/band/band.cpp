@@ -95,7 +95,8 @@ void require_numbers(const frf::FrfHeader& header, const Band& band) {
   const double largest = largest_part(band);
   if (largest == 0.0) fail(header, "range", "on its lines all FRFs are 0 or were not measured", "choose other lines, or look at the file");
   if (largest >= least_receptance && largest <= most_receptance) return;
-  fail(header, "FRFs", fmt::format("the largest receptance is {:.3g} m/N, outside {:.0g} to {:.0g}", largest, least_receptance, most_receptance),
+  fail(header, "FRFs",
+       fmt::format("the largest receptance is {:.3g} m/N, outside {:.0g} to {:.0g}", largest, least_receptance, most_receptance),
        "look at the unit and the numbers of the file");
 }
 

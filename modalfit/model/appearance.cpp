@@ -107,15 +107,19 @@ void explain(ModalFit& fit, const Band& band, const FitOptions& options) {
   const double as_is = residual_share(band, options);
   const auto is_better = [&](double other) { return other < follows && other < much_better * as_is; };
   if (const double other = residual_share(conjugated(band), options); is_better(other)) {
-    fit.message = fmt::format("The FRFs look conjugated, the time convention being exp(−iωt): poles leave {} of them, {} of their conjugates. "
-                              "Change the sign of the imaginary part.", percent(as_is), percent(other));
+    fit.message = fmt::format(
+        "The FRFs look conjugated, the time convention being exp(−iωt): poles leave {} of them, {} of their conjugates. "
+        "Change the sign of the imaginary part.",
+        percent(as_is), percent(other));
     return;
   }
   double other = residual_share(inverted(band), options);
   if (!is_better(other) && has_square_matrices(band)) other = residual_share(matrices_inverted(band), options);
   if (!is_better(other)) return;
-  fit.message = fmt::format("The FRFs look inverted, force over motion (dynamic stiffness, impedance, apparent mass): poles leave {} of them, "
-                            "{} of their inverse. Invert them.", percent(as_is), percent(other));
+  fit.message = fmt::format(
+      "The FRFs look inverted, force over motion (dynamic stiffness, impedance, apparent mass): poles leave {} of them, "
+      "{} of their inverse. Invert them.",
+      percent(as_is), percent(other));
 }
 
 void doubt_phase(ModalFit& fit, const Band& band) {

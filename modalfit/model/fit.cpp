@@ -92,8 +92,10 @@ class Fitter {
     for (Pole& pole : poles) pole.damping *= viscous ? 2.0 : 0.5;
     const RefinedPoles other = refine(band_, entries_, kind, std::move(poles), {.most_iterations = other_iterations}, options_.interrupted);
     if (!(other.cost < much_less * out.cost)) return;
-    out.remarks.push_back(fmt::format("With {0} damping (--damping {0}) the mean square of the residuals is {1:.2g} in place of {2:.2g}: that "
-                                      "law follows the FRFs better.", name(kind.damping), other.cost / out.freedom, out.cost / out.freedom));
+    out.remarks.push_back(
+        fmt::format("With {0} damping (--damping {0}) the mean square of the residuals is {1:.2g} in place of {2:.2g}: that "
+                    "law follows the FRFs better.",
+                    name(kind.damping), other.cost / out.freedom, out.cost / out.freedom));
   }
 
   void doubt(ModalFit& out) const {

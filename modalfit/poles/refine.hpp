@@ -24,7 +24,8 @@ struct RefinedPoles {
 
 struct RefineOptions {
   std::size_t most_iterations = 50;
-  double step = 1e-3;  ///< converged when a step is smaller than this times the standard deviations: gᵀδ ≤ step²·2N·max(cost/freedom, 0.01), or all are below 1e-14
+  double step = 1e-3;  ///< converged when a step is smaller than this times the standard deviations: gᵀδ ≤
+                       ///< step²·2N·max(cost/freedom, 0.01), or all are below 1e-14
 };
 
 /// Minimises Σ_entries ‖W(H − Xc)‖² over poles and residues by variable projection: Levenberg–Marquardt on the poles with

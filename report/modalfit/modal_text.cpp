@@ -126,8 +126,10 @@ std::string scatter_note(const ModalRun& run) {
 std::string misfit_note(const ModalRun& run, double times) {
   const char* noise = run.fit.known_noise ? "their noise" : "the scatter of neighbouring lines";
   if (run.fit.deviation < little) {
-    return fmt::format("The FRFs deviate from the model by {:.1g} of their moduli, which is {:.1f} times {}: modes outside the range, another "
-                       "law of damping, or rounding.", run.fit.deviation, times, noise);
+    return fmt::format(
+        "The FRFs deviate from the model by {:.1g} of their moduli, which is {:.1f} times {}: modes outside the range, another "
+        "law of damping, or rounding.",
+        run.fit.deviation, times, noise);
   }
   return fmt::format("The FRFs deviate from the model by {:.1f} times {}: the structure is not that linear, or the noise is larger.", times,
                      noise);

@@ -62,8 +62,8 @@ TEST(Arguments, ProblemWriteHasTheDefaultsOfTheLibrary) {
 }
 
 TEST(Arguments, AFileMayBeExplained) {
-  const auto info = command<InfoArguments>(
-      {"info", "a.mat", "--quantity", "mobility", "--response", "4:+Y,4:-RZ", "--variable", "H", "--frequency-variable", "w", "--unit", "g/lbf"});
+  const auto info = command<InfoArguments>({"info", "a.mat", "--quantity", "mobility", "--response", "4:+Y,4:-RZ", "--variable",
+                                            "H", "--frequency-variable", "w", "--unit", "g/lbf"});
   EXPECT_EQ(info.open.frequency_variable, "w");
   EXPECT_EQ(info.open.quantity, frf::Quantity::mobility);
   ASSERT_EQ(info.open.response.size(), 2U);

@@ -224,7 +224,8 @@ Complex relation(const frf::ErrorSums& sums, std::size_t i) {
   return sum;
 }
 
-/// Sums of errors make the variances of both parts, and with covariances in the files the covariances, that propagate() works out on another way.
+/// Sums of errors make the variances of both parts, and with covariances in the files the covariances, that propagate() works out
+/// on another way.
 void expect_sums_of(const problems::CouplingProblem& problem, const std::vector<frf::FrfSet>& sets) {
   AssemblyReader reader(problems::parts_of(problem, sets), problem.declared(), {.uncertainty = true}, "test");
   const std::size_t rows = reader.header().response.size(), columns = reader.header().reference.size(), line = 0;

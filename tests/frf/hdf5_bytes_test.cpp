@@ -62,7 +62,8 @@ TEST_F(Hdf5Bytes, ObjectsOfATextHeapLieInside) {
   const std::size_t heap = good.find("GCOL");
   ASSERT_NE(heap, std::string::npos);
   constexpr std::uint64_t largest = ~std::uint64_t{0};
-  for (const std::uint64_t size : {std::uint64_t{0}, std::uint64_t{15}, std::uint64_t{5000}, std::uint64_t{1} << 32U, largest, largest - 15}) {
+  for (const std::uint64_t size :
+       {std::uint64_t{0}, std::uint64_t{15}, std::uint64_t{5000}, std::uint64_t{1} << 32U, largest, largest - 15}) {
     std::string bad = good;
     put(bad, heap + 8, size);
     EXPECT_THAT(said_of(bad), HasSubstr("bad.h5: ")) << "heap of " << size << " bytes";

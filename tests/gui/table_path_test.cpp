@@ -102,8 +102,9 @@ TEST(SeveralEdit, OneMoreStandsBehindTheOthersOrTheTableAbove) {
 
 /// The only joint becomes the first of several, and solves to the same with its name before its unknowns.
 TEST(JointsEdit, TheOnlyJointBecomesTheFirst) {
-  const std::string text = with_joint("[data]\nsubstructures = [\"a\", \"b\"]\nassembly = [\"c\"]\n[joint] # x\ndofs = [\"1:+X\", \"2:+X\"]\n"
-                                      "[joint.mass]\npattern = \"full\"");
+  const std::string text = with_joint(
+      "[data]\nsubstructures = [\"a\", \"b\"]\nassembly = [\"c\"]\n[joint] # x\ndofs = [\"1:+X\", \"2:+X\"]\n"
+      "[joint.mass]\npattern = \"full\"");
   EXPECT_EQ(joints_in(text), 2);
   EXPECT_EQ(value_of(text, "joints#1", "dofs"), "[\"1:+X\", \"2:+X\"]");
   EXPECT_EQ(value_of(text, "joints#1.mass", "pattern"), "\"full\"");

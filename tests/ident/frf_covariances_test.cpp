@@ -119,7 +119,8 @@ frf::FrfSet sample(const std::string& file, const Dofs& responses, const Dofs& r
       for (std::size_t r = 0; r < rows; ++r) {
         const double part = 0.5 * covariance(at(r), at(r)).real();
         set.variance[set.index(line, r, c)] = {part, part};
-        for (std::size_t s = 0; s <= r; ++s) set.covariance[(line * pairs + frf::pair_index(r, s)) * columns + c] = covariance(at(r), at(s));
+        for (std::size_t s = 0; s <= r; ++s)
+          set.covariance[(line * pairs + frf::pair_index(r, s)) * columns + c] = covariance(at(r), at(s));
       }
     }
   }

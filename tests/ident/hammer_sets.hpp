@@ -22,7 +22,8 @@ inline frf::FrfSet with_hammer_noise(frf::FrfSet set) {
   for (std::size_t c = 0; c < columns; ++c) {
     for (std::size_t r = 0; r < rows; ++r) {
       double largest = 0.0;
-      for (std::size_t line = 0; line < set.header.lines(); ++line) largest = std::max(largest, std::abs(set.values[set.index(line, r, c)]));
+      for (std::size_t line = 0; line < set.header.lines(); ++line)
+        largest = std::max(largest, std::abs(set.values[set.index(line, r, c)]));
       for (std::size_t line = 0; line < set.header.lines(); ++line) {
         const Complex own = set.values[set.index(line, r, c)];
         for (std::size_t s = 0; s <= r; ++s) {
@@ -64,7 +65,9 @@ inline frf::FrfSet with_drawn_hammer_noise(const frf::FrfSet& exact, double hamm
   if (covariances) {
     out.factor = {.rank = 1, .rows = std::vector<Complex>(out.values.size()), .diagonal = std::vector<double>(out.values.size())};
   }
-  const auto quantity = [&](std::size_t line) { return std::sqrt(frf::squared_factor(out.header.quantity, out.header.frequency_hz[line])); };
+  const auto quantity = [&](std::size_t line) {
+    return std::sqrt(frf::squared_factor(out.header.quantity, out.header.frequency_hz[line]));
+  };
   const auto draw = [&](std::uint64_t at) {
     const auto pair = normal_numbers(stream, at);
     return Complex(pair[0], pair[1]) / std::sqrt(2.0);

@@ -80,9 +80,11 @@ TEST(JointErrors, AreWhatTheJointMovesByWhenAnFrfDoes) {
         const double variance = 0.5 * error_level * error_level * std::norm(set.values[at]);
         for (std::size_t m = 0; m < values.size(); ++m) {
           const Complex common = errors.common[line][frf::pair_index(std::max(row, column), std::min(row, column)) * values.size() + m];
-          const double expected = variance * (there[m] - values[m]) / std::abs(step), stated = turn.real() != 0.0 ? common.real() : common.imag();
+          const double expected = variance * (there[m] - values[m]) / std::abs(step),
+                       stated = turn.real() != 0.0 ? common.real() : common.imag();
           const double deviation = std::sqrt(variance * errors.covariance(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(m)));
-          EXPECT_NEAR(stated, expected, 2e-3 * deviation) << set.header.response[r].name() << "/" << set.header.reference[c].name() << " " << m;
+          EXPECT_NEAR(stated, expected, 2e-3 * deviation)
+              << set.header.response[r].name() << "/" << set.header.reference[c].name() << " " << m;
           told += std::abs(expected) > 0.02 * deviation ? 1 : 0;
         }
       }

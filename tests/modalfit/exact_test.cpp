@@ -141,7 +141,8 @@ TEST(Exact, AModeOfLessThanADecibelStays) {
 }
 
 TEST(Exact, LightAndHeavyDamping) {
-  const Structure light = structure({40.0, 112.0, 152.3}, {1e-4, 1e-4, 1.2e-4}, 3), heavy = structure({40.0, 112.0, 230.0}, {0.1, 0.08, 0.05}, 3);
+  const Structure light = structure({40.0, 112.0, 152.3}, {1e-4, 1e-4, 1.2e-4}, 3),
+                  heavy = structure({40.0, 112.0, 230.0}, {0.1, 0.08, 0.05}, 3);
   expect_exact(fit_of(computed(light, {.responses = 3, .first_hz = 20.0, .last_hz = 180.0, .step_hz = 0.1})), light);
   expect_exact(fit_of(computed(heavy, {.responses = 3, .first_hz = 1.0, .last_hz = 300.0, .step_hz = 1.0})), heavy);
 }

@@ -48,7 +48,8 @@ RC_GTEST_PROP(ResidualFactor, IsThePlainSumOverTheBlows, ()) {
   const auto estimator = *rc::gen::element(Estimator::h1, Estimator::h2, Estimator::hv);
   const auto noise = *rc::gen::element(NoiseFrom::residuals, NoiseFrom::scatter);
   constexpr std::size_t lines = 2;
-  const Spectra spectra{lines, responses, count, random_numbers(count * lines, seed, 1), random_numbers(count * responses * lines, seed, 2)};
+  const Spectra spectra{lines, responses, count, random_numbers(count * lines, seed, 1),
+                        random_numbers(count * responses * lines, seed, 2)};
   const auto made = [&](CovarianceForm form) { return estimate(spectra, estimator, noise, 1.7, form); };
   const Estimate factored = made(CovarianceForm::factor), paired = made(CovarianceForm::pairs);
   RC_ASSERT(factored.covariance.empty());
@@ -98,7 +99,8 @@ std::vector<Record> hammer_blows(std::size_t count, std::size_t responses, std::
       for (std::size_t i = 0; i < record.channels.size(); ++i) {
         const double noise = normal_numbers({7, h * 100 + i}, t)[0];
         const double pulse = t == 3 ? 10.0 + static_cast<double>(h) : 0.0;
-        record.channels[i].samples.push_back(i < forces ? (forces > 1 ? noise : pulse) : 0.1 * static_cast<double>(i) * pulse + 0.01 * noise);
+        record.channels[i].samples.push_back(i < forces ? (forces > 1 ? noise : pulse)
+                                                        : 0.1 * static_cast<double>(i) * pulse + 0.01 * noise);
       }
     }
     out.push_back(std::move(record));

@@ -14,7 +14,8 @@ namespace {
 Eigen::MatrixXd scalar(double value) { return Eigen::MatrixXd::Constant(1, 1, value); }
 
 HarmonicBalance oscillator(double damping, const Joint& joint) {
-  return {std::make_shared<MatrixReceptance>(MatrixStructure{scalar(1.0), scalar(damping), scalar(100.0)}, scalar(1.0), scalar(1.0), scalar(1.0)),
+  return {std::make_shared<MatrixReceptance>(MatrixStructure{scalar(1.0), scalar(damping), scalar(100.0)}, scalar(1.0),
+                                             scalar(1.0), scalar(1.0)),
           {joint},
           Excitation::single(1.0),
           {.fixed = {1, 3, 5}}};
