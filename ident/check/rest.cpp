@@ -8,6 +8,7 @@
 #include "base/eigen.hpp"
 #include "base/statistics.hpp"
 #include "base/text.hpp"
+#include "frf/noise/variance_law.hpp"
 #include "ident/check/agreement.hpp"
 #include "ident/check/reference_groups.hpp"
 
