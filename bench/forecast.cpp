@@ -7,12 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "frf/set/frf_source.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/expected_time.hpp"
 #include "problems/case/in_memory.hpp"
@@ -21,20 +19,6 @@
 namespace {
 
 using namespace jointid;
-
-/// A set without the FRFs at these coordinates.
-frf::FrfSet without(const frf::FrfSet& set, const std::vector<frf::Dof>& joint) {
-  const auto kept = [&joint](const std::vector<frf::Dof>& dofs) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < dofs.size(); ++i) {
-      if (frf::find_coordinate(joint, dofs[i]) == frf::npos) places.push_back(i);
-    }
-    return places;
-  };
-  std::vector<std::size_t> lines(set.header.lines());
-  std::iota(lines.begin(), lines.end(), std::size_t{0});
-  return frf::load(*frf::from_memory(set), {lines, kept(set.header.response), kept(set.header.reference)});
-}
 
 /// One way of measuring and identifying a problem.
 struct Case {
@@ -78,7 +62,7 @@ double measure_case(const Case& asked, std::size_t seeds) {
   std::string detail;
   for (std::size_t seed = 1; seed <= seeds; ++seed) {
     problems::Measurement data = problems::polluted(problem, seed, 0);
-    if (!asked.at_joint) data.assembly = without(data.assembly, problem.joint_dofs);
+    if (!asked.at_joint) data.assembly = problems::without(data.assembly, problem.joint_dofs);
     const auto plan = problems::plan(scene, std::move(data));
     expected = ident::expected_seconds(plan->cost, 1);
     ident::Control control;

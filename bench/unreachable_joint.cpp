@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "frf/set/frf_source.hpp"
 #include "ident/identify.hpp"
 #include "ident/plan/prediction.hpp"
 #include "problems/case/in_memory.hpp"
@@ -188,20 +186,6 @@ class Bench {
   bench::Promises& promises_;
 };
 
-/// A set without the FRFs at these coordinates.
-frf::FrfSet without(const frf::FrfSet& set, const std::vector<frf::Dof>& joint) {
-  const auto kept = [&joint](const std::vector<frf::Dof>& dofs) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < dofs.size(); ++i) {
-      if (frf::find_coordinate(joint, dofs[i]) == frf::npos) places.push_back(i);
-    }
-    return places;
-  };
-  std::vector<std::size_t> lines(set.header.lines());
-  std::iota(lines.begin(), lines.end(), std::size_t{0});
-  return frf::load(*frf::from_memory(set), {lines, kept(set.header.response), kept(set.header.reference)});
-}
-
 /// Method likelihood on a problem without any start and without the assembly's FRFs at the joint.
 void without_start(const std::string& name, std::size_t seeds, bool promised, bench::Promises& promises) {
   const problems::Problem problem = problems::make(name);
@@ -209,7 +193,7 @@ void without_start(const std::string& name, std::size_t seeds, bool promised, be
   scene.identify = {};
   scene.identify.method = ident::Method::likelihood;
   const std::vector<double> truth = truth_of(problem);
-  const frf::FrfSet exact = without(problem.assembly, problem.joint_dofs);
+  const frf::FrfSet exact = problems::without(problem.assembly, problem.joint_dofs);
   const std::vector<double> bound =
       tasks::cramer_rao_bound(*problems::plan(scene, {problem.substructures, exact}), truth, ident::Control());
   std::vector<double> times;
@@ -217,7 +201,7 @@ void without_start(const std::string& name, std::size_t seeds, bool promised, be
   double squares_of_found = 0.0;
   for (std::size_t seed = 1; seed <= seeds; ++seed) {
     problems::Measurement data = problems::polluted(problem, seed, 0);
-    data.assembly = without(data.assembly, problem.joint_dofs);
+    data.assembly = problems::without(data.assembly, problem.joint_dofs);
     const auto plan = problems::plan(scene, std::move(data));
     ident::Control control;
     control.threads = 1;

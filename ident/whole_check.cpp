@@ -11,6 +11,7 @@
 #include "ident/check/check.hpp"
 #include "ident/check/rest.hpp"
 #include "ident/identify.hpp"
+#include "ident/likelihood/findings/variance_sources.hpp"
 #include "ident/scene/variance_origin.hpp"
 
 namespace jointid::ident {
@@ -36,21 +37,22 @@ Scene likelihood_of(const Scene& scene) {
   return out;
 }
 
-/// Few lines, evenly spread; null where the scene is too large.
+bool knows_variances(const Plan& plan) {
+  return std::ranges::none_of(variance_sources(plan), [](const VarianceSource& file) {
+    return file.origin == phrase(VarianceOrigin::scatter) || file.origin == phrase(VarianceOrigin::noise_model);
+  });
+}
+
+/// Few lines, evenly spread; null where the scene is too large, or variances are not known.
 std::unique_ptr<Plan> small_plan(Scene scene) {
   auto plan = make_plan(scene);
+  if (!knows_variances(*plan)) return nullptr;
   if (frfs_of(*plan->substructures) + frfs_of(*plan->assembly) > fitted_frfs || !plan->regenerated.empty()) return nullptr;
   if (plan->lines.size() <= fitted_lines) return plan;
   const double first = plan->lines.front().frequency_hz, last = plan->lines.back().frequency_hz;
   scene.frequency.range_hz = {first, last};
   scene.frequency.step_hz = (last - first) / static_cast<double>(fitted_lines - 1);
   return make_plan(scene);
-}
-
-bool knows_variances(const Solution& solution) {
-  return std::ranges::none_of(solution.variances, [](const VarianceSource& file) {
-    return file.origin == phrase(VarianceOrigin::scatter) || file.origin == phrase(VarianceOrigin::noise_model);
-  });
 }
 
 std::optional<Suspect> fit_suspect(const Scene& scene, const Control& control) {
@@ -62,7 +64,7 @@ std::optional<Suspect> fit_suspect(const Scene& scene, const Control& control) {
                                        .interrupted = control.interrupted,
                                        .detail = Detail::estimates,
                                        .judgement = Judgement::none});
-    if (!fit.fit.chi_square || !knows_variances(fit) || fit.status != Status::ok) return std::nullopt;
+    if (!fit.fit.chi_square || fit.status != Status::ok) return std::nullopt;
     const double freedom = std::max(1.0, fit.fit.chi_square->degrees_of_freedom), ratio = fit.fit.chi_square->value / freedom;
     if (!(ratio > std::max(beyond, chi_square_quantile(freedom, 5.0) / freedom))) return std::nullopt;
     return Suspect{.kind = SuspectKind::nonlinear,

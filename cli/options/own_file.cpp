@@ -74,7 +74,7 @@ bool is_own_file(const std::filesystem::path& file) {
   if (head.empty()) return true;
   if (head.starts_with("\x89HDF\r\n")) return is_own_hdf5(file);
   if (head.starts_with("%PDF")) return bytes_of(file, true).ends_with(pdf_mark);
-  if (head.starts_with("<!DOCTYPE html>")) return has(bytes_of(file, false), "Content-Security-Policy");
+  if (head.starts_with("<!DOCTYPE html>")) return has(head, "Content-Security-Policy");
   if (head.starts_with("{\n")) return is_own_json(head);
   if (head.starts_with("MATLAB 5.0")) return has(head.substr(0, 128), "written by jointid");
   if (head.starts_with("    -1\n")) return has(head, "\njointid\n");

@@ -111,12 +111,10 @@ void plot(const tasks::FrfEntry& entry, ident::Plan& plan, const ident::Solution
 }
 
 /// With the quantity of the first file of the assembly where that is asked for.
-report::Display display_of(const SolveArguments& arguments, const ident::Scene& scene) {
+report::Display display_of(const SolveArguments& arguments, const ident::Plan& plan) {
   report::Display display = display_of(arguments);
-  if (arguments.quantity == "measured" && !scene.data.assembly.empty()) {
-    const ident::DataFile& file = scene.data.assembly.front();
-    display.quantity = frf::open(file.path, file.options)->header().quantity;
-  }
+  if (arguments.quantity == "measured" && plan.assembly->source_count() > 0)
+    display.quantity = plan.assembly->source(0).header().quantity;
   return display;
 }
 
@@ -171,7 +169,7 @@ ExitCode execute(const SolveArguments& arguments, std::ostream& out) {
   const ident::Solution solution = solve_watched(arguments, *plan, *team, out);
   if (team->rank() > 0) return ExitCode::done;
   write_numbers(arguments, solution, scene.title, out);
-  const report::Display display = arguments.plot || arguments.report ? display_of(arguments, scene) : report::Display();
+  const report::Display display = arguments.plot || arguments.report ? display_of(arguments, *plan) : report::Display();
   const bool has_text = !takes_output({arguments.json, arguments.csv, arguments.report});
   if (has_text && entry && !solution.bands.empty()) plot(*entry, *plan, solution, display, out);
   if (arguments.report) write_report(*arguments.report, *plan, solution, entry, display, out);

@@ -206,23 +206,11 @@ class AnalyserText {
       set_.header.quantity = *options_.quantity;
       return std::vector<double>(frfs_, 1.0);
     }
-    set_.header.quantity = quantity_of(units_.front());
+    set_.header.quantity = quantity_of_unit(units_.front()).value_or(Quantity::accelerance);
     std::vector<double> factors;
     for (const std::string& unit : units_)
       factors.push_back(located(set_.header.file, "units", [&] { return si_factor(unit, set_.header.quantity); }));
     return factors;
-  }
-
-  static Quantity quantity_of(const std::string& unit) {
-    for (const Quantity quantity : {Quantity::receptance, Quantity::mobility}) {
-      try {
-        si_factor(unit, quantity);
-        return quantity;
-      } catch (const InputError&) {
-        continue;
-      }
-    }
-    return Quantity::accelerance;
   }
 
   void fill() {

@@ -114,10 +114,12 @@ void fill(const CsvTable& table, const CsvColumns& columns, FrfSet& set) {
   set.values.assign(size, {not_measured, not_measured});
   if (header.noise == NoiseRecord::variance) set.variance.assign(size, {not_measured, not_measured});
   if (header.noise == NoiseRecord::coherence) set.coherence.assign(size, not_measured);
-  for (const auto& [pair, of_pair] : columns.pairs()) {
-    const double si = si_factor_of(table, columns, of_pair, header);
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      const LineScale scale = LineScale::to_receptance(header.quantity, si, header.frequency_hz[row]);
+  std::vector<double> si;  // of each pair
+  for (const auto& [pair, of_pair] : columns.pairs()) si.push_back(si_factor_of(table, columns, of_pair, header));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    std::size_t k = 0;
+    for (const auto& [pair, of_pair] : columns.pairs()) {
+      const LineScale scale = LineScale::to_receptance(header.quantity, si[k++], header.frequency_hz[row]);
       const std::size_t at = set.index(row, pair.first, pair.second);
       set.values[at] = scale.value(stored_value(table, row, of_pair));
       if (of_pair.has(var_re)) {

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "frf/mat/mat_lookup.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -76,10 +77,10 @@ class FrfFinder {
         continue;
       const std::string base = whole ? std::string() : name.substr(0, name.size() - re.size());
       const std::string partner = base + std::string(whole ? im.substr(im.find_first_not_of("_.")) : im);
-      const auto found =
-          std::ranges::find_if(file_.variables(), [&](const MatInfo& other) { return same_name(other.name, partner); });
-      if (found == file_.variables().end() || found->kind != MatKind::real || found->dims != info.dims) continue;
-      arrays_.push_back({base.empty() ? name : base, &info, &*found});
+      const auto [begin, end] = file_.by_lower_name().equal_range(lower_case(partner));
+      const auto found = std::find_if(begin, end, [&](const auto& other) { return same_name(other.second->name, partner); });
+      if (found == end || found->second->kind != MatKind::real || found->second->dims != info.dims) continue;
+      arrays_.push_back({base.empty() ? name : base, &info, found->second});
       return;
     }
   }

@@ -3,6 +3,7 @@
 #include "base/error.hpp"
 #include "frf/mat/mat_lookup.hpp"
 #include "frf/mat/mat_reader.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -12,6 +13,14 @@ std::unique_ptr<FrfSource> open_mat(const std::unique_ptr<MatFile>& file, const 
 }
 
 }  // namespace
+
+const std::multimap<std::string, const MatInfo*>& MatFile::by_lower_name() const {
+  if (by_lower_name_.size() != variables_.size()) {
+    by_lower_name_.clear();
+    for (const MatInfo& info : variables_) by_lower_name_.emplace(lower_case(info.name), &info);
+  }
+  return by_lower_name_;
+}
 
 std::string MatFile::note(const MatInfo*, std::string_view) { return {}; }
 

@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "frf/set/unit_label.hpp"
 #include "frf/text/located.hpp"
+#include "frf/text/unit_names.hpp"
 
 namespace jointid::frf {
 namespace {
@@ -107,11 +108,12 @@ MatLookup::MatLookup(MatFile& file, const std::string& scope) : file_(file) {
 }
 
 const MatInfo* MatLookup::of_scope(const std::string& scope, std::string_view name) const {
-  const auto& all = file_.variables();
-  const auto found = std::ranges::find_if(all, [&](const MatInfo& info) {
-    return info.name.starts_with(scope) && same_name(std::string_view(info.name).substr(scope.size()), name);
+  const auto [begin, end] = file_.by_lower_name().equal_range(lower_case(scope + std::string(name)));
+  const auto found = std::find_if(begin, end, [&](const auto& each) {
+    const std::string& own = each.second->name;
+    return own.starts_with(scope) && same_name(std::string_view(own).substr(scope.size()), name);
   });
-  return found == all.end() ? nullptr : &*found;
+  return found == end ? nullptr : found->second;
 }
 
 const MatInfo* MatLookup::find(Names names) const {

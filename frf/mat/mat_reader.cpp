@@ -199,8 +199,9 @@ class Reader {
   void require_no_other_unit() const {
     const std::string scope = scope_of(*frf_.values);
     for (const MatInfo& info : file_.variables()) {
+      if (info.kind != MatKind::text || scope_of(info) != scope) continue;
       const std::string name = lower_case(info.name);
-      if (info.kind != MatKind::text || scope_of(info) != scope || name.find("unit") == std::string::npos) continue;
+      if (name.find("unit") == std::string::npos) continue;
       if (name.find("freq") != std::string::npos || name.find("time") != std::string::npos || name.ends_with("ref_unit"))
         continue;
       lookup_.fail(place_of(info.name), "is not read",

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -39,6 +40,8 @@ class MatFile {
 
   const std::string& file() const { return file_; }
   const std::vector<MatInfo>& variables() const { return variables_; }
+  /// The same by their names in lower case, those of one name in the order of the file; until another variable is added.
+  const std::multimap<std::string, const MatInfo*>& by_lower_name() const;
 
   /// Reads one of `variables`. Throws InputError when the file breaks its promises.
   virtual MatVariable read(const MatInfo& info) = 0;
@@ -63,6 +66,9 @@ class MatFile {
 
   std::string file_;
   std::vector<MatInfo> variables_;
+
+ private:
+  mutable std::multimap<std::string, const MatInfo*> by_lower_name_;  ///< made when it is asked for
 };
 
 /// By matio (v5, v6, v7); a build without it throws InputError that says so.

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace jointid::frf {
@@ -12,7 +11,7 @@ namespace {
 
 constexpr double large_factor = 500.0, small_factor = 1000.0, rounding = 1e-10, no_resonance = 1e5, rise = 1.3, opposite = 0.7,
                  agreement = 1.0;
-constexpr std::size_t fewest_neighbours = 3, most_runs = 100'000, piece_bytes = std::size_t{4} << 20;
+constexpr std::size_t fewest_neighbours = 3, most_runs = 100'000;
 
 bool is_number(Complex h) { return !std::isnan(h.real()) && !std::isnan(h.imag()); }
 bool is_infinite(Complex h) { return std::isinf(h.real()) || std::isinf(h.imag()); }
@@ -177,23 +176,6 @@ WildValues WildSearch::finish() {
     out.found.resize(most_wild_values);
   }
   return out;
-}
-
-WildValues find_wild_values(FrfSource& source, const std::function<bool()>& interrupted) {
-  const FrfHeader& header = source.header();
-  if (header.entries() > most_judged_frfs) return {.found = {}, .more = 0, .looked = false};
-  std::vector<std::size_t> lines(header.lines()), responses(header.response.size()), references(header.reference.size());
-  for (auto* indices : {&lines, &responses, &references}) std::iota(indices->begin(), indices->end(), std::size_t{0});
-  const std::size_t step = std::max<std::size_t>(1, piece_bytes / (header.entries() * sizeof(Complex)));
-  WildSearch search(header);
-  std::vector<Complex> values;
-  for (std::size_t first = 0; first < lines.size() && !(interrupted && interrupted()); first += step) {
-    const auto some = std::span(lines).subspan(first, std::min(step, lines.size() - first));
-    values.resize(some.size() * header.entries());
-    source.read({some, responses, references}, values);
-    search.add(values);
-  }
-  return search.finish();
 }
 
 }  // namespace jointid::frf

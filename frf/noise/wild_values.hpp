@@ -2,12 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "frf/set/frf_source.hpp"
+#include "frf/set/frf_set.hpp"
 
 namespace jointid::frf {
 
@@ -82,8 +81,5 @@ class WildSearch {
   std::vector<WildValue> found_;
   std::size_t more_ = 0;
 };
-
-/// All of a source, a few lines at a time. Ends early, with what was found so far, when `interrupted` says so.
-WildValues find_wild_values(FrfSource& source, const std::function<bool()>& interrupted = {});
 
 }  // namespace jointid::frf

@@ -11,22 +11,9 @@
 namespace jointid::frf {
 namespace {
 
-/// Length of the UTF-8 sequence that `text` begins with, 0 if it is none.
-std::size_t sequence_length(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text[0]);
-  const std::size_t length = first < 0x80                    ? 1
-                             : first >= 0xC2 && first < 0xE0 ? 2
-                             : first >= 0xE0 && first < 0xF0 ? 3
-                             : first >= 0xF0 && first < 0xF5 ? 4
-                                                             : 0;
-  if (length == 0 || length > text.size()) return 0;
-  const auto follows = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-  return std::ranges::all_of(text.substr(1, length - 1), follows) ? length : 0;
-}
-
 bool is_utf8(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
+    const std::size_t length = utf8_length(text);
     if (length == 0) return false;
     text.remove_prefix(length);
   }
@@ -66,6 +53,19 @@ void replace_pieces(std::string& text) {
 
 }  // namespace
 
+std::size_t utf8_length(std::string_view text) {
+  if (text.empty()) return 0;
+  const auto first = static_cast<unsigned char>(text[0]);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xC2 && first < 0xE0 ? 2
+                             : first >= 0xE0 && first < 0xF0 ? 3
+                             : first >= 0xF0 && first < 0xF5 ? 4
+                                                             : 0;
+  if (length == 0 || length > text.size()) return 0;
+  const auto follows = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  return std::ranges::all_of(text.substr(1, length - 1), follows) ? length : 0;
+}
+
 std::string_view without_padding(std::string_view label) {
   const auto is_padding = [](unsigned char c) { return c <= ' ' || c == 0x7F; };
   const auto trim = [&] {
@@ -104,10 +104,10 @@ std::string plain_label(std::string_view label) {
   const std::string text = utf8_label(bare);
   std::string plain;
   for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view sequence = rest.substr(0, std::max<std::size_t>(1, sequence_length(rest)));
+    const std::string_view sequence = rest.substr(0, std::max<std::size_t>(1, utf8_length(rest)));
     rest.remove_prefix(sequence.size());
     const bool converted_twice = sequence == "Â" && !rest.empty() &&
-                                 sign_of(rest.substr(0, sequence_length(rest)), false) != rest.substr(0, sequence_length(rest));
+                                 sign_of(rest.substr(0, utf8_length(rest)), false) != rest.substr(0, utf8_length(rest));
     if (!converted_twice) plain += sign_of(sequence, one_byte);
   }
   replace_pieces(plain);

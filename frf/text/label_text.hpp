@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 /// Labels of other programs' files as text: code pages, padding, signs that only some keyboards have.
 namespace jointid::frf {
+
+/// Length of the UTF-8 sequence that `text` begins with, 0 if it is none (overlong forms are left to be Latin-1).
+std::size_t utf8_length(std::string_view text);
 
 /// Without blanks, control bytes and quotes around it; what follows a NUL is padding.
 std::string_view without_padding(std::string_view label);

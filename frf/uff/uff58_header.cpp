@@ -86,8 +86,9 @@ class RecordLine {
 
   /// A field behind a name that one blank separates from it: by bytes where that blank stands there alone.
   std::string text_behind_name(std::size_t begin, std::size_t width) const {
+    if (!has_wide_characters(raw_)) return text(begin, width);
     const bool parted = text_column(raw_, begin - 1, 1).empty() && !text_column(raw_, begin, width).empty();
-    if (parted || !has_wide_characters(raw_)) return text(begin, width);
+    if (parted) return text(begin, width);
     const bool parted_by_bytes = column(raw_, begin - 1, 1).empty() && !column(raw_, begin, width).empty();
     return RecordLine(raw_, 0, place_, parted_by_bytes).text(begin, width);
   }

@@ -13,20 +13,8 @@ namespace {
 
 constexpr std::string_view blanks("\0 \t\r\n\x1A", 6);
 
-/// Length of the UTF-8 sequence at `at`, 0 if it is not one (overlong forms are left to be Latin-1).
-std::size_t utf8_length(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  const std::size_t length = first < 0x80                    ? 1
-                             : first >= 0xC2 && first < 0xE0 ? 2
-                             : first >= 0xE0 && first < 0xF0 ? 3
-                             : first >= 0xF0 && first < 0xF5 ? 4
-                                                             : 0;
-  if (length == 0 || at + length > text.size()) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(at + i) & 0xC0) != 0x80) return 0;
-  }
-  return length;
+bool is_ascii(std::string_view line) {
+  return std::ranges::all_of(line, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
 /// Reads a number whose exponent letter from_chars does not know, or which has none.
@@ -57,10 +45,11 @@ std::string_view trim(std::string_view text) {
 }
 
 std::string one_byte_per_column(std::string_view line) {
+  if (is_ascii(line)) return std::string(line);
   std::string columns;
   columns.reserve(line.size());
   for (std::size_t at = 0; at < line.size();) {
-    const std::size_t length = utf8_length(line, at);
+    const std::size_t length = utf8_length(line.substr(at));
     if (length == 0) return std::string(line);
     const auto first = static_cast<unsigned char>(line[at]);
     if (length == 1) {
@@ -95,9 +84,10 @@ std::string_view column(std::string_view line, std::size_t begin, std::size_t wi
 }
 
 bool has_wide_characters(std::string_view line) {
+  if (is_ascii(line)) return false;
   bool wide = false;
   for (std::size_t at = 0; at < line.size();) {
-    const std::size_t length = utf8_length(line, at);
+    const std::size_t length = utf8_length(line.substr(at));
     if (length == 0) return false;
     wide = wide || length > 1;
     at += length;
@@ -109,7 +99,7 @@ std::string text_column(std::string_view line, std::size_t begin, std::size_t wi
   if (!has_wide_characters(line)) return utf8_label(column(line, begin, width));
   const auto byte_of = [&](std::size_t wanted) {
     std::size_t at = 0;
-    for (std::size_t i = 0; i < wanted && at < line.size(); ++i) at += utf8_length(line, at);
+    for (std::size_t i = 0; i < wanted && at < line.size(); ++i) at += utf8_length(line.substr(at));
     return at;
   };
   const std::size_t from = byte_of(begin);

@@ -210,8 +210,6 @@ Ordinate interpret_labelled(const Header58& header, const UnitFactors& factors, 
 
 }  // namespace
 
-std::optional<Unit> parse_label(std::string_view label) { return parse_unit(label); }
-
 bool may_be_motion_over_force(const Header58& header) {
   const int above = header.numerator.data_type, below = header.denominator.data_type;
   if ((!is_motion(above) && above > 1) || (below != type_force && below > 1)) return false;
@@ -232,7 +230,7 @@ Ordinate interpret_ordinate(const Header58& header, const UnitFactors& factors, 
 
 std::optional<bool> spectrum_of_forces(const Header58& header) {
   if (header.numerator.data_type > 1) return header.numerator.data_type == type_force;
-  const auto unit = parse_label(header.numerator.unit);
+  const auto unit = parse_unit(header.numerator.unit);
   return unit ? std::optional(unit->force == 1) : std::nullopt;
 }
 

@@ -16,9 +16,6 @@ struct UnitFactors {
   double force = 1.0;
 };
 
-/// frf::parse_unit() of a label.
-std::optional<Unit> parse_label(std::string_view label);
-
 /// What the user says of the FRFs of a file: their quantity, and their unit in place of all labels; empty: nothing.
 struct GivenUnits {
   std::optional<Quantity> quantity;

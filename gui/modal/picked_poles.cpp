@@ -26,8 +26,7 @@ void PickedPoles::redo() {
 
 std::vector<modalfit::Pole> with_pole(std::vector<modalfit::Pole> poles, const modalfit::ModelKind& kind,
                                       const modalfit::CandidatePole& pole) {
-  const double per_zeta = kind.damping == modalfit::Damping::hysteretic ? 2.0 : 1.0;  // at resonance
-  poles.push_back({pole.frequency_hz, per_zeta * pole.damping});
+  poles.push_back({pole.frequency_hz, modalfit::damping_per_zeta(kind) * pole.damping});
   std::ranges::sort(poles, {}, &modalfit::Pole::frequency_hz);
   return poles;
 }

@@ -288,8 +288,7 @@ bool Agreement::contradicts() const {
 
 Agreement span_agreement(const SpanSetup& setup, const std::vector<CheckedFile>& files) {
   const CheckedFile &part = files[setup.part], &assembly = files[setup.assembly];
-  const auto is_known = [](const CheckedFile& file) { return file.errors || (file.noise && file.noise->recorded); };
-  if (!is_known(part) || !is_known(assembly)) return {};
+  if (!part.has_recorded_noise() || !assembly.has_recorded_noise()) return {};
   const Dofs& all_columns = setup.transposed ? assembly.responses : assembly.references;
   Dofs columns;
   for (const auto* some : {&setup.assembly_columns, &setup.outer_columns}) {
@@ -305,10 +304,11 @@ Agreement span_agreement(const SpanSetup& setup, const std::vector<CheckedFile>&
   return sums.finish(true);
 }
 
-Agreement mirror_agreement(const CheckedFile& file) {
+Agreement mirror_agreement(const CheckedFile& file) { return mirror_agreement(file, file.has_recorded_noise()); }
+
+Agreement mirror_agreement(const CheckedFile& file, bool recorded) {
   const MirrorPlaces places(file);
   if (places.dofs.size() < 2) return {};
-  const bool recorded = file.errors || (file.noise && file.noise->recorded);
   const auto law = recorded ? nullptr : std::make_unique<const MirrorLaw>(file, places);
   if (law && !law->says_anything()) return {};
   Sums sums(places.dofs, places.dofs, file.frequency_hz);

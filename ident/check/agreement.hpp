@@ -41,6 +41,8 @@ Agreement span_agreement(const SpanSetup& setup, const std::vector<CheckedFile>&
 
 /// H_ij − H_ji in a file; where its noise is not recorded, over a law that most of the lines follow.
 Agreement mirror_agreement(const CheckedFile& file);
+/// The same by the record of the file, or by such a law.
+Agreement mirror_agreement(const CheckedFile& file, bool recorded);
 
 /// The size of H_ij − H_ji of each pair in a file; no DOFs where it has fewer than two in both roles.
 ReciprocityMap reciprocity_map(const CheckedFile& file);

@@ -80,9 +80,7 @@ std::string other_causes(const Scene& scene) {
   causes.push_back("a joint DOF left out");
   if (scene.data.regenerate.any() || std::ranges::any_of(scene.data.substructures, is_model)) causes.push_back("missing modes of a model");
   causes.push_back("bolts at another force level or torque than the scene's other files");
-  std::string text = "Where no file is wrong, look for: ";
-  for (std::size_t i = 0; i < causes.size(); ++i) text += (i == 0 ? "" : i + 1 < causes.size() ? ", " : " or ") + causes[i];
-  return text;
+  return "Where no file is wrong, look for: " + one_of(causes);
 }
 
 CheckResult check_scene(const Scene& scene, const Control& control) {

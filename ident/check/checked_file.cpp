@@ -67,7 +67,7 @@ CheckedFile kept(const CheckedFile& file, const std::vector<Eigen::Index>& rows,
   result.errors = kept_law(file, rows);
   if (file.noise) {
     result.noise = std::make_shared<const NoiseLaws>(
-        NoiseLaws{file.noise->proportional(rows, columns), file.noise->constant(rows, columns), file.noise->recorded});
+        NoiseLaws{file.noise->proportional(rows, columns), file.noise->constant(rows, columns)});
   }
   return result;
 }

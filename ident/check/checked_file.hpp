@@ -27,6 +27,8 @@ struct CheckedFile {
   std::vector<Suspect> wild{};  ///< numbers far out of their neighbours (frf::WildSearch); of consecutive lines
   std::shared_ptr<const NoiseLaws> noise{};  ///< of each FRF; null where the file knows nothing
 
+  /// Whether the file says how large its noise is.
+  bool has_recorded_noise() const { return errors != nullptr || noise != nullptr; }
   /// E[e e^H] of some FRFs of a line to a reference. Only with `errors`.
   Eigen::MatrixXcd covariance(std::size_t line, const std::vector<Eigen::Index>& some_responses, Eigen::Index reference) const;
   /// One of its diagonal.

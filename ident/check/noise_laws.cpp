@@ -112,8 +112,7 @@ std::shared_ptr<const NoiseLaws> recorded_laws(frf::FrfSource& source, const std
   const auto rows = indices_up_to(header.response.size()), columns = indices_up_to(header.reference.size());
   const std::vector<double> errors = error_squares(source, {lines, rows, columns}, *origin, some);
   NoiseLaws laws{.proportional = Eigen::MatrixXd(at(rows.size()), at(columns.size())),
-                 .constant = Eigen::MatrixXd(at(rows.size()), at(columns.size())),
-                 .recorded = true};
+                 .constant = Eigen::MatrixXd(at(rows.size()), at(columns.size()))};
   std::vector<NoiseSample> samples;
   for (std::size_t e = 0; e < entries; ++e) {
     samples.clear();

@@ -15,7 +15,6 @@ namespace jointid::ident {
 /// line.
 struct NoiseLaws {
   Eigen::MatrixXd proportional, constant;  ///< [R,C]; NaN where nothing is known
-  bool recorded = false;                   ///< by the file; else told by H_ij − H_ji
 
   double operator()(Eigen::Index response, Eigen::Index reference, double square, double factor) const {
     return proportional(response, reference) * square + constant(response, reference) * factor;

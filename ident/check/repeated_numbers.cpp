@@ -50,7 +50,7 @@ bool are_same(const CheckedFile& file, Index r, Index c, Index other_r, Index ot
 /// Whether the numbers of a file have errors of their own: by its record, or since half of its pairs H_ij, H_ji differ by more than
 /// rounding. Where they have none, symmetry of the structure makes FRFs equal.
 bool has_noise(const CheckedFile& file) {
-  if (file.errors || (file.noise && file.noise->recorded)) return true;
+  if (file.has_recorded_noise()) return true;
   constexpr double rounding = 1e-20;  // of the squares
   std::size_t pairs = 0, different = 0;
   const Eigen::MatrixXcd& line = file.frfs[file.frfs.size() / 2];

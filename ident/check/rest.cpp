@@ -118,15 +118,12 @@ std::string where_not_reciprocal(const CheckedFile& file, const Agreement& test,
 double noise_beyond_records(const CheckedFile& file, const Agreement& test) {
   constexpr double just_noise = 2.0;
   if (!test.recorded || !(test.ratio > 1.0) || !group_that_differs(test.cells).empty()) return 1.0;
-  CheckedFile unrecorded = file;
-  unrecorded.noise = nullptr;
-  unrecorded.errors = nullptr;
-  const Agreement own = mirror_agreement(unrecorded);
+  const Agreement own = mirror_agreement(file, false);
   return own.freedom > 0.0 && own.ratio < just_noise ? test.ratio : 1.0;
 }
 
-std::optional<Suspect> not_reciprocal(const CheckedFile& file, const ReciprocityTest& screened, double noise) {
-  const Agreement test = mirror_agreement(file);
+std::optional<Suspect> not_reciprocal(const CheckedFile& file, const Agreement& test, const ReciprocityTest& screened,
+                                      double noise) {
   const bool by_much = screened.level > std::max(0.3, 4.0 * noise);
   const bool contradicts = test.contradicts() && noise_beyond_records(file, test) == 1.0;
   if (!contradicts && !by_much) return std::nullopt;
@@ -151,12 +148,15 @@ struct WorstSpan {
   const SpanSetup* setup = nullptr;
 };
 
-WorstSpan worst_span(const Files& files, const std::vector<SpanSetup>& setups) {
+/// `mirror` of each file, `span` of each setup.
+WorstSpan worst_span(const Files& files, const std::vector<SpanSetup>& setups, const std::vector<Agreement>& mirror,
+                     std::vector<Agreement> span) {
   WorstSpan worst;
   std::vector<double> beyond;
-  for (const CheckedFile& file : files) beyond.push_back(noise_beyond_records(file, mirror_agreement(file)));
-  for (const SpanSetup& setup : setups) {
-    Agreement test = span_agreement(setup, files);
+  for (std::size_t f = 0; f < files.size(); ++f) beyond.push_back(noise_beyond_records(files[f], mirror[f]));
+  for (std::size_t s = 0; s < setups.size(); ++s) {
+    const SpanSetup& setup = setups[s];
+    Agreement& test = span[s];
     test.ratio /= std::max(beyond[setup.part], beyond[setup.assembly]);
     if (!test.contradicts() || (worst.setup != nullptr && test.ratio <= worst.test.ratio)) continue;
     worst = {std::move(test), &setup};
@@ -189,20 +189,20 @@ Suspect not_of_the_parts(const Files& files, const WorstSpan& worst) {
 }
 
 /// All FRFs of an assembly, or of a part, off by a factor.
-std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup>& setups) {
+std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup>& setups, const std::vector<Agreement>& span) {
   std::vector<Suspect> found;
   for (std::size_t a = 0; a < files.size(); ++a) {
-    std::vector<std::pair<const SpanSetup*, Agreement>> tests;
-    for (const SpanSetup& setup : setups) {
-      if (setup.assembly == a && !setup.transposed) tests.emplace_back(&setup, span_agreement(setup, files));
+    std::vector<std::pair<const SpanSetup*, const Agreement*>> tests;
+    for (std::size_t s = 0; s < setups.size(); ++s) {
+      if (setups[s].assembly == a && !setups[s].transposed) tests.emplace_back(&setups[s], &span[s]);
     }
-    const auto tells = [](const auto& test) { return test.second.tells_gain(); };
+    const auto tells = [](const auto& test) { return test.second->tells_gain(); };
     const auto first = std::ranges::find_if(tests, tells);
     if (first == tests.end()) continue;
-    const double excess = first->second.excess;
+    const double excess = first->second->excess;
     const bool of_all = std::ranges::all_of(tests, [&](const auto& test) {
-      return std::abs(test.second.excess - excess) <
-             0.3 * std::abs(excess) + 4.0 * std::hypot(test.second.excess_deviation, first->second.excess_deviation);
+      return std::abs(test.second->excess - excess) <
+             0.3 * std::abs(excess) + 4.0 * std::hypot(test.second->excess_deviation, first->second->excess_deviation);
     });
     const CheckedFile& file = files[of_all ? a : first->first->part];
     const double factor = of_all ? 1.0 + excess : 1.0 / (1.0 + excess);
@@ -212,7 +212,7 @@ std::vector<Suspect> small_gains(const Files& files, const std::vector<SpanSetup
          .dofs = {},
          .evidence = fmt::format("all FRFs of the file are off by the factor {:.4g} ± {:.2g}, as far as the parts and forces at "
                                  "the joint tell; a few tenths of a percent are what calibrations leave",
-                                 1.0 / factor, first->second.excess_deviation),
+                                 1.0 / factor, first->second->excess_deviation),
          .confidence = 0.7,
          .remedy = remedy_in(file.name, fmt::format("gain = {:.5g}", factor))});
   }
@@ -267,17 +267,23 @@ std::string worst_band(const std::vector<Line>& lines, const std::vector<double>
 std::vector<Suspect> unexplained(const Files& files, const std::vector<SpanSetup>& setups, const Screening& screening,
                                  const std::vector<double>& noise) {
   std::vector<Suspect> found;
+  std::vector<Agreement> mirror, span;
+  for (const CheckedFile& file : files) mirror.push_back(mirror_agreement(file));
   for (std::size_t f = 0; f < files.size(); ++f) {
     if (activity(files[f], noise[f]) > 1.5) found.push_back(not_passive(files[f]));
-    if (auto suspect = not_reciprocal(files[f], screening.reciprocity[f], noise[f])) found.push_back(std::move(*suspect));
+    if (auto suspect = not_reciprocal(files[f], mirror[f], screening.reciprocity[f], noise[f]))
+      found.push_back(std::move(*suspect));
   }
   const bool one = std::ranges::any_of(found, [](const Suspect& suspect) { return suspect.kind == SuspectKind::outlier; });
-  if (found.empty()) {
-    for (Suspect& gain : small_gains(files, setups)) found.push_back(std::move(gain));
+  if (!one) {
+    for (const SpanSetup& setup : setups) span.push_back(span_agreement(setup, files));
   }
-  const WorstSpan span = one ? WorstSpan{} : worst_span(files, setups);
-  if (span.setup != nullptr) {
-    found.push_back(not_of_the_parts(files, span));
+  if (found.empty()) {
+    for (Suspect& gain : small_gains(files, setups, span)) found.push_back(std::move(gain));
+  }
+  const WorstSpan worst = one ? WorstSpan{} : worst_span(files, setups, mirror, std::move(span));
+  if (worst.setup != nullptr) {
+    found.push_back(not_of_the_parts(files, worst));
   } else if (!one) {
     add_nonlinear(screening, found);
   }

@@ -97,13 +97,13 @@ void each_matrix(const Plan& plan, const Look& look) {
   }
 }
 
+}  // namespace
+
 std::string of_matrix(restrictions::Kind kind) {
   std::string matrix = restrictions::key(kind);
   std::ranges::replace(matrix, '_', ' ');
   return matrix + " " + restrictions::symbol(kind);
 }
-
-}  // namespace
 
 std::vector<ActiveMotion> active_motions(const Plan& plan, const std::vector<double>& theta, const MatrixXd& covariance,
                                          double deviations) {

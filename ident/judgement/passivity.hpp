@@ -35,6 +35,9 @@ struct NegativeDiagonal {
 std::vector<NegativeDiagonal> negative_diagonals(const Plan& plan, const std::vector<double>& theta,
                                                  const Eigen::MatrixXd& covariance, double deviations);
 
+/// "hysteretic damping D".
+std::string of_matrix(restrictions::Kind kind);
+
 /// "hysteretic damping D has a negative eigenvalue, -0.83 ± 0.02 of its largest, with most motion at 4:+Y".
 std::string text(const ActiveMotion& motion);
 

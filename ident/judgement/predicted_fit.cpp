@@ -218,8 +218,7 @@ MatrixXd scatter_of_lines(const LinesAbout& at_end) {
   return inverse * scatter * inverse * (lines / std::max(1.0, lines - 1.0));
 }
 
-}  // namespace
-
+/// Reads up to `most` lines, spread over all. Empty where nothing is known of the noise, as read_noisy_lines().
 std::optional<PredictedLines> read_predicted_lines(Plan& plan, std::size_t most) {
   try {
     return read_all(plan, most);
@@ -227,6 +226,8 @@ std::optional<PredictedLines> read_predicted_lines(Plan& plan, std::size_t most)
     return std::nullopt;  // no variances
   }
 }
+
+}  // namespace
 
 std::optional<PredictedLines> predicted_lines_to_judge(Plan& plan) {
   constexpr double flops = 2e9;
@@ -250,15 +251,15 @@ std::optional<PredictedFit> predicted_fit(const Plan& plan, const PredictedLines
   LinesAbout now = equations.about(fit.theta);
   if (now.by_line.empty()) return std::nullopt;
   double lambda = 0.0;
-  for (int k = 0; k < most_steps && !fit.settled; ++k) {
+  bool settled = false;
+  for (int k = 0; k < most_steps && !settled; ++k) {
     const auto step = damped_step(equations, fit.theta, now, lambda);
-    fit.settled = !step || step->dot(now.information * *step) < near * near * std::max(now.misfit, 1e-12);
+    settled = !step || step->dot(now.information * *step) < near * near * std::max(now.misfit, 1e-12);
     if (!step) break;
     fit.theta = moved(fit.theta, *step);
     now = equations.about(fit.theta);
   }
   fit.misfit = now.misfit;
-  fit.lines = now.by_line.size();
   fit.covariance = scatter_of_lines(now);
   return fit;
 }

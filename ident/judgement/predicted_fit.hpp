@@ -22,9 +22,6 @@ struct PredictedLines {
   bool from_knowledge = true;  ///< as NoisyLines::from_knowledge
 };
 
-/// Reads up to `most` lines, spread over all. Empty where nothing is known of the noise, as read_noisy_lines().
-std::optional<PredictedLines> read_predicted_lines(Plan& plan, std::size_t most);
-
 /// The joint by which the parts predict H_nn best, each equation weighed by what the errors of its FRFs make of it. With
 /// P = Z (I + H_bb Z)⁻¹ and F = H_nn − H_aa + H_ab P H_ba (6.12),
 ///   var F_rm = var(H_nn − H_aa)_rm + Σ_j var(H_ab)_rj |P H_ba|²_jm + Σ_j |H_ab P|²_rj var(H_ba)_jm
@@ -33,10 +30,7 @@ std::optional<PredictedLines> read_predicted_lines(Plan& plan, std::size_t most)
 struct PredictedFit {
   std::vector<double> theta;   ///< scaled unknowns
   Eigen::MatrixXd covariance;  ///< of theta, from the scatter of the lines' gradients (sandwich)
-  bool settled = false;
-  double misfit =
-      0.0;  ///< |F|²/var F: the mean of a line's equations, the middle one of all lines. About 1 for a joint that fits
-  std::size_t lines = 0;  ///< with any equation
+  double misfit = 0.0;  ///< |F|²/var F: the mean of a line's equations, the middle one of all lines. About 1 for a joint that fits
 };
 
 /// Lines for predicted_fit(), as many as it takes in about a second. Empty where errors have much in common (modal models,

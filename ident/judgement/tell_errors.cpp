@@ -97,9 +97,7 @@ std::vector<WithoutDigit> without_digit(const Plan& plan, const Solution& out) {
 }
 
 std::string text(const WithoutDigit& of) {
-  std::string matrix = restrictions::key(of.kind);
-  std::ranges::replace(matrix, '_', ' ');
-  return matrix + " " + restrictions::symbol(of.kind) + " has no valid digit in " + of.unit + ": errors reach " +
+  return of_matrix(of.kind) + " has no valid digit in " + of.unit + ": errors reach " +
          digits(of.share) + " times its largest value";
 }
 

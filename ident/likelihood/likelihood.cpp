@@ -340,7 +340,16 @@ struct Fitted {
   std::optional<FileGain> without = {};    ///< what the fit without that gain said of it
 
   bool is_own(const Plan& plan) const { return plan.solver == "gauss-helmert" && fit.converged; }
+  /// Whether intervals may hold more than the noise that variances tell.
+  bool may_widen(const Plan& plan) const { return is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0; }
 };
+
+Fitted with_chi_square(const Plan& plan, LikelihoodEstimator estimator, LikelihoodFit fit) {
+  const LikelihoodPlan& own = *likelihood_plan(plan);
+  ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
+  const double ratio = fitting_ratio(chi_square, fit);
+  return {std::move(estimator), std::move(fit), std::move(chi_square), ratio};
+}
 
 Fitted fitted(Plan& plan, const Control& control, const std::shared_ptr<std::string>& stage, Solution& out) {
   const Clock::time_point start = Clock::now();
@@ -361,10 +370,7 @@ Fitted fitted(Plan& plan, const Control& control, const std::shared_ptr<std::str
     out.admissibility->from_variances = true;
   }
   out.runtime_s.solve = seconds_since(start) - out.runtime_s.start;
-  const LikelihoodPlan& own = *likelihood_plan(plan);
-  ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
-  const double ratio = fitting_ratio(chi_square, fit);
-  return {std::move(estimator), std::move(fit), std::move(chi_square), ratio};
+  return with_chi_square(plan, std::move(estimator), std::move(fit));
 }
 
 /// Whether a gain explains the misfit beyond its expectation, or half of it.
@@ -380,25 +386,18 @@ void fit_with_gain(Plan& plan, const Control& control, const std::shared_ptr<std
   const FileGain chosen = *gain;
   std::vector<double> start = all.fit.theta;
   for (std::size_t c = 0; c < start.size(); ++c) start[c] += chosen.gain * chosen.answer[at(c)];
-  all.gain = std::make_unique<AssumedGain>(plan, chosen.file);
+  auto assumed = std::make_unique<AssumedGain>(plan, chosen.file);
   start.push_back(chosen.gain / usual_calibration);
   LikelihoodEstimator estimator = make_estimator(plan, control, stage);
   const Starts only = [&start](std::size_t k) { return k == 0 ? std::optional(start) : std::nullopt; };
   LikelihoodFit fit = estimator.run(only, [&](std::size_t) { stop_if(control.interrupted); });
-  const LikelihoodPlan& own = *likelihood_plan(plan);
-  ChiSquare chi_square = chi_square_of(*own.observations, own.priors, fit);
-  const double ratio = fitting_ratio(chi_square, fit);
-  if (!fit.converged || !explains(ratio, all.ratio, chi_square.degrees_of_freedom)) {
-    all.gain.reset();
-    return;
-  }
-  all.without = chosen;
-  fit.iterations += all.fit.iterations;
-  all.estimator = std::move(estimator);
-  all.fit = std::move(fit);
-  all.chi_square = std::move(chi_square);
-  all.ratio = ratio;
-  all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
+  Fitted more = with_chi_square(plan, std::move(estimator), std::move(fit));
+  if (!more.fit.converged || !explains(more.ratio, all.ratio, more.chi_square.degrees_of_freedom)) return;
+  more.fit.iterations += all.fit.iterations;
+  more.tried = try_errors(plan, more.estimator, more.fit, more.ratio, control);
+  more.gain = std::move(assumed);
+  more.without = chosen;
+  all = std::move(more);
 }
 
 /// What is in the intervals beside the noise that variances tell.
@@ -413,8 +412,7 @@ Widened widened(const Plan& plan, const Fitted& all, const Eigen::MatrixXd& info
   const std::size_t joint = plan.columns->size();
   Widened to{Intervals(covariance_under_ties(plan, joint_information(information, joint)))};
   to.likely = likely_chi_square(plan, chi_square.degrees_of_freedom, likelihood_plan(plan)->observations->mirror_differences());
-  const bool applies = all.tried && all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0;
-  if (!applies || minimise::null_space_of(all.fit.information).cols() > 0) return to;
+  if (!all.tried || !all.may_widen(plan) || minimise::null_space_of(all.fit.information).cols() > 0) return to;
   const TriedErrors& tried = *all.tried;
   if (!tried.files.empty() && !tried.is_calibration_stated) to.intervals.add_gain(tried.files.front());
   note_calibration(to.intervals.cost(), all.without, tried, out);
@@ -442,8 +440,9 @@ void estimate(Plan& plan, const Control& control, Solution& out) {
   Fitted all = fitted(plan, control, stage, out);
   *stage = "standard errors";
   const Clock::time_point solved = Clock::now();
-  if (all.fit.converged) all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
-  if (all.is_own(plan) && !plan.admissible && plan.scene.identify.bootstrap == 0) fit_with_gain(plan, control, stage, all);
+  if (all.may_widen(plan) || (all.fit.converged && control.detail == Detail::full))
+    all.tried = try_errors(plan, all.estimator, all.fit, all.ratio, control);
+  if (all.may_widen(plan)) fit_with_gain(plan, control, stage, all);
   const Eigen::MatrixXd information = all.is_own(plan) ? all.estimator.godambe_information_at(all.fit) : all.fit.information;
   const LikelihoodFit fit = joint_part(all.fit, plan.columns->size());
   interpret(plan, with_rank(plan, fit), out);

@@ -145,11 +145,12 @@ std::vector<LevelRecordings::Harmonic> LevelRecordings::phasors(const std::vecto
       const records::Record& record = records_[source.record];
       motion.file = force.file = record.file;
       motion.frequency_hz.push_back(number * hz);
+      const double force_start = record.channels[records::force_channels(record).front()].start_s;
       const auto put = [&](const frf::Dof& dof, bool is_force, Eigen::Index column, Filled& to) {
         const auto c = channel_of(record, dof, is_force);
         if (!c) return;
         const records::Channel& channel = record.channels[*c];
-        const double late = channel.start_s - record.channels[records::force_channels(record).front()].start_s;
+        const double late = channel.start_s - force_start;
         const Complex factor = (channel.dof == dof ? 1.0 : -1.0) * std::polar(1.0, -angular(number * hz) * late) *
                                (is_force ? Complex(1.0) : to_displacement(channel.kind, angular(number * hz)));
         to.values(line, column) = factor * source.phasors.value(at(n), at(*c));

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <sstream>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/statistics.hpp"
 #include "base/temporary_file.hpp"
+#include "frf/hdf5/record_journal.hpp"
 #include "laws/task/identify_laws.hpp"
 
 namespace jointid::laws {
@@ -42,11 +44,11 @@ std::string differences(const std::string& text, const std::string& head) {
     const char* const ends = name == "laws" ? "\n" : " \n";
     return at == std::string::npos ? std::string() : of.substr(at, of.find_first_of(ends, at + name.size() + 2) - at);
   };
-  std::string others;
+  std::vector<std::string> others;
   for (const auto& [name, called] : {std::pair{"scene", "scene"}, {"data", "set of data"}, {"seed", "seed"}, {"laws", "list of laws"}}) {
-    if (word_behind(text, name) != word_behind(head, name)) others += (others.empty() ? "another " : " and another ") + std::string(called);
+    if (word_behind(text, name) != word_behind(head, name)) others.emplace_back(called);
   }
-  return others.empty() ? "another version of jointid" : others;
+  return others.empty() ? "another version of jointid" : frf::named_others(others);
 }
 
 }  // namespace

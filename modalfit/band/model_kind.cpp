@@ -8,6 +8,8 @@ namespace jointid::modalfit {
 
 std::string name(Damping damping) { return damping == Damping::viscous ? "viscous" : "hysteretic"; }
 
+double damping_per_zeta(const ModelKind& kind) { return kind.damping == Damping::hysteretic ? 2.0 : 1.0; }
+
 Damping parse_damping(std::string_view text) {
   for (const Damping damping : {Damping::viscous, Damping::hysteretic}) {
     if (text == name(damping)) return damping;

@@ -26,4 +26,7 @@ struct ModelKind {
   bool real_modes = false;
 };
 
+/// Hysteretic η = 2ζ at resonance.
+double damping_per_zeta(const ModelKind& kind);
+
 }  // namespace jointid::modalfit

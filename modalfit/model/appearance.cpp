@@ -122,12 +122,13 @@ void explain(ModalFit& fit, const Band& band, const FitOptions& options) {
       percent(as_is), percent(other));
 }
 
-void doubt_phase(ModalFit& fit, const Band& band) {
+bool doubt_phase(ModalFit& fit, const Band& band) {
   const bool real = lacks(band, [](const Complex& value) { return value.imag(); });
-  if (!real && !lacks(band, [](const Complex& value) { return value.real(); })) return;
+  if (!real && !lacks(band, [](const Complex& value) { return value.real(); })) return false;
   fit.message = fmt::format("The FRFs are {} throughout: magnitudes, one part of complex FRFs, or of a model without damping. A modal fit "
                             "needs real and imaginary part.", real ? "real" : "imaginary");
   if (is_usable(fit.status)) fit.status = fit.deviation < follows_undamped ? FitStatus::doubtful : FitStatus::poor_fit;
+  return true;
 }
 
 }  // namespace jointid::modalfit

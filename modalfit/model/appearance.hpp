@@ -11,7 +11,7 @@ namespace jointid::modalfit {
 void explain(ModalFit& fit, const Band& band, const FitOptions& options);
 
 /// FRFs that are real or imaginary throughout, as stored, have no damping: magnitudes and real parts have no modal model (poor_fit where a
-/// fit is usable by its decibels), and a model without damping is doubtful.
-void doubt_phase(ModalFit& fit, const Band& band);
+/// fit is usable by its decibels), and a model without damping is doubtful. Whether they are; else the fit stays as it is.
+bool doubt_phase(ModalFit& fit, const Band& band);
 
 }  // namespace jointid::modalfit

@@ -89,7 +89,7 @@ class Fitter {
     const bool viscous = options_.kind.damping == Damping::viscous;
     const ModelKind kind{viscous ? Damping::hysteretic : Damping::viscous, options_.kind.real_modes};
     std::vector<Pole> poles = refined.poles;
-    for (Pole& pole : poles) pole.damping *= viscous ? 2.0 : 0.5;
+    for (Pole& pole : poles) pole.damping *= damping_per_zeta(kind) / damping_per_zeta(options_.kind);
     const RefinedPoles other = refine(band_, entries_, kind, std::move(poles), {.most_iterations = other_iterations}, options_.interrupted);
     if (!(other.cost < much_less * out.cost)) return;
     out.remarks.push_back(
@@ -150,28 +150,6 @@ class Fitter {
 };
 
 }  // namespace
-
-std::string name(FitStatus status) {
-  switch (status) {
-    case FitStatus::no_modes: return "no_modes";
-    case FitStatus::not_converged: return "not_converged";
-    case FitStatus::doubtful: return "doubtful";
-    case FitStatus::poor_fit: return "poor_fit";
-    default: return "ok";
-  }
-}
-
-bool is_usable(FitStatus status) { return status == FitStatus::ok || status == FitStatus::doubtful; }
-
-std::vector<Pole> ModalFit::poles() const {
-  std::vector<Pole> poles;
-  for (const Mode& mode : modes) poles.push_back(mode.pole);
-  return poles;
-}
-
-std::size_t ModalFit::modes_inside() const {
-  return static_cast<std::size_t>(std::ranges::count(modes, true, &Mode::inside));
-}
 
 void judge(ModalFit& fit, double rms_db_away) {
   if (!is_usable(fit.status) || !(rms_db_away > most_synthesis_db)) return;

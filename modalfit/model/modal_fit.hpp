@@ -79,7 +79,4 @@ struct ModalFit {
 /// Whether a pole lies between the first and the last line.
 bool is_inside(const Pole& pole, const Band& band);
 
-/// Hysteretic η = 2ζ at resonance.
-double damping_per_zeta(const ModelKind& kind);
-
 }  // namespace jointid::modalfit

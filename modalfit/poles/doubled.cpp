@@ -83,7 +83,7 @@ bool two_are_exact(const Band& band, const std::vector<std::size_t>& entries, co
 }  // namespace
 
 double half_width_hz(const ModelKind& kind, const Pole& pole) {
-  return pole.damping * pole.frequency_hz * (kind.damping == Damping::hysteretic ? 0.5 : 1.0);
+  return pole.damping * pole.frequency_hz / damping_per_zeta(kind);
 }
 
 std::optional<std::array<std::size_t, 2>> doubled_pair(const std::vector<Pole>& poles, const ModelKind& kind,

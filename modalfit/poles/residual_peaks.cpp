@@ -208,7 +208,7 @@ std::vector<ResidualPeak> residual_peaks(const Band& band, const std::vector<std
     if (std::ranges::any_of(poles, [&](const Pole& pole) { return near(pole, 3.0); })) continue;
     if (std::ranges::any_of(out, [&](const ResidualPeak& peak) { return near(peak.pole, 6.0); })) continue;
     if (!is_prominent(frfs, filter, each)) continue;
-    out.push_back({{f, width / f * (kind.damping == Damping::hysteretic ? 2.0 : 1.0)}, each.growth, each.significance});
+    out.push_back({{f, width / f * damping_per_zeta(kind)}, each.growth, each.significance});
   }
   return out;
 }

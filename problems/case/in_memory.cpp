@@ -1,5 +1,8 @@
 #include "problems/case/in_memory.hpp"
 
+#include <numeric>
+
+#include "frf/set/frf_source.hpp"
 #include "ident/identify.hpp"
 #include "ident/scene/read_scene.hpp"
 
@@ -17,6 +20,19 @@ std::shared_ptr<frf::FrfSystem> assembly_of(Measurement& measurement) {
 }
 
 }  // namespace
+
+frf::FrfSet without(const frf::FrfSet& set, const std::vector<frf::Dof>& coordinates) {
+  const auto kept = [&coordinates](const std::vector<frf::Dof>& dofs) {
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+      if (frf::find_coordinate(coordinates, dofs[i]) == frf::npos) places.push_back(i);
+    }
+    return places;
+  };
+  std::vector<std::size_t> lines(set.header.lines());
+  std::iota(lines.begin(), lines.end(), std::size_t{0});
+  return frf::load(*frf::from_memory(set), {lines, kept(set.header.response), kept(set.header.reference)});
+}
 
 ident::Scene scene(const Problem& problem) { return ident::parse_scene(problem.scene, problem.name + ".toml"); }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "ident/check/check.hpp"
 #include "ident/plan/plan.hpp"
@@ -14,6 +15,9 @@ ident::Scene scene(const Problem& problem);
 
 /// A plan on FRFs in memory: the scene's files are not opened.
 std::unique_ptr<ident::Plan> plan(const ident::Scene& scene, Measurement measurement);
+
+/// The FRFs of a set without those at some coordinates.
+frf::FrfSet without(const frf::FrfSet& set, const std::vector<frf::Dof>& coordinates);
 
 /// What a check says of FRFs in memory.
 ident::CheckResult check(const ident::Scene& scene, Measurement measurement);

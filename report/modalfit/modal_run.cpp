@@ -99,10 +99,8 @@ ModalRun run_modal(const std::string& name, const frf::FrfSet& set, const modalf
   run.fit = modalfit::fit(run.band, run.header, options);
   if (options.interrupted && options.interrupted()) mark_interrupted(run.fit);
   synthesise(run);
-  if (run.fit.status == modalfit::FitStatus::poor_fit) {
+  if (run.fit.status == modalfit::FitStatus::poor_fit && !modalfit::doubt_phase(run.fit, run.band))
     modalfit::explain(run.fit, run.band, options);
-    modalfit::doubt_phase(run.fit, run.band);
-  }
   run.fit_s = seconds_since(start);
   return run;
 }

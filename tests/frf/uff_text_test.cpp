@@ -88,7 +88,7 @@ TEST(UffText, HeaderNumbersKeepTenDigits) {
 }
 
 void expect_unit(const char* label, double si, int length, int time, int force) {
-  const auto unit = parse_label(label);
+  const auto unit = parse_unit(label);
   ASSERT_TRUE(unit.has_value()) << label;
   EXPECT_NEAR(unit->si / si, 1.0, 1e-14) << label;
   EXPECT_EQ(unit->length, length) << label;
@@ -117,7 +117,7 @@ TEST(UffUnits, Labels) {
 
 TEST(UffUnits, LabelsNotUnderstood) {
   for (const char* label : {"", "NONE", "V", "dB", "m/", "m/s^", "(m/s^2", "m/s^2)", "2 m", "s 2"}) {
-    EXPECT_FALSE(parse_label(label).has_value()) << label;
+    EXPECT_FALSE(parse_unit(label).has_value()) << label;
   }
 }
 

@@ -150,17 +150,7 @@ TEST_F(Automatic, ExpectsEightFactorisationsOfALine) {
 /// The assembly of A1 without its joint.
 problems::Measurement unreached(const problems::Problem& problem) {
   problems::Measurement out = problems::polluted(problem, 1, 0);
-  const frf::FrfSet& set = out.assembly;
-  std::vector<std::size_t> lines(set.header.lines()), kept;
-  for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = i;
-  for (std::size_t i = 0; i < set.header.response.size(); ++i) {
-    if (frf::find_coordinate(problem.joint_dofs, set.header.response[i]) == frf::npos) kept.push_back(i);
-  }
-  std::vector<std::size_t> columns;
-  for (std::size_t i = 0; i < set.header.reference.size(); ++i) {
-    if (frf::find_coordinate(problem.joint_dofs, set.header.reference[i]) == frf::npos) columns.push_back(i);
-  }
-  out.assembly = frf::load(*frf::from_memory(set), {lines, kept, columns});
+  out.assembly = problems::without(out.assembly, problem.joint_dofs);
   return out;
 }
 

@@ -58,7 +58,7 @@ TEST(mirror_agreement, is_one_for_noise_whatever_its_size_was_said_to_be) {
   CheckedFile file = structure(0.0, 1);
   EXPECT_NEAR(ident::mirror_agreement(file).ratio, 1.0, 0.15);
   file.noise = std::make_shared<const ident::NoiseLaws>(
-      ident::NoiseLaws{Eigen::MatrixXd::Constant(6, 6, 9e-6), Eigen::MatrixXd::Zero(6, 6), true});
+      ident::NoiseLaws{Eigen::MatrixXd::Constant(6, 6, 9e-6), Eigen::MatrixXd::Zero(6, 6)});
   const ident::Agreement recorded = ident::mirror_agreement(file);
   EXPECT_TRUE(recorded.recorded);
   EXPECT_NEAR(recorded.ratio, 1.0, 0.15);

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/text.hpp"
-#include "frf/set/frf_source.hpp"
 #include "ident/identify.hpp"
 #include "ident/judgement/judge.hpp"
 #include "ident/judgement/passivity.hpp"
@@ -27,19 +25,6 @@ Control judged() {
   control.threads = 1;
   control.judgement = Judgement::data;
   return control;
-}
-
-frf::FrfSet without(const frf::FrfSet& set, const Dofs& gone) {
-  const auto kept = [&gone](const Dofs& dofs) {
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < dofs.size(); ++i) {
-      if (frf::find_coordinate(gone, dofs[i]) == frf::npos) places.push_back(i);
-    }
-    return places;
-  };
-  std::vector<std::size_t> lines(set.header.lines());
-  std::iota(lines.begin(), lines.end(), std::size_t{0});
-  return frf::load(*frf::from_memory(set), {lines, kept(set.header.response), kept(set.header.reference)});
 }
 
 /// The largest error of an unknown in parts of the largest.
@@ -94,7 +79,7 @@ TEST(Verdict, OfTheDirectSolutionIsNotOkWhereItIsWrong) {
     scene.identify = {};
     scene.identify.method = Method::direct;
     problems::Measurement data = problems::polluted(problem, 1, 0);
-    data.assembly = without(data.assembly, problem.joint_dofs);
+    data.assembly = problems::without(data.assembly, problem.joint_dofs);
     const Solution found = solve(*problems::plan(scene, std::move(data)), judged());
     ASSERT_GT(error_of(problem, found), 0.5) << name;
     EXPECT_NE(found.status, Status::ok) << name;

@@ -29,7 +29,6 @@ class BlockScores {
   std::vector<double> numbers();
   void take(const std::vector<double>& numbers);
 
-  std::size_t count() const { return blocks_.size(); }
 
   /// `whole`: information I with priors and gradient of all lines. Empty where a block alone fixes an unknown, or there are fewer than
   /// six.
