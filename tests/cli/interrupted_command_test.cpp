@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -138,6 +139,52 @@ TEST(InterruptedCommand, AConversionLeavesNoTemporaryFile) {
   for (int attempt = 0; attempt < 20 && !caught; ++attempt) caught = catch_in_the_act(folder, before);
   EXPECT_TRUE(caught);
   EXPECT_EQ(names_in(folder), before);
+}
+
+/// A command that waits for a file of its scene that another process holds a lease of (longer than the test takes), where nothing asks
+/// whether it shall end.
+class Hanging {
+ public:
+  Hanging() {
+    std::signal(SIGIO, SIG_IGN);  // that somebody wants the file
+    held_ = ::open(folder_.path("A1_assembly.h5").c_str(), O_RDWR | O_CLOEXEC);
+    EXPECT_EQ(::fcntl(held_, F_SETLEASE, F_WRLCK), 0);
+    command_.emplace(folder_.path(), std::vector<std::string>{"solve", "A1.toml"});
+    command_->wait_until_it_catches();
+  }
+  ~Hanging() {
+    command_.reset();
+    ::close(held_);
+  }
+  Hanging(const Hanging&) = delete;
+  Hanging& operator=(const Hanging&) = delete;
+  Command& operator*() { return *command_; }
+  Command* operator->() { return &*command_; }
+
+ private:
+  InputFolder folder_;
+  int held_ = -1;
+  std::optional<Command> command_;
+};
+
+TEST(InterruptedCommand, EndsByItselfWhereNothingAsks) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Hanging command;
+    command->interrupt(signal);
+    const Outcome outcome = command->wait();
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_EQ(outcome.err, said + "jointid: error: interrupted\n");
+  }
+}
+
+TEST(InterruptedCommand, EndsAtOnceWhenItIsAskedTwice) {
+  Hanging command;
+  command->interrupt(SIGTERM);
+  ::usleep(200000);  // two signals at a time are one
+  command->interrupt();
+  const Outcome outcome = command->wait();
+  EXPECT_EQ(outcome.code, 130);
+  EXPECT_EQ(outcome.err, said);
 }
 
 TEST(InterruptedCommand, TheLikelihoodLeavesItsBestJointMarked) {
