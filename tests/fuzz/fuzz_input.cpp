@@ -37,9 +37,6 @@ const int counting = __sanitizer_install_malloc_and_free_hooks(on_malloc, on_fre
 /// has no such excuse: there, a request beyond the limit is a finding.
 extern "C" const char* __asan_default_options() { return sanitizer_options; }
 
-/// Both lose some bytes for a file that they refuse; leaks of ours are findings.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\nleak:libmatio\n"; }
-
 InputFile::InputFile(std::span<const std::uint8_t> bytes) : descriptor_(::memfd_create("input", MFD_CLOEXEC)) {
   if (counting == 0 || descriptor_ < 0 || ::write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
     std::abort();
